@@ -1,0 +1,161 @@
+// The one list of a struct's fields, from which everything else is generated: equality, JSON both ways, JSON Schema,
+// the compact binary form of the trace and (in runtime) CAF's inspect.
+//
+// A struct takes part by naming its table:
+//
+//   struct moved {
+//     double distance_m = 0;
+//     std::string operator_token;
+//     static constexpr auto fields = io::table("moved", io::field("distance_m", &moved::distance_m),
+//                                              io::secret("operator_token", &moved::operator_token));
+//   };
+//
+// Kinds of value: bool, integers, floating point, enums (text where `enum_names(E)` is found by argument-dependent
+// lookup, else the number), std::string, std::chrono durations and time points (a count), std::optional, std::vector,
+// std::array, and structs with a table of their own. A field marked secret exists in memory and in the mailbox, and is
+// never rendered anywhere. Thread: all constexpr or pure.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace godwit::io {
+
+template <class Owner, class Value>
+struct field_entry {
+  std::string_view name;
+  Value Owner::*member;
+  bool is_secret;
+};
+
+template <class... Entries>
+struct field_table {
+  std::string_view type_name; // unique among all messages of the project
+  std::tuple<Entries...> entries;
+};
+
+template <class Owner, class Value>
+constexpr field_entry<Owner, Value> field(std::string_view name, Value Owner::*member) {
+  return {name, member, false};
+}
+
+template <class Owner, class Value>
+constexpr field_entry<Owner, Value> secret(std::string_view name, Value Owner::*member) {
+  return {name, member, true};
+}
+
+template <class... Entries>
+constexpr field_table<Entries...> table(std::string_view type_name, Entries... entries) {
+  return {type_name, std::tuple<Entries...>(entries...)};
+}
+
+template <class T>
+concept has_fields = requires {
+  { T::fields.type_name } -> std::convertible_to<std::string_view>;
+  T::fields.entries;
+};
+
+template <has_fields T>
+constexpr std::string_view type_name() {
+  return T::fields.type_name;
+}
+
+// Calls VISIT(entry) for each field in the order of the table.
+template <has_fields T, class Visitor>
+constexpr void for_each_field(Visitor&& visit) {
+  std::apply([&](const auto&... entry) { (visit(entry), ...); }, T::fields.entries);
+}
+
+// The text of an enum's values: `constexpr auto enum_names(colour) { return io::names<colour>({{colour::red, "red"},
+// ...}); }`
+template <class E, std::size_t N>
+constexpr std::array<std::pair<E, std::string_view>, N> names(const std::pair<E, std::string_view> (&list)[N]) {
+  return std::to_array(list);
+}
+
+template <class E>
+concept named_enum = std::is_enum_v<E> && requires(E value) {
+  enum_names(value);
+};
+
+template <named_enum E>
+constexpr std::string_view name_of(E value) {
+  for (const auto& [each, text] : enum_names(value))
+    if (each == value)
+      return text;
+  return {};
+}
+
+template <named_enum E>
+constexpr std::optional<E> value_of(std::string_view text) {
+  for (const auto& [each, name] : enum_names(E{}))
+    if (name == text)
+      return each;
+  return std::nullopt;
+}
+
+template <class T>
+struct is_optional : std::false_type {};
+template <class T>
+struct is_optional<std::optional<T>> : std::true_type {};
+
+template <class T>
+struct is_vector : std::false_type {};
+template <class T, class A>
+struct is_vector<std::vector<T, A>> : std::true_type {};
+
+template <class T>
+struct is_std_array : std::false_type {};
+template <class T, std::size_t N>
+struct is_std_array<std::array<T, N>> : std::true_type {};
+
+template <class T>
+struct is_duration : std::false_type {};
+template <class R, class P>
+struct is_duration<std::chrono::duration<R, P>> : std::true_type {};
+
+template <class T>
+struct is_time_point : std::false_type {};
+template <class C, class D>
+struct is_time_point<std::chrono::time_point<C, D>> : std::true_type {};
+
+template <class>
+inline constexpr bool unsupported_field = false;
+
+// Member-wise equality by the table; usable in tests and for `operator==` of message structs.
+template <has_fields T>
+constexpr bool equal(const T& a, const T& b);
+
+template <class V>
+constexpr bool equal_value(const V& a, const V& b) {
+  if constexpr (has_fields<V>) {
+    return equal(a, b);
+  } else if constexpr (is_optional<V>::value) {
+    return a.has_value() == b.has_value() && (!a || equal_value(*a, *b));
+  } else if constexpr (is_vector<V>::value || is_std_array<V>::value) {
+    if (a.size() != b.size())
+      return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (!equal_value(a[i], b[i]))
+        return false;
+    return true;
+  } else {
+    return a == b;
+  }
+}
+
+template <has_fields T>
+constexpr bool equal(const T& a, const T& b) {
+  return std::apply([&](const auto&... entry) { return (equal_value(a.*entry.member, b.*entry.member) && ...); },
+                    T::fields.entries);
+}
+
+} // namespace godwit::io

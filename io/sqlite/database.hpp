@@ -1,0 +1,63 @@
+// One connection to one SQLite file.
+//
+// Errors are values. A failed open leaves nothing behind. Thread: one thread at a time (SQLite's multi-thread mode).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "io/sqlite/error.hpp"
+#include "io/sqlite/statement.hpp"
+
+struct sqlite3;
+
+namespace godwit::io::sqlite {
+
+enum class open_mode {
+  read_only,
+  immutable, // read only, and nobody else writes: takes no locks and needs neither -wal nor -shm
+  read_write,
+  create, // read and write, made where it is missing
+};
+
+struct open_options {
+  open_mode mode = open_mode::read_write;
+  std::string vfs = {};      // name of a registered VFS; empty = the default one
+  int busy_timeout_ms = 250; // how long to wait for locks of other connections
+};
+
+class database {
+public:
+  [[nodiscard]] static result<database> open(const std::string& path, const open_options& options);
+
+  // Its statements must be gone before. Nothing else may be called afterwards.
+  void close() { handle_.reset(); }
+
+  // Runs one or several statements and drops their rows.
+  [[nodiscard]] result<void> exec(const std::string& sql);
+
+  // Prepares one statement; text after it is an error.
+  [[nodiscard]] result<statement> prepare(const std::string& sql);
+
+  // First column of the first row; 0 or empty where there is no row.
+  [[nodiscard]] result<std::int64_t> query_integer(const std::string& sql);
+  [[nodiscard]] result<std::string> query_text(const std::string& sql);
+
+  [[nodiscard]] bool in_transaction() const;
+  [[nodiscard]] bool read_only() const;       // also true where SQLite fell back to reading
+  [[nodiscard]] std::int64_t changes() const; // rows changed by the last statement
+  [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
+
+private:
+  struct closer {
+    void operator()(sqlite3* handle) const;
+  };
+  using handle_ptr = std::unique_ptr<sqlite3, closer>;
+
+  explicit database(handle_ptr handle) : handle_(std::move(handle)) {}
+
+  handle_ptr handle_;
+};
+
+} // namespace godwit::io::sqlite

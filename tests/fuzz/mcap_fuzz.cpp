@@ -1,0 +1,65 @@
+// Arbitrary bytes as an MCAP file: the reader and the repair must end, within their bounds, and agree.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "io/mcap/repair.hpp"
+#include "io/mcap/scan.hpp"
+#include "io/mcap/stream_reader.hpp"
+
+namespace godwit::io::mcap {
+namespace {
+
+struct ending {
+  bool complete = false;
+  std::uint64_t messages = 0;
+};
+
+ending read(byte_view bytes) {
+  const memory_source source{bytes};
+  stream_reader reader{source};
+  ending seen;
+  for (;;) {
+    const auto item = reader.next();
+    if (!item || std::holds_alternative<truncated>(*item)) {
+      return seen;
+    }
+    if (std::holds_alternative<end_of_file>(*item)) {
+      seen.complete = true;
+      return seen;
+    }
+    seen.messages += std::holds_alternative<message_record>(*item) ? 1 : 0;
+  }
+}
+
+void require(bool holds) {
+  if (!holds) {
+    std::abort();
+  }
+}
+
+} // namespace
+
+static void read_and_complete(byte_view bytes) {
+  static_cast<void>(read(bytes));
+  const memory_source source{bytes};
+  static_cast<void>(has_end(source));
+  const auto plan = plan_completion(source);
+  if (!plan) {
+    return;
+  }
+  // What a repair makes must be complete for the reader, with the messages that the repair counted, and stay as it is.
+  byte_buffer completed(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(plan->keep_bytes));
+  append_bytes(completed, plan->tail);
+  const ending seen = read(completed);
+  require(seen.complete && seen.messages == plan->messages);
+  const memory_source again{completed};
+  require(has_end(again).value_or(false));
+}
+
+} // namespace godwit::io::mcap
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  godwit::io::mcap::read_and_complete(std::as_bytes(std::span{data, size}));
+  return 0;
+}

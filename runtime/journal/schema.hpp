@@ -1,0 +1,41 @@
+// The tables of the journal and their versions.
+//
+// The file carries godwit's application id and, as user_version, the version of the journal's own tables. Each
+// component's typed tables have a name and a version of their own in `table_version`. All move by the same rule:
+// migration i leads from version i to i + 1, all steps of one name in one transaction. A version above the known ones
+// is an error: an older program must not write what it does not understand. Thread: the one of the database.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "io/sqlite/database.hpp"
+#include "runtime/journal/error.hpp"
+
+namespace godwit::runtime {
+
+// A component's typed tables. A migration may hold several statements, separated by semicolons.
+struct table_definition {
+  std::string name;
+  std::vector<std::string> migrations;
+};
+
+inline constexpr std::int32_t journal_application_id = 0x676f6477; // "godw"
+
+[[nodiscard]] std::int64_t journal_schema_version();
+
+// Refuses what is foreign, newer or damaged at the first look. Only reads.
+[[nodiscard]] tl::expected<void, journal_error> check_identity(io::sqlite::database& db, const std::string& file);
+
+// Refuses tables newer than TABLES knows. Only reads.
+[[nodiscard]] tl::expected<void, journal_error> check_tables(io::sqlite::database& db, const std::string& file,
+                                                             const std::vector<table_definition>& tables);
+
+// Brings the journal's own tables, then the components', to the newest version.
+[[nodiscard]] tl::expected<void, journal_error> migrate(io::sqlite::database& db, const std::string& file,
+                                                        const std::vector<table_definition>& tables);
+
+} // namespace godwit::runtime

@@ -1,0 +1,92 @@
+// The journal in one SQLite file: write-ahead log, synchronous FULL, one writer thread.
+//
+// Files: PATH, PATH-wal and PATH-shm (SQLite's), PATH.lock (who writes). Mode 0600.
+// Thread: every function from any thread, close and the destructor not from the journal's own callbacks.
+// Source: https://www.sqlite.org/wal.html
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/journal/journal.hpp"
+#include "runtime/journal/journal_file.hpp"
+#include "runtime/journal/schema.hpp"
+
+namespace godwit::runtime {
+
+struct journal_options {
+  std::string path = {};
+  std::vector<table_definition> tables = {};
+  bool create = true; // false: a journal that is not there is an error
+  integrity_check check = integrity_check::quick;
+  std::string vfs = {}; // empty = SQLite's default; tests inject faults with it
+
+  // While the disk refuses to write everything waits here: at 100 events/s these are 16 minutes.
+  std::size_t max_queued_writes = 100'000;
+  std::size_t max_queued_bytes = 256 * 1024 * 1024;
+  std::size_t max_queued_loads = 16;
+
+  // One transaction: bounds the pages that SQLite keeps in memory and the wait of the next group.
+  std::size_t max_group_writes = 2'000;
+  std::size_t max_group_bytes = 8 * 1024 * 1024;
+
+  // One chunk of a large load ends at the first of these.
+  std::size_t max_chunk_rows = 1'000;
+  std::chrono::milliseconds max_chunk_time{20};
+
+  // The log is moved into the database file when it is longer; SQLite's own default, 1000 pages.
+  std::size_t checkpoint_bytes = 4 * 1024 * 1024;
+
+  // After a disk error: the first wait, doubled each time up to the last.
+  std::chrono::milliseconds retry_min{10};
+  std::chrono::milliseconds retry_max{2'000};
+
+  // How long close tries to write what waits. A disk that hangs inside one call can not be interrupted.
+  std::chrono::milliseconds close_timeout{5'000};
+
+  // On the writer thread, when `failing` turns on or off. Must be quick and must not throw.
+  std::function<void(const journal_status&)> on_health_change = {};
+};
+
+class lock_file;
+class journal_writer;
+class write_queue;
+
+class sqlite_journal final : public journal {
+public:
+  // Blocks on the disk. The error names the file and the remedy.
+  [[nodiscard]] static tl::expected<std::unique_ptr<sqlite_journal>, journal_error> open(journal_options options);
+
+  ~sqlite_journal() override;
+
+  [[nodiscard]] tl::expected<void, journal_error> submit(journal_write write) override;
+
+  // On a closed journal the callback runs with an error on the calling thread.
+  void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) override;
+
+  // Refused (too many loads, closed): `done` runs with an error on the calling thread.
+  void load(bulk_load load) override;
+
+  [[nodiscard]] journal_status status() const override;
+
+  // Waits until all that was submitted before is durable; false when the time is over.
+  [[nodiscard]] bool flush(std::chrono::milliseconds timeout);
+
+  // Writes what waits within the close timeout, tells the rest that it failed, and gives the lock back. Once.
+  void close();
+
+private:
+  struct parts;
+
+  explicit sqlite_journal(std::unique_ptr<parts> made);
+
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::runtime

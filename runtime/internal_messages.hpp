@@ -1,0 +1,89 @@
+// What the runtime tells its own actors, beside their typed mailboxes. Not for actor code.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::runtime {
+
+// Guardian to actor: are you there? The actor answers with the same key (F´, Svc/Health).
+struct ping {
+  std::uint64_t key = 0;
+  static constexpr auto fields = io::table("runtime.ping", io::field("key", &ping::key));
+};
+
+struct pong {
+  std::uint32_t actor = 0; // number of the stable address
+  std::uint64_t key = 0;
+  static constexpr auto fields =
+      io::table("runtime.pong", io::field("actor", &pong::actor), io::field("key", &pong::key));
+};
+
+// Journal to actor: your events up to this number are on the disk.
+struct durable {
+  std::int64_t upto = 0;
+  static constexpr auto fields = io::table("runtime.durable", io::field("upto", &durable::upto));
+};
+
+// Journal to actor: a write was refused for good (a statement of its own was wrong). What the actor decided is not on
+// the disk.
+struct write_failed {
+  std::string what;
+  static constexpr auto fields = io::table("runtime.write_failed", io::field("what", &write_failed::what));
+};
+
+// Receiver to sender of a durable effect: I have it, or had it already. Only then is it marked released, so that an
+// effect still in a mailbox survives the death of the process.
+struct effect_taken {
+  std::int64_t event = 0;
+  std::uint32_t n = 0;
+  static constexpr auto fields =
+      io::table("runtime.effect_taken", io::field("event", &effect_taken::event), io::field("n", &effect_taken::n));
+};
+
+// Actor to guardian: this incarnation is ready for mail.
+struct child_up {
+  std::uint32_t actor = 0;
+  std::uint64_t incarnation = 0;
+  static constexpr auto fields = io::table("runtime.child_up", io::field("actor", &child_up::actor),
+                                           io::field("incarnation", &child_up::incarnation));
+};
+
+// Journal to guardian: what it recovered for this child lies ready.
+struct recovery_ready {
+  std::size_t child = 0;
+  std::uint64_t incarnation = 0;
+  static constexpr auto fields = io::table("runtime.recovery_ready", io::field("child", &recovery_ready::child),
+                                           io::field("incarnation", &recovery_ready::incarnation));
+};
+
+// Guardian to itself, later.
+struct restart_due {
+  std::size_t child = 0;
+  static constexpr auto fields = io::table("runtime.restart_due", io::field("child", &restart_due::child));
+};
+
+struct stop_overdue {
+  std::size_t child = 0;
+  std::uint64_t incarnation = 0;
+  bool killed = false; // it was killed already
+  static constexpr auto fields =
+      io::table("runtime.stop_overdue", io::field("child", &stop_overdue::child),
+                io::field("incarnation", &stop_overdue::incarnation), io::field("killed", &stop_overdue::killed));
+};
+
+struct guardian_tick {
+  static constexpr auto fields = io::table("runtime.guardian_tick");
+};
+
+struct start_children {
+  static constexpr auto fields = io::table("runtime.start_children");
+};
+
+struct stop_children {
+  static constexpr auto fields = io::table("runtime.stop_children");
+};
+
+} // namespace godwit::runtime

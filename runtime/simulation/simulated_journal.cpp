@@ -1,0 +1,134 @@
+#include "runtime/simulation/simulated_journal.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/assert.hpp"
+
+namespace godwit::runtime {
+
+namespace {
+
+void apply_to_actor(const journal_write& write, recovered& kept) {
+  if (write.event) {
+    GODWIT_ASSERT(write.event->number == kept.last_event + 1, "event numbers of an actor rise by one");
+    kept.last_event = write.event->number;
+    kept.events.push_back(*write.event);
+  }
+  if (write.snapshot) {
+    kept.snapshot = write.snapshot;
+    std::erase_if(kept.events, [&](const event_record& each) { return each.number <= write.snapshot->number; });
+  }
+  kept.effects.insert(kept.effects.end(), write.effects.begin(), write.effects.end());
+  for (const auto& id : write.released)
+    std::erase_if(kept.effects, [&](const effect_record& each) { return each.id == id; });
+  for (const auto& mark : write.seen) {
+    const auto known = std::find_if(kept.seen.begin(), kept.seen.end(),
+                                    [&](const seen_mark& each) { return each.source == mark.source; });
+    if (known == kept.seen.end())
+      kept.seen.push_back(mark);
+    else
+      known->upto = std::max(known->upto, mark.upto);
+  }
+}
+
+} // namespace
+
+void apply(const journal_write& write, simulated_disk& disk) {
+  apply_to_actor(write, disk.actors[write.actor].kept);
+  disk.rows.insert(disk.rows.end(), write.rows.begin(), write.rows.end());
+  for (const auto& each : write.outbox)
+    disk.outbox[each.idempotency_key] = each;
+  disk.dead_letters.insert(disk.dead_letters.end(), write.dead_letters.begin(), write.dead_letters.end());
+}
+
+tl::expected<void, journal_error> simulated_journal::submit(journal_write write) {
+  if (write.incarnation < newest_incarnation_[write.actor]) {
+    ++counted_.refused;
+    return tl::unexpected(journal_error{journal_errc::stale_incarnation, "simulation",
+                                        write.actor + " was replaced by a newer incarnation", "nothing to do"});
+  }
+  queue_.emplace_back(std::move(write));
+  return {};
+}
+
+void simulated_journal::recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) {
+  auto& newest = newest_incarnation_[actor];
+  newest = std::max(newest, incarnation);
+  queue_.emplace_back(recovery{std::move(actor), std::move(callback)});
+}
+
+void simulated_journal::load(bulk_load load) {
+  journal_write whole;
+  whole.actor = load.name;
+  while (load.next(whole.rows, 1000)) {
+  }
+  whole.rows.insert(whole.rows.end(), load.flip.begin(), load.flip.end());
+  whole.done = std::move(load.done);
+  queue_.emplace_back(std::move(whole));
+}
+
+journal_status simulated_journal::status() const {
+  auto result = counted_;
+  result.failing = failing_;
+  result.reason = failing_ ? "the simulated disk fails" : "";
+  result.queued = queue_.size();
+  result.run = disk_.runs;
+  return result;
+}
+
+bool simulated_journal::step() {
+  if (queue_.empty())
+    return false;
+  if (failing_)
+    return recover_while_failing();
+  if (std::holds_alternative<recovery>(queue_.front())) {
+    auto asked = std::get<recovery>(std::move(queue_.front()));
+    queue_.pop_front();
+    answer(std::move(asked), {});
+  } else {
+    commit_group();
+  }
+  return true;
+}
+
+void simulated_journal::commit_group() {
+  std::vector<journal_write> group;
+  while (!queue_.empty() && std::holds_alternative<journal_write>(queue_.front())) {
+    group.push_back(std::get<journal_write>(std::move(queue_.front())));
+    queue_.pop_front();
+  }
+  for (const auto& each : group) {
+    apply(each, disk_);
+    ++counted_.writes;
+    counted_.events += each.event ? 1 : 0;
+  }
+  ++counted_.commits;
+  ++disk_.commits;
+  for (const auto& each : group)
+    if (each.done)
+      each.done({});
+}
+
+bool simulated_journal::recover_while_failing() {
+  const auto found = std::find_if(queue_.begin(), queue_.end(),
+                                  [](const queued_item& each) { return std::holds_alternative<recovery>(each); });
+  if (found == queue_.end())
+    return false;
+  std::deque<queued_item> ahead(queue_.begin(), found);
+  auto asked = std::get<recovery>(std::move(*found));
+  queue_.erase(found);
+  answer(std::move(asked), ahead);
+  return true;
+}
+
+void simulated_journal::answer(recovery asked, const std::deque<queued_item>& ahead) {
+  auto result = disk_.actors[asked.actor].kept;
+  result.durable_upto = result.last_event;
+  for (const auto& each : ahead)
+    if (const auto* write = std::get_if<journal_write>(&each); write != nullptr && write->actor == asked.actor)
+      apply_to_actor(*write, result);
+  asked.callback(std::move(result));
+}
+
+} // namespace godwit::runtime

@@ -1,0 +1,67 @@
+// A journal in memory for tests: the same promises as sqlite_journal, with every commit under the test's control.
+//
+// simulated_disk is what survives the process; simulated_journal is the writer and dies with it. Nothing happens until
+// step(): then all that waits commits in one group and the callbacks run, in the caller's thread. The disk can be told
+// to fail. Thread: one.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/journal/journal.hpp"
+
+namespace godwit::runtime {
+
+class simulated_disk {
+public:
+  struct actor_rows {
+    recovered kept;
+  };
+
+  std::map<std::string, actor_rows> actors;
+  std::vector<row_change> rows;             // what was written to typed tables, in order
+  std::map<std::string, outbox_row> outbox; // by key
+  std::vector<dead_letter> dead_letters;
+  std::uint64_t runs = 0;
+  std::uint64_t commits = 0;
+};
+
+class simulated_journal final : public journal {
+public:
+  explicit simulated_journal(simulated_disk& disk) : disk_(disk) { ++disk_.runs; }
+
+  [[nodiscard]] tl::expected<void, journal_error> submit(journal_write write) override;
+  void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) override;
+  void load(bulk_load load) override;
+  [[nodiscard]] journal_status status() const override;
+
+  // Does one step of work; false when nothing waits (or only writes do, and the disk fails).
+  bool step();
+  void fail_writes(bool failing) { failing_ = failing; }
+  [[nodiscard]] std::size_t waiting() const { return queue_.size(); }
+
+private:
+  struct recovery {
+    std::string actor;
+    recovered_callback callback;
+  };
+  using queued_item = std::variant<journal_write, recovery>;
+
+  void commit_group();
+  bool recover_while_failing();
+  void answer(recovery asked, const std::deque<queued_item>& ahead);
+
+  simulated_disk& disk_;
+  std::deque<queued_item> queue_;
+  std::map<std::string, std::uint64_t> newest_incarnation_;
+  bool failing_ = false;
+  journal_status counted_;
+};
+
+// Adds one write to what an actor has; the one place where the meaning of a write is told.
+void apply(const journal_write& write, simulated_disk& disk);
+
+} // namespace godwit::runtime

@@ -1,0 +1,268 @@
+#include "runtime/stable_address.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace godwit::runtime {
+
+namespace {
+
+caf::error receiver_down(const std::string& name) {
+  return caf::make_error(caf::sec::request_receiver_down, name + " takes no more messages");
+}
+
+caf::error outcome_unknown(const std::string& name) {
+  return caf::make_error(caf::sec::runtime_error, name + " crashed before it answered; whether it acted is not known");
+}
+
+void answer_with(const stable_address::requester& r, caf::error why) {
+  if (r.who)
+    r.who->enqueue(nullptr, r.mid.response_id(), caf::make_message(std::move(why)), nullptr);
+}
+
+} // namespace
+
+stable_address::stable_address(caf::actor_config& config, std::uint32_t number, address_options options)
+    : caf::monitorable_actor(config), number_(number), options_(std::move(options)) {}
+
+// -- senders
+// ---------------------------------------------------------------------------------------------------------------
+
+void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_unit* context) {
+  {
+    // The shared lock covers the push: detach() waits for pushes in flight, so that none lands in a mailbox already
+    // emptied.
+    const std::shared_lock guard(mutex_);
+    if (target_ && !mailbox_full()) {
+      enqueued_.fetch_add(1, std::memory_order_relaxed);
+      target_->enqueue(std::move(element), context);
+      return;
+    }
+  }
+  std::unique_lock guard(mutex_);
+  if (target_ && !mailbox_full()) {
+    enqueued_.fetch_add(1, std::memory_order_relaxed);
+    target_->enqueue(std::move(element), context);
+    return;
+  }
+  if (target_ || closed_ || arrived_while_parked_ >= options_.parking_bound) {
+    ++counters_.refused;
+    guard.unlock();
+    refuse(std::move(element));
+    return;
+  }
+  ++arrived_while_parked_;
+  ++counters_.accepted;
+  parked_.push_back(std::move(element));
+}
+
+void stable_address::refuse(caf::mailbox_element_ptr element) {
+  if (element->mid.is_request())
+    answer_with({element->sender, element->mid}, receiver_down(options_.name));
+}
+
+// -- the incarnation
+// -------------------------------------------------------------------------------------------------------
+
+bool stable_address::may_retry(std::uint64_t message_id, int& crashes_so_far) {
+  const std::unique_lock guard(mutex_);
+  crashes_so_far = ++crashes_of_[message_id];
+  trouble_.store(true, std::memory_order_relaxed);
+  if (crashes_so_far < max_crashes) {
+    ++counters_.put_back;
+    return true;
+  }
+  crashes_of_.erase(message_id);
+  ++counters_.dead_lettered;
+  return false;
+}
+
+void stable_address::settled(std::uint64_t message_id) {
+  if (!trouble_.load(std::memory_order_relaxed))
+    return;
+  const std::unique_lock guard(mutex_);
+  crashes_of_.erase(message_id);
+  trouble_.store(!crashes_of_.empty(), std::memory_order_relaxed);
+}
+
+void stable_address::count_unhandled(std::uint64_t address_counters::*why) {
+  const std::unique_lock guard(mutex_);
+  taken_.fetch_add(1, std::memory_order_relaxed);
+  ++unhandled_;
+  if (why != nullptr)
+    ++(counters_.*why);
+}
+
+bool stable_address::has_seen(std::uint32_t source, effect_id id) const {
+  const std::shared_lock guard(mutex_);
+  const auto found = seen_.find(source);
+  return found != seen_.end() && id <= found->second;
+}
+
+void stable_address::mark_seen(std::uint32_t source, effect_id id) {
+  const std::unique_lock guard(mutex_);
+  auto& mark = seen_[source];
+  mark = std::max(mark, id);
+}
+
+void stable_address::expect_answer(std::uint64_t message_id, requester r) {
+  const std::unique_lock guard(mutex_);
+  waiting_answers_[message_id] = std::move(r);
+}
+
+stable_address::requester stable_address::take_requester(std::uint64_t message_id) {
+  const std::unique_lock guard(mutex_);
+  const auto found = waiting_answers_.find(message_id);
+  if (found == waiting_answers_.end())
+    return {};
+  auto result = std::move(found->second);
+  waiting_answers_.erase(found);
+  return result;
+}
+
+void stable_address::give_up_answers(const std::vector<std::uint64_t>& keep) {
+  std::vector<requester> abandoned;
+  {
+    const std::unique_lock guard(mutex_);
+    for (auto each = waiting_answers_.begin(); each != waiting_answers_.end();) {
+      if (std::find(keep.begin(), keep.end(), each->first) != keep.end()) {
+        ++each;
+        continue;
+      }
+      abandoned.push_back(std::move(each->second));
+      each = waiting_answers_.erase(each);
+    }
+  }
+  for (const auto& each : abandoned)
+    answer_with(each, outcome_unknown(options_.name));
+}
+
+void stable_address::count_runtime_messages(std::size_t n) {
+  const std::unique_lock guard(mutex_);
+  taken_.fetch_add(n, std::memory_order_relaxed);
+  runtime_messages_ += n;
+}
+
+void stable_address::detach(const caf::actor_control_block* dying) {
+  caf::strong_actor_ptr old; // released after the lock: the last reference runs the actor's destructor
+  const std::unique_lock guard(mutex_);
+  if (target_.get() == dying)
+    old.swap(target_);
+}
+
+void stable_address::give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t put_back) {
+  {
+    const std::unique_lock guard(mutex_);
+    taken_.fetch_add(mail.size() - put_back, std::memory_order_relaxed);
+    unhandled_ += mail.size() - put_back;
+    if (options_.policy == on_crash::redeliver && !closed_) {
+      if (target_) // the incarnation had been left behind, and has a successor
+        forward_again(mail);
+      else
+        std::move(mail.rbegin(), mail.rend(), std::front_inserter(parked_));
+      return;
+    }
+    (closed_ ? counters_.refused : counters_.lost) += mail.size();
+  }
+  for (auto& each : mail)
+    refuse(std::move(each));
+}
+
+void stable_address::forward_again(std::vector<caf::mailbox_element_ptr>& mail) {
+  forwarded_again_ += mail.size();
+  enqueued_.fetch_add(mail.size(), std::memory_order_relaxed);
+  for (auto& each : mail)
+    target_->enqueue(std::move(each), nullptr);
+}
+
+void stable_address::note_crash(std::string reason) {
+  const std::unique_lock guard(mutex_);
+  ++counters_.crashes;
+  last_crash_ = std::move(reason);
+}
+
+std::string stable_address::last_crash() const {
+  const std::shared_lock guard(mutex_);
+  return last_crash_;
+}
+
+// -- the guardian
+// ----------------------------------------------------------------------------------------------------------
+
+std::uint64_t stable_address::begin_incarnation() { return incarnation_.fetch_add(1, std::memory_order_acq_rel) + 1; }
+
+void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit* context) {
+  const std::unique_lock guard(mutex_);
+  if (closed_)
+    return;
+  enqueued_.fetch_add(parked_.size(), std::memory_order_relaxed);
+  forwarded_again_ += parked_.size();
+  for (; !parked_.empty(); parked_.pop_front())
+    incarnation->enqueue(std::move(parked_.front()), context);
+  arrived_while_parked_ = 0;
+  target_ = std::move(incarnation);
+}
+
+std::size_t stable_address::abandon() {
+  const std::unique_lock guard(mutex_);
+  incarnation_.fetch_add(1, std::memory_order_acq_rel); // it is fenced from here on
+  stranded_.push_back(std::move(target_));              // kept alive: the handler still runs in it
+  target_.reset();
+  return enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed);
+}
+
+bool stable_address::kill() {
+  const std::shared_lock guard(mutex_);
+  if (!target_)
+    return false;
+  target_->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
+                                             caf::exit_msg{address(), caf::exit_reason::kill}),
+                   nullptr);
+  return true;
+}
+
+void stable_address::close() {
+  caf::strong_actor_ptr old;
+  std::deque<caf::mailbox_element_ptr> mail;
+  std::map<std::uint64_t, requester> waiting;
+  {
+    const std::unique_lock guard(mutex_);
+    if (std::exchange(closed_, true))
+      return;
+    old.swap(target_);
+    mail.swap(parked_);
+    waiting.swap(waiting_answers_);
+    counters_.refused += mail.size();
+  }
+  for (auto& each : mail)
+    refuse(std::move(each));
+  for (const auto& [id, each] : waiting)
+    answer_with(each, receiver_down(options_.name));
+  cleanup(caf::exit_reason::user_shutdown, nullptr);
+}
+
+// -- anybody
+// ---------------------------------------------------------------------------------------------------------------
+
+address_counters stable_address::counters() const {
+  const std::shared_lock guard(mutex_);
+  auto result = counters_;
+  const auto taken = taken_.load(std::memory_order_relaxed);
+  result.accepted += enqueued_.load(std::memory_order_relaxed) - forwarded_again_ - runtime_messages_;
+  result.handled = taken - std::min(taken, unhandled_ + runtime_messages_);
+  return result;
+}
+
+std::size_t stable_address::parked() const {
+  const std::shared_lock guard(mutex_);
+  return parked_.size();
+}
+
+caf::strong_actor_ptr make_stable_address(caf::actor_system& system, std::uint32_t number, address_options options) {
+  caf::actor_config config;
+  return caf::make_actor<stable_address, caf::strong_actor_ptr>(system.next_actor_id(), system.node(), &system, config,
+                                                                number, std::move(options));
+}
+
+} // namespace godwit::runtime

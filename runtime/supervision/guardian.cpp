@@ -1,0 +1,367 @@
+#include "runtime/supervision/guardian.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "runtime/internal_messages.hpp"
+#include "runtime/supervision/ping_ledger.hpp"
+#include "runtime/supervision/supervision_core.hpp"
+
+namespace godwit::runtime {
+
+namespace {
+
+// Where the journal's thread leaves what it recovered until the guardian picks it up.
+struct recovery_slot {
+  std::mutex mutex;
+  std::map<std::uint64_t, tl::expected<recovered, journal_error>> by_incarnation;
+};
+
+struct child_runtime {
+  child_spec spec;
+  caf::strong_actor_ptr incarnation;
+  std::uint64_t number = 0; // of the incarnation
+  std::shared_ptr<recovery_slot> slot = std::make_shared<recovery_slot>();
+  bool restart_is_useless = false;
+};
+
+std::vector<child_policy> policies_of(const std::vector<child_spec>& children) {
+  std::vector<child_policy> result;
+  result.reserve(children.size());
+  for (const auto& each : children)
+    result.push_back(each.policy);
+  return result;
+}
+
+template <class T>
+caf::mailbox_element_ptr internal(T body) {
+  return caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<T>{{}, std::move(body)});
+}
+
+class guardian final : public caf::event_based_actor {
+public:
+  guardian(caf::actor_config& config, const services& outside, std::vector<child_spec> children,
+           guardian_options options, decider_handle decider, std::shared_ptr<guardian_status> status)
+      : caf::event_based_actor(config), outside_(outside), options_(std::move(options)), decider_(std::move(decider)),
+        status_(std::move(status)), core_(options_.how, policies_of(children), outside.seed),
+        pings_(options_.ping, children.size()) {
+    for (auto& each : children)
+      children_.push_back({.spec = std::move(each), .incarnation = nullptr});
+    set_down_handler([this](caf::down_msg& message) { on_down(message); });
+    set_default_handler(caf::drop);
+  }
+
+  const char* name() const override { return "guardian"; }
+
+  caf::behavior make_behavior() override {
+    return {
+        [this](const mail<start_children>&) {
+          tick();
+          carry_out(core_.start());
+        },
+        [this](const mail<stop_children>&) { carry_out(core_.shutdown()); },
+        [this](const mail<guardian_tick>&) { tick(); },
+        [this](const mail<pong>& m) { on_pong(m.body); },
+        [this](const mail<child_up>& m) { on_up(m.body); },
+        [this](const mail<recovery_ready>& m) { on_recovered(m.body); },
+        [this](const mail<restart_due>& m) { carry_out(core_.restart_due(m.body.child)); },
+        [this](const mail<stop_overdue>& m) { on_stop_overdue(m.body); },
+        [this](const mail<get_children>& m) {
+          return mail<children>{{0, m.head.id, 0, 0, 0}, report()};
+        },
+        [this](const mail<set_policy>& m) {
+          if (const auto i = find(m.body.name); i < children_.size())
+            core_.set_policy(i, m.body.policy);
+        },
+        [this](const mail<want_child>& m) {
+          if (const auto i = find(m.body.name); i < children_.size())
+            carry_out(core_.want(i, m.body.wanted));
+        },
+    };
+  }
+
+  void on_exit() override { children_.clear(); }
+
+private:
+  // -- carrying out
+  // ------------------------------------------------------------------------------------------------------
+
+  void carry_out(const supervision_core::actions& actions) {
+    for (const auto& each : actions)
+      std::visit([this](const auto& action) { act(action); }, each);
+  }
+
+  void act(const start_child& action) {
+    auto& child = children_[action.child];
+    child.restart_is_useless = false;
+    child.number = address(child).begin_incarnation();
+    if (!child.spec.persistent || outside_.durable == nullptr) {
+      make_incarnation(action.child, {});
+      return;
+    }
+    outside_.durable->recover(address(child).actor_name(), child.number,
+                              [slot = child.slot, self = caf::strong_actor_ptr(ctrl()), index = action.child,
+                               number = child.number](tl::expected<recovered, journal_error> result) {
+                                {
+                                  const std::lock_guard guard(slot->mutex);
+                                  slot->by_incarnation.insert_or_assign(number, std::move(result));
+                                }
+                                self->enqueue(internal(recovery_ready{index, number}), nullptr);
+                              });
+  }
+
+  void act(const stop_child& action) {
+    auto& child = children_[action.child];
+    pings_.forget(action.child);
+    if (!child.incarnation) { // its recovery is still under way
+      child.number = 0;
+      carry_out(core_.down(action.child, now_ns()));
+      return;
+    }
+    // In order: a stop for good lets the actor finish its mail first, one for a restart does not wait for it.
+    const auto mid =
+        caf::make_message_id(action.for_good ? caf::message_priority::normal : caf::message_priority::high);
+    child.incarnation->enqueue(
+        caf::make_mailbox_element(nullptr, mid, {}, caf::exit_msg{address_of_self(), caf::exit_reason::user_shutdown}),
+        context());
+    later(options_.stop_timeout, stop_overdue{action.child, child.number, false});
+  }
+
+  void act(const await_restart& action) { later(std::chrono::nanoseconds(action.delay_ns), restart_due{action.child}); }
+
+  void act(const give_up_child& action) {
+    auto& child = children_[action.child];
+    const auto reason = address(child).last_crash();
+    tell_event(action.child, child_event_kind::gave_up, reason);
+    post_health(action.child, health_colour::red, "given up: " + reason);
+  }
+
+  void act(const bring_down& action) {
+    const auto& child = children_[action.child];
+    request_exit(exit_cause::essential_given_up,
+                 address(child).actor_name() + " is essential and was given up: " + address(child).last_crash());
+  }
+
+  void act(const all_stopped&) {
+    for (auto& each : children_)
+      address(each).close();
+    quit(caf::exit_reason::user_shutdown);
+  }
+
+  void make_incarnation(std::size_t index, recovered restored) {
+    auto& child = children_[index];
+    try {
+      auto made = child.spec.make(
+          system(), {&outside_, child.spec.address, child.number, caf::strong_actor_ptr(ctrl()), std::move(restored)});
+      monitor(caf::actor_cast<caf::actor>(made));
+      child.incarnation = made;
+      address(child).bind(std::move(made), context());
+    } catch (const std::exception& thrown) {
+      address(child).note_crash(thrown.what());
+      tell_event(index, child_event_kind::crashed, thrown.what());
+      carry_out(core_.down(index, now_ns()));
+    }
+  }
+
+  // -- what happens to children
+  // ------------------------------------------------------------------------------------------
+
+  void on_recovered(const recovery_ready& ready) {
+    auto& child = children_[ready.child];
+    tl::expected<recovered, journal_error> result;
+    {
+      const std::lock_guard guard(child.slot->mutex);
+      const auto found = child.slot->by_incarnation.find(ready.incarnation);
+      if (found == child.slot->by_incarnation.end())
+        return;
+      result = std::move(found->second);
+      child.slot->by_incarnation.erase(found);
+    }
+    if (child.number != ready.incarnation || core_.phase(ready.child) != child_phase::starting)
+      return; // stopped meanwhile
+    if (result) {
+      make_incarnation(ready.child, std::move(*result));
+      return;
+    }
+    address(child).note_crash(result.error().message());
+    tell_event(ready.child, child_event_kind::crashed, result.error().message());
+    carry_out(core_.down(ready.child, now_ns()));
+  }
+
+  void on_up(const child_up& up) {
+    const auto index = find(up.actor);
+    if (index >= children_.size() || children_[index].number != up.incarnation)
+      return;
+    pings_.watch(index, now_ns());
+    if (up.incarnation > 1)
+      status_->restarts.fetch_add(1, std::memory_order_relaxed);
+    tell_event(index, child_event_kind::up, {});
+    post_health(index, health_colour::green, {});
+    carry_out(core_.up(index));
+  }
+
+  void on_down(const caf::down_msg& message) {
+    const auto index = find(message.source);
+    if (index >= children_.size()) { // one that was left behind has come to its end after all
+      if (status_->hanging.load() > 0)
+        status_->hanging.fetch_sub(1);
+      return;
+    }
+    auto& child = children_[index];
+    child.incarnation = nullptr;
+    pings_.forget(index);
+    const bool stopping = core_.phase(index) == child_phase::stopping;
+    if (!stopping && message.reason != caf::sec::runtime_error)
+      address(child).note_crash("killed");
+    tell_event(index, stopping ? child_event_kind::stopped : child_event_kind::crashed, address(child).last_crash());
+    carry_out(core_.down(index, now_ns(), address(child).is_beyond_restart()));
+  }
+
+  void on_stop_overdue(const stop_overdue& overdue) {
+    auto& child = children_[overdue.child];
+    if (child.number != overdue.incarnation || core_.phase(overdue.child) != child_phase::stopping)
+      return;
+    if (overdue.killed) {
+      leave_behind(overdue.child);
+      carry_out(core_.down(overdue.child, now_ns()));
+      return;
+    }
+    child.incarnation->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
+                                                         caf::exit_msg{address_of_self(), caf::exit_reason::kill}),
+                               context());
+    later(options_.stop_timeout, stop_overdue{overdue.child, overdue.incarnation, true});
+  }
+
+  // -- pings
+  // -------------------------------------------------------------------------------------------------------------
+
+  void tick() {
+    const auto now = now_ns();
+    status_->last_tick_ns.store(now, std::memory_order_relaxed);
+    const auto verdict = pings_.tick(now);
+    for (const auto i : verdict.to_ping)
+      children_[i].spec.address->enqueue(internal(ping{pings_.key_of(i)}), context());
+    for (const auto i : verdict.late) {
+      tell_event(i, child_event_kind::late, {});
+      post_health(i, health_colour::yellow, "does not answer pings");
+    }
+    for (const auto i : verdict.silent)
+      on_silent(i);
+    if (!core_.shutting_down())
+      later(options_.ping.period / 4, guardian_tick{});
+  }
+
+  void on_pong(const pong& answer) {
+    const auto index = find(answer.actor);
+    if (index < children_.size() && pings_.answered(index, answer.key))
+      post_health(index, health_colour::green, {});
+  }
+
+  // A handler that does not return can not be stopped inside a process. The incarnation is left behind with what it had
+  // in its mailbox, and a new one takes over; for an essential actor the process ends instead, and starts clean.
+  void on_silent(std::size_t index) {
+    const std::string reason = "did not answer a ping for " + std::to_string(options_.ping.fatal.count()) + " ms";
+    const auto stranded = leave_behind(index);
+    address(children_[index]).note_crash(reason);
+    tell_event(index, child_event_kind::silent, reason + "; " + std::to_string(stranded) + " messages are stranded");
+    post_health(index, health_colour::red, reason);
+    if (core_.policy(index).essential)
+      request_exit(exit_cause::essential_silent,
+                   address(children_[index]).actor_name() + " is essential and " + reason);
+    carry_out(core_.down(index, now_ns()));
+  }
+
+  std::size_t leave_behind(std::size_t index) {
+    auto& child = children_[index];
+    child.incarnation = nullptr;
+    status_->hanging.fetch_add(1);
+    return address(child).abandon();
+  }
+
+  // -- small things
+  // ------------------------------------------------------------------------------------------------------
+
+  static stable_address& address(const child_runtime& child) { return address_of(child.spec.address); }
+  [[nodiscard]] std::int64_t now_ns() const { return outside_.time->monotonic_ns(); }
+  [[nodiscard]] caf::actor_addr address_of_self() { return caf::event_based_actor::address(); }
+
+  template <class Duration, class T>
+  void later(Duration delay, T body) {
+    clock().schedule_message(clock().now() + delay, caf::strong_actor_ptr(ctrl()), internal(std::move(body)));
+  }
+
+  template <class Predicate>
+  [[nodiscard]] std::size_t find_if(Predicate matches) const {
+    return static_cast<std::size_t>(std::find_if(children_.begin(), children_.end(), matches) - children_.begin());
+  }
+  [[nodiscard]] std::size_t find(const std::string& wanted) const {
+    return find_if([&](const child_runtime& each) { return address(each).actor_name() == wanted; });
+  }
+  [[nodiscard]] std::size_t find(std::uint32_t number) const {
+    return find_if([&](const child_runtime& each) { return address(each).number() == number; });
+  }
+  [[nodiscard]] std::size_t find(const caf::actor_addr& source) const {
+    return find_if(
+        [&](const child_runtime& each) { return each.incarnation && each.incarnation->address() == source; });
+  }
+
+  [[nodiscard]] children report() const {
+    children result;
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      result.list.push_back({address(children_[i]).actor_name(), core_.phase(i), children_[i].number, core_.restarts(i),
+                             address(children_[i]).last_crash()});
+    return result;
+  }
+
+  void tell_event(std::size_t index, child_event_kind kind, std::string reason) {
+    const auto& child = children_[index];
+    child_event event{address(child).actor_name(), kind, child.number, std::move(reason)};
+    if (outside_.trace != nullptr) {
+      trace_entry entry;
+      entry.began_ns = now_ns();
+      entry.actor = address(child).number();
+      entry.incarnation = static_cast<std::uint32_t>(child.number);
+      outside_.trace->record(entry, type_of<child_event>, &event);
+    }
+    if (decider_)
+      caf::actor_cast<caf::strong_actor_ptr>(decider_)->enqueue(internal(std::move(event)), context());
+  }
+
+  void post_health(std::size_t index, health_colour colour, std::string reason) {
+    outside_.health->post(address(children_[index]).actor_name(), colour, std::move(reason));
+  }
+
+  void request_exit(exit_cause cause, std::string reason) {
+    if (options_.on_exit_request)
+      options_.on_exit_request({cause, std::move(reason)});
+  }
+
+  const services outside_;
+  const guardian_options options_;
+  const decider_handle decider_;
+  const std::shared_ptr<guardian_status> status_;
+  std::vector<child_runtime> children_;
+  supervision_core core_;
+  ping_ledger pings_;
+};
+
+} // namespace
+
+caf::strong_actor_ptr spawn_guardian(caf::actor_system& system, const services& outside,
+                                     std::vector<child_spec> children, guardian_options options, decider_handle decider,
+                                     std::shared_ptr<guardian_status> status) {
+  return caf::actor_cast<caf::strong_actor_ptr>(
+      system.spawn<guardian>(outside, std::move(children), std::move(options), std::move(decider), std::move(status)));
+}
+
+void tell_guardian_to_start(const caf::strong_actor_ptr& guardian) {
+  guardian->enqueue(internal(start_children{}), nullptr);
+}
+
+void tell_guardian_to_stop(const caf::strong_actor_ptr& guardian) {
+  guardian->enqueue(internal(stop_children{}), nullptr);
+}
+
+} // namespace godwit::runtime

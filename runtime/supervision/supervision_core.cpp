@@ -1,0 +1,151 @@
+#include "runtime/supervision/supervision_core.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace godwit::runtime {
+
+supervision_core::supervision_core(strategy how, std::vector<child_policy> children, std::uint64_t seed)
+    : strategy_(how), random_(seed) {
+  children_.reserve(children.size());
+  for (auto& each : children)
+    children_.push_back({.policy = each, .history = {}});
+}
+
+supervision_core::actions supervision_core::start() {
+  started_ = true;
+  actions out;
+  look_again(out);
+  return out;
+}
+
+supervision_core::actions supervision_core::shutdown() {
+  shutting_down_ = true;
+  for (auto& each : children_)
+    if (each.phase == child_phase::waiting)
+      each.phase = child_phase::absent;
+  actions out;
+  look_again(out);
+  return out;
+}
+
+supervision_core::actions supervision_core::up(std::size_t i) {
+  actions out;
+  if (children_[i].phase != child_phase::starting)
+    return out;
+  children_[i].phase = child_phase::running;
+  if (std::exchange(children_[i].been_up, true))
+    ++children_[i].restarts;
+  look_again(out);
+  return out;
+}
+
+supervision_core::actions supervision_core::down(std::size_t i, std::int64_t now_ns, bool restart_is_useless) {
+  actions out;
+  switch (children_[i].phase) {
+  case child_phase::stopping:
+    children_[i].phase = child_phase::absent;
+    break;
+  case child_phase::starting:
+  case child_phase::running:
+    crashed(i, now_ns, restart_is_useless, out);
+    break;
+  case child_phase::absent:
+  case child_phase::waiting:
+  case child_phase::given_up:
+    return out;
+  }
+  look_again(out);
+  return out;
+}
+
+void supervision_core::crashed(std::size_t i, std::int64_t now_ns, bool restart_is_useless, actions& out) {
+  auto& each = children_[i];
+  const auto delay_ns = each.history.on_crash(each.policy.restart, now_ns, random_);
+  if (!delay_ns || restart_is_useless) {
+    each.phase = child_phase::given_up;
+    out.emplace_back(give_up_child{i});
+    if (each.policy.essential && !shutting_down_)
+      out.emplace_back(bring_down{i});
+    return;
+  }
+  if (*delay_ns == 0 || shutting_down_) {
+    each.phase = child_phase::absent;
+    return;
+  }
+  each.phase = child_phase::waiting;
+  out.emplace_back(await_restart{i, *delay_ns});
+}
+
+supervision_core::actions supervision_core::restart_due(std::size_t i) {
+  actions out;
+  if (children_[i].phase != child_phase::waiting)
+    return out;
+  children_[i].phase = child_phase::absent;
+  look_again(out);
+  return out;
+}
+
+supervision_core::actions supervision_core::want(std::size_t i, bool wanted) {
+  auto& each = children_[i];
+  each.wanted = wanted;
+  if (wanted && each.phase == child_phase::given_up) {
+    each.phase = child_phase::absent;
+    each.history.forget();
+  }
+  actions out;
+  look_again(out);
+  return out;
+}
+
+bool supervision_core::must_stop(std::size_t i) const {
+  if (shutting_down_ || !children_[i].wanted)
+    return true;
+  if (strategy_ == strategy::one_for_one)
+    return false;
+  return std::any_of(children_.begin(), children_.begin() + static_cast<std::ptrdiff_t>(i),
+                     [](const entry& before) { return before.wanted && before.phase != child_phase::running; });
+}
+
+bool supervision_core::may_start(std::size_t i) const {
+  if (!children_[i].wanted || children_[i].phase != child_phase::absent)
+    return false;
+  if (strategy_ == strategy::one_for_one && children_[i].been_up)
+    return true;
+  return std::all_of(children_.begin(), children_.begin() + static_cast<std::ptrdiff_t>(i), [&](const entry& before) {
+    if (!before.wanted)
+      return true;
+    if (strategy_ == strategy::rest_for_one)
+      return before.phase == child_phase::running;
+    return before.been_up || before.phase == child_phase::given_up;
+  });
+}
+
+void supervision_core::look_again(actions& out) {
+  if (!started_)
+    return;
+  const auto is_stopping = [](const entry& each) { return each.phase == child_phase::stopping; };
+  if (std::any_of(children_.begin(), children_.end(), is_stopping))
+    return;
+  for (std::size_t i = children_.size(); i-- > 0;) {
+    auto& phase = children_[i].phase;
+    if ((phase != child_phase::running && phase != child_phase::starting) || !must_stop(i))
+      continue;
+    phase = child_phase::stopping;
+    out.emplace_back(stop_child{i, shutting_down_ || !children_[i].wanted});
+    return;
+  }
+  if (shutting_down_) {
+    if (!std::exchange(told_stopped_, true))
+      out.emplace_back(all_stopped{});
+    return;
+  }
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    if (!may_start(i))
+      continue;
+    children_[i].phase = child_phase::starting;
+    out.emplace_back(start_child{i});
+  }
+}
+
+} // namespace godwit::runtime

@@ -1,0 +1,104 @@
+// The supervisor's decisions, without actors: which child to start, stop, wait for or give up.
+//
+//               up                      crash, again at once
+//   absent ──> starting ──> running ─────────────────────────> absent
+//     ▲            │crash      │ crash, again after a wait
+//     │            └──────────>├──────────> waiting ──due──> absent
+//     │ stopped                │ too many crashes
+//   stopping <── must stop ────┴──────────> given_up
+//
+// One rule drives all: after each event the table is looked at again. What must stop is stopped first, last started
+// first, one at a time; then what is wanted, absent and allowed to start is started in order. A child's first start
+// waits until all before it have been up once. With rest_for_one a child may run only while all before it run. Thread:
+// one owner. Pure: time and randomness are passed in.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/random.hpp"
+#include "runtime/supervision/policy.hpp"
+#include "runtime/supervision/restart_history.hpp"
+
+namespace godwit::runtime {
+
+enum class child_phase { absent, starting, running, stopping, waiting, given_up };
+
+constexpr auto enum_names(child_phase) {
+  return io::names<child_phase>({{child_phase::absent, "absent"},
+                                 {child_phase::starting, "starting"},
+                                 {child_phase::running, "running"},
+                                 {child_phase::stopping, "stopping"},
+                                 {child_phase::waiting, "waiting"},
+                                 {child_phase::given_up, "given_up"}});
+}
+
+struct start_child {
+  std::size_t child = 0;
+};
+struct stop_child {
+  std::size_t child = 0;
+  bool for_good = false; // else it will be started again, and its mail is kept for then
+};
+struct await_restart {
+  std::size_t child = 0;
+  std::int64_t delay_ns = 0;
+};
+struct give_up_child {
+  std::size_t child = 0;
+};
+struct bring_down {
+  std::size_t child = 0; // the essential child because of which the process ends
+};
+struct all_stopped {};
+
+using supervision_action = std::variant<start_child, stop_child, await_restart, give_up_child, bring_down, all_stopped>;
+
+class supervision_core {
+public:
+  using actions = std::vector<supervision_action>;
+
+  supervision_core(strategy how, std::vector<child_policy> children, std::uint64_t seed);
+
+  [[nodiscard]] actions start();
+  [[nodiscard]] actions shutdown();
+  [[nodiscard]] actions up(std::size_t child);
+  // The incarnation is gone. RESTART_IS_USELESS: give up at once (its durable state can not be read).
+  [[nodiscard]] actions down(std::size_t child, std::int64_t now_ns, bool restart_is_useless = false);
+  [[nodiscard]] actions restart_due(std::size_t child);
+  // Somebody wants the child to run, or not. Wanting it again forgets its crashes.
+  [[nodiscard]] actions want(std::size_t child, bool wanted);
+  void set_policy(std::size_t child, child_policy policy) { children_[child].policy = policy; }
+
+  [[nodiscard]] child_phase phase(std::size_t child) const { return children_[child].phase; }
+  [[nodiscard]] const child_policy& policy(std::size_t child) const { return children_[child].policy; }
+  [[nodiscard]] std::uint64_t restarts(std::size_t child) const { return children_[child].restarts; }
+  [[nodiscard]] std::size_t size() const { return children_.size(); }
+  [[nodiscard]] bool shutting_down() const { return shutting_down_; }
+
+private:
+  struct entry {
+    child_policy policy;
+    child_phase phase = child_phase::absent;
+    bool wanted = true;
+    bool been_up = false;
+    std::uint64_t restarts = 0;
+    restart_history history;
+  };
+
+  void look_again(actions& out);
+  [[nodiscard]] bool must_stop(std::size_t i) const;
+  [[nodiscard]] bool may_start(std::size_t i) const;
+  void crashed(std::size_t i, std::int64_t now_ns, bool restart_is_useless, actions& out);
+
+  strategy strategy_;
+  std::vector<entry> children_;
+  random_source random_;
+  bool started_ = false;
+  bool shutting_down_ = false;
+  bool told_stopped_ = false;
+};
+
+} // namespace godwit::runtime

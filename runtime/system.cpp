@@ -1,0 +1,148 @@
+#include "runtime/system.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "runtime/assert.hpp"
+
+namespace godwit::runtime {
+
+system::system(services outside, system_options options) : outside_(outside), options_(options) {
+  if (options_.workers == 0)
+    options_.workers = std::max(2U, std::thread::hardware_concurrency()) + 1;
+  config_ = std::make_unique<caf::actor_system_config>();
+  // Work stealing polls and wakes late; without a bound on throughput two busy actors starve all others.
+  config_->set("scheduler.policy", options_.simulated ? caf::atom("testing") : caf::atom("sharing"));
+  config_->set("scheduler.max-threads", options_.workers);
+  config_->set("scheduler.max-throughput", options_.max_throughput);
+  actors_ = std::make_unique<caf::actor_system>(*config_);
+  guardian_address_ = make_address({.name = "guardian", .mailbox_bound = std::numeric_limits<std::size_t>::max()});
+}
+
+system::~system() {
+  if (guardian_ && !options_.simulated)
+    (void)stop();
+  if (clean_) {
+    for (auto& each : children_)
+      address_of(each.address).close();
+    address_of(guardian_address_).close();
+    children_.clear();
+    decider_ = nullptr;
+    guardian_address_ = nullptr;
+    return;
+  }
+  // A worker hangs in a handler and would be waited for without end; the process is about to leave with std::_Exit.
+  (void)actors_.release();
+  (void)config_.release();
+}
+
+caf::strong_actor_ptr system::make_address(address_options options) {
+  const auto number = outside_.names->add(options.name);
+  GODWIT_ASSERT(number < directory::max_addresses, "a process has at most directory::max_addresses actors");
+  return make_stable_address(*actors_, number, std::move(options));
+}
+
+gateway system::make_gateway(const std::string& name) { return gateway(outside_.names->add(name)); }
+
+void system::start() {
+  GODWIT_ASSERT(!guardian_, "a system starts once");
+  guardian_options options;
+  options.how = options_.how;
+  options.ping = options_.ping;
+  options.stop_timeout = options_.stop_timeout;
+  options.on_exit_request = [this](exit_request why) { request_exit(std::move(why)); };
+  guardian_ = spawn_guardian(*actors_, outside_, children_, std::move(options), decider_, status_);
+  guardian_->get()->attach_functor([this](const caf::error&) {
+    const std::lock_guard guard(mutex_);
+    guardian_gone_ = true;
+    changed_.notify_all();
+  });
+  (void)address_of(guardian_address_).begin_incarnation();
+  address_of(guardian_address_).bind(guardian_, nullptr);
+  status_->last_tick_ns.store(outside_.time->monotonic_ns());
+  if (!options_.simulated) {
+    watching_ = true;
+    watcher_ = std::thread([this] { watch(); });
+  }
+  tell_guardian_to_start(guardian_);
+}
+
+// Outside the workers, so that it notices when none of them is free: then the guardian does not tick any more.
+void system::watch() {
+  const auto limit_ns = std::chrono::nanoseconds(options_.ping.fatal).count();
+  std::unique_lock guard(mutex_);
+  while (watching_) {
+    changed_.wait_for(guard, options_.ping.period / 2);
+    const auto silent_ns = outside_.time->monotonic_ns() - status_->last_tick_ns.load(std::memory_order_relaxed);
+    if (watching_ && !guardian_gone_ && silent_ns > limit_ns && !exit_request_)
+      exit_request_ = {exit_cause::no_free_worker,
+                       "all " + std::to_string(options_.workers) + " workers hang in handlers that do not return"};
+    if (exit_request_)
+      changed_.notify_all();
+  }
+}
+
+void system::request_exit(exit_request why) {
+  const std::lock_guard guard(mutex_);
+  if (!exit_request_)
+    exit_request_ = std::move(why);
+  changed_.notify_all();
+}
+
+exit_request system::wait_for_exit_request() {
+  std::unique_lock guard(mutex_);
+  changed_.wait(guard, [this] { return exit_request_.has_value(); });
+  return *exit_request_;
+}
+
+std::optional<exit_request> system::exit_requested() {
+  const std::lock_guard guard(mutex_);
+  return exit_request_;
+}
+
+void system::begin_stop() {
+  if (guardian_)
+    tell_guardian_to_stop(guardian_);
+}
+
+bool system::has_stopped() {
+  const std::lock_guard guard(mutex_);
+  return guardian_gone_;
+}
+
+caf::mailbox_element_ptr kill_message() {
+  return caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
+                                   caf::exit_msg{caf::actor_addr{}, caf::exit_reason::kill});
+}
+
+void system::kill_all() {
+  if (guardian_)
+    guardian_->enqueue(kill_message(), nullptr);
+  guardian_ = nullptr;
+  for (auto& each : children_) {
+    (void)address_of(each.address).kill();
+    address_of(each.address).close();
+  }
+}
+
+bool system::stop() {
+  if (!guardian_)
+    return clean_;
+  begin_stop();
+  // Each child has twice stop_timeout at most; the guardian itself needs one free worker.
+  const auto bound = options_.stop_timeout * 2 * static_cast<int>(children_.size() + 1);
+  {
+    std::unique_lock guard(mutex_);
+    const bool no_worker = exit_request_ && exit_request_->cause == exit_cause::no_free_worker;
+    changed_.wait_for(guard, no_worker ? options_.stop_timeout : bound, [this] { return guardian_gone_; });
+    clean_ = guardian_gone_ && status_->hanging.load() == 0;
+    watching_ = false;
+    changed_.notify_all();
+  }
+  watcher_.join();
+  guardian_ = nullptr;
+  return clean_;
+}
+
+} // namespace godwit::runtime

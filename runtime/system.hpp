@@ -1,0 +1,116 @@
+// One process's actors: the scheduler, the stable addresses, the guardian, and the way in for other threads.
+//
+//   system actors(outside, options);
+//   auto log = actors.add<flight_log>({.name = "flight_log"}, child_policy{});           // addresses first: each can
+//   know the others auto link = actors.add<link_actor>({.name = "link"}, {.essential = true}, log); actors.start(); //
+//   in this order auto why = actors.wait_for_exit_request();                                           // or
+//   request_exit from a signal actors.stop();                                                                       //
+//   reverse order, bounded in time
+//
+// When an actor hangs in a handler for good, stop() returns false: then close the journal and the trace and leave with
+// std::_Exit, since the hanging thread can not be joined. Thread: one owner; gateways, request_exit and counters from
+// any thread.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <caf/all.hpp>
+
+#include "runtime/cell.hpp"
+#include "runtime/gateway.hpp"
+#include "runtime/services.hpp"
+#include "runtime/stable_address.hpp"
+#include "runtime/supervision/guardian.hpp"
+
+namespace godwit::runtime {
+
+struct system_options {
+  std::size_t workers = 0; // 0 = cores + 1: one handler may hang without stopping the others
+  std::size_t max_throughput =
+      20; // messages before an actor gives its worker to another; bounds waiting, see docs/performance.md
+  strategy how = strategy::one_for_one;
+  ping_policy ping;
+  milliseconds stop_timeout{2'000};
+  bool simulated = false; // CAF's test coordinator: no threads, virtual time; see runtime/simulation
+};
+
+// Ends an actor before it looks at any other mail.
+[[nodiscard]] caf::mailbox_element_ptr kill_message();
+
+class system {
+public:
+  system(services outside, system_options options);
+  system(const system&) = delete;
+  system& operator=(const system&) = delete;
+  ~system();
+
+  // Declares a child; started by start() in the order of declaration. ARGS go to the constructor of each incarnation,
+  // behind actor_config and birth.
+  template <class Actor, class... Args>
+  typename Actor::handle_type add(address_options address, child_policy policy, Args... args) {
+    auto pointer = make_address(std::move(address));
+    children_.push_back({pointer, policy, Actor::is_persistent, [args...](caf::actor_system& actors, birth born) {
+                           return caf::actor_cast<caf::strong_actor_ptr>(actors.spawn<Actor>(std::move(born), args...));
+                         }});
+    return caf::actor_cast<typename Actor::handle_type>(pointer);
+  }
+
+  // The child that hears of all others and sets their policies. Before start().
+  void set_decider(decider_handle decider) { decider_ = std::move(decider); }
+  // For actors that decide; usable in ARGS of add: it is a stable address too.
+  [[nodiscard]] guardian_handle guardian() const { return caf::actor_cast<guardian_handle>(guardian_address_); }
+
+  void start();
+  void request_exit(exit_request why);
+  [[nodiscard]] exit_request wait_for_exit_request();
+  [[nodiscard]] bool stop();
+
+  // The parts of stop(), for a simulation, which has to run the actors itself.
+  void begin_stop();
+  [[nodiscard]] bool has_stopped();
+  [[nodiscard]] std::optional<exit_request> exit_requested();
+  void kill_all(); // every actor, at once, in no order: as if the process was killed
+
+  // A way in for a thread that is not an actor; one for each thread.
+  [[nodiscard]] gateway make_gateway(const std::string& name);
+
+  [[nodiscard]] std::uint64_t restarts() const { return status_->restarts.load(); }
+  [[nodiscard]] address_counters counters(std::size_t child) const {
+    return address_of(children_[child].address).counters();
+  }
+  [[nodiscard]] const std::vector<child_spec>& declared() const { return children_; }
+  [[nodiscard]] caf::actor_system& actors() { return *actors_; } // for runtime/ and its tests
+
+private:
+  caf::strong_actor_ptr make_address(address_options options);
+  void watch();
+
+  services outside_;
+  system_options options_;
+  std::unique_ptr<caf::actor_system_config> config_;
+  std::unique_ptr<caf::actor_system> actors_;
+  std::vector<child_spec> children_;
+  decider_handle decider_;
+  caf::strong_actor_ptr guardian_address_;
+  caf::strong_actor_ptr guardian_;
+  std::shared_ptr<guardian_status> status_ = std::make_shared<guardian_status>();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<exit_request> exit_request_;
+  bool guardian_gone_ = false;
+  bool watching_ = false;
+  bool clean_ = true;
+  std::thread watcher_;
+};
+
+} // namespace godwit::runtime

@@ -1,0 +1,77 @@
+// Turns recorded deliveries into JSON messages of MCAP segments. The slow half of the trace; runs on the writer thread.
+// Thread: one, except counts().
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
+
+#include <tl/expected.hpp>
+
+#include "io/mcap/rotating_writer.hpp"
+#include "runtime/trace/ring_trace.hpp"
+
+namespace godwit::runtime {
+
+// How records that were not kept appear in the trace: totals since the start of the process.
+struct trace_loss {
+  std::uint64_t dropped = 0;   // a ring was full
+  std::uint64_t unwritten = 0; // the disk refused
+  static constexpr auto fields = io::table("runtime.trace_loss", io::field("dropped", &trace_loss::dropped),
+                                           io::field("unwritten", &trace_loss::unwritten));
+};
+
+class trace_renderer {
+public:
+  [[nodiscard]] static tl::expected<std::unique_ptr<trace_renderer>, std::string>
+  open(trace_options options, const directory& names, const time_source& time, health_board& health);
+
+  void write(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload, bool oversize);
+  // The total of records that never reached this place; a change is written into the trace.
+  void note_dropped(std::uint64_t total);
+  void tick(); // flush, and retry after a failure of the disk
+  void close();
+  [[nodiscard]] trace_counts counts() const; // written and unwritten only; any thread
+
+private:
+  struct channel_key {
+    std::uint32_t actor;
+    const message_type* type;
+    bool operator==(const channel_key&) const = default;
+  };
+  struct channel_hash {
+    std::size_t operator()(const channel_key& key) const {
+      return std::hash<const void*>{}(key.type) * 31U + key.actor;
+    }
+  };
+  struct channel {
+    io::mcap::channel_id id{};
+    std::uint32_t sequence = 0;
+  };
+
+  trace_renderer(const directory& names, const time_source& time, health_board& health)
+      : names_(names), time_(time), health_(health), wall_offset_ns_(time.wall_ns() - time.monotonic_ns()) {}
+  channel* channel_for(const trace_entry& entry, const message_type& type);
+  void render(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload, bool oversize);
+  void check(const io::mcap::result<void>& result);
+  void publish_counts();
+
+  const directory& names_;
+  const time_source& time_;
+  health_board& health_;
+  const std::int64_t wall_offset_ns_; // fixed for the run: the trace's time never goes back
+  io::mcap::rotating_writer writer_;
+  std::unordered_map<channel_key, channel, channel_hash> channels_;
+  std::string text_; // of the message being rendered; kept for its capacity
+  trace_loss told_;
+  bool failing_ = false;
+  std::uint64_t given_ = 0;           // to the writer, whatever became of them
+  std::uint64_t without_channel_ = 0; // not even that: the file could hold no more channels
+  std::atomic<std::uint64_t> written_{0};
+  std::atomic<std::uint64_t> unwritten_{0};
+};
+
+} // namespace godwit::runtime

@@ -1,0 +1,51 @@
+// Where deliveries are recorded. One call for each message that an actor took, on the thread of that actor.
+//
+// Implementations: ring_trace (per-thread rings, a writer thread, MCAP files), memory_trace (tests). Thread: record()
+// is called from many threads at once, must not block and must not throw.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/message_type.hpp"
+
+namespace godwit::runtime {
+
+enum class outcome : std::uint8_t {
+  handled,      // the handler returned
+  crashed,      // the handler threw; the incarnation ends
+  repetition,   // a durable effect that was seen before; the handler was not called
+  not_accepted, // the mailbox type does not have this message
+  fenced,       // an incarnation that had been replaced woke up; what it sent was held back
+};
+
+constexpr auto enum_names(outcome) {
+  return io::names<outcome>({{outcome::handled, "handled"},
+                             {outcome::crashed, "crashed"},
+                             {outcome::repetition, "repetition"},
+                             {outcome::not_accepted, "not_accepted"},
+                             {outcome::fenced, "fenced"}});
+}
+
+struct trace_entry {
+  std::int64_t began_ns = 0; // monotonic
+  std::int64_t duration_ns = 0;
+  std::uint64_t id = 0;
+  std::uint64_t cause = 0;
+  std::uint32_t actor = 0; // number of the stable address
+  std::uint32_t sender = 0;
+  std::uint32_t incarnation = 0;
+  outcome ended = outcome::handled;
+};
+
+class trace_sink {
+public:
+  trace_sink() = default;
+  trace_sink(const trace_sink&) = delete;
+  trace_sink& operator=(const trace_sink&) = delete;
+  virtual ~trace_sink() = default;
+
+  // BODY points to a value of TYPE and is only read during the call.
+  virtual void record(const trace_entry& entry, const message_type& type, const void* body) noexcept = 0;
+};
+
+} // namespace godwit::runtime

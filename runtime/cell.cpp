@@ -9,7 +9,9 @@ cell_frame::cell_frame(caf::scheduled_actor* self, birth born) : birth_(std::mov
 
 void cell_frame::durable_upto(std::int64_t) {}
 
-void cell_frame::effect_taken_by_receiver(effect_id) {}
+void cell_frame::effect_taken_by(std::uint32_t, effect_id) {}
+
+void cell_frame::forget_what_is_gated() {}
 
 std::vector<std::uint64_t> cell_frame::durable_answers() const { return {}; }
 
@@ -25,10 +27,20 @@ std::string current_exception_text() {
   }
 }
 
+// Of the exception being handled.
+bool is_journal_refusal() {
+  try {
+    throw;
+  } catch (const journal_refused&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
 } // namespace
 
-// -- around a handler
-// ------------------------------------------------------------------------------------------------------
+// -- around a handler -----------------------------------------------------------------------------
 
 cell_frame::delivery cell_frame::begin_internal(const header& head) {
   delivery d;
@@ -59,8 +71,7 @@ bool cell_frame::is_repetition(const header& head) const {
 
 void cell_frame::end_handled(const delivery& d, const message_type& type, const void* body) {
   if (!address().is_current(birth_.incarnation)) [[unlikely]] {
-    end_unhandled(d, type, body, outcome::fenced);
-    self_->quit(caf::exit_reason::user_shutdown);
+    end_fenced(d, type, body);
     return;
   }
   send_held();
@@ -78,12 +89,26 @@ void cell_frame::end_unhandled(const delivery& d, const message_type& type, cons
   in_handler_ = false;
   if (how == outcome::repetition)
     confirm_effect();
-  if (d.is_mail)
-    address().count_unhandled(how == outcome::repetition ? &address_counters::repeated : nullptr);
+  if (d.is_mail && committed_)
+    address().count_handled();
+  else if (d.is_mail)
+    address().count_unhandled(how == outcome::repetition ? &address_counters::repeated : &address_counters::lost);
   record(d, type, body, how);
 }
 
+// What the journal had taken before is the successor's to let out; of anything else the sender hears that it is not
+// known.
+void cell_frame::end_fenced(const delivery& d, const message_type& type, const void* body) {
+  if (d.is_mail && !committed_) {
+    (void)address().take_requester(current_.id);
+    answer_failure(d.requester, caf::sec::runtime_error, "was replaced while it had this request");
+  }
+  end_unhandled(d, type, body, outcome::fenced);
+  self_->quit(caf::exit_reason::user_shutdown);
+}
+
 void cell_frame::end_crashed(delivery& d, const message_type& type, const void* body, caf::mailbox_element_ptr copy) {
+  const bool journals_fault = is_journal_refusal();
   held_.clear();
   in_handler_ = false;
   record(d, type, body, outcome::crashed);
@@ -97,6 +122,7 @@ void cell_frame::end_crashed(delivery& d, const message_type& type, const void* 
   }
   if (!d.is_mail) // the callback went with the incarnation; who asks again gets a new answer
     return;
+  (void)address().take_requester(current_.id); // on_deferred may have noted it; from here on D owns it
   if (address().policy() == on_crash::lose) {
     address().count_unhandled(&address_counters::lost);
     answer_failure(d.requester, caf::sec::runtime_error, "crashed on this request");
@@ -104,7 +130,8 @@ void cell_frame::end_crashed(delivery& d, const message_type& type, const void* 
   }
   address().count_unhandled(nullptr);
   int crashes = 0;
-  if (address().may_retry(current_.id, crashes)) {
+  // A message is not to blame for a journal that takes nothing: it waits, however often that happens.
+  if (journals_fault || address().may_retry(current_.id, crashes)) {
     put_back_ = std::move(copy);
     return;
   }
@@ -121,8 +148,9 @@ void cell_frame::confirm_effect() {
     return;
   address().mark_seen(current_.sender, {current_.effect_event, current_.effect_n});
   if (const auto& source = self_->current_mailbox_element()->sender)
-    source->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(), {},
-                                              mail<effect_taken>{{}, {current_.effect_event, current_.effect_n}}),
+    source->enqueue(caf::make_mailbox_element(
+                        nullptr, caf::make_message_id(), {},
+                        mail<effect_taken>{{}, {current_.effect_event, current_.effect_n, address().number()}}),
                     self_->context());
 }
 
@@ -169,29 +197,30 @@ caf::error cell_frame::crash_reason(std::exception_ptr& thrown) {
   return caf::make_error(caf::sec::runtime_error, std::move(text));
 }
 
-// -- sending
-// ---------------------------------------------------------------------------------------------------------------
+// -- sending --------------------------------------------------------------------------------------
 
 header cell_frame::stamp() { return {address().next_id(), current_.id, 0, 0, address().number()}; }
 
-header cell_frame::stamp_tell() {
+header cell_frame::stamp_tell(const caf::strong_actor_ptr& to) {
   auto head = stamp();
-  if (sending_effect_.event != 0) {
+  if (sending_effect_.event != 0 && to) {
     head.effect_event = sending_effect_.event;
     head.effect_n = sending_effect_.n;
-    ++sent_with_effect_;
+    effect_receivers_.push_back(address_of(to).number());
   }
   return head;
 }
 
 void cell_frame::send_later(caf::strong_actor_ptr to, caf::mailbox_element_ptr element, std::int64_t delay_ns) {
-  held_.push_back({std::move(to), std::move(element), delay_ns});
+  held_.push_back({std::move(to), std::move(element), delay_ns, 0});
   if (!in_handler_)
     send_held();
 }
 
 void cell_frame::send_held() {
   for (auto& each : held_) {
+    if (each.answers != 0)
+      each.to = address().take_requester(each.answers).who; // null: it has been answered meanwhile
     if (!each.to)
       continue;
     if (each.delay_ns <= 0)
@@ -205,9 +234,12 @@ void cell_frame::send_held() {
 
 void cell_frame::answer(std::uint64_t request_id,
                         const std::function<caf::mailbox_element_ptr(caf::message_id)>& make) {
-  auto r = address().take_requester(request_id);
-  if (r.who)
-    send_later(std::move(r.who), make(r.mid));
+  const auto mid = address().awaited_mid(request_id);
+  if (!mid)
+    return; // nobody waits any more
+  held_.push_back({nullptr, make(*mid), 0, request_id});
+  if (!in_handler_)
+    send_held();
 }
 
 void cell_frame::report_up() {
@@ -216,16 +248,9 @@ void cell_frame::report_up() {
                              self_->context());
 }
 
-// -- the end of an incarnation
-// ---------------------------------------------------------------------------------------------
+// -- the end of an incarnation --------------------------------------------------------------------
 
 namespace {
-
-bool is_runtime_message(const caf::mailbox_element& element) {
-  const auto& content = element.content();
-  return content.match_elements<mail<ping>>() || content.match_elements<mail<durable>>() ||
-         content.match_elements<mail<effect_taken>>() || content.match_elements<mail<write_failed>>();
-}
 
 // Mail that means the same to the next incarnation: not answers, not CAF's own signals, not the runtime's.
 bool is_ordinary(const caf::mailbox_element& element) {
@@ -240,7 +265,8 @@ bool is_ordinary(const caf::mailbox_element& element) {
 void cell_frame::leave() {
   if (std::exchange(left_, true))
     return;
-  address().detach(self_->ctrl()); // first: else mail could still arrive behind the last look into the mailbox
+  address().park_from_now(
+      self_->ctrl(), birth_.incarnation); // first: else mail could still arrive behind the last look into the mailbox
   std::vector<caf::mailbox_element_ptr> mail;
   if (put_back_)
     mail.push_back(std::move(put_back_));
@@ -259,11 +285,10 @@ void cell_frame::leave() {
   take_all(self_->get_normal_queue());
   address().count_runtime_messages(runtime_messages);
   address().give_back(std::move(mail), put_back);
-  address().give_up_answers(durable_answers());
+  address().give_up_answers(durable_answers(), birth_.incarnation);
 }
 
-// -- the trace
-// -------------------------------------------------------------------------------------------------------------
+// -- the trace ------------------------------------------------------------------------------------
 
 void cell_frame::record_in(trace_sink& sink, const delivery& d, const message_type& type, const void* body,
                            outcome how) {
@@ -279,8 +304,17 @@ void cell_frame::record_in(trace_sink& sink, const delivery& d, const message_ty
   sink.record(entry, type, body);
 }
 
-// -- the runtime's own messages
-// --------------------------------------------------------------------------------------------
+// -- the runtime's own messages -------------------------------------------------------------------
+
+namespace {
+
+// How a message that the mailbox type does not have appears in the trace.
+struct unknown_message {
+  static constexpr auto fields = io::table("runtime.unknown_message");
+};
+constexpr unknown_message no_such_word;
+
+} // namespace
 
 caf::result<caf::message> cell_frame::handle_runtime_message(caf::message_view& view) {
   const auto& content = view.content();
@@ -296,19 +330,21 @@ caf::result<caf::message> cell_frame::handle_runtime_message(caf::message_view& 
   } else if (content.match_elements<mail<effect_taken>>()) {
     address().count_runtime_messages(1);
     const auto& taken = content.get_as<mail<effect_taken>>(0).body;
-    effect_taken_by_receiver({taken.event, taken.n});
+    effect_taken_by(taken.receiver, {taken.event, taken.n});
   } else if (content.match_elements<mail<write_failed>>()) {
     address().count_runtime_messages(1);
+    forget_what_is_gated();
     throw std::runtime_error(content.get_as<mail<write_failed>>(0).body.what);
   } else {
+    current_ = {};
+    record({now_ns(), {}, true}, type_of<unknown_message>, &no_such_word, outcome::not_accepted);
     address().count_unhandled(&address_counters::not_accepted);
     return caf::make_error(caf::sec::unexpected_message, actor_name() + " does not accept this message");
   }
   return caf::message{};
 }
 
-// -- errors of asks
-// --------------------------------------------------------------------------------------------------------
+// -- errors of asks -------------------------------------------------------------------------------
 
 ask_error describe(const caf::error& why) {
   std::string text;

@@ -79,6 +79,7 @@ protected:
   [[nodiscard]] bool is_repetition(const header& head) const;
   void end_handled(const delivery& d, const message_type& type, const void* body);
   void end_unhandled(const delivery& d, const message_type& type, const void* body, outcome how);
+  void end_fenced(const delivery& d, const message_type& type, const void* body);
   void end_crashed(delivery& d, const message_type& type, const void* body, caf::mailbox_element_ptr copy);
   void hit(crash_point point) {
     if (outside().crashes != nullptr) [[unlikely]]
@@ -86,14 +87,17 @@ protected:
   }
 
   [[nodiscard]] header stamp();
-  // The header of a tell: carries the id of the durable effect that is being let out, if any.
-  [[nodiscard]] header stamp_tell();
+  // The header of a tell to TO: carries the id of the durable effect that is being let out, if any, and notes the
+  // receiver.
+  [[nodiscard]] header stamp_tell(const caf::strong_actor_ptr& to);
   void send_later(caf::strong_actor_ptr to, caf::mailbox_element_ptr element, std::int64_t delay_ns = 0);
   void send_held();
   void answer(std::uint64_t request_id, const std::function<caf::mailbox_element_ptr(caf::message_id)>& make);
   // Sends what SEND tells right now instead of when the handler returns.
   template <class F>
   void send_at_once(F send) {
+    if (!address().is_current(birth_.incarnation)) // it was replaced while it hung, and must not act any more
+      return;
     auto earlier = std::exchange(held_, {});
     send();
     send_held();
@@ -113,19 +117,21 @@ protected:
   // Letting effects out once they are on the disk, and the requests whose answers are; both are persistent_cell's
   // business.
   virtual void durable_upto(std::int64_t event);
-  virtual void effect_taken_by_receiver(effect_id id);
+  virtual void effect_taken_by(std::uint32_t receiver, effect_id id);
+  virtual void forget_what_is_gated(); // a write failed for good: none of it will become durable
   [[nodiscard]] virtual std::vector<std::uint64_t> durable_answers() const;
 
   birth birth_;
   header current_;
-  effect_id sending_effect_;           // stamped into what is told while a durable effect is let out
-  std::uint32_t sent_with_effect_ = 0; // how many tells carried it
+  effect_id sending_effect_;                    // stamped into what is told while a durable effect is let out
+  std::vector<std::uint32_t> effect_receivers_; // whom it was told to
 
 private:
   struct held_message {
     caf::strong_actor_ptr to;
     caf::mailbox_element_ptr element;
     std::int64_t delay_ns = 0;
+    std::uint64_t answers = 0; // id of the request that this is the late answer to
   };
 
   void answer_failure(const stable_address::requester& r, caf::sec code, const std::string& what);
@@ -182,8 +188,8 @@ protected:
         deliver(m, [&](const delivery&) { handler(m.body); });
       };
     } else {
-      using R = std::invoke_result_t<F&, const T&>;
-      return [this, handler = std::move(handler)](const mail<T>& m) mutable -> caf::delegated<mail<R>> {
+      using answer_type = std::invoke_result_t<F&, const T&>;
+      return [this, handler = std::move(handler)](const mail<T>& m) mutable -> caf::delegated<mail<answer_type>> {
         deliver(m, [&](const delivery& d) { answer_now(d.requester, handler(m.body)); });
         return {};
       };
@@ -205,26 +211,28 @@ protected:
   template <class Handle, class T>
   requires accepts<Handle, T>
   void tell(const Handle& to, T body) {
-    send_later(caf::actor_cast<caf::strong_actor_ptr>(to), element(std::move(body)));
+    auto receiver = caf::actor_cast<caf::strong_actor_ptr>(to);
+    auto content = element(stamp_tell(receiver), std::move(body));
+    send_later(std::move(receiver), std::move(content));
   }
 
   template <class Handle, class T>
   requires accepts<Handle, T>
   void tell_after(std::chrono::nanoseconds delay, const Handle& to, T body) {
-    send_later(caf::actor_cast<caf::strong_actor_ptr>(to), element(std::move(body)), delay.count());
+    send_later(caf::actor_cast<caf::strong_actor_ptr>(to), element(stamp(), std::move(body)), delay.count());
   }
 
-  // Both callbacks are required: ON_ANSWER(const R&) or ON_ERROR(const ask_error&) is called, once, unless this
+  // Both callbacks are required: ON_ANSWER(const answer&) or ON_ERROR(const ask_error&) is called, once, unless this
   // incarnation crashes first. Keep the time-out short: its timer holds the actor in memory until it expires.
   template <class Handle, class Q, class OnAnswer, class OnError>
   requires accepts<Handle, Q>
   void ask(const Handle& to, std::chrono::nanoseconds timeout, Q question, OnAnswer on_answer, OnError on_error) {
-    using R = answer_t<Handle, Q>;
+    using answer_type = answer_t<Handle, Q>;
     const auto id = this->new_request_id(caf::message_priority::normal);
     const auto head = stamp();
     this->add_multiplexed_response_handler(
         id.response_id(),
-        caf::behavior{[this, on_answer = std::move(on_answer)](const mail<R>& m) mutable {
+        caf::behavior{[this, on_answer = std::move(on_answer)](const mail<answer_type>& m) mutable {
                         deliver(m, [&](const delivery&) { on_answer(m.body); });
                       },
                       [this, head, on_error = std::move(on_error)](caf::error& why) mutable {
@@ -258,9 +266,8 @@ protected:
 
 private:
   template <class T>
-  caf::mailbox_element_ptr element(T body) {
-    return caf::make_mailbox_element(birth_.address, caf::make_message_id(), {},
-                                     mail<T>{stamp_tell(), std::move(body)});
+  caf::mailbox_element_ptr element(const header& head, T body) {
+    return caf::make_mailbox_element(birth_.address, caf::make_message_id(), {}, mail<T>{head, std::move(body)});
   }
 
   template <io::has_fields R>

@@ -39,8 +39,10 @@ struct write_failed {
 struct effect_taken {
   std::int64_t event = 0;
   std::uint32_t n = 0;
+  std::uint32_t receiver = 0; // number of its stable address
   static constexpr auto fields =
-      io::table("runtime.effect_taken", io::field("event", &effect_taken::event), io::field("n", &effect_taken::n));
+      io::table("runtime.effect_taken", io::field("event", &effect_taken::event), io::field("n", &effect_taken::n),
+                io::field("receiver", &effect_taken::receiver));
 };
 
 // Actor to guardian: this incarnation is ready for mail.

@@ -22,10 +22,11 @@
 // cell.
 #pragma once
 
-#include <algorithm>
 #include <deque>
+#include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -106,11 +107,6 @@ private:
     effect_id id;
     effect what;
     std::uint64_t answer_to = 0; // id of the request, 0 = not an answer
-  };
-
-  struct sent_effect {
-    effect_id id;
-    std::uint32_t unconfirmed = 0; // receivers
   };
 
   struct awaited_answer {
@@ -195,36 +191,38 @@ private:
     if (gate_.empty() || gate_.front().id.event > upto)
       return;
     auto write = empty_write();
-    std::vector<sent_effect> sent;
+    std::vector<std::pair<effect_id, std::vector<std::uint32_t>>> sent;
     const mail<durable> m{{this->address().next_id(), 0, 0, 0, this->address().number()}, {upto}};
     this->run_internal(m, [&] {
       for (const auto& each : gate_) {
         if (each.id.event > upto)
           break;
         this->hit(crash_point::before_let_out);
-        sent.push_back({each.id, send_effect(each)});
+        sent.emplace_back(each.id, send_effect(each));
       }
     });
     gate_.erase(gate_.begin(), gate_.begin() + static_cast<std::ptrdiff_t>(sent.size()));
-    for (const auto& each : sent) {
-      if (each.unconfirmed == 0)
-        write.released.push_back(each.id);
+    for (auto& [id, receivers] : sent) {
+      if (receivers.empty())
+        write.released.push_back(id);
       else
-        sent_.push_back(each);
+        sent_.emplace(id, std::move(receivers));
     }
     if (!write.released.empty())
       (void)this->outside().durable->submit(std::move(write));
   }
 
-  void effect_taken_by_receiver(effect_id id) override {
-    const auto found = std::find_if(sent_.begin(), sent_.end(), [&](const sent_effect& each) { return each.id == id; });
-    if (found == sent_.end() || --found->unconfirmed > 0)
+  void effect_taken_by(std::uint32_t receiver, effect_id id) override {
+    const auto found = sent_.find(id);
+    if (found == sent_.end() || std::erase(found->second, receiver) == 0 || !found->second.empty())
       return;
     sent_.erase(found);
     auto write = empty_write();
     write.released.push_back(id);
     (void)this->outside().durable->submit(std::move(write));
   }
+
+  void forget_what_is_gated() override { gate_.clear(); }
 
   [[nodiscard]] journal_write empty_write() const {
     journal_write write;
@@ -241,21 +239,21 @@ private:
     return result;
   }
 
-  // Returns how many actors have to confirm it.
-  std::uint32_t send_effect(const gated_effect& each) {
+  // Returns the numbers of the actors that have to confirm it.
+  std::vector<std::uint32_t> send_effect(const gated_effect& each) {
     this->sending_effect_ = each.id;
-    this->sent_with_effect_ = 0;
+    this->effect_receivers_.clear();
     if (each.answer_to != 0)
       std::visit([&]<class E>(const E& value) { this->answer_later(each.answer_to, value); }, each.what);
     else
       let_out(each.what);
     this->sending_effect_ = {};
-    return this->sent_with_effect_;
+    return std::exchange(this->effect_receivers_, {});
   }
 
   state state_{};
-  std::deque<gated_effect> gate_; // not let out yet, oldest first
-  std::deque<sent_effect> sent_;  // let out and not confirmed yet, oldest first
+  std::deque<gated_effect> gate_;                        // not let out yet, oldest first
+  std::map<effect_id, std::vector<std::uint32_t>> sent_; // let out, and by whom not confirmed yet
   std::int64_t last_event_ = 0;
   int events_since_snapshot_ = 0;
 };

@@ -18,6 +18,7 @@ exit_code exit_code_for(exit_cause cause) {
   switch (cause) {
   case exit_cause::requested:
     return exit_code::ok;
+  case exit_cause::guardian_died:
   case exit_cause::essential_given_up:
     return exit_code::essential_given_up;
   case exit_cause::essential_silent:

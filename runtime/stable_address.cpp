@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "runtime/internal_messages.hpp"
+
 namespace godwit::runtime {
 
 namespace {
@@ -23,27 +25,37 @@ void answer_with(const stable_address::requester& r, caf::error why) {
 
 } // namespace
 
+bool is_runtime_message(const caf::mailbox_element& element) {
+  const auto& content = element.content();
+  return content.match_elements<mail<ping>>() || content.match_elements<mail<durable>>() ||
+         content.match_elements<mail<effect_taken>>() || content.match_elements<mail<write_failed>>();
+}
+
 stable_address::stable_address(caf::actor_config& config, std::uint32_t number, address_options options)
     : caf::monitorable_actor(config), number_(number), options_(std::move(options)) {}
 
-// -- senders
-// ---------------------------------------------------------------------------------------------------------------
+// -- senders --------------------------------------------------------------------------------------
 
 void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_unit* context) {
   {
-    // The shared lock covers the push: detach() waits for pushes in flight, so that none lands in a mailbox already
-    // emptied.
+    // The shared lock covers the push: park_from_now() waits for pushes in flight, so that none lands in a mailbox
+    // already emptied.
     const std::shared_lock guard(mutex_);
-    if (target_ && !mailbox_full()) {
+    if (target_ && has_room_for(*element)) {
       enqueued_.fetch_add(1, std::memory_order_relaxed);
       target_->enqueue(std::move(element), context);
       return;
     }
   }
   std::unique_lock guard(mutex_);
-  if (target_ && !mailbox_full()) {
+  if (target_ && has_room_for(*element)) {
     enqueued_.fetch_add(1, std::memory_order_relaxed);
     target_->enqueue(std::move(element), context);
+    return;
+  }
+  if (is_runtime_message(*element)) { // for an incarnation that is gone; only what the journal said still counts
+    if (element->content().match_elements<mail<durable>>())
+      durable_upto_ = std::max(durable_upto_, element->content().get_as<mail<durable>>(0).body.upto);
     return;
   }
   if (target_ || closed_ || arrived_while_parked_ >= options_.parking_bound) {
@@ -62,8 +74,7 @@ void stable_address::refuse(caf::mailbox_element_ptr element) {
     answer_with({element->sender, element->mid}, receiver_down(options_.name));
 }
 
-// -- the incarnation
-// -------------------------------------------------------------------------------------------------------
+// -- the incarnation ------------------------------------------------------------------------------
 
 bool stable_address::may_retry(std::uint64_t message_id, int& crashes_so_far) {
   const std::unique_lock guard(mutex_);
@@ -108,7 +119,7 @@ void stable_address::mark_seen(std::uint32_t source, effect_id id) {
 
 void stable_address::expect_answer(std::uint64_t message_id, requester r) {
   const std::unique_lock guard(mutex_);
-  waiting_answers_[message_id] = std::move(r);
+  waiting_answers_[message_id] = {std::move(r), incarnation_.load(std::memory_order_relaxed)};
 }
 
 stable_address::requester stable_address::take_requester(std::uint64_t message_id) {
@@ -116,21 +127,27 @@ stable_address::requester stable_address::take_requester(std::uint64_t message_i
   const auto found = waiting_answers_.find(message_id);
   if (found == waiting_answers_.end())
     return {};
-  auto result = std::move(found->second);
+  auto result = std::move(found->second.from);
   waiting_answers_.erase(found);
   return result;
 }
 
-void stable_address::give_up_answers(const std::vector<std::uint64_t>& keep) {
+std::optional<caf::message_id> stable_address::awaited_mid(std::uint64_t message_id) const {
+  const std::shared_lock guard(mutex_);
+  const auto found = waiting_answers_.find(message_id);
+  return found == waiting_answers_.end() ? std::nullopt : std::optional(found->second.from.mid);
+}
+
+void stable_address::give_up_answers(const std::vector<std::uint64_t>& keep, std::uint64_t incarnation) {
   std::vector<requester> abandoned;
   {
     const std::unique_lock guard(mutex_);
     for (auto each = waiting_answers_.begin(); each != waiting_answers_.end();) {
-      if (std::find(keep.begin(), keep.end(), each->first) != keep.end()) {
+      if (each->second.incarnation > incarnation || std::find(keep.begin(), keep.end(), each->first) != keep.end()) {
         ++each;
         continue;
       }
-      abandoned.push_back(std::move(each->second));
+      abandoned.push_back(std::move(each->second.from));
       each = waiting_answers_.erase(each);
     }
   }
@@ -144,9 +161,10 @@ void stable_address::count_runtime_messages(std::size_t n) {
   runtime_messages_ += n;
 }
 
-void stable_address::detach(const caf::actor_control_block* dying) {
+void stable_address::park_from_now(const caf::actor_control_block* dying, std::uint64_t incarnation) {
   caf::strong_actor_ptr old; // released after the lock: the last reference runs the actor's destructor
   const std::unique_lock guard(mutex_);
+  last_ended_ = std::max(last_ended_, incarnation);
   if (target_.get() == dying)
     old.swap(target_);
 }
@@ -187,14 +205,14 @@ std::string stable_address::last_crash() const {
   return last_crash_;
 }
 
-// -- the guardian
-// ----------------------------------------------------------------------------------------------------------
+// -- the guardian ---------------------------------------------------------------------------------
 
 std::uint64_t stable_address::begin_incarnation() { return incarnation_.fetch_add(1, std::memory_order_acq_rel) + 1; }
 
 void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit* context) {
   const std::unique_lock guard(mutex_);
-  if (closed_)
+  // Another worker may have run it already: mail for an incarnation that is gone waits for the next one.
+  if (closed_ || last_ended_ == incarnation_.load(std::memory_order_relaxed))
     return;
   enqueued_.fetch_add(parked_.size(), std::memory_order_relaxed);
   forwarded_again_ += parked_.size();
@@ -202,6 +220,11 @@ void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit
     incarnation->enqueue(std::move(parked_.front()), context);
   arrived_while_parked_ = 0;
   target_ = std::move(incarnation);
+  if (const auto upto = std::exchange(durable_upto_, 0); upto != 0) {
+    enqueued_.fetch_add(1, std::memory_order_relaxed);
+    target_->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<durable>{{}, {upto}}),
+                     context);
+  }
 }
 
 std::size_t stable_address::abandon() {
@@ -225,7 +248,7 @@ bool stable_address::kill() {
 void stable_address::close() {
   caf::strong_actor_ptr old;
   std::deque<caf::mailbox_element_ptr> mail;
-  std::map<std::uint64_t, requester> waiting;
+  std::map<std::uint64_t, waiting_answer> waiting;
   {
     const std::unique_lock guard(mutex_);
     if (std::exchange(closed_, true))
@@ -238,12 +261,11 @@ void stable_address::close() {
   for (auto& each : mail)
     refuse(std::move(each));
   for (const auto& [id, each] : waiting)
-    answer_with(each, receiver_down(options_.name));
+    answer_with(each.from, receiver_down(options_.name));
   cleanup(caf::exit_reason::user_shutdown, nullptr);
 }
 
-// -- anybody
-// ---------------------------------------------------------------------------------------------------------------
+// -- anybody --------------------------------------------------------------------------------------
 
 address_counters stable_address::counters() const {
   const std::shared_lock guard(mutex_);

@@ -20,6 +20,7 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <string>
 #include <vector>
@@ -54,22 +55,23 @@ struct address_counters {
   std::uint64_t put_back = 0;      // messages put back after crashing their handler
   std::uint64_t dead_lettered = 0; // messages given up after max_crashes
   std::uint64_t repeated = 0;      // durable effects that were seen before
-  std::uint64_t lost = 0;          // given up by policy lose
+  std::uint64_t lost = 0;          // given up by policy lose, or handled by an incarnation that had been replaced
   std::uint64_t refused = 0;       // over a bound, or after the end
   std::uint64_t not_accepted = 0;  // messages that the mailbox type does not have
 };
+
+// Pings and the like: not mail, and without meaning for the next incarnation.
+[[nodiscard]] bool is_runtime_message(const caf::mailbox_element& element);
 
 class stable_address final : public caf::monitorable_actor {
 public:
   stable_address(caf::actor_config& config, std::uint32_t number, address_options options);
 
-  // -- senders
-  // -----------------------------------------------------------------------------------------------------------
+  // -- senders ------------------------------------------------------------------------------------
   void enqueue(caf::mailbox_element_ptr element, caf::execution_unit* context) override;
   const char* name() const override { return options_.name.c_str(); }
 
-  // -- the incarnation
-  // ---------------------------------------------------------------------------------------------------
+  // -- the incarnation ----------------------------------------------------------------------------
   [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] const std::string& actor_name() const { return options_.name; }
   [[nodiscard]] on_crash policy() const { return options_.policy; }
@@ -103,21 +105,22 @@ public:
   };
   void expect_answer(std::uint64_t message_id, requester r);
   [[nodiscard]] requester take_requester(std::uint64_t message_id);
-  // Answers every waiting request except those in KEEP with "outcome unknown".
-  void give_up_answers(const std::vector<std::uint64_t>& keep);
+  [[nodiscard]] std::optional<caf::message_id> awaited_mid(std::uint64_t message_id) const;
+  // Answers every request that waited for this INCARNATION or an earlier one with "outcome unknown", except those in
+  // KEEP.
+  void give_up_answers(const std::vector<std::uint64_t>& keep, std::uint64_t incarnation);
 
-  // The dying incarnation goes in two steps: from detach() on mail is parked and none reaches its mailbox any more;
-  // then it empties its mailbox and gives back what it had not handled, oldest first. The first PUT_BACK of it were
-  // counted as taken.
-  void detach(const caf::actor_control_block* dying);
+  // The dying incarnation goes in two steps: from park_from_now() on mail is parked and none reaches its mailbox any
+  // more; then it empties its mailbox and gives back what it had not handled, oldest first. The first PUT_BACK of it
+  // were counted as taken.
+  void park_from_now(const caf::actor_control_block* dying, std::uint64_t incarnation);
   void give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t put_back);
   void note_crash(std::string reason);
   void note_beyond_restart() { beyond_restart_.store(true); } // its durable state can not be read
   [[nodiscard]] bool is_beyond_restart() const { return beyond_restart_.load(); }
   [[nodiscard]] std::string last_crash() const;
 
-  // -- the guardian
-  // ------------------------------------------------------------------------------------------------------
+  // -- the guardian -------------------------------------------------------------------------------
   [[nodiscard]] std::uint64_t begin_incarnation(); // its number, from 1
   void bind(caf::strong_actor_ptr incarnation, caf::execution_unit* context);
   // Gives up an incarnation that does not answer: mail is parked from now on. Returns how many messages are stranded in
@@ -126,14 +129,23 @@ public:
   bool kill();  // ends the incarnation between two messages; false: there is none
   void close(); // final: everything waiting is answered with an error and counted as refused
 
-  // -- anybody
-  // -----------------------------------------------------------------------------------------------------------
+  // -- anybody ------------------------------------------------------------------------------------
   [[nodiscard]] address_counters counters() const;
   [[nodiscard]] std::size_t parked() const;
 
 private:
+  struct waiting_answer {
+    requester from;
+    std::uint64_t incarnation = 0; // the one that took the request
+  };
+
   void refuse(caf::mailbox_element_ptr element);
   void forward_again(std::vector<caf::mailbox_element_ptr>& mail); // under the lock
+  // The bound is for mail: without the runtime's own messages, whose number is bounded by what they answer, a busy
+  // actor would miss its pings and not hear that its effects are durable.
+  [[nodiscard]] bool has_room_for(const caf::mailbox_element& element) const {
+    return !mailbox_full() || is_runtime_message(element);
+  }
   [[nodiscard]] bool mailbox_full() const {
     return enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed) >= options_.mailbox_bound;
   }
@@ -145,16 +157,18 @@ private:
   caf::strong_actor_ptr target_;
   std::deque<caf::mailbox_element_ptr> parked_;
   std::size_t arrived_while_parked_ = 0;
+  std::int64_t durable_upto_ = 0; // told by the journal while there was no incarnation to hear it
   bool closed_ = false;
   std::string last_crash_;
-  std::map<std::uint64_t, int> crashes_of_;            // by message id; only messages in trouble
-  std::map<std::uint32_t, effect_id> seen_;            // by source
-  std::map<std::uint64_t, requester> waiting_answers_; // by message id of the request
-  address_counters counters_;                          // without what the atomics below count
-  std::uint64_t forwarded_again_ = 0;                  // of enqueued_: mail that had been parked or put back
-  std::uint64_t runtime_messages_ = 0;                 // of enqueued_ and taken_
-  std::uint64_t unhandled_ = 0;                        // of taken_: whatever did not end as handled
-  std::vector<caf::strong_actor_ptr> stranded_;        // incarnations whose handler never returned
+  std::map<std::uint64_t, int> crashes_of_;                 // by message id; only messages in trouble
+  std::map<std::uint32_t, effect_id> seen_;                 // by source
+  std::map<std::uint64_t, waiting_answer> waiting_answers_; // by message id of the request
+  std::uint64_t last_ended_ = 0;                            // incarnation; one may end before it is bound
+  address_counters counters_;                               // without what the atomics below count
+  std::uint64_t forwarded_again_ = 0;                       // of enqueued_: mail that had been parked or put back
+  std::uint64_t runtime_messages_ = 0;                      // of enqueued_ and taken_
+  std::uint64_t unhandled_ = 0;                             // of taken_: whatever did not end as handled
+  std::vector<caf::strong_actor_ptr> stranded_;             // incarnations whose handler never returned
 
   std::atomic<std::uint64_t> incarnation_{0};
   std::atomic<std::uint64_t> ids_{1};

@@ -43,7 +43,12 @@ caf::strong_actor_ptr system::make_address(address_options options) {
   return make_stable_address(*actors_, number, std::move(options));
 }
 
-gateway system::make_gateway(const std::string& name) { return gateway(outside_.names->add(name)); }
+gateway system::make_gateway(const std::string& name) {
+  const auto number = outside_.names->add(name);
+  GODWIT_ASSERT(number < directory::max_addresses,
+                "a process has at most directory::max_addresses actors and gateways");
+  return gateway(number);
+}
 
 void system::start() {
   GODWIT_ASSERT(!guardian_, "a system starts once");
@@ -53,9 +58,11 @@ void system::start() {
   options.stop_timeout = options_.stop_timeout;
   options.on_exit_request = [this](exit_request why) { request_exit(std::move(why)); };
   guardian_ = spawn_guardian(*actors_, outside_, children_, std::move(options), decider_, status_);
-  guardian_->get()->attach_functor([this](const caf::error&) {
+  guardian_->get()->attach_functor([this](const caf::error& why) {
     const std::lock_guard guard(mutex_);
     guardian_gone_ = true;
+    if (why != caf::exit_reason::user_shutdown && !killing_ && !exit_request_)
+      exit_request_ = {exit_cause::guardian_died, "the guardian died: " + caf::to_string(why)};
     changed_.notify_all();
   });
   (void)address_of(guardian_address_).begin_incarnation();
@@ -117,6 +124,10 @@ caf::mailbox_element_ptr kill_message() {
 }
 
 void system::kill_all() {
+  {
+    const std::lock_guard guard(mutex_);
+    killing_ = true;
+  }
   if (guardian_)
     guardian_->enqueue(kill_message(), nullptr);
   guardian_ = nullptr;

@@ -109,6 +109,7 @@ private:
   std::optional<exit_request> exit_request_;
   bool guardian_gone_ = false;
   bool watching_ = false;
+  bool killing_ = false;
   bool clean_ = true;
   std::thread watcher_;
 };

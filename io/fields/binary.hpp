@@ -72,7 +72,7 @@ private:
   bool exhausted_ = false;
 };
 
-// True for structs that are encoded by copying their fields one after the other, all of fixed size.
+// Appends VALUE; what does not fit is left out and the sink says so.
 template <class V>
 void encode_value(byte_sink& sink, const V& value) {
   if constexpr (has_fields<V>) {

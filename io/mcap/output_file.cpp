@@ -11,7 +11,7 @@ result<void> output_file::open(const std::filesystem::path& path, int flags) {
   static_cast<void>(close());
   name_ = path.string();
   size_bytes_ = 0;
-  descriptor_ = ::open(name_.c_str(), flags | O_CLOEXEC, 0644); // NOLINT(cppcoreguidelines-pro-type-vararg)
+  descriptor_ = ::open(name_.c_str(), flags | O_CLOEXEC, 0600); // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (descriptor_ < 0) {
     return tl::make_unexpected(system_error(name_, "open", errno));
   }

@@ -232,6 +232,7 @@ result<recovered> record_store::read(const std::string& actor) {
                                             .extended = SQLITE_CORRUPT,
                                             .system_errno = 0,
                                             .message = "the events of actor " + actor + " have a gap"});
+  state.durable_upto = state.last_event;
   return state;
 }
 

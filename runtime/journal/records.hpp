@@ -4,6 +4,7 @@
 // counts the effects of one event from 0 on. All bodies are JSON texts; all times are nanoseconds since 1970 (UTC).
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,7 +35,8 @@ struct snapshot_record {
 struct effect_id {
   std::int64_t event = 0;
   std::uint32_t n = 0;
-  auto operator<=>(const effect_id&) const = default;
+  friend constexpr std::strong_ordering operator<=>(const effect_id&,
+                                                    const effect_id&) = default; // NOLINT(modernize-use-nullptr)
 };
 
 struct effect_record {

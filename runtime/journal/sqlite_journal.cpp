@@ -70,7 +70,8 @@ tl::expected<std::unique_ptr<sqlite_journal>, journal_error> sqlite_journal::ope
   const auto run = db->query_integer("SELECT value FROM meta WHERE name = 'run'");
   if (!run)
     return tl::unexpected(from_sqlite(run.error(), options.path, "reading the number of this run"));
-  auto made = std::make_unique<parts>(options, std::move(*lock), std::move(*db), static_cast<std::uint64_t>(*run));
+  auto made =
+      std::make_unique<parts>(std::move(options), std::move(*lock), std::move(*db), static_cast<std::uint64_t>(*run));
   return std::unique_ptr<sqlite_journal>(new sqlite_journal(std::move(made)));
 }
 
@@ -79,18 +80,21 @@ sqlite_journal::~sqlite_journal() { close(); }
 tl::expected<void, journal_error> sqlite_journal::submit(journal_write write) {
   auto taken = parts_->queue.push(std::move(write));
   if (!taken)
-    return tl::unexpected(refusal(taken.error(), parts_->path, "actor " + write.actor));
+    // push() leaves what it refuses as it was.
+    return tl::unexpected(
+        refusal(taken.error(), parts_->path, "actor " + write.actor)); // NOLINT(bugprone-use-after-move)
   return {};
 }
 
 void sqlite_journal::recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) {
   queued_recovery recovery{std::move(actor), std::move(callback)};
   if (!parts_->queue.push(std::move(recovery), incarnation))
-    recovery.callback(tl::unexpected(closed_journal(parts_->path)));
+    recovery.callback(tl::unexpected(closed_journal(parts_->path))); // NOLINT(bugprone-use-after-move): as above
 }
 
 void sqlite_journal::load(bulk_load load) {
-  if (auto taken = parts_->queue.push(std::move(load)); !taken && load.done)
+  auto taken = parts_->queue.push(std::move(load));
+  if (!taken && load.done) // NOLINT(bugprone-use-after-move): as above
     load.done(tl::unexpected(refusal(taken.error(), parts_->path, "load " + load.name)));
 }
 

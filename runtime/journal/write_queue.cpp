@@ -59,7 +59,7 @@ tl::expected<void, journal_errc> write_queue::push(journal_write&& write) {
   ++writes_;
   ++pushed_;
   bytes_ += bytes;
-  arrivals_.push_back(queued_write{std::move(write), bytes, std::nullopt});
+  arrivals_.emplace_back(queued_write{std::move(write), bytes, std::nullopt});
   wake(std::move(lock));
   return {};
 }
@@ -70,7 +70,7 @@ bool write_queue::push(queued_recovery&& recovery, std::uint64_t incarnation) {
     return false;
   auto& first_valid = first_valid_incarnation_[recovery.actor];
   first_valid = std::max(first_valid, incarnation);
-  arrivals_.push_back(std::move(recovery));
+  arrivals_.emplace_back(std::move(recovery));
   wake(std::move(lock));
   return true;
 }

@@ -85,7 +85,7 @@ bool simulated_journal::step() {
   if (std::holds_alternative<recovery>(queue_.front())) {
     auto asked = std::get<recovery>(std::move(queue_.front()));
     queue_.pop_front();
-    answer(std::move(asked), {});
+    answer(asked, {});
   } else {
     commit_group();
   }
@@ -118,11 +118,11 @@ bool simulated_journal::recover_while_failing() {
   std::deque<queued_item> ahead(queue_.begin(), found);
   auto asked = std::get<recovery>(std::move(*found));
   queue_.erase(found);
-  answer(std::move(asked), ahead);
+  answer(asked, ahead);
   return true;
 }
 
-void simulated_journal::answer(recovery asked, const std::deque<queued_item>& ahead) {
+void simulated_journal::answer(const recovery& asked, const std::deque<queued_item>& ahead) {
   auto result = disk_.actors[asked.actor].kept;
   result.durable_upto = result.last_event;
   for (const auto& each : ahead)

@@ -52,7 +52,7 @@ private:
 
   void commit_group();
   bool recover_while_failing();
-  void answer(recovery asked, const std::deque<queued_item>& ahead);
+  void answer(const recovery& asked, const std::deque<queued_item>& ahead);
 
   simulated_disk& disk_;
   std::deque<queued_item> queue_;

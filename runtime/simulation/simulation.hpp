@@ -103,13 +103,13 @@ public:
   template <class Handle, class Q>
   requires accepts<Handle, Q> std::shared_ptr<asked<answer_t<Handle, Q>>>
   ask(const Handle& to, std::chrono::nanoseconds timeout, Q question) {
-    using R = answer_t<Handle, Q>;
-    auto result = std::make_shared<asked<R>>();
+    using answer_type = answer_t<Handle, Q>;
+    auto result = std::make_shared<asked<answer_type>>();
     const header head{++asked_, 0, 0, 0, 0};
     asker_->context(nullptr); // the one from its last turn is gone
     asker_->request(to, caf::duration{timeout}, mail<Q>{head, std::move(question)})
         .then(
-            [result](const mail<R>& m) {
+            [result](const mail<answer_type>& m) {
               ++result->answers;
               result->answer = m.body;
             },

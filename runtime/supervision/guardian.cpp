@@ -72,11 +72,11 @@ public:
           return mail<children>{{0, m.head.id, 0, 0, 0}, report()};
         },
         [this](const mail<set_policy>& m) {
-          if (const auto i = find(m.body.name); i < children_.size())
+          if (const auto i = find_or_tell(m.body.name); i < children_.size())
             core_.set_policy(i, m.body.policy);
         },
         [this](const mail<want_child>& m) {
-          if (const auto i = find(m.body.name); i < children_.size())
+          if (const auto i = find_or_tell(m.body.name); i < children_.size())
             carry_out(core_.want(i, m.body.wanted));
         },
     };
@@ -85,8 +85,7 @@ public:
   void on_exit() override { children_.clear(); }
 
 private:
-  // -- carrying out
-  // ------------------------------------------------------------------------------------------------------
+  // -- carrying out -------------------------------------------------------------------------------
 
   void carry_out(const supervision_core::actions& actions) {
     for (const auto& each : actions)
@@ -157,6 +156,7 @@ private:
           system(), {&outside_, child.spec.address, child.number, caf::strong_actor_ptr(ctrl()), std::move(restored)});
       monitor(caf::actor_cast<caf::actor>(made));
       child.incarnation = made;
+      pings_.watch(index, now_ns());
       address(child).bind(std::move(made), context());
     } catch (const std::exception& thrown) {
       address(child).note_crash(thrown.what());
@@ -165,8 +165,7 @@ private:
     }
   }
 
-  // -- what happens to children
-  // ------------------------------------------------------------------------------------------
+  // -- what happens to children -------------------------------------------------------------------
 
   void on_recovered(const recovery_ready& ready) {
     auto& child = children_[ready.child];
@@ -194,7 +193,6 @@ private:
     const auto index = find(up.actor);
     if (index >= children_.size() || children_[index].number != up.incarnation)
       return;
-    pings_.watch(index, now_ns());
     if (up.incarnation > 1)
       status_->restarts.fetch_add(1, std::memory_order_relaxed);
     tell_event(index, child_event_kind::up, {});
@@ -207,6 +205,7 @@ private:
     if (index >= children_.size()) { // one that was left behind has come to its end after all
       if (status_->hanging.load() > 0)
         status_->hanging.fetch_sub(1);
+      post_hanging();
       return;
     }
     auto& child = children_[index];
@@ -234,8 +233,7 @@ private:
     later(options_.stop_timeout, stop_overdue{overdue.child, overdue.incarnation, true});
   }
 
-  // -- pings
-  // -------------------------------------------------------------------------------------------------------------
+  // -- pings --------------------------------------------------------------------------------------
 
   void tick() {
     const auto now = now_ns();
@@ -277,11 +275,11 @@ private:
     auto& child = children_[index];
     child.incarnation = nullptr;
     status_->hanging.fetch_add(1);
+    post_hanging();
     return address(child).abandon();
   }
 
-  // -- small things
-  // ------------------------------------------------------------------------------------------------------
+  // -- small things -------------------------------------------------------------------------------
 
   static stable_address& address(const child_runtime& child) { return address_of(child.spec.address); }
   [[nodiscard]] std::int64_t now_ns() const { return outside_.time->monotonic_ns(); }
@@ -298,6 +296,13 @@ private:
   }
   [[nodiscard]] std::size_t find(const std::string& wanted) const {
     return find_if([&](const child_runtime& each) { return address(each).actor_name() == wanted; });
+  }
+  [[nodiscard]] std::size_t find_or_tell(const std::string& wanted) const {
+    const auto index = find(wanted);
+    if (index >= children_.size())
+      outside_.health->post("guardian", health_colour::yellow,
+                            "was told about " + wanted + ", which is no child of it");
+    return index;
   }
   [[nodiscard]] std::size_t find(std::uint32_t number) const {
     return find_if([&](const child_runtime& each) { return address(each).number() == number; });
@@ -331,6 +336,12 @@ private:
 
   void post_health(std::size_t index, health_colour colour, std::string reason) {
     outside_.health->post(address(children_[index]).actor_name(), colour, std::move(reason));
+  }
+
+  void post_hanging() {
+    const auto hanging = status_->hanging.load();
+    outside_.health->post("workers", hanging == 0 ? health_colour::green : health_colour::yellow,
+                          hanging == 0 ? "" : std::to_string(hanging) + " hang in handlers that do not return");
   }
 
   void request_exit(exit_cause cause, std::string reason) {

@@ -7,7 +7,7 @@
 //
 //   crash ──> leave(): mail parked ──> down ──> [journal: recover] ──> new incarnation, bind(): mail flows
 //
-// Thread: an actor. The functions of guardian_control may be called from any thread.
+// Thread: an actor; the functions at the end may be called from any thread.
 #pragma once
 
 #include <atomic>
@@ -36,13 +36,14 @@ struct child_spec {
   std::function<caf::strong_actor_ptr(caf::actor_system&, birth)> make;
 };
 
-enum class exit_cause { requested, essential_given_up, essential_silent, no_free_worker };
+enum class exit_cause { requested, essential_given_up, essential_silent, no_free_worker, guardian_died };
 
 constexpr auto enum_names(exit_cause) {
   return io::names<exit_cause>({{exit_cause::requested, "requested"},
                                 {exit_cause::essential_given_up, "essential_given_up"},
                                 {exit_cause::essential_silent, "essential_silent"},
-                                {exit_cause::no_free_worker, "no_free_worker"}});
+                                {exit_cause::no_free_worker, "no_free_worker"},
+                                {exit_cause::guardian_died, "guardian_died"}});
 }
 
 struct exit_request {
@@ -64,7 +65,7 @@ struct guardian_status {
   std::atomic<std::uint64_t> restarts{0};
 };
 
-// Spawns the guardian; it starts the children when it gets start_message().
+// Spawns the guardian; it starts the children when tell_guardian_to_start() says so.
 [[nodiscard]] caf::strong_actor_ptr spawn_guardian(caf::actor_system& system, const services& outside,
                                                    std::vector<child_spec> children, guardian_options options,
                                                    decider_handle decider, std::shared_ptr<guardian_status> status);

@@ -5,10 +5,10 @@
 
 namespace godwit::runtime {
 
-supervision_core::supervision_core(strategy how, std::vector<child_policy> children, std::uint64_t seed)
+supervision_core::supervision_core(strategy how, const std::vector<child_policy>& children, std::uint64_t seed)
     : strategy_(how), random_(seed) {
   children_.reserve(children.size());
-  for (auto& each : children)
+  for (const auto& each : children)
     children_.push_back({.policy = each, .history = {}});
 }
 

@@ -60,17 +60,17 @@ class supervision_core {
 public:
   using actions = std::vector<supervision_action>;
 
-  supervision_core(strategy how, std::vector<child_policy> children, std::uint64_t seed);
+  supervision_core(strategy how, const std::vector<child_policy>& children, std::uint64_t seed);
 
   [[nodiscard]] actions start();
   [[nodiscard]] actions shutdown();
-  [[nodiscard]] actions up(std::size_t child);
+  [[nodiscard]] actions up(std::size_t i);
   // The incarnation is gone. RESTART_IS_USELESS: give up at once (its durable state can not be read).
-  [[nodiscard]] actions down(std::size_t child, std::int64_t now_ns, bool restart_is_useless = false);
-  [[nodiscard]] actions restart_due(std::size_t child);
+  [[nodiscard]] actions down(std::size_t i, std::int64_t now_ns, bool restart_is_useless = false);
+  [[nodiscard]] actions restart_due(std::size_t i);
   // Somebody wants the child to run, or not. Wanting it again forgets its crashes.
-  [[nodiscard]] actions want(std::size_t child, bool wanted);
-  void set_policy(std::size_t child, child_policy policy) { children_[child].policy = policy; }
+  [[nodiscard]] actions want(std::size_t i, bool wanted);
+  void set_policy(std::size_t i, child_policy policy) { children_[i].policy = policy; }
 
   [[nodiscard]] child_phase phase(std::size_t child) const { return children_[child].phase; }
   [[nodiscard]] const child_policy& policy(std::size_t child) const { return children_[child].policy; }

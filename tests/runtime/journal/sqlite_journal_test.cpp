@@ -50,6 +50,7 @@ TEST_F(sqlite_journal_test, what_was_committed_is_recovered_after_reopening) {
   EXPECT_EQ(state->snapshot->number, 7);
   EXPECT_EQ(state->snapshot->version, 2);
   EXPECT_EQ(state->snapshot->body, "{\"phase\":\"flying\"}");
+  EXPECT_EQ(state->durable_upto, 10) << "without it the next incarnation lets nothing out";
   ASSERT_EQ(state->events.size(), 3U);
   EXPECT_EQ(state->events[0].number, 8);
   EXPECT_EQ(state->events[2].body, "{\"n\":10}");

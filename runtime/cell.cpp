@@ -49,7 +49,7 @@ cell_frame::delivery cell_frame::begin_internal(const header& head) {
   committed_ = false;
   d.is_mail = false;
   if (outside().trace != nullptr)
-    d.began_ns = now_ns();
+    d.began = outside().trace->ticks();
   return d;
 }
 
@@ -293,14 +293,14 @@ void cell_frame::leave() {
 void cell_frame::record_in(trace_sink& sink, const delivery& d, const message_type& type, const void* body,
                            outcome how) {
   trace_entry entry;
-  entry.began_ns = d.began_ns;
-  entry.duration_ns = now_ns() - d.began_ns;
+  entry.began = d.began;
+  entry.ended = sink.ticks();
   entry.id = current_.id;
   entry.cause = current_.cause;
   entry.actor = address().number();
   entry.sender = current_.sender;
   entry.incarnation = static_cast<std::uint32_t>(birth_.incarnation);
-  entry.ended = how;
+  entry.how = how;
   sink.record(entry, type, body);
 }
 
@@ -337,7 +337,8 @@ caf::result<caf::message> cell_frame::handle_runtime_message(caf::message_view& 
     throw std::runtime_error(content.get_as<mail<write_failed>>(0).body.what);
   } else {
     current_ = {};
-    record({now_ns(), {}, true}, type_of<unknown_message>, &no_such_word, outcome::not_accepted);
+    record({outside().trace != nullptr ? outside().trace->ticks() : 0, {}, true}, type_of<unknown_message>,
+           &no_such_word, outcome::not_accepted);
     address().count_unhandled(&address_counters::not_accepted);
     return caf::make_error(caf::sec::unexpected_message, actor_name() + " does not accept this message");
   }

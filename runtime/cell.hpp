@@ -70,7 +70,7 @@ protected:
 
   // One message on its way through a handler.
   struct delivery {
-    std::int64_t began_ns = 0;
+    std::int64_t began = 0;              // in ticks of the trace
     stable_address::requester requester; // empty for a tell
     bool is_mail = true;                 // came through the address; an answer or a call of the runtime did not
   };

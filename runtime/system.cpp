@@ -78,10 +78,16 @@ void system::start() {
 // Outside the workers, so that it notices when none of them is free: then the guardian does not tick any more.
 void system::watch() {
   const auto limit_ns = std::chrono::nanoseconds(options_.ping.fatal).count();
+  auto looked_ns = outside_.time->monotonic_ns();
+  auto stood_still_ns = looked_ns; // until then the whole process did not run (SIGSTOP, a suspended machine)
   std::unique_lock guard(mutex_);
   while (watching_) {
     changed_.wait_for(guard, options_.ping.period / 2);
-    const auto silent_ns = outside_.time->monotonic_ns() - status_->last_tick_ns.load(std::memory_order_relaxed);
+    const auto now_ns = outside_.time->monotonic_ns();
+    if (now_ns - looked_ns > limit_ns / 2)
+      stood_still_ns = now_ns;
+    looked_ns = now_ns;
+    const auto silent_ns = now_ns - std::max(stood_still_ns, status_->last_tick_ns.load(std::memory_order_relaxed));
     if (watching_ && !guardian_gone_ && silent_ns > limit_ns && !exit_request_)
       exit_request_ = {exit_cause::no_free_worker,
                        "all " + std::to_string(options_.workers) + " workers hang in handlers that do not return"};

@@ -17,7 +17,7 @@ void planned_crashes::hit(crash_point point, std::uint32_t actor, std::uint64_t)
 }
 
 simulation::simulation(simulated_disk& disk, std::uint64_t seed, system_options options, bool traced)
-    : journal_(disk), trace_(names_), crashes_(names_) {
+    : journal_(disk), trace_(names_, time_), crashes_(names_) {
   services outside;
   outside.time = &time_;
   outside.names = &names_;

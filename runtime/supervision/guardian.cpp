@@ -227,10 +227,15 @@ private:
       carry_out(core_.down(overdue.child, now_ns()));
       return;
     }
-    child.incarnation->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
-                                                         caf::exit_msg{address_of_self(), caf::exit_reason::kill}),
-                               context());
+    kill(*child.incarnation);
     later(options_.stop_timeout, stop_overdue{overdue.child, overdue.incarnation, true});
+  }
+
+  // It ends before it looks at any other mail.
+  void kill(caf::actor_control_block& incarnation) {
+    incarnation.enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
+                                                  caf::exit_msg{address_of_self(), caf::exit_reason::kill}),
+                        context());
   }
 
   // -- pings --------------------------------------------------------------------------------------
@@ -273,6 +278,7 @@ private:
 
   std::size_t leave_behind(std::size_t index) {
     auto& child = children_[index];
+    kill(*child.incarnation); // should its handler return after all, its mail goes to the successor untouched
     child.incarnation = nullptr;
     status_->hanging.fetch_add(1);
     post_hanging();
@@ -325,7 +331,8 @@ private:
     child_event event{address(child).actor_name(), kind, child.number, std::move(reason)};
     if (outside_.trace != nullptr) {
       trace_entry entry;
-      entry.began_ns = now_ns();
+      entry.began = outside_.trace->ticks();
+      entry.ended = entry.began;
       entry.actor = address(child).number();
       entry.incarnation = static_cast<std::uint32_t>(child.number);
       outside_.trace->record(entry, type_of<child_event>, &event);

@@ -47,8 +47,9 @@ private:
 
   std::byte* const memory_;
   const std::size_t size_;
+  // Three cache lines: what the consumer reads, what only the producer uses, what the producer reads.
   alignas(64) std::atomic<std::size_t> head_{0}; // bytes ever published
-  std::size_t known_tail_ = 0;                   // the producer's copy of tail_
+  alignas(64) std::size_t known_tail_ = 0;       // the producer's copy of tail_
   alignas(64) std::atomic<std::size_t> tail_{0}; // bytes ever consumed
 };
 

@@ -20,6 +20,7 @@
 #include "runtime/clock.hpp"
 #include "runtime/directory.hpp"
 #include "runtime/health_board.hpp"
+#include "runtime/trace/tick_clock.hpp"
 #include "runtime/trace/trace_sink.hpp"
 
 namespace godwit::runtime {
@@ -55,6 +56,7 @@ public:
 
   ~ring_trace() override;
 
+  [[nodiscard]] std::int64_t ticks() const noexcept override { return tick_clock::now(); }
   void record(const trace_entry& entry, const message_type& type, const void* body) noexcept override;
 
   // Writes all that was recorded so far and ends the last segment.

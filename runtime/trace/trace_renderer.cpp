@@ -74,19 +74,29 @@ trace_renderer::channel* trace_renderer::channel_for(const trace_entry& entry, c
   return nullptr;
 }
 
+const std::string& trace_renderer::quoted_name(std::uint32_t actor) {
+  while (quoted_names_.size() <= actor) {
+    const auto number = static_cast<std::uint32_t>(quoted_names_.size());
+    io::append_json_string(quoted_names_.emplace_back(), names_.name(number));
+  }
+  return quoted_names_[actor];
+}
+
 void trace_renderer::render(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload,
                             bool oversize) {
   text_.clear();
   append_member(text_, R"({"id":)", entry.id);
   append_member(text_, R"(,"cause":)", entry.cause);
   text_ += R"(,"actor":)";
-  io::append_json_string(text_, names_.name(entry.actor));
+  text_ += quoted_name(entry.actor);
   append_member(text_, R"(,"incarnation":)", entry.incarnation);
   text_ += R"(,"sender":)";
-  io::append_json_string(text_, names_.name(entry.sender));
-  append_member(text_, R"(,"duration_ns":)", static_cast<std::uint64_t>(std::max<std::int64_t>(entry.duration_ns, 0)));
+  text_ += quoted_name(entry.sender);
+  append_member(
+      text_, R"(,"duration_ns":)",
+      static_cast<std::uint64_t>(std::max<std::int64_t>(scale_.to_duration_ns(entry.ended - entry.began), 0)));
   text_ += R"(,"outcome":")";
-  text_ += io::name_of(entry.ended);
+  text_ += io::name_of(entry.how);
   if (oversize) {
     text_ += R"(","oversize":true})";
     return;
@@ -105,7 +115,7 @@ void trace_renderer::write(const trace_entry& entry, const message_type& type, s
     return;
   }
   render(entry, type, payload, oversize);
-  const auto at_ns = static_cast<std::uint64_t>(entry.began_ns + wall_offset_ns_);
+  const auto at_ns = static_cast<std::uint64_t>(scale_.to_monotonic_ns(entry.began) + wall_offset_ns_);
   ++given_;
   check(writer_.write({to->id, to->sequence++, at_ns, at_ns, io::mcap::bytes_of(text_)}));
 }
@@ -119,7 +129,8 @@ void trace_renderer::note_dropped(std::uint64_t total) {
   io::byte_sink sink(memory);
   io::encode_value(sink, now);
   trace_entry entry;
-  entry.began_ns = time_.monotonic_ns();
+  entry.began = tick_clock::now();
+  entry.ended = entry.began;
   write(entry, type_of<trace_loss>, std::span<const std::byte>(memory.data(), sink.used()), false);
 }
 
@@ -134,6 +145,7 @@ void trace_renderer::check(const io::mcap::result<void>& result) {
 }
 
 void trace_renderer::tick() {
+  scale_.adjust();
   check(writer_.tick(static_cast<std::uint64_t>(time_.monotonic_ns())));
   publish_counts();
 }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <span>
 #include <string>
@@ -56,16 +57,19 @@ private:
       : names_(names), time_(time), health_(health), wall_offset_ns_(time.wall_ns() - time.monotonic_ns()) {}
   channel* channel_for(const trace_entry& entry, const message_type& type);
   void render(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload, bool oversize);
+  [[nodiscard]] const std::string& quoted_name(std::uint32_t actor); // as a JSON text
   void check(const io::mcap::result<void>& result);
   void publish_counts();
 
   const directory& names_;
   const time_source& time_;
   health_board& health_;
+  tick_scale scale_;
   const std::int64_t wall_offset_ns_; // fixed for the run: the trace's time never goes back
   io::mcap::rotating_writer writer_;
   std::unordered_map<channel_key, channel, channel_hash> channels_;
-  std::string text_; // of the message being rendered; kept for its capacity
+  std::deque<std::string> quoted_names_; // by number; names never change once they are given
+  std::string text_;                     // of the message being rendered; kept for its capacity
   trace_loss told_;
   bool failing_ = false;
   std::uint64_t given_ = 0;           // to the writer, whatever became of them

@@ -27,14 +27,14 @@ constexpr auto enum_names(outcome) {
 }
 
 struct trace_entry {
-  std::int64_t began_ns = 0; // monotonic
-  std::int64_t duration_ns = 0;
+  std::int64_t began = 0; // in the sink's ticks
+  std::int64_t ended = 0;
   std::uint64_t id = 0;
   std::uint64_t cause = 0;
   std::uint32_t actor = 0; // number of the stable address
   std::uint32_t sender = 0;
   std::uint32_t incarnation = 0;
-  outcome ended = outcome::handled;
+  outcome how = outcome::handled;
 };
 
 class trace_sink {
@@ -43,6 +43,9 @@ public:
   trace_sink(const trace_sink&) = delete;
   trace_sink& operator=(const trace_sink&) = delete;
   virtual ~trace_sink() = default;
+
+  // The time in a unit of the sink's choice; as cheap as it can be.
+  [[nodiscard]] virtual std::int64_t ticks() const noexcept = 0;
 
   // BODY points to a value of TYPE and is only read during the call.
   virtual void record(const trace_entry& entry, const message_type& type, const void* body) noexcept = 0;

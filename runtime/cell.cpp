@@ -28,10 +28,10 @@ std::string current_exception_text() {
 }
 
 // Of the exception being handled.
-bool is_journal_refusal() {
+bool is_commit_refusal() {
   try {
     throw;
-  } catch (const journal_refused&) {
+  } catch (const commit_refused&) {
     return true;
   } catch (...) {
     return false;
@@ -108,7 +108,7 @@ void cell_frame::end_fenced(const delivery& d, const message_type& type, const v
 }
 
 void cell_frame::end_crashed(delivery& d, const message_type& type, const void* body, caf::mailbox_element_ptr copy) {
-  const bool journals_fault = is_journal_refusal();
+  const bool not_its_fault = is_commit_refusal();
   held_.clear();
   in_handler_ = false;
   record(d, type, body, outcome::crashed);
@@ -130,8 +130,8 @@ void cell_frame::end_crashed(delivery& d, const message_type& type, const void* 
   }
   address().count_unhandled(nullptr);
   int crashes = 0;
-  // A message is not to blame for a journal that takes nothing: it waits, however often that happens.
-  if (journals_fault || address().may_retry(current_.id, crashes)) {
+  // A message is not to blame for a journal that takes nothing.
+  if (not_its_fault || address().may_retry(current_.id, crashes)) {
     put_back_ = std::move(copy);
     return;
   }

@@ -201,8 +201,8 @@ protected:
   auto on_deferred(F handler) {
     return [this, handler = std::move(handler)](const mail<Q>& m) mutable -> caf::delegated<mail<R>> {
       deliver(m, [&](const delivery& d) {
-        address().expect_answer(m.head.id, d.requester);
-        handler(m.body, m.head.id);
+        if (address().expect_answer(m.head.id, d.requester))
+          handler(m.body, m.head.id);
       });
       return {};
     };

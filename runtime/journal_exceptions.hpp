@@ -1,4 +1,4 @@
-// The two ways in which the journal ends an incarnation. Both are for the supervisor, not for actor code.
+// The ways in which durable memory ends an incarnation. All are for the supervisor, not for actor code.
 #pragma once
 
 #include <stdexcept>
@@ -17,9 +17,21 @@ struct state_unreadable : std::runtime_error {
             ". It was written by another version of godwit; start that version, or move the journal away") {}
 };
 
-// The journal did not take a write (its queue is at its bound, or it is closing).
-struct journal_refused : std::runtime_error {
-  explicit journal_refused(const journal_error& why) : std::runtime_error(why.message()) {}
+// An event can not be committed now, through no fault of the message: it is put back however often that happens, and
+// the supervisor's back-off makes it wait.
+struct commit_refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The journal did not take a write: its queue is at its bound, or it is closing.
+struct journal_refused : commit_refused {
+  explicit journal_refused(const journal_error& why) : commit_refused(why.message()) {}
+};
+
+// Too many effects of this actor wait for the disk or for their receivers (max_unreleased_effects).
+struct backlog_full : commit_refused {
+  explicit backlog_full(const std::string& actor)
+      : commit_refused(actor + " has too many effects that nobody has confirmed; is a receiver of them down?") {}
 };
 
 } // namespace godwit::runtime

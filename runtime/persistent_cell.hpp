@@ -43,6 +43,9 @@ namespace godwit::runtime {
 // A state is written in full after this many events, so that a recovery reads one snapshot and at most as many events.
 inline constexpr int events_per_snapshot = 100;
 
+// Effects of one actor that wait for the disk or for a receiver. At the bound it takes no more events (backlog_full).
+inline constexpr std::size_t max_unreleased_effects = 10'000;
+
 template <class E>
 inline constexpr bool is_immediate = requires {
   requires E::immediate;
@@ -133,6 +136,8 @@ private:
   // Decide, let out what must not wait, hand the rest to the journal. Throws when the journal refuses: the state in
   // memory is then ahead of the disk and has to go with the incarnation.
   void commit(event happened, awaited_answer awaited) {
+    if (gate_.size() + sent_.size() >= max_unreleased_effects)
+      throw backlog_full(this->actor_name());
     const auto at_ns = this->wall_ns();
     auto effects = Core::handle(state_, happened, at_ns);
     const auto number = last_event_ + 1;

@@ -117,9 +117,17 @@ void stable_address::mark_seen(std::uint32_t source, effect_id id) {
   mark = std::max(mark, id);
 }
 
-void stable_address::expect_answer(std::uint64_t message_id, requester r) {
-  const std::unique_lock guard(mutex_);
-  waiting_answers_[message_id] = {std::move(r), incarnation_.load(std::memory_order_relaxed)};
+bool stable_address::expect_answer(std::uint64_t message_id, requester r) {
+  {
+    const std::unique_lock guard(mutex_);
+    if (waiting_answers_.size() < max_waiting_answers) {
+      waiting_answers_[message_id] = {std::move(r), incarnation_.load(std::memory_order_relaxed)};
+      return true;
+    }
+    ++counters_.refused;
+  }
+  answer_with(r, receiver_down(options_.name));
+  return false;
 }
 
 stable_address::requester stable_address::take_requester(std::uint64_t message_id) {
@@ -167,6 +175,12 @@ void stable_address::park_from_now(const caf::actor_control_block* dying, std::u
   last_ended_ = std::max(last_ended_, incarnation);
   if (target_.get() == dying)
     old.swap(target_);
+  // One that was left behind and came to its end after all: it holds its address, so the address must not go on holding
+  // it.
+  for (auto& each : stranded_)
+    if (each.get() == dying)
+      old.swap(each);
+  std::erase(stranded_, nullptr);
 }
 
 void stable_address::give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t put_back) {

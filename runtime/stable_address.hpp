@@ -48,6 +48,9 @@ struct address_options {
 // A message is handled at most this often: put back twice, given up at the third crash.
 inline constexpr int max_crashes = 3;
 
+// Requests of one actor whose answer is still to come.
+inline constexpr std::size_t max_waiting_answers = 10'000;
+
 struct address_counters {
   std::uint64_t accepted = 0;      // taken by the address
   std::uint64_t handled = 0;       // the handler returned
@@ -103,7 +106,8 @@ public:
     caf::strong_actor_ptr who;
     caf::message_id mid;
   };
-  void expect_answer(std::uint64_t message_id, requester r);
+  // False: max_waiting_answers wait already; the request was refused, answered with not_taken and counted.
+  [[nodiscard]] bool expect_answer(std::uint64_t message_id, requester r);
   [[nodiscard]] requester take_requester(std::uint64_t message_id);
   [[nodiscard]] std::optional<caf::message_id> awaited_mid(std::uint64_t message_id) const;
   // Answers every request that waited for this INCARNATION or an earlier one with "outcome unknown", except those in

@@ -178,13 +178,26 @@ TEST(durable_effects, what_the_journal_says_between_two_incarnations_reaches_the
   world.tell(ledger, deposit{1, 5});
   world.step(0);
   world.kill("ledger");
-  world.step(0);                      // it ends
-  world.step(0);                      // the guardian asks the journal to recover it
+  world.step(0);                       // it ends
+  world.step(0);                       // the guardian asks the journal to recover it
   ASSERT_TRUE(world.journal().step()); // recovered from the overlay; the write still waits
   world.journal().fail_writes(false);
   ASSERT_TRUE(world.journal().step()); // now it is durable, and nobody is there to hear it
   world.advance(1s);
   EXPECT_EQ(seen.receipts[1], 1);
+}
+
+TEST(durable_effects, an_actor_whose_effects_nobody_confirms_takes_no_more_events_than_its_bound) {
+  twin_world w(given_up_at_once());
+  w.world.kill("second");
+  w.world.advance(1s);
+  for (std::size_t i = 0; i < max_unreleased_effects + 50; ++i) {
+    w.world.tell(w.twin, deposit{static_cast<std::int64_t>(i) + 1, 1});
+    w.world.settle();
+  }
+  EXPECT_EQ(w.unreleased(), max_unreleased_effects);
+  EXPECT_EQ(w.disk.dead_letters.size(), 0U) << "no message is to blame";
+  EXPECT_GT(w.world.counters("twin").crashes, 0U) << "and it shows";
 }
 
 // Sets a timer while it lets an effect out.

@@ -52,7 +52,7 @@ tl::expected<std::unique_ptr<process>, std::string> process::open(process_option
   options.journal.on_health_change = [health = &result->health_](const journal_status& status) {
     health->post("journal", status.failing ? health_colour::red : health_colour::green, status.reason);
   };
-  auto journal = sqlite_journal::open(std::move(options.journal));
+  auto journal = sqlite_journal::open(options.journal);
   if (!journal)
     return tl::unexpected(journal.error().message());
   result->journal_ = std::move(*journal);

@@ -53,9 +53,8 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
     target_->enqueue(std::move(element), context);
     return;
   }
-  if (is_runtime_message(*element)) { // for an incarnation that is gone; only what the journal said still counts
-    if (element->content().match_elements<mail<durable>>())
-      durable_upto_ = std::max(durable_upto_, element->content().get_as<mail<durable>>(0).body.upto);
+  if (is_runtime_message(*element)) {
+    keep_for_next(std::move(element));
     return;
   }
   if (target_ || closed_ || arrived_while_parked_ >= options_.parking_bound) {
@@ -67,6 +66,17 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
   ++arrived_while_parked_;
   ++counters_.accepted;
   parked_.push_back(std::move(element));
+}
+
+// Of what the runtime told an incarnation that is gone, or runs already and is not bound yet. What the journal said
+// still counts, and so does what a receiver confirmed: the unbound incarnation lets effects out while it is born, and
+// would wait for their confirmation for ever.
+void stable_address::keep_for_next(caf::mailbox_element_ptr element) {
+  const auto& content = element->content();
+  if (content.match_elements<mail<durable>>())
+    durable_upto_ = std::max(durable_upto_, content.get_as<mail<durable>>(0).body.upto);
+  else if (content.match_elements<mail<effect_taken>>() && !closed_ && confirmations_.size() < max_confirmations)
+    confirmations_.push_back(std::move(element));
 }
 
 void stable_address::refuse(caf::mailbox_element_ptr element) {
@@ -239,6 +249,9 @@ void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit
     target_->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<durable>{{}, {upto}}),
                      context);
   }
+  enqueued_.fetch_add(confirmations_.size(), std::memory_order_relaxed);
+  for (auto& each : std::exchange(confirmations_, {}))
+    target_->enqueue(std::move(each), context);
 }
 
 std::size_t stable_address::abandon() {

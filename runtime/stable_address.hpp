@@ -162,6 +162,7 @@ private:
   std::deque<caf::mailbox_element_ptr> parked_;
   std::size_t arrived_while_parked_ = 0;
   std::int64_t durable_upto_ = 0; // told by the journal while there was no incarnation to hear it
+  std::vector<caf::mailbox_element_ptr> confirmations_; // effect_taken, likewise; at most max_confirmations
   bool closed_ = false;
   std::string last_crash_;
   std::map<std::uint64_t, int> crashes_of_;                 // by message id; only messages in trouble

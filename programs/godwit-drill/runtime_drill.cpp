@@ -17,7 +17,7 @@ namespace godwit::drill {
 namespace {
 
 constexpr std::uint32_t lanes = 4;             // relays, and ledgers
-constexpr std::uint64_t window = 400;        // messages under way at most: bounds every mailbox
+constexpr std::uint64_t window = 400;          // messages under way at most: bounds every mailbox
 constexpr std::uint64_t poison_share = 40;     // one in so many plans is a message that crashes every handler
 constexpr std::uint64_t kill_share = 4;        // one in so many of the others kills between two messages
 constexpr std::uint64_t kills_from_behind = 8; // so many crashes behind the plan, and actors are killed until it is met

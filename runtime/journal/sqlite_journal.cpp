@@ -58,7 +58,7 @@ sqlite_journal::sqlite_journal(std::unique_ptr<parts> made) : parts_(std::move(m
   parts_->thread = std::thread([this] { parts_->writer.run(); });
 }
 
-tl::expected<std::unique_ptr<sqlite_journal>, journal_error> sqlite_journal::open(journal_options options) {
+tl::expected<std::unique_ptr<sqlite_journal>, journal_error> sqlite_journal::open(const journal_options& options) {
   if (auto made = make_folder_of(options.path); !made)
     return tl::unexpected(std::move(made.error()));
   auto lock = lock_file::acquire(options.path);
@@ -70,8 +70,7 @@ tl::expected<std::unique_ptr<sqlite_journal>, journal_error> sqlite_journal::ope
   const auto run = db->query_integer("SELECT value FROM meta WHERE name = 'run'");
   if (!run)
     return tl::unexpected(from_sqlite(run.error(), options.path, "reading the number of this run"));
-  auto made =
-      std::make_unique<parts>(std::move(options), std::move(*lock), std::move(*db), static_cast<std::uint64_t>(*run));
+  auto made = std::make_unique<parts>(options, std::move(*lock), std::move(*db), static_cast<std::uint64_t>(*run));
   return std::unique_ptr<sqlite_journal>(new sqlite_journal(std::move(made)));
 }
 

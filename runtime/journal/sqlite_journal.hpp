@@ -61,7 +61,8 @@ class write_queue;
 class sqlite_journal final : public journal {
 public:
   // Blocks on the disk. The error names the file and the remedy.
-  [[nodiscard]] static tl::expected<std::unique_ptr<sqlite_journal>, journal_error> open(journal_options options);
+  [[nodiscard]] static tl::expected<std::unique_ptr<sqlite_journal>, journal_error>
+  open(const journal_options& options);
 
   ~sqlite_journal() override;
 

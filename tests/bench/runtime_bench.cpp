@@ -25,7 +25,6 @@ namespace godwit::bench {
 
 namespace {
 
-using runtime::mail;
 using runtime::mailbox;
 using runtime::tells;
 

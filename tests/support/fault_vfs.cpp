@@ -251,8 +251,8 @@ void fault_vfs::cut_power(std::optional<std::uint64_t> seed) {
   tracking_ = false;
   std::mt19937_64 random(seed.value_or(0));
   for (auto& [path, changes] : unsynced_) {
-    std::for_each(changes.rbegin(), changes.rend(),
-                  [&](const auto& undo) { put(path, undo.offset, undo.before, undo.size_before); });
+    for (auto undo = changes.rbegin(); undo != changes.rend(); ++undo) // NOLINT(modernize-loop-convert): backwards
+      put(path, undo->offset, undo->before, undo->size_before);
     if (!seed)
       continue;
     std::int64_t size = changes.front().size_before;

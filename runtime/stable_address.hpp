@@ -51,6 +51,10 @@ inline constexpr int max_crashes = 3;
 // Requests of one actor whose answer is still to come.
 inline constexpr std::size_t max_waiting_answers = 10'000;
 
+// Confirmations of durable effects, kept while there is no incarnation to hear them. One too many is forgotten: its
+// effect goes out once more after the next crash, and is dropped as seen.
+inline constexpr std::size_t max_confirmations = 10'000;
+
 struct address_counters {
   std::uint64_t accepted = 0;      // taken by the address
   std::uint64_t handled = 0;       // the handler returned
@@ -63,7 +67,7 @@ struct address_counters {
   std::uint64_t not_accepted = 0;  // messages that the mailbox type does not have
 };
 
-// Pings and the like: not mail, and without meaning for the next incarnation.
+// Pings and the like: not mail.
 [[nodiscard]] bool is_runtime_message(const caf::mailbox_element& element);
 
 class stable_address final : public caf::monitorable_actor {
@@ -143,6 +147,7 @@ private:
     std::uint64_t incarnation = 0; // the one that took the request
   };
 
+  void keep_for_next(caf::mailbox_element_ptr element); // under the lock
   void refuse(caf::mailbox_element_ptr element);
   void forward_again(std::vector<caf::mailbox_element_ptr>& mail); // under the lock
   // The bound is for mail: without the runtime's own messages, whose number is bounded by what they answer, a busy
@@ -161,7 +166,7 @@ private:
   caf::strong_actor_ptr target_;
   std::deque<caf::mailbox_element_ptr> parked_;
   std::size_t arrived_while_parked_ = 0;
-  std::int64_t durable_upto_ = 0; // told by the journal while there was no incarnation to hear it
+  std::int64_t durable_upto_ = 0;                       // told by the journal while there was no incarnation to hear it
   std::vector<caf::mailbox_element_ptr> confirmations_; // effect_taken, likewise; at most max_confirmations
   bool closed_ = false;
   std::string last_crash_;

@@ -108,20 +108,8 @@ void append_decoded_json(std::string& out, byte_source& source);
 
 template <has_fields T>
 void append_decoded_object(std::string& out, byte_source& source) {
-  out += '{';
-  bool first = true;
-  for_each_field<T>([&]<class Value>(const field_entry<T, Value>& entry) {
-    if (entry.is_secret)
-      return;
-    if (!first)
-      out += ',';
-    first = false;
-    out += '"';
-    out += entry.name;
-    out += "\":";
-    append_decoded_json<Value>(out, source);
-  });
-  out += '}';
+  append_json_object<T>(out,
+                        [&]<class Value>(const field_entry<T, Value>&) { append_decoded_json<Value>(out, source); });
 }
 
 template <class V>

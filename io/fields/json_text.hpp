@@ -37,8 +37,9 @@ void append_json_number(std::string& out, N value) {
   out.append(digits, end);
 }
 
-template <has_fields T>
-void append_json(std::string& out, const T& value) {
+// {"name":VALUE,...} for the open fields of T, in the order of the table; APPEND(entry) writes each VALUE.
+template <has_fields T, class Append>
+void append_json_object(std::string& out, Append append) {
   out += '{';
   bool first = true;
   for_each_field<T>([&](const auto& entry) {
@@ -50,9 +51,14 @@ void append_json(std::string& out, const T& value) {
     out += '"';
     out += entry.name;
     out += "\":";
-    append_json_value(out, value.*entry.member);
+    append(entry);
   });
   out += '}';
+}
+
+template <has_fields T>
+void append_json(std::string& out, const T& value) {
+  append_json_object<T>(out, [&](const auto& entry) { append_json_value(out, value.*entry.member); });
 }
 
 template <class Range>

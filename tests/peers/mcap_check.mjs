@@ -8,13 +8,15 @@
 // same messages. Prints a line a file; exit 1 when any file has an error, 2 on wrong usage.
 import { readFileSync } from "node:fs";
 import { parseArgs } from "node:util";
-import { crc32 } from "node:zlib";
 
 let mcap;
+let crc32;
 try {
   mcap = await import("@mcap/core");
-} catch {
-  console.error("mcap_check: @mcap/core is not installed in tests/peers; run ./dev test, which installs it.");
+  ({ crc32 } = await import("@foxglove/crc"));
+} catch (error) {
+  console.error("mcap_check: @mcap/core and @foxglove/crc can not be loaded from tests/peers; run ./dev test, which " +
+    `installs them. (${error.message})`);
   process.exit(1);
 }
 

@@ -1,0 +1,461 @@
+#include <gtest/gtest.h>
+
+#include "runtime/simulation/simulation.hpp"
+#include "tests/support/ledger.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::runtime;
+using namespace std::chrono_literals;
+
+struct fail {
+  static constexpr auto fields = io::table("test.fail");
+};
+struct count_up {
+  static constexpr auto fields = io::table("test.count_up");
+};
+struct adopt {
+  static constexpr auto fields = io::table("test.adopt");
+};
+
+using worker_handle = mailbox<tells<fail>, tells<count_up>>;
+
+class worker final : public cell<worker_handle> {
+public:
+  worker(caf::actor_config& config, birth born, int* counted) : cell(config, std::move(born)), counted_(counted) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<fail>([](const fail&) { throw std::runtime_error("told to fail"); }),
+            on<count_up>([this](const count_up&) { ++*counted_; })};
+  }
+
+private:
+  int* counted_;
+};
+
+// A child whose constructor throws the first N times.
+class late_bloomer final : public cell<mailbox<tells<count_up>>> {
+public:
+  late_bloomer(caf::actor_config& config, birth born, int* failures_left) : cell(config, std::move(born)) {
+    if ((*failures_left)-- > 0)
+      throw std::runtime_error("not yet");
+  }
+
+protected:
+  behavior_type handlers() override {
+    return {on<count_up>([](const count_up&) {})};
+  }
+};
+
+using boss_handle = mailbox<tells<child_event>, tells<fail>, tells<set_policy>>;
+
+// What the boss saw, outside of it, where no crash reaches.
+struct boss_notes {
+  std::vector<std::string> events;
+  std::vector<children> adopted; // the first answer of each incarnation
+};
+
+// The actor that decides: adopts the children at its start, hears of them, sets their policies.
+class boss final : public cell<boss_handle> {
+public:
+  boss(caf::actor_config& config, birth born, guardian_handle guardian, boss_notes* notes)
+      : cell(config, std::move(born)), guardian_(std::move(guardian)), notes_(notes) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<child_event>([this](const child_event& e) {
+              notes_->events.push_back(e.name + ' ' + std::string(io::name_of(e.kind)) + ' ' +
+                                       std::to_string(e.incarnation));
+            }),
+            on<fail>([](const fail&) { throw std::runtime_error("told to fail"); }),
+            on<set_policy>([this](const set_policy& s) { tell(guardian_, s); })};
+  }
+  void started() override {
+    ask(
+        guardian_, 1s, get_children{}, [this](const children& all) { notes_->adopted.push_back(all); },
+        [](const ask_error& why) { FAIL() << why.what; });
+  }
+
+private:
+  guardian_handle guardian_;
+  boss_notes* notes_;
+};
+
+child_policy with(std::uint32_t intensity, bool essential = false) {
+  child_policy result;
+  result.essential = essential;
+  result.restart.intensity = intensity;
+  result.restart.jitter = 0;
+  return result;
+}
+
+system_options supervised(strategy how) {
+  system_options result;
+  result.how = how;
+  return result;
+}
+
+health_entry health_of(const simulation& world, const std::string& name) {
+  for (const auto& each : world.health().entries())
+    if (each.component == name)
+      return each;
+  return {};
+}
+
+// The children `first`, `second` and `third`, and what happened to them.
+struct world_of_workers {
+  explicit world_of_workers(child_policy policy = with(100), strategy how = strategy::one_for_one)
+      : world(disk, 1, supervised(how)) {
+    for (const std::string name : {"first", "second", "third"})
+      workers[name] = world.actors().add<worker>({.name = name}, policy, &counted[name]);
+  }
+  void start() {
+    world.start();
+    world.settle();
+  }
+  void crash(const std::string& name) {
+    world.tell(workers.at(name), fail{});
+    world.settle();
+  }
+  // "first up 1", in the order in which they happened.
+  [[nodiscard]] std::vector<std::string> events() const {
+    std::vector<std::string> result;
+    for (const auto& line : world.trace().lines())
+      if (const auto body = line.find("runtime.child_event{"); body != std::string::npos) {
+        const auto at = line.find('{', body);
+        const auto event = nlohmann::json::parse(line.substr(at, line.rfind('}') - at + 1));
+        result.push_back(event.at("name").get<std::string>() + ' ' + event.at("kind").get<std::string>() + ' ' +
+                         std::to_string(event.at("incarnation").get<int>()));
+      }
+    return result;
+  }
+  [[nodiscard]] std::vector<std::string> events_after(std::size_t seen) const {
+    auto all = events();
+    return {all.begin() + static_cast<std::ptrdiff_t>(std::min(seen, all.size())), all.end()};
+  }
+  [[nodiscard]] child_report report(const std::string& name) {
+    const auto asked = world.ask(world.actors().guardian(), 1s, get_children{});
+    world.settle();
+    for (const auto& each : asked->answer.list)
+      if (each.name == name)
+        return each;
+    ADD_FAILURE() << "no child " << name;
+    return {};
+  }
+  [[nodiscard]] health_entry health_of(const std::string& name) const { return ::health_of(world, name); }
+
+  simulated_disk disk;
+  std::map<std::string, int> counted;
+  boss_notes notes;
+  simulation world;
+  std::map<std::string, worker_handle> workers;
+};
+
+using list = std::vector<std::string>;
+
+TEST(guardian, starts_children_in_the_order_of_their_declaration) {
+  world_of_workers w;
+  w.start();
+  EXPECT_EQ(w.events(), (list{"first up 1", "second up 1", "third up 1"}));
+  EXPECT_EQ(w.health_of("first").colour, health_colour::green);
+}
+
+TEST(guardian, stops_children_in_reverse_order) {
+  world_of_workers w;
+  w.start();
+  const auto before = w.events().size();
+  EXPECT_TRUE(w.world.stop());
+  EXPECT_EQ(w.events_after(before), (list{"third stopped 1", "second stopped 1", "first stopped 1"}));
+}
+
+TEST(guardian, a_crashed_child_comes_back_at_once_then_after_doubling_waits) {
+  world_of_workers w;
+  w.start();
+  std::uint64_t incarnation = 1;
+  for (const auto wait : {0ms, 100ms, 200ms, 400ms, 800ms}) {
+    EXPECT_TRUE(w.world.kill("second"));
+    w.world.settle();
+    if (wait > 0ms) {
+      w.world.advance(wait - 10ms); // timers see time in strides of 10 ms
+      EXPECT_EQ(w.report("second").phase, child_phase::waiting) << wait.count();
+      w.world.advance(10ms);
+    }
+    EXPECT_EQ(w.report("second").phase, child_phase::running) << wait.count();
+    EXPECT_EQ(w.report("second").incarnation, ++incarnation);
+  }
+  EXPECT_EQ(w.report("second").restarts, 5U);
+  EXPECT_EQ(w.report("first").incarnation, 1U);
+}
+
+TEST(guardian, rest_for_one_stops_the_later_children_and_starts_all_again_in_order) {
+  world_of_workers w(with(100), strategy::rest_for_one);
+  w.start();
+  const auto before = w.events().size();
+  EXPECT_TRUE(w.world.kill("first"));
+  w.world.settle();
+  EXPECT_EQ(w.events_after(before), (list{"first crashed 1", "third stopped 1", "second stopped 1", "first up 2",
+                                          "second up 2", "third up 2"}));
+}
+
+TEST(guardian, rest_for_one_keeps_the_mail_of_those_that_it_stops) {
+  world_of_workers w(with(100), strategy::rest_for_one);
+  w.start();
+  EXPECT_TRUE(w.world.kill("first"));
+  for (int i = 0; i < 10; ++i)
+    w.world.tell(w.workers.at("third"), count_up{});
+  w.world.advance(1s);
+  EXPECT_EQ(w.report("third").incarnation, 2U);
+  EXPECT_EQ(w.counted["third"], 10);
+}
+
+TEST(guardian, an_essential_child_that_is_given_up_asks_for_the_exit) {
+  world_of_workers w(with(0, true));
+  w.start();
+  EXPECT_FALSE(w.world.exit());
+  w.crash("second");
+  ASSERT_TRUE(w.world.exit());
+  EXPECT_EQ(w.world.exit()->cause, exit_cause::essential_given_up);
+  EXPECT_EQ(w.world.exit()->reason, "second is essential and was given up: told to fail");
+}
+
+TEST(guardian, a_child_given_up_that_is_not_essential_leaves_the_rest_and_a_red_health_with_the_reason) {
+  world_of_workers w(with(0));
+  w.start();
+  w.crash("second");
+  EXPECT_FALSE(w.world.exit());
+  EXPECT_EQ(w.health_of("second").colour, health_colour::red);
+  EXPECT_EQ(w.health_of("second").reason, "given up: told to fail");
+  EXPECT_EQ(w.report("second").phase, child_phase::given_up);
+  w.world.tell(w.workers.at("third"), count_up{});
+  w.world.settle();
+  EXPECT_EQ(w.counted["third"], 1);
+  EXPECT_TRUE(w.world.stop());
+}
+
+TEST(guardian, a_child_that_is_not_wanted_is_stopped_and_started_again_when_it_is) {
+  world_of_workers w;
+  w.start();
+  w.world.tell(w.world.actors().guardian(), want_child{"second", false});
+  w.world.settle();
+  EXPECT_EQ(w.report("second").phase, child_phase::absent);
+  w.world.tell(w.workers.at("second"), count_up{});
+  w.world.advance(1min);
+  EXPECT_EQ(w.report("second").phase, child_phase::absent);
+  EXPECT_EQ(w.counted["second"], 0);
+  w.world.tell(w.world.actors().guardian(), want_child{"second", true});
+  w.world.settle();
+  EXPECT_EQ(w.report("second").phase, child_phase::running);
+  EXPECT_EQ(w.counted["second"], 1) << "its mail waited for it";
+  EXPECT_EQ(w.world.counters("second").crashes, 0U);
+}
+
+TEST(guardian, a_child_given_up_is_started_when_it_is_wanted_again_and_turns_green) {
+  world_of_workers w(with(0));
+  w.start();
+  EXPECT_TRUE(w.world.kill("first"));
+  w.world.settle();
+  EXPECT_EQ(w.health_of("first").colour, health_colour::red);
+  w.world.tell(w.world.actors().guardian(), want_child{"first", true});
+  w.world.settle();
+  EXPECT_EQ(w.report("first").phase, child_phase::running);
+  EXPECT_EQ(w.health_of("first").colour, health_colour::green);
+}
+
+TEST(guardian, a_name_that_no_child_has_is_posted_to_health) {
+  world_of_workers w;
+  w.start();
+  w.world.tell(w.world.actors().guardian(), set_policy{"secnod", with(0)});
+  w.world.settle();
+  EXPECT_EQ(w.health_of("guardian").colour, health_colour::yellow);
+  EXPECT_NE(w.health_of("guardian").reason.find("secnod"), std::string::npos);
+}
+
+TEST(guardian, a_constructor_that_throws_is_a_crash) {
+  simulated_disk disk;
+  simulation world(disk, 1);
+  int failures_left = 2;
+  (void)world.actors().add<late_bloomer>({.name = "late"}, with(3), &failures_left);
+  world.start();
+  world.settle();
+  EXPECT_EQ(failures_left, 0) << "the second waits";
+  world.advance(100ms);
+  EXPECT_EQ(failures_left, -1);
+  EXPECT_FALSE(world.exit());
+  EXPECT_TRUE(world.stop());
+}
+
+TEST(guardian, a_child_whose_durable_state_can_not_be_read_is_given_up_at_once) {
+  simulated_disk disk;
+  disk.actors["ledger"].kept.snapshot = {1, 0, 99, "{}"}; // of a later version
+  disk.actors["ledger"].kept.last_event = 1;
+  godwit::tests::audit seen;
+  simulation world(disk, 1);
+  const auto auditor = world.actors().add<godwit::tests::auditor_actor>({.name = "auditor"}, with(100), &seen);
+  (void)world.actors().add<godwit::tests::ledger_actor>({.name = "ledger"}, with(100, true), auditor);
+  world.start();
+  world.settle();
+  ASSERT_TRUE(world.exit());
+  EXPECT_EQ(world.exit()->cause, exit_cause::essential_given_up);
+  EXPECT_NE(world.exit()->reason.find("version 99"), std::string::npos) << world.exit()->reason;
+  EXPECT_EQ(world.counters("ledger").crashes, 1U);
+}
+
+TEST(guardian, stopping_does_not_wait_for_a_recovery_under_way) {
+  simulated_disk disk;
+  godwit::tests::audit seen;
+  simulation world(disk, 1);
+  const auto auditor = world.actors().add<godwit::tests::auditor_actor>({.name = "auditor"}, with(100), &seen);
+  (void)world.actors().add<godwit::tests::ledger_actor>({.name = "ledger"}, with(100), auditor);
+  world.start();
+  while (world.journal().waiting() == 0) // the first choice is always an actor, as long as one has mail
+    ASSERT_TRUE(world.step(0));
+  world.actors().begin_stop();
+  EXPECT_TRUE(world.stop());
+}
+
+// -- the actor that decides
+// --------------------------------------------------------------------------------------------
+
+struct world_with_a_boss : world_of_workers {
+  explicit world_with_a_boss(child_policy policy = with(100)) : world_of_workers(policy) {
+    chief = world.actors().add<boss>({.name = "boss"}, with(100), world.actors().guardian(), &notes);
+    world.actors().set_decider(chief);
+  }
+  boss_handle chief;
+};
+
+TEST(guardian, the_deciding_actor_hears_what_happens_to_the_children) {
+  world_with_a_boss w(with(1));
+  w.start();
+  EXPECT_EQ(w.notes.events, (list{"first up 1", "second up 1", "third up 1", "boss up 1"}));
+  w.notes.events.clear();
+  w.world.tell(w.workers.at("second"), fail{}); // put back, it crashes the next incarnation too
+  w.world.settle();
+  EXPECT_EQ(w.notes.events, (list{"second crashed 1", "second up 2", "second crashed 2", "second gave_up 2"}));
+}
+
+TEST(guardian, a_new_incarnation_of_the_deciding_actor_adopts_the_children_as_they_are) {
+  world_with_a_boss w;
+  w.start();
+  EXPECT_TRUE(w.world.kill("second"));
+  w.world.settle();
+  ASSERT_EQ(w.notes.adopted.size(), 1U);
+  w.world.tell(w.chief, fail{});
+  w.world.advance(1s);
+  ASSERT_EQ(w.world.counters("boss").crashes, 3U) << "the message is a dead letter by now";
+  ASSERT_EQ(w.notes.adopted.size(), 2U) << "those in between did not live to hear the answer";
+  const auto& found = w.notes.adopted.back().list;
+  ASSERT_EQ(found.size(), 4U);
+  const std::uint64_t expected[] = {1, 2, 1};
+  for (std::size_t i = 0; i < std::size(expected); ++i) {
+    EXPECT_EQ(found[i].phase, child_phase::running) << found[i].name;
+    EXPECT_EQ(found[i].incarnation, expected[i]) << found[i].name;
+  }
+  EXPECT_EQ(found[1].restarts, 1U);
+  EXPECT_EQ(found[1].last_crash, "killed");
+}
+
+TEST(guardian, what_happens_while_the_deciding_actor_is_down_is_told_to_its_next_incarnation) {
+  world_with_a_boss w;
+  w.start();
+  for (int i = 0; i < 2; ++i) { // the second crash is followed by a wait
+    EXPECT_TRUE(w.world.kill("boss"));
+    w.world.settle();
+  }
+  w.notes.events.clear();
+  EXPECT_TRUE(w.world.kill("first"));
+  w.world.settle();
+  EXPECT_EQ(w.report("boss").phase, child_phase::waiting);
+  EXPECT_EQ(w.report("first").incarnation, 2U) << "the guardian goes on with the last table";
+  w.world.advance(100ms);
+  EXPECT_EQ(w.notes.events, (list{"boss crashed 2", "first crashed 1", "first up 2", "boss up 3"}));
+}
+
+TEST(guardian, a_policy_that_was_set_holds_while_the_deciding_actor_is_down) {
+  world_with_a_boss w;
+  w.start();
+  w.world.tell(w.chief, set_policy{"third", with(0, true)});
+  w.world.settle();
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(w.world.kill("boss"));
+    w.world.settle();
+  }
+  ASSERT_EQ(w.report("boss").phase, child_phase::waiting);
+  EXPECT_FALSE(w.world.exit());
+  EXPECT_TRUE(w.world.kill("third"));
+  w.world.settle();
+  ASSERT_TRUE(w.world.exit());
+  EXPECT_EQ(w.world.exit()->reason, "third is essential and was given up: killed");
+}
+
+// -- pings
+// -------------------------------------------------------------------------------------------------------------
+
+TEST(guardian, an_actor_that_answers_its_pings_is_left_alone) {
+  world_of_workers w;
+  w.start();
+  const auto before = w.events().size();
+  w.world.advance(2min);
+  EXPECT_EQ(w.events_after(before), list{});
+  EXPECT_EQ(w.health_of("first").colour, health_colour::green);
+  EXPECT_EQ(w.world.counters("first").accepted, 0U) << "pings are nobody's mail";
+  EXPECT_EQ(w.world.counters("first").handled, 0U);
+}
+
+// Time passes, and everybody gets a worker but the actor whose job waits longest.
+void advance_without_the_first(simulation& world, nanoseconds duration) {
+  auto& scheduler = dynamic_cast<caf::scheduler::test_coordinator&>(world.actors().actors().scheduler());
+  for (; duration > 0ns; duration -= 250ms) {
+    scheduler.advance_time(250ms);
+    while (scheduler.jobs.size() > 1)
+      ASSERT_TRUE(world.step(1));
+  }
+}
+
+TEST(guardian, an_actor_that_does_not_answer_is_warned_of_then_replaced_and_loses_no_mail) {
+  simulated_disk disk;
+  simulation world(disk, 1);
+  int counted = 0;
+  const auto starved = world.actors().add<worker>({.name = "starved"}, with(100), &counted);
+  world.start();
+  world.settle();
+  for (int i = 0; i < 3; ++i)
+    world.tell(starved, count_up{});
+  const auto colour = [&] { return health_of(world, "starved").colour; };
+  advance_without_the_first(world, 3s);
+  EXPECT_EQ(colour(), health_colour::green);
+  advance_without_the_first(world, 1s + 250ms); // the ping went out after one second
+  EXPECT_EQ(colour(), health_colour::yellow);
+  advance_without_the_first(world, 7s);
+  EXPECT_EQ(colour(), health_colour::green) << "the successor is up";
+  EXPECT_EQ(world.counters("starved").crashes, 1U);
+  EXPECT_EQ(counted, 0);
+  world.settle(); // the first incarnation has its turn after all
+  EXPECT_EQ(counted, 3) << "by the successor";
+  EXPECT_EQ(world.counters("starved").handled, 3U);
+  EXPECT_EQ(world.counters("starved").lost, 0U);
+  EXPECT_TRUE(world.stop());
+}
+
+TEST(guardian, an_actor_with_a_full_mailbox_still_gets_its_pings) {
+  simulated_disk disk;
+  simulation world(disk, 1);
+  int counted = 0;
+  const auto busy = world.actors().add<worker>({.name = "busy", .mailbox_bound = 3}, with(0, true), &counted);
+  world.start();
+  world.settle();
+  constexpr int rounds = 120;
+  for (int round = 0; round < rounds; ++round) {
+    for (int i = 0; i < 5; ++i)
+      world.tell(busy, count_up{}); // three fit
+    advance_without_the_first(world, 250ms);
+    world.settle();
+  }
+  EXPECT_EQ(counted, 3 * rounds);
+  EXPECT_EQ(world.counters("busy").refused, 2U * rounds);
+  EXPECT_FALSE(world.exit());
+}
+
+} // namespace

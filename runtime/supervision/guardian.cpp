@@ -128,7 +128,12 @@ private:
     later(options_.stop_timeout, stop_overdue{action.child, child.number, false});
   }
 
-  void act(const await_restart& action) { later(std::chrono::nanoseconds(action.delay_ns), restart_due{action.child}); }
+  void act(const await_restart& action) {
+    post_health(action.child, health_colour::yellow,
+                "crashed: " + address(children_[action.child]).last_crash() + "; it starts again in " +
+                    std::to_string(action.delay_ns / 1'000'000) + " ms");
+    later(std::chrono::nanoseconds(action.delay_ns), restart_due{action.child});
+  }
 
   void act(const give_up_child& action) {
     auto& child = children_[action.child];

@@ -77,16 +77,16 @@ inline recovery recover(runtime::journal& journal, const std::string& actor, std
   return start_recovery(journal, actor, incarnation).get();
 }
 
-inline std::unique_ptr<runtime::sqlite_journal> open_journal(runtime::journal_options options) {
-  auto opened = runtime::sqlite_journal::open(std::move(options));
+inline std::unique_ptr<runtime::sqlite_journal> open_journal(const runtime::journal_options& options) {
+  auto opened = runtime::sqlite_journal::open(options);
   EXPECT_TRUE(opened.has_value()) << (opened ? "" : opened.error().message());
   return opened ? std::move(*opened) : nullptr;
 }
 
 // The error of an open that must fail; it names the file and a remedy.
-inline runtime::journal_error refused_open(runtime::journal_options options) {
-  const auto path = options.path;
-  auto opened = runtime::sqlite_journal::open(std::move(options));
+inline runtime::journal_error refused_open(const runtime::journal_options& options) {
+  const auto& path = options.path;
+  auto opened = runtime::sqlite_journal::open(options);
   EXPECT_FALSE(opened.has_value());
   if (opened)
     return {};

@@ -15,9 +15,6 @@ struct fail {
 struct count_up {
   static constexpr auto fields = io::table("test.count_up");
 };
-struct adopt {
-  static constexpr auto fields = io::table("test.adopt");
-};
 
 using worker_handle = mailbox<tells<fail>, tells<count_up>>;
 

@@ -60,7 +60,6 @@ constexpr auto absent = child_phase::absent;
 constexpr auto starting = child_phase::starting;
 constexpr auto running = child_phase::running;
 constexpr auto stopping = child_phase::stopping;
-constexpr auto waiting = child_phase::waiting;
 constexpr auto given_up = child_phase::given_up;
 
 TEST(supervision_core, a_child_is_started_only_when_the_one_before_it_is_up) {

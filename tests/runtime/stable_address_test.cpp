@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include "runtime/internal_messages.hpp"
+#include "runtime/simulation/simulation.hpp"
+
+namespace {
+
+using namespace godwit::runtime;
+
+template <class T>
+caf::mailbox_element_ptr told(T body) {
+  return caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<T>{{}, std::move(body)});
+}
+
+// What reached the incarnation that was bound.
+struct heard {
+  int confirmations = 0;
+  std::vector<std::int64_t> durable_upto;
+};
+
+caf::strong_actor_ptr spawn_listener(caf::actor_system& system, heard& what) {
+  return caf::actor_cast<caf::strong_actor_ptr>(system.spawn([&what](caf::event_based_actor*) -> caf::behavior {
+    return {[&what](const mail<effect_taken>&) { ++what.confirmations; },
+            [&what](const mail<durable>& m) { what.durable_upto.push_back(m.body.upto); }, [](const mail<ping>&) {}};
+  }));
+}
+
+TEST(stable_address, keeps_for_an_incarnation_that_is_not_bound_yet_what_the_runtime_told_it) {
+  simulated_disk disk;
+  simulation world(disk, 1);
+  auto pointer = make_stable_address(world.actors().actors(), 77, {.name = "late"});
+  auto& address = address_of(pointer);
+  (void)address.begin_incarnation();
+  address.enqueue(told(effect_taken{1, 0, 5}), nullptr);
+  address.enqueue(told(durable{4}), nullptr);
+  address.enqueue(told(durable{3}), nullptr);
+  address.enqueue(told(ping{9}), nullptr); // of no use to anybody any more
+  heard what;
+  const auto listener = spawn_listener(world.actors().actors(), what);
+  address.bind(listener, nullptr);
+  world.settle();
+  EXPECT_EQ(what.confirmations, 1);
+  EXPECT_EQ(what.durable_upto, std::vector<std::int64_t>{4});
+  (void)address.kill();
+  world.settle();
+  address.close();
+}
+
+} // namespace

@@ -37,22 +37,23 @@ stable_address::stable_address(caf::actor_config& config, std::uint32_t number, 
 // -- senders --------------------------------------------------------------------------------------
 
 void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_unit* context) {
+  const auto forwarded = [&] { // under either lock
+    if (!target_ || !has_room_for(*element))
+      return false;
+    enqueued_.fetch_add(1, std::memory_order_relaxed);
+    target_->enqueue(std::move(element), context);
+    return true;
+  };
   {
     // The shared lock covers the push: park_from_now() waits for pushes in flight, so that none lands in a mailbox
     // already emptied.
     const std::shared_lock guard(mutex_);
-    if (target_ && has_room_for(*element)) {
-      enqueued_.fetch_add(1, std::memory_order_relaxed);
-      target_->enqueue(std::move(element), context);
+    if (forwarded())
       return;
-    }
   }
   std::unique_lock guard(mutex_);
-  if (target_ && has_room_for(*element)) {
-    enqueued_.fetch_add(1, std::memory_order_relaxed);
-    target_->enqueue(std::move(element), context);
+  if (forwarded()) // an incarnation was bound meanwhile
     return;
-  }
   if (is_runtime_message(*element)) {
     keep_for_next(std::move(element));
     return;

@@ -77,24 +77,27 @@ result<statement> database::prepare(const std::string& sql) {
   return prepared;
 }
 
-result<std::int64_t> database::query_integer(const std::string& sql) {
-  auto prepared = prepare(sql);
+namespace {
+
+// The first column of the first row by TAKE; a default value where there is no row.
+template <class Value, class Take>
+result<Value> first_value(result<statement> prepared, const Take& take) {
   if (!prepared)
     return tl::unexpected(std::move(prepared.error()));
   auto row = prepared->step();
   if (!row)
     return tl::unexpected(std::move(row.error()));
-  return *row ? prepared->integer(0) : 0;
+  return *row ? take(*prepared) : Value{};
+}
+
+} // namespace
+
+result<std::int64_t> database::query_integer(const std::string& sql) {
+  return first_value<std::int64_t>(prepare(sql), [](statement& row) { return row.integer(0); });
 }
 
 result<std::string> database::query_text(const std::string& sql) {
-  auto prepared = prepare(sql);
-  if (!prepared)
-    return tl::unexpected(std::move(prepared.error()));
-  auto row = prepared->step();
-  if (!row)
-    return tl::unexpected(std::move(row.error()));
-  return *row ? prepared->text(0) : std::string();
+  return first_value<std::string>(prepare(sql), [](statement& row) { return row.text(0); });
 }
 
 bool database::in_transaction() const { return sqlite3_get_autocommit(handle_.get()) == 0; }

@@ -18,11 +18,14 @@ struct heard {
   std::vector<std::int64_t> durable_upto;
 };
 
+caf::behavior listen(caf::event_based_actor*, heard* what) {
+  return {[what](const mail<effect_taken>&) { ++what->confirmations; },
+          [what](const mail<durable>& m) { what->durable_upto.push_back(m.body.upto); }, [](const mail<ping>&) {}};
+}
+
+// The argument is passed through spawn: without any, CAF 0.17.6 binds a reference to null on its way to the behaviour.
 caf::strong_actor_ptr spawn_listener(caf::actor_system& system, heard& what) {
-  return caf::actor_cast<caf::strong_actor_ptr>(system.spawn([&what](caf::event_based_actor*) -> caf::behavior {
-    return {[&what](const mail<effect_taken>&) { ++what.confirmations; },
-            [&what](const mail<durable>& m) { what.durable_upto.push_back(m.body.upto); }, [](const mail<ping>&) {}};
-  }));
+  return caf::actor_cast<caf::strong_actor_ptr>(system.spawn(listen, &what));
 }
 
 TEST(stable_address, keeps_for_an_incarnation_that_is_not_bound_yet_what_the_runtime_told_it) {

@@ -143,6 +143,10 @@ void append_decoded_json(std::string& out, byte_source& source) {
     std::uint32_t size = 0;
     source.get(&size, sizeof size);
     append_decoded_list<typename V::value_type>(out, source, size);
+  } else if constexpr (is_char_array<V>::value) {
+    V room{};
+    source.get(room.data(), room.size());
+    append_json_value(out, room);
   } else if constexpr (is_std_array<V>::value) {
     append_decoded_list<typename V::value_type>(out, source, std::tuple_size_v<V>);
   } else {

@@ -12,8 +12,9 @@
 //
 // Kinds of value: bool, integers, floating point, enums (text where `enum_names(E)` is found by argument-dependent
 // lookup, else the number), std::string, std::chrono durations and time points (a count), std::optional, std::vector,
-// std::array, and structs with a table of their own. A field marked secret exists in memory and in the mailbox, and is
-// never rendered anywhere. Thread: all constexpr or pure.
+// std::array, and structs with a table of their own. An std::array of char is a text of fixed room: it fills the room
+// or ends at its first NUL. A field marked secret exists in memory and in the mailbox, and is never rendered anywhere.
+// Thread: all constexpr or pure.
 #pragma once
 
 #include <array>
@@ -116,6 +117,18 @@ template <class T>
 struct is_std_array : std::false_type {};
 template <class T, std::size_t N>
 struct is_std_array<std::array<T, N>> : std::true_type {};
+
+template <class T>
+struct is_char_array : std::false_type {};
+template <std::size_t N>
+struct is_char_array<std::array<char, N>> : std::true_type {};
+
+// The text in ROOM: up to its first NUL, or all of it.
+template <std::size_t N>
+constexpr std::string_view text_in(const std::array<char, N>& room) {
+  const std::string_view all(room.data(), N);
+  return all.substr(0, all.find('\0'));
+}
 
 template <class T>
 struct is_duration : std::false_type {};

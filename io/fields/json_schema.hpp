@@ -25,7 +25,7 @@ template <class V>
     return {{"type", "object"}, {"properties", properties}, {"required", required}};
   } else if constexpr (std::is_same_v<V, bool>) {
     return {{"type", "boolean"}};
-  } else if constexpr (std::is_same_v<V, std::string> || std::is_same_v<V, char>) {
+  } else if constexpr (std::is_same_v<V, std::string> || std::is_same_v<V, char> || is_char_array<V>::value) {
     return {{"type", "string"}};
   } else if constexpr (named_enum<V>) {
     return {{"type", json::array({"string", "integer"})}}; // a value without a name is written as its number

@@ -78,6 +78,8 @@ void append_json_value(std::string& out, const V& value) {
     append_json(out, value);
   } else if constexpr (std::is_same_v<V, std::string> || std::is_same_v<V, std::string_view>) {
     append_json_string(out, value);
+  } else if constexpr (is_char_array<V>::value) {
+    append_json_string(out, text_in(value));
   } else if constexpr (named_enum<V>) {
     if (const auto text = name_of(value); !text.empty())
       append_json_string(out, text);

@@ -4,6 +4,8 @@
 // Secrets can be read (a configuration may hold one) but are never written. Thread: pure.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -78,6 +80,16 @@ template <class V>
   return {};
 }
 
+template <std::size_t N>
+[[nodiscard]] json_read_result read_text(const nlohmann::json& document, std::array<char, N>& out,
+                                         const std::string& path) {
+  if (!document.is_string() || document.get_ref<const std::string&>().size() > N)
+    return mismatch(path, "a text of at most " + std::to_string(N) + " bytes", document);
+  out = {};
+  std::ranges::copy(document.get_ref<const std::string&>(), out.begin());
+  return {};
+}
+
 template <class V>
 json_read_result read_json_value(const nlohmann::json& document, V& out, const std::string& path) {
   if constexpr (has_fields<V>) {
@@ -90,6 +102,8 @@ json_read_result read_json_value(const nlohmann::json& document, V& out, const s
     if (!document.is_string())
       return mismatch(path, "a text", document);
     out = document.get<std::string>();
+  } else if constexpr (is_char_array<V>::value) {
+    return read_text(document, out, path);
   } else if constexpr (named_enum<V>) {
     return read_enum(document, out, path);
   } else if constexpr (std::is_enum_v<V>) {

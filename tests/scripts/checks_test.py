@@ -106,6 +106,15 @@ class Includes(Tree):
         self.file("actors/link/core.cpp", '"actors/link/core.hpp"', '"runtime/cell.hpp"', '"messages/link/handle.hpp"')
         self.finds("includes", "actors/link/core.cpp:3: ", "actors/link/core.cpp:4: ")
 
+    def test_what_a_core_reaches_is_pure_too(self):
+        self.file("io/link/link.hpp")
+        self.file("actors/link/rule.hpp", '"actors/link/state.hpp"')
+        self.file("actors/link/core.cpp", '"actors/link/core.hpp"', '"actors/link/rule.hpp"')
+        self.file("tests/x.cpp", '"io/link/link.hpp"')
+        self.accepts("includes")
+        self.file("actors/link/rule.hpp", '"io/link/link.hpp"')
+        self.finds("includes", "actors/link/core.cpp:3: ", "actors/link/rule.hpp -> io/link/link.hpp")
+
     def test_siblings_never_include_each_other(self):
         self.file("actors/health/actor.cpp", '"actors/link/state.hpp"')
         self.file("actors/domain/bad.cpp", '"actors/link/state.hpp"')

@@ -124,6 +124,37 @@ TEST(fields, reading_names_the_path_of_what_is_wrong) {
   EXPECT_EQ(read_json(document, back).error().message(), "triple: expected a list of 3, found [1,2]");
 }
 
+struct label {
+  std::array<char, 4> text{};
+  static constexpr auto fields = table("label", field("text", &label::text));
+};
+
+TEST(fields, an_array_of_char_is_the_text_up_to_its_first_nul_or_all_of_it) {
+  EXPECT_EQ(to_json(label{}), R"({"text":""})");
+  EXPECT_EQ(to_json(label{{'a', '"', '\0', 'x'}}), R"({"text":"a\""})");
+  EXPECT_EQ(to_json(label{{'f', 'u', 'l', 'l'}}), R"({"text":"full"})");
+  EXPECT_EQ(json_schema<label>()["properties"]["text"]["type"], "string");
+}
+
+TEST(fields, an_array_of_char_renders_the_same_from_its_binary_form) {
+  const label value{{'o', 'k'}};
+  std::array<std::byte, 16> memory{};
+  byte_sink sink(memory);
+  encode_value(sink, value);
+  byte_source source(std::span<const std::byte>(memory.data(), sink.used()));
+  std::string text;
+  append_decoded_json<label>(text, source);
+  EXPECT_EQ(text, to_json(value));
+}
+
+TEST(fields, a_text_is_read_into_an_array_of_char_if_it_has_room) {
+  label back{{'o', 'l', 'd', '!'}};
+  ASSERT_TRUE(read_json(nlohmann::json::parse(R"({"text": "new"})"), back));
+  EXPECT_EQ(back.text, (std::array<char, 4>{'n', 'e', 'w'}));
+  EXPECT_EQ(read_json(nlohmann::json::parse(R"({"text": "longer"})"), back).error().message(),
+            R"(text: expected a text of at most 4 bytes, found "longer")");
+}
+
 TEST(fields, encoding_into_too_little_memory_is_noticed_and_writes_nothing_outside) {
   std::array<std::byte, 64> memory{};
   const auto value = sample();

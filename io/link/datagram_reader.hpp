@@ -1,0 +1,43 @@
+// Hands on what arrives on a UDP socket, out of one buffer that is made once.
+//
+// Errors: the owner is asked about each and says whether to read on. Thread: the link's own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <boost/asio/ip/udp.hpp>
+
+namespace godwit::io::link {
+
+class datagram_reader {
+public:
+  using endpoint = boost::asio::ip::udp::endpoint;
+  static constexpr std::size_t buffer_bytes = 64 * 1024; // no datagram is longer
+  static constexpr int max_a_turn = 16;                  // then timers and others have their turn
+
+  // FAILED: an error number; true: read on, false: the socket is closed.
+  datagram_reader(boost::asio::ip::udp::socket& socket,
+                  std::function<void(const endpoint&, std::span<const std::byte>)> heard,
+                  std::function<bool(int)> failed);
+
+  // The socket is open and does not block.
+  void start();
+  // Before the socket is closed: nothing is handed on any more.
+  void stop() { ++generation_; }
+
+private:
+  void wait();
+  void read(std::uint64_t generation);
+
+  boost::asio::ip::udp::socket& socket_;
+  std::function<void(const endpoint&, std::span<const std::byte>)> heard_;
+  std::function<bool(int)> failed_;
+  std::vector<std::byte> buffer_;
+  std::uint64_t generation_ = 0; // of the socket: a wait that was over just before it was closed must not count
+};
+
+} // namespace godwit::io::link

@@ -1,0 +1,51 @@
+// Who was heard lately on a listening UDP socket, and under which number.
+//
+// Bounded: a new peer takes the place of the one that was silent for longest. A peer that was silent for `forget_after`
+// is forgotten, and is a new one when it comes back. Thread: one at a time. Pure: the clock is the caller's.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <boost/asio/ip/udp.hpp>
+
+#include "io/link/link.hpp"
+
+namespace godwit::io::link {
+
+class peer_table {
+public:
+  using time_point = std::chrono::steady_clock::time_point;
+  using endpoint = boost::asio::ip::udp::endpoint;
+
+  struct peer {
+    peer_id id;
+    endpoint address;
+    time_point heard_at;
+  };
+
+  peer_table(std::size_t max_peers, std::chrono::milliseconds forget_after);
+
+  // Something came from ADDRESS; gives its number.
+  peer_id heard(const endpoint& address, time_point now);
+  void forget_silent(time_point now);
+
+  [[nodiscard]] const std::vector<peer>& all() const { return peers_; }
+  [[nodiscard]] std::uint64_t forgotten() const { return forgotten_; }
+  [[nodiscard]] std::uint64_t evicted() const { return evicted_; }
+
+private:
+  [[nodiscard]] peer_id free_id();
+  void evict_longest_silent();
+
+  std::size_t max_peers_;
+  std::chrono::milliseconds forget_after_;
+  std::vector<peer> peers_;
+  peer_id last_id_ = every_peer;
+  std::uint64_t forgotten_ = 0;
+  std::uint64_t evicted_ = 0;
+};
+
+} // namespace godwit::io::link

@@ -1,0 +1,27 @@
+// FENCE_STATUS. Source: MAVLink's common.xml, whose names and order of fields are kept.
+#pragma once
+
+#include <cstdint>
+
+#include "io/mavlink/layout.hpp"
+
+namespace godwit::io::mavlink {
+
+struct fence_status {
+  std::uint8_t breach_status = 0; // 1 outside
+  std::uint16_t breach_count = 0;
+  std::uint8_t breach_type = 0;
+  std::uint32_t breach_time = 0; // ms since boot
+  std::uint8_t breach_mitigation = 0;
+
+  static constexpr std::uint32_t message_id = 162;
+  static constexpr std::uint8_t crc_extra = 189;
+  static constexpr std::size_t extensions = 1;
+  static constexpr auto fields = table(
+      "FENCE_STATUS", field("breach_status", &fence_status::breach_status),
+      field("breach_count", &fence_status::breach_count), field("breach_type", &fence_status::breach_type),
+      field("breach_time", &fence_status::breach_time), field("breach_mitigation", &fence_status::breach_mitigation));
+};
+static_assert(as_published<fence_status>(8, 9));
+
+} // namespace godwit::io::mavlink

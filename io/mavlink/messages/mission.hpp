@@ -1,0 +1,54 @@
+// The plan and its progress: MISSION_CURRENT, MISSION_ITEM_REACHED, MISSION_SET_CURRENT.
+// Source: MAVLink's common.xml, whose names and order of fields are kept.
+#pragma once
+
+#include <cstdint>
+
+#include "io/mavlink/layout.hpp"
+
+namespace godwit::io::mavlink {
+
+struct mission_set_current {
+  std::uint8_t target_system = 0;
+  std::uint8_t target_component = 0;
+  std::uint16_t seq = 0;
+
+  static constexpr std::uint32_t message_id = 41;
+  static constexpr std::uint8_t crc_extra = 28;
+  static constexpr auto fields =
+      table("MISSION_SET_CURRENT", field("target_system", &mission_set_current::target_system),
+            field("target_component", &mission_set_current::target_component), field("seq", &mission_set_current::seq));
+};
+static_assert(as_published<mission_set_current>(4, 4));
+
+// The ids are those of the plans that the vehicle holds, 0 for none or if it does not keep any.
+struct mission_current {
+  std::uint16_t seq = 0;
+  std::uint16_t total = 0;        // 0 not told, 65535 no plan
+  std::uint8_t mission_state = 0; // mission_state
+  std::uint8_t mission_mode = 0;  // 0 unknown, 1 in mission mode, 2 suspended
+  std::uint32_t mission_id = 0;
+  std::uint32_t fence_id = 0;
+  std::uint32_t rally_points_id = 0;
+
+  static constexpr std::uint32_t message_id = 42;
+  static constexpr std::uint8_t crc_extra = 28;
+  static constexpr std::size_t extensions = 6;
+  static constexpr auto fields =
+      table("MISSION_CURRENT", field("seq", &mission_current::seq), field("total", &mission_current::total),
+            field("mission_state", &mission_current::mission_state),
+            field("mission_mode", &mission_current::mission_mode), field("mission_id", &mission_current::mission_id),
+            field("fence_id", &mission_current::fence_id), field("rally_points_id", &mission_current::rally_points_id));
+};
+static_assert(as_published<mission_current>(2, 18));
+
+struct mission_item_reached {
+  std::uint16_t seq = 0;
+
+  static constexpr std::uint32_t message_id = 46;
+  static constexpr std::uint8_t crc_extra = 11;
+  static constexpr auto fields = table("MISSION_ITEM_REACHED", field("seq", &mission_item_reached::seq));
+};
+static_assert(as_published<mission_item_reached>(2, 2));
+
+} // namespace godwit::io::mavlink

@@ -1,0 +1,71 @@
+// Parameters of the autopilot: PARAM_REQUEST_READ, PARAM_REQUEST_LIST, PARAM_VALUE, PARAM_SET.
+// A name fills all 16 characters or ends with a NUL. Values travel as floats: ArduPilot converts the number, PX4 puts
+// the bits of an integer into it. Source: MAVLink's common.xml, whose names and order of fields are kept.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "io/mavlink/layout.hpp"
+
+namespace godwit::io::mavlink {
+
+struct param_request_read {
+  std::uint8_t target_system = 0;
+  std::uint8_t target_component = 0;
+  std::array<char, 16> param_id{};
+  std::int16_t param_index = 0; // -1: by name
+
+  static constexpr std::uint32_t message_id = 20;
+  static constexpr std::uint8_t crc_extra = 214;
+  static constexpr auto fields =
+      table("PARAM_REQUEST_READ", field("target_system", &param_request_read::target_system),
+            field("target_component", &param_request_read::target_component),
+            field("param_id", &param_request_read::param_id), field("param_index", &param_request_read::param_index));
+};
+static_assert(as_published<param_request_read>(20, 20));
+
+struct param_request_list {
+  std::uint8_t target_system = 0;
+  std::uint8_t target_component = 0;
+
+  static constexpr std::uint32_t message_id = 21;
+  static constexpr std::uint8_t crc_extra = 159;
+  static constexpr auto fields = table("PARAM_REQUEST_LIST", field("target_system", &param_request_list::target_system),
+                                       field("target_component", &param_request_list::target_component));
+};
+static_assert(as_published<param_request_list>(2, 2));
+
+struct param_value {
+  std::array<char, 16> param_id{};
+  float param_value = 0;
+  std::uint8_t param_type = 0;
+  std::uint16_t param_count = 0;
+  std::uint16_t param_index = 0;
+
+  static constexpr std::uint32_t message_id = 22;
+  static constexpr std::uint8_t crc_extra = 220;
+  static constexpr auto fields =
+      table("PARAM_VALUE", field("param_id", &param_value::param_id), field("param_value", &param_value::param_value),
+            field("param_type", &param_value::param_type), field("param_count", &param_value::param_count),
+            field("param_index", &param_value::param_index));
+};
+static_assert(as_published<param_value>(25, 25));
+
+struct param_set {
+  std::uint8_t target_system = 0;
+  std::uint8_t target_component = 0;
+  std::array<char, 16> param_id{};
+  float param_value = 0;
+  std::uint8_t param_type = 0;
+
+  static constexpr std::uint32_t message_id = 23;
+  static constexpr std::uint8_t crc_extra = 168;
+  static constexpr auto fields =
+      table("PARAM_SET", field("target_system", &param_set::target_system),
+            field("target_component", &param_set::target_component), field("param_id", &param_set::param_id),
+            field("param_value", &param_set::param_value), field("param_type", &param_set::param_type));
+};
+static_assert(as_published<param_set>(23, 23));
+
+} // namespace godwit::io::mavlink

@@ -1,0 +1,60 @@
+// What the peer is: AUTOPILOT_VERSION, PROTOCOL_VERSION.
+// Source: MAVLink's common.xml, whose names and order of fields are kept.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "io/mavlink/layout.hpp"
+
+namespace godwit::io::mavlink {
+
+struct autopilot_version {
+  std::uint64_t capabilities = 0;
+  std::uint32_t flight_sw_version = 0;
+  std::uint32_t middleware_sw_version = 0;
+  std::uint32_t os_sw_version = 0;
+  std::uint32_t board_version = 0;
+  std::array<std::uint8_t, 8> flight_custom_version{};
+  std::array<std::uint8_t, 8> middleware_custom_version{};
+  std::array<std::uint8_t, 8> os_custom_version{};
+  std::uint16_t vendor_id = 0;
+  std::uint16_t product_id = 0;
+  std::uint64_t uid = 0;
+  std::array<std::uint8_t, 18> uid2{};
+
+  static constexpr std::uint32_t message_id = 148;
+  static constexpr std::uint8_t crc_extra = 178;
+  static constexpr std::size_t extensions = 1;
+  static constexpr auto fields =
+      table("AUTOPILOT_VERSION", field("capabilities", &autopilot_version::capabilities),
+            field("flight_sw_version", &autopilot_version::flight_sw_version),
+            field("middleware_sw_version", &autopilot_version::middleware_sw_version),
+            field("os_sw_version", &autopilot_version::os_sw_version),
+            field("board_version", &autopilot_version::board_version),
+            field("flight_custom_version", &autopilot_version::flight_custom_version),
+            field("middleware_custom_version", &autopilot_version::middleware_custom_version),
+            field("os_custom_version", &autopilot_version::os_custom_version),
+            field("vendor_id", &autopilot_version::vendor_id), field("product_id", &autopilot_version::product_id),
+            field("uid", &autopilot_version::uid), field("uid2", &autopilot_version::uid2));
+};
+static_assert(as_published<autopilot_version>(60, 78));
+
+struct protocol_version {
+  std::uint16_t version = 0;
+  std::uint16_t min_version = 0;
+  std::uint16_t max_version = 0;
+  std::array<std::uint8_t, 8> spec_version_hash{};
+  std::array<std::uint8_t, 8> library_version_hash{};
+
+  static constexpr std::uint32_t message_id = 300;
+  static constexpr std::uint8_t crc_extra = 217;
+  static constexpr auto fields =
+      table("PROTOCOL_VERSION", field("version", &protocol_version::version),
+            field("min_version", &protocol_version::min_version), field("max_version", &protocol_version::max_version),
+            field("spec_version_hash", &protocol_version::spec_version_hash),
+            field("library_version_hash", &protocol_version::library_version_hash));
+};
+static_assert(as_published<protocol_version>(22, 22));
+
+} // namespace godwit::io::mavlink

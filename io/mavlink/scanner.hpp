@@ -1,0 +1,125 @@
+// Finds the frames in a stream of bytes that comes in pieces of any size.
+//
+//   scanner.feed(bytes, [](const frame_view& frame) { ... });   // a piece of a stream
+//   scanner.feed_datagram(bytes, sink);                         // a whole datagram
+//
+// Strict: a frame reaches the sink only if its id is in io/mavlink/ids.hpp, its checksum is right and it has no unknown
+// incompatibility flag. After anything else the search goes on with the byte behind the false FD, so that a false start
+// costs no real frame that lies in the bytes which it claimed:
+//
+//   FD, id known, checksum right    a frame; with an unknown flag passed over as a whole
+//   FD, id known, checksum wrong    on from the next byte
+//   FD, id and a flag unknown       on from the next byte
+//   FD, id unknown                  passed over if no good frame lies in it, and if the datagram ends behind it or what
+//                                   follows is the header of a sender that was heard before; else on from the next byte
+//   FE (MAVLink 1)                  passed over if id, length and checksum fit, else on from the next byte
+//   anything else                   garbage
+//
+// What lies whole in the given bytes is handed on where it is; at most one frame and the header of the next wait for
+// more. A stream should be told of a long silence (`end_of_datagram`): else a false start that claims 280 bytes holds
+// back what comes behind it until so much has come. What garbage costs is bounded: one checksum of at most 264 bytes
+// for each FD that has a known id, four for one that has not. Allocates nothing. Errors: none, everything is counted.
+// Thread: one at a time; a sink must not feed its scanner.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include "io/mavlink/frame.hpp"
+#include "io/mavlink/scan_counters.hpp"
+#include "io/mavlink/sender_table.hpp"
+#include "io/mavlink/wire_format.hpp"
+
+namespace godwit::io::mavlink {
+
+class scanner {
+public:
+  // Calls SINK(const frame_view&) for each frame that ends in BYTES. The view is good during the call.
+  template <class Sink>
+  void feed(byte_view bytes, Sink&& sink) {
+    counters_.bytes += bytes.size();
+    if (carried_ != 0)
+      bytes = feed_carry(bytes, sink);
+    search each{bytes.data(), bytes.data() + bytes.size(), bytes.data() + bytes.size()};
+    while (const auto frame = next(each))
+      sink(*frame);
+    if (each.at != each.end)
+      keep(each.at, each.end);
+  }
+
+  // No more bytes belong to what is waiting: it is searched for frames once more, and let go.
+  template <class Sink>
+  void end_of_datagram(Sink&& sink) {
+    const auto* const end = carry_.data() + carried_;
+    search each{carry_.data(), end, end, true};
+    while (const auto frame = next(each))
+      sink(*frame);
+    carried_ = 0;
+  }
+
+  template <class Sink>
+  void feed_datagram(byte_view bytes, Sink&& sink) {
+    feed(bytes, sink);
+    end_of_datagram(sink);
+  }
+
+  [[nodiscard]] const scan_counters& counters() const { return counters_; }
+  [[nodiscard]] const sender_table& senders() const { return senders_; }
+  [[nodiscard]] std::size_t waiting_bytes() const { return carried_; }
+
+private:
+  // One whole frame can wait: one of an unknown id, for the header of the next.
+  static constexpr std::size_t max_decision = max_frame_size + header_size; // bytes that decide about the first of them
+  static constexpr std::size_t max_carried = max_decision - 1;
+  static constexpr std::size_t joint_size = max_carried + max_decision - 1; // decides about every byte of the carry
+
+  struct search {
+    const std::byte* at;
+    const std::byte* end;
+    const std::byte* stop;     // no frame is looked for from here on
+    bool is_all = false;       // nothing follows the end
+    bool cut_off_seen = false; // counted once
+  };
+
+  // The next good frame, and EACH moved behind it. None: EACH is at its stop, or at what waits for more bytes.
+  std::optional<frame_view> next(search& each);
+
+  // Searches what begins in the carry, with as much of BYTES as that takes. Returns what is left of BYTES.
+  template <class Sink>
+  byte_view feed_carry(byte_view bytes, Sink& sink) {
+    const auto joined = std::min(bytes.size(), joint_size - carried_);
+    if (joined != 0)
+      std::memcpy(carry_.data() + carried_, bytes.data(), joined);
+    const auto* const boundary = carry_.data() + carried_;
+    search each{carry_.data(), boundary + joined, boundary};
+    while (const auto frame = next(each))
+      sink(*frame);
+    if (each.at < boundary) {
+      assert(joined == bytes.size()); // with all that fits, everything up to the boundary would be decided
+      keep(each.at, each.end);
+      return {};
+    }
+    carried_ = 0;
+    return bytes.subspan(static_cast<std::size_t>(each.at - boundary));
+  }
+
+  void keep(const std::byte* begin, const std::byte* end);
+
+  enum class verdict { frame, pass_over, garbage, wait };
+  verdict judge_v2(const search& each, std::size_t& size);
+  verdict judge_unknown(const frame_view& frame, byte_view behind, bool is_all);
+  [[nodiscard]] bool looks_like_frame(byte_view bytes) const; // from somebody who was heard before
+  verdict judge_v1(const search& each, std::size_t& size);
+
+  std::size_t carried_ = 0;
+  std::array<std::byte, joint_size> carry_{};
+  scan_counters counters_;
+  sender_table senders_;
+};
+
+} // namespace godwit::io::mavlink

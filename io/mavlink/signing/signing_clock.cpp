@@ -1,0 +1,38 @@
+#include "io/mavlink/signing/signing_clock.hpp"
+
+#include <algorithm>
+
+namespace godwit::io::mavlink {
+
+signing_clock::signing_clock(signing_time ceiling) : free_(units(ceiling)), ceiling_(free_) {}
+
+std::uint64_t signing_clock::next_free(std::int64_t wall_ns) const {
+  return std::max(free_, units(signing_time_at(wall_ns)));
+}
+
+std::optional<signing_time> signing_clock::next(std::int64_t wall_ns) {
+  const std::uint64_t value = next_free(wall_ns);
+  if (value > units(max_signing_time))
+    return std::nullopt;
+  free_ = value + 1;
+  return signing_time{value};
+}
+
+signing_time signing_clock::now(std::int64_t wall_ns) const {
+  return signing_time{std::min(next_free(wall_ns), units(max_signing_time))};
+}
+
+std::optional<signing_time> signing_clock::wanted_reservation(std::int64_t wall_ns) {
+  const signing_time from = now(wall_ns);
+  if (under_way_ || units(from) + ask_when_left < ceiling_ || ceiling_ == units(max_signing_time))
+    return std::nullopt;
+  under_way_ = true;
+  return later(from, reserve_ahead);
+}
+
+void signing_clock::reserved(signing_time ceiling) {
+  under_way_ = false;
+  ceiling_ = std::max(ceiling_, units(ceiling));
+}
+
+} // namespace godwit::io::mavlink

@@ -1,0 +1,23 @@
+// Reads the text of a plan file into the items of an upload. Strict: what is not understood is refused with line and
+// column, and nothing is guessed.
+//
+// Accepted: CRLF, a byte order mark in front, a last line without an end, blank lines at the end; NaN in the parameters
+// and in z, where MAVLink gives it a meaning (leave it to the vehicle). Not: an infinity, a blank line between items, a
+// comment, an index that does not count from 0. A file without items is a plan of none. The file does not say which of
+// a vehicle's plans it is; every item gets TYPE. Targets stay 0. Degrees and metres as in format.hpp. Errors: as
+// values, the first one found. Thread: pure.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "io/mavlink/enums/mission.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+#include "io/mavlink/waypoint_file/waypoint_error.hpp"
+
+namespace godwit::io::mavlink {
+
+[[nodiscard]] waypoint_result<std::vector<mission_item_int>>
+read_waypoints(std::string_view text, mav_mission_type type = mav_mission_type::mission);
+
+} // namespace godwit::io::mavlink

@@ -1,0 +1,157 @@
+#include "io/link/udp_in_link.hpp"
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/io/link/far_ends.hpp"
+#include "tests/io/link/watcher.hpp"
+
+namespace godwit::io::link {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::bytes_of;
+using testing::port_of;
+using testing::udp_end;
+using testing::watcher;
+
+struct udp_in_link_test : ::testing::Test {
+  // Opens on a free port and waits until it listens.
+  void listen(const link_options& options = {}) {
+    link = testing::open("udpin://127.0.0.1:0", heard, options);
+    ASSERT_TRUE(heard.wait_for_phase(link_phase::up)) << heard.last_status().reason;
+    port = port_of(*link);
+  }
+  // TEXT comes from FROM; gives the number of the peer.
+  peer_id say(const udp_end& from, const std::string& text) {
+    from.send(port, text);
+    EXPECT_TRUE(heard.wait_for([&](const watcher& w) { return !w.chunks.empty() && w.chunks.back().bytes == text; }));
+    return heard.last_chunk().from;
+  }
+
+  watcher heard;
+  std::unique_ptr<class link> link;
+  std::uint16_t port = 0;
+};
+
+TEST_F(udp_in_link_test, the_description_shows_the_real_port) {
+  listen();
+  EXPECT_NE(port, 0);
+  EXPECT_EQ(link->description(), "udpin://127.0.0.1:" + std::to_string(port));
+  EXPECT_EQ(heard.last_status().reason, "listening on " + link->description());
+}
+
+TEST_F(udp_in_link_test, answers_go_to_whoever_was_heard_or_to_all) {
+  listen();
+  const udp_end first;
+  const udp_end second;
+  const auto first_id = say(first, "first");
+  const auto second_id = say(second, "second");
+  EXPECT_NE(first_id, second_id);
+  EXPECT_TRUE(heard.last_chunk().is_datagram);
+  EXPECT_TRUE(link->send(bytes_of("to the second"), second_id));
+  EXPECT_EQ(second.receive(), "to the second");
+  EXPECT_EQ(second.last_sender(), port);
+  EXPECT_TRUE(link->send(bytes_of("to all")));
+  EXPECT_EQ(first.receive(), "to all");
+  EXPECT_EQ(second.receive(), "to all");
+  EXPECT_EQ(link->counters().tx_chunks, 3U);
+  EXPECT_EQ(link->counters().peers, 2U);
+}
+
+TEST_F(udp_in_link_test, a_send_that_nobody_can_get_is_counted) {
+  listen();
+  EXPECT_FALSE(link->send(bytes_of("hello?")));
+  const udp_end peer;
+  const auto id = say(peer, "here");
+  EXPECT_FALSE(link->send(bytes_of("hello?"), id + 1));
+  EXPECT_EQ(link->counters().tx_no_peer, 2U);
+  EXPECT_EQ(link->counters().tx_dropped, 0U);
+}
+
+TEST_F(udp_in_link_test, datagrams_of_every_size_arrive_whole) {
+  listen();
+  const udp_end peer;
+  for (const std::size_t size : {std::size_t{1}, std::size_t{280}, std::size_t{65'507}}) {
+    const auto id = say(peer, std::string(size, 'a'));
+    EXPECT_TRUE(link->send(bytes_of(std::string(size, 'b')), id));
+    EXPECT_EQ(peer.receive(), std::string(size, 'b'));
+  }
+  EXPECT_FALSE(link->send(bytes_of(std::string(65'508, 'b')))) << "more than UDP carries";
+  EXPECT_EQ(link->counters().tx_dropped, 1U);
+}
+
+TEST_F(udp_in_link_test, the_seventeenth_peer_takes_the_place_of_the_longest_silent) {
+  listen();
+  std::vector<udp_end> peers(17);
+  std::vector<peer_id> ids;
+  for (std::size_t n = 0; n < peers.size(); ++n)
+    ids.push_back(say(peers[n], "peer " + std::to_string(n)));
+  EXPECT_EQ(link->counters().peers, 16U);
+  EXPECT_EQ(link->counters().peers_evicted, 1U);
+  EXPECT_FALSE(link->send(bytes_of("x"), ids.front()));
+  EXPECT_TRUE(link->send(bytes_of("x"), ids.back()));
+}
+
+TEST_F(udp_in_link_test, a_peer_that_was_silent_for_long_is_forgotten) {
+  listen({.forget_peer_after = 20ms});
+  const udp_end peer;
+  static_cast<void>(say(peer, "here"));
+  EXPECT_TRUE(testing::eventually([&] { return !link->send(bytes_of("x")); }));
+  EXPECT_EQ(link->counters().peers, 0U);
+  EXPECT_GE(link->counters().peers_forgotten, 1U);
+}
+
+TEST_F(udp_in_link_test, a_peer_that_goes_and_comes_back_is_answered_at_once) {
+  listen();
+  std::optional<udp_end> peer(std::in_place);
+  const auto peer_port = peer->port();
+  const auto id = say(*peer, "here");
+  peer.reset();
+  for (int n = 0; n < 10; ++n)
+    static_cast<void>(link->send(bytes_of("anybody?")));
+  peer.emplace(peer_port);
+  const auto back_at = std::chrono::steady_clock::now();
+  EXPECT_EQ(say(*peer, "here again"), id);
+  EXPECT_TRUE(link->send(bytes_of("welcome"), id));
+  EXPECT_EQ(peer->receive(), "welcome");
+  EXPECT_LE(std::chrono::steady_clock::now() - back_at, 5s);
+  EXPECT_EQ(heard.last_status().phase, link_phase::up);
+}
+
+TEST_F(udp_in_link_test, a_port_in_use_is_taken_when_it_is_free) {
+  std::optional<udp_end> other(std::in_place);
+  link = testing::open("udpin://127.0.0.1:" + std::to_string(other->port()), heard);
+  ASSERT_TRUE(heard.wait_for_phase(link_phase::down));
+  EXPECT_NE(heard.last_status().reason.find("another program listens on this port"), std::string::npos)
+      << heard.last_status().reason;
+  EXPECT_FALSE(link->send(bytes_of("x")));
+  EXPECT_EQ(link->counters().tx_dropped, 1U);
+  other.reset();
+  EXPECT_TRUE(heard.wait_for_phase(link_phase::up));
+}
+
+TEST_F(udp_in_link_test, an_address_of_another_computer_is_told_in_words) {
+  link = testing::open("udpin://203.0.113.1:0", heard);
+  ASSERT_TRUE(heard.wait_for_phase(link_phase::down));
+  EXPECT_NE(heard.last_status().reason.find("no interface of this computer has this address"), std::string::npos)
+      << heard.last_status().reason;
+}
+
+TEST_F(udp_in_link_test, a_burst_is_received_in_order) {
+  listen();
+  const udp_end peer;
+  constexpr int burst = 200; // as many as the system's buffer holds, even when nobody reads yet
+  std::string all;
+  for (int n = 0; n < burst; ++n) {
+    const auto text = std::to_string(n) + ";";
+    peer.send(port, text);
+    all += text;
+  }
+  EXPECT_TRUE(heard.wait_for_bytes(all));
+  EXPECT_EQ(link->counters().rx_chunks, static_cast<std::uint64_t>(burst));
+}
+
+} // namespace
+} // namespace godwit::io::link

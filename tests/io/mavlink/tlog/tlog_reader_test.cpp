@@ -1,0 +1,236 @@
+#include "io/mavlink/tlog/tlog_reader.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/io/mavlink/tlog/tlog_fixture.hpp"
+
+namespace godwit::io::mavlink::test {
+namespace {
+
+byte_buffer heartbeat_bytes() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
+byte_buffer signed_heartbeat() {
+  return from_hex("fd09010000ffbe000000000000001208000403c6e2036655443322115b1a95938762");
+}
+std::string hex_of_heartbeat() { return to_hex(heartbeat_bytes()); }
+
+// What stands around the thing under test: two heartbeats before, two behind, a millisecond apart.
+reading read_between(const std::function<void(log_builder&)>& put) {
+  log_builder log;
+  log.record(some_day_us + 1000, heartbeat_bytes()).record(some_day_us + 2000, heartbeat_bytes());
+  put(log);
+  log.record(some_day_us + 4000, heartbeat_bytes()).record(some_day_us + 5000, heartbeat_bytes());
+  return read_bytes(log.bytes());
+}
+
+void expect_the_four_around(const reading& seen) {
+  ASSERT_GE(seen.records.size(), 4U);
+  const auto& records = seen.records;
+  const std::size_t n = records.size();
+  EXPECT_EQ(records[0], (plain_record{some_day_us + 1000, hex_of_heartbeat()}));
+  EXPECT_EQ(records[1], (plain_record{some_day_us + 2000, hex_of_heartbeat()}));
+  EXPECT_EQ(records[n - 2], (plain_record{some_day_us + 4000, hex_of_heartbeat()}));
+  EXPECT_EQ(records[n - 1], (plain_record{some_day_us + 5000, hex_of_heartbeat()}));
+}
+
+TEST(mavlink_tlog_reader, an_empty_log_has_an_end_and_nothing_else) {
+  const auto seen = read_bytes({});
+  EXPECT_TRUE(seen.records.empty());
+  EXPECT_EQ(seen.counts.skipped_bytes, 0U);
+}
+
+TEST(mavlink_tlog_reader, gives_time_and_frame) {
+  log_builder log;
+  log.record(some_day_us, heartbeat_bytes()).record(some_day_us + 1, signed_heartbeat());
+  const auto seen = read_bytes(log.bytes());
+  EXPECT_EQ(seen.records, (std::vector<plain_record>{{some_day_us, hex_of_heartbeat()},
+                                                     {some_day_us + 1, to_hex(signed_heartbeat())}}));
+}
+
+TEST(mavlink_tlog_reader, the_time_of_a_right_record_is_given_whatever_it_is) {
+  log_builder log;
+  for (const std::uint64_t time_us : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}})
+    log.record(time_us, heartbeat_bytes());
+  const auto seen = read_bytes(log.bytes());
+  ASSERT_EQ(seen.records.size(), 3U);
+  EXPECT_EQ(seen.records[0].timestamp_us, 0U);
+  EXPECT_EQ(seen.records[2].timestamp_us, ~std::uint64_t{0});
+}
+
+TEST(mavlink_tlog_reader, a_frame_with_a_bad_checksum_is_passed_over) {
+  auto bad = heartbeat_bytes();
+  bad.back() ^= std::byte{1};
+  const auto seen = read_between([&](log_builder& log) { log.record(some_day_us + 3000, bad); });
+  expect_the_four_around(seen);
+  EXPECT_EQ(seen.records.size(), 4U);
+  EXPECT_EQ(seen.counts.bad_checksums, 1U);
+  EXPECT_EQ(seen.counts.skipped_bytes, tlog_time_size + bad.size());
+}
+
+TEST(mavlink_tlog_reader, a_frame_cut_off_at_any_byte_costs_only_itself) {
+  for (const auto& whole : {heartbeat_bytes(), signed_heartbeat()})
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      const auto seen =
+          read_between([&](log_builder& log) { log.record(some_day_us + 3000, byte_view(whole).first(size)); });
+      expect_the_four_around(seen);
+      EXPECT_EQ(seen.records.size(), 4U) << size;
+      EXPECT_EQ(seen.counts.cut_off + seen.counts.not_frames, 1U) << size;
+      EXPECT_EQ(seen.counts.skipped_bytes, tlog_time_size + size);
+    }
+}
+
+TEST(mavlink_tlog_reader, a_time_cut_off_at_any_byte_costs_only_the_time) {
+  for (std::size_t missing = 1; missing <= tlog_time_size; ++missing) {
+    log_builder record;
+    record.record(some_day_us + 3000, heartbeat_bytes());
+    const auto seen = read_between([&](log_builder& log) { log.raw(byte_view(record.bytes()).subspan(missing)); });
+    expect_the_four_around(seen);
+    ASSERT_EQ(seen.records.size(), 5U) << missing;
+    EXPECT_EQ(seen.records[2], (plain_record{some_day_us + 2000, hex_of_heartbeat()})) << missing;
+    EXPECT_EQ(seen.counts.without_time, 1U);
+  }
+}
+
+TEST(mavlink_tlog_reader, false_starts_cost_nothing) {
+  for (const std::string_view start :
+       {"fd", "fdff0000", "fe40", "fdff00000000000000000000", "fd0000", "fefe", "fdfdfd"}) {
+    // As a record of its own, as bytes between records, and behind a time together with a right frame.
+    const auto alone = read_between([&](log_builder& log) { log.time(some_day_us + 3000).raw_hex(start); });
+    expect_the_four_around(alone);
+    EXPECT_EQ(alone.records.size(), 4U) << start;
+    const auto between = read_between([&](log_builder& log) { log.raw_hex(start); });
+    expect_the_four_around(between);
+    EXPECT_EQ(between.records.size(), 4U) << start;
+    const auto joined =
+        read_between([&](log_builder& log) { log.time(some_day_us + 3000).raw_hex(start).raw(heartbeat_bytes()); });
+    expect_the_four_around(joined);
+    ASSERT_EQ(joined.records.size(), 5U) << start;
+    EXPECT_EQ(joined.records[2], (plain_record{some_day_us + 3000, hex_of_heartbeat()})) << start;
+  }
+}
+
+TEST(mavlink_tlog_reader, several_frames_behind_one_time_are_all_given_with_it) {
+  const auto seen = read_between([&](log_builder& log) {
+    log.record(some_day_us + 3000, heartbeat_bytes()).raw(signed_heartbeat()).raw(heartbeat_bytes());
+  });
+  expect_the_four_around(seen);
+  ASSERT_EQ(seen.records.size(), 7U);
+  EXPECT_EQ(seen.records[3], (plain_record{some_day_us + 3000, to_hex(signed_heartbeat())}));
+  EXPECT_EQ(seen.records[4], (plain_record{some_day_us + 3000, hex_of_heartbeat()}));
+  EXPECT_EQ(seen.counts.without_time, 2U);
+  EXPECT_EQ(seen.counts.skipped_bytes, 0U);
+}
+
+TEST(mavlink_tlog_reader, a_frame_of_an_unknown_id_is_given_as_not_verified) {
+  for (const std::size_t size : {1, 9, 255}) {
+    const auto seen = read_between([&](log_builder& log) { log.record(some_day_us + 3000, unknown_frame(size)); });
+    expect_the_four_around(seen);
+    ASSERT_EQ(seen.records.size(), 5U);
+    EXPECT_EQ(seen.records[2], (plain_record{some_day_us + 3000, to_hex(unknown_frame(size)), false}));
+    EXPECT_EQ(seen.counts.unknown_ids, 1U);
+  }
+  log_builder last;
+  EXPECT_EQ(read_bytes(last.record(some_day_us, unknown_frame(9)).bytes()).records.size(), 1U);
+}
+
+TEST(mavlink_tlog_reader, a_false_start_whose_length_happens_to_fit_takes_no_record_with_it) {
+  // An unknown id and a length that reaches exactly over one record to the next.
+  log_builder record;
+  record.record(some_day_us + 3500, heartbeat_bytes());
+  byte_buffer start = unknown_frame(1);
+  start.resize(header_size);
+  start[length_at] = static_cast<std::byte>(record.bytes().size() - crc_size);
+  const auto seen = read_between([&](log_builder& log) { log.record(some_day_us + 3000, start).raw(record.bytes()); });
+  expect_the_four_around(seen);
+  ASSERT_EQ(seen.records.size(), 5U);
+  EXPECT_EQ(seen.records[2], (plain_record{some_day_us + 3500, hex_of_heartbeat()}));
+  EXPECT_EQ(seen.counts.unknown_ids, 0U);
+}
+
+TEST(mavlink_tlog_reader, unknown_flags_and_mavlink_1_are_counted_and_passed_over) {
+  const auto seen = read_between([&](log_builder& log) {
+    log.record(some_day_us + 3000, with_flags(heartbeat_bytes(), 0x02)).record(some_day_us + 3100, v1_frame());
+  });
+  expect_the_four_around(seen);
+  EXPECT_EQ(seen.records.size(), 4U);
+  EXPECT_EQ(seen.counts.unknown_flags, 1U);
+  EXPECT_EQ(seen.counts.v1_frames, 1U);
+  EXPECT_EQ(seen.counts.skipped_bytes, 0U);
+}
+
+TEST(mavlink_tlog_reader, the_log_of_a_computer_whose_clock_was_never_set_is_read) {
+  auto bad = heartbeat_bytes();
+  bad.back() ^= std::byte{1};
+  log_builder log;
+  log.record(1'000'000, heartbeat_bytes()).record(2'000'000, bad).record(3'000'000, heartbeat_bytes());
+  const auto seen = read_bytes(log.bytes());
+  EXPECT_EQ(seen.records,
+            (std::vector<plain_record>{{1'000'000, hex_of_heartbeat()}, {3'000'000, hex_of_heartbeat()}}));
+}
+
+TEST(mavlink_tlog_reader, garbage_of_many_windows_is_passed_with_what_lies_behind_it) {
+  byte_buffer garbage(5 * read_window::window_bytes + 3);
+  std::mt19937_64 random(4);
+  for (auto& each : garbage)
+    each = random() % 8 == 0 ? magic_v2 : static_cast<std::byte>(random());
+  const auto seen = read_between([&](log_builder& log) { log.raw(garbage); });
+  expect_the_four_around(seen);
+  EXPECT_EQ(seen.records.size(), 4U);
+  EXPECT_EQ(seen.counts.skipped_bytes, garbage.size());
+}
+
+TEST(mavlink_tlog_reader, bytes_that_are_no_log_give_nothing) {
+  for (const std::size_t size : {1, 7, 8, 9, 20, 1000, 200'000}) {
+    const auto seen = read_bytes(byte_buffer(size, std::byte{'x'}));
+    EXPECT_TRUE(seen.records.empty());
+    EXPECT_EQ(seen.counts.skipped_bytes, size);
+  }
+}
+
+// Of a frame with an unknown id nobody can say whether it is one, so only the verified ones count.
+std::vector<plain_record> verified(const reading& seen) {
+  auto records = seen.records;
+  std::erase_if(records, [](const plain_record& each) { return !each.is_verified; });
+  return records;
+}
+
+std::size_t bytes_of_records(const reading& seen) {
+  std::size_t bytes = 0;
+  for (const auto& each : seen.records)
+    bytes += tlog_time_size + each.hex.size() / 2;
+  return bytes;
+}
+
+// Right records with anything between them, or a file cut anywhere: what is whole comes out, in its order.
+RC_GTEST_PROP(mavlink_tlog_reader_property, no_right_frame_is_lost, ()) {
+  std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+  const auto frames = some_frames(*rc::gen::inRange<std::size_t>(1, 1500), random);
+  const bool may_break = *rc::gen::arbitrary<bool>();
+  log_builder log;
+  std::vector<plain_record> expected;
+  std::uint64_t time_us = some_day_us;
+  for (const auto& frame : frames) {
+    if (may_break && random() % 4 == 0)
+      log.time(time_us).raw(byte_view(frames[random() % frames.size()]).first(random() % 12));
+    if (may_break && random() % 4 == 0)
+      log.raw(byte_buffer(random() % 600, static_cast<std::byte>(random())));
+    time_us += random() % 1'000'000;
+    log.record(time_us, frame);
+    expected.push_back({time_us, to_hex(frame)});
+  }
+  const auto whole = read_bytes(log.bytes());
+  RC_ASSERT(verified(whole) == expected);
+  RC_ASSERT(bytes_of_records(whole) + whole.counts.skipped_bytes == log.bytes().size());
+
+  const auto cut = read_bytes(byte_view(log.bytes()).first(random() % log.bytes().size()));
+  const auto before_cut = verified(cut);
+  RC_ASSERT(before_cut.size() <= expected.size());
+  RC_ASSERT(std::equal(before_cut.begin(), before_cut.end(), expected.begin()));
+  RC_ASSERT(may_break || cut.counts.skipped_bytes < max_tlog_record_size);
+}
+
+} // namespace
+} // namespace godwit::io::mavlink::test

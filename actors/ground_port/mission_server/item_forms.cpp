@@ -1,0 +1,83 @@
+#include "actors/ground_port/mission_server/item_forms.hpp"
+
+#include <cmath>
+
+namespace godwit::ground_port::mission_server {
+
+namespace {
+
+using mavlink::mav_cmd;
+using mavlink::mav_frame;
+using mavlink::number;
+
+constexpr double units_per_degree = 1e7;
+constexpr double units_per_metre = 1e4; // of local frames
+
+double units(std::uint8_t frame) {
+  const bool is_global = frame == number(mav_frame::global) || frame == number(mav_frame::global_relative_alt) ||
+                         frame == number(mav_frame::global_int) || frame == number(mav_frame::global_relative_alt_int);
+  return is_global ? units_per_degree : units_per_metre;
+}
+
+// The fields that both messages have.
+template <class To, class From>
+To with_common_fields(const From& from) {
+  To to;
+  to.target_system = from.target_system;
+  to.target_component = from.target_component;
+  to.seq = from.seq;
+  to.frame = from.frame;
+  to.command = from.command;
+  to.current = from.current;
+  to.autocontinue = from.autocontinue;
+  to.param1 = from.param1;
+  to.param2 = from.param2;
+  to.param3 = from.param3;
+  to.param4 = from.param4;
+  to.z = from.z;
+  to.mission_type = from.mission_type;
+  return to;
+}
+
+// A value that does not fit is as far away as can be said, and no position.
+std::int32_t rounded(double value) {
+  constexpr double limit = 2'147'483'647.0;
+  if (std::isnan(value))
+    return 0;
+  return static_cast<std::int32_t>(std::lround(std::fmax(-limit, std::fmin(value, limit))));
+}
+
+} // namespace
+
+mavlink::mission_item_int in_integers(const mavlink::mission_item& item) {
+  auto result = with_common_fields<mavlink::mission_item_int>(item);
+  result.x = rounded(double{item.x} * units(item.frame));
+  result.y = rounded(double{item.y} * units(item.frame));
+  return result;
+}
+
+mavlink::mission_item in_floats(const mavlink::mission_item_int& item) {
+  auto result = with_common_fields<mavlink::mission_item>(item);
+  result.x = static_cast<float>(item.x / units(item.frame));
+  result.y = static_cast<float>(item.y / units(item.frame));
+  return result;
+}
+
+mavlink::mission_item_int as_kept(mavlink::mission_item_int item, const habits& vehicle) {
+  item.target_system = 0;
+  item.target_component = 0;
+  if (!vehicle.rewrites_items)
+    return item;
+  if (item.frame == number(mav_frame::global_relative_alt_int))
+    item.frame = number(mav_frame::global_relative_alt);
+  if (item.frame == number(mav_frame::global_int) || item.command == number(mav_cmd::nav_return_to_launch))
+    item.frame = number(mav_frame::global);
+  if (item.command == number(mav_cmd::nav_waypoint))
+    item.param2 = 0;
+  item.autocontinue = 1;
+  item.current = 0;
+  item.z = std::isnan(item.z) ? 0.0F : std::round(item.z * 100.0F) / 100.0F;
+  return item;
+}
+
+} // namespace godwit::ground_port::mission_server

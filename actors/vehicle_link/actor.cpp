@@ -1,0 +1,158 @@
+#include "actors/vehicle_link/actor.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace godwit::vehicle_link {
+
+namespace {
+
+runtime::health_colour colour_of(wellness how) {
+  switch (how) {
+  case wellness::well:
+    return runtime::health_colour::green;
+  case wellness::impaired:
+    return runtime::health_colour::yellow;
+  case wellness::bad:
+    break;
+  }
+  return runtime::health_colour::red;
+}
+
+} // namespace
+
+actor::behavior_type actor::handlers() {
+  const auto then = [this](const effects& wanted) {
+    carry_out(wanted);
+    after_turn();
+  };
+  return {
+      on_deferred<send_command, command_outcome>([this, then](const send_command& what, std::uint64_t request_id) {
+        then(core_->on_command(request_id, what, now()));
+      }),
+      on<cancel_command>([this, then](const cancel_command& what) { then(core_->on_cancel(what, now())); }),
+      on<set_mode>([this, then](const set_mode& what) { then(core_->on_set_mode(what, now())); }),
+      on_deferred<set_current_item, command_outcome>(
+          [this, then](const set_current_item& what, std::uint64_t request_id) {
+            then(core_->on_set_current(request_id, what, now()));
+          }),
+      on<set_up_signing>([this, then](const set_up_signing& what) { then(core_->on_set_up_signing(what, now())); }),
+      on_deferred<upload_plan, transfer::outcome>([this, then](const upload_plan& what, std::uint64_t request_id) {
+        then(core_->on_upload(request_id, what, now()));
+      }),
+      on_deferred<download_plan, transfer::outcome>([this, then](const download_plan& what, std::uint64_t request_id) {
+        then(core_->on_download(request_id, what, now()));
+      }),
+      on_deferred<clear_plan, transfer::outcome>([this, then](const clear_plan& what, std::uint64_t request_id) {
+        then(core_->on_clear(request_id, what, now()));
+      }),
+      on<cancel_transfer>([this, then](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
+      on<vouch>([this](const vouch& what) { core_->on_vouch(what, now()); }),
+      on<get_connection>([this](const get_connection&) {
+        auto result = core_->describe(now());
+        result.dropped_in = line_->incoming().dropped_bytes();
+        result.dropped_out = dropped_out_;
+        return result;
+      }),
+      on<wake>([this](const wake&) { drain(); }),
+      on<timer>([this](const timer& which) {
+        if (which.number != timer_number_)
+          return;
+        timer_due_ns_.reset();
+        carry_out(core_->on_time(now()));
+        drain(); // also when a wake was lost with an incarnation
+      })};
+}
+
+void actor::started() {
+  core_.emplace(settings_, signing_, mavlink::signing_time{current_state().signing_ceiling});
+  tell(me(), wake{}); // what came in meanwhile waits
+  set_timer();
+}
+
+void actor::drain() {
+  auto& incoming = line_->incoming();
+  if (const auto status = incoming.take_status())
+    carry_out(core_->on_link(*status, now()));
+  for (int i = 0; i < max_chunks_per_turn; ++i) {
+    const auto chunk = incoming.take();
+    if (!chunk) {
+      after_turn();
+      return;
+    }
+    carry_out(core_->on_bytes(chunk->peer, chunk->is_datagram, chunk->bytes, now()));
+  }
+  tell(me(), wake{}); // there may be more; commands in the mailbox come first
+  after_turn();
+}
+
+// -- effects --------------------------------------------------------------------------------------
+
+void actor::carry_out(const effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+}
+
+void actor::carry_out(const transmission& each) { outgoing_.push_back(each); }
+
+void actor::carry_out(const settled_command& each) { answer_later(each.asked_by.request_id, each.outcome); }
+
+void actor::carry_out(const settled_transfer& each) { answer_later(each.request_id, each.outcome); }
+
+void actor::carry_out(const observation& each) {
+  std::visit([this]<class M>(const M& message) { ears_->for_each<M>([&](const auto& who) { tell(who, message); }); },
+             each);
+}
+
+void actor::carry_out(const announcement& each) {
+  std::visit([this]<class M>(const M& message) { ears_->for_each<M>([&](const auto& who) { tell(who, message); }); },
+             each);
+}
+
+// The frames go last. Up to there a crash leaves nothing sent, and the message is handled again; from there on it is
+// not, because a command must not reach the vehicle twice.
+void actor::after_turn() {
+  post_health();
+  set_timer();
+  reserve_signing_time();
+  send_outgoing();
+}
+
+void actor::send_outgoing() {
+  if (outgoing_.empty())
+    return;
+  mark_committed();
+  for (const auto& each : outgoing_)
+    if (!line_->send(each.frame.span(), each.to))
+      ++dropped_out_;
+  outgoing_.clear();
+}
+
+// One timer is under way at a time; an earlier deadline overtakes it with a new number.
+void actor::set_timer() {
+  const auto due = core_->next_deadline_ns();
+  if (timer_due_ns_ && *timer_due_ns_ <= due)
+    return;
+  timer_due_ns_ = due;
+  const auto delay = std::max<std::int64_t>(due - now_ns(), 0);
+  tell_after(std::chrono::nanoseconds(delay), me(), timer{++timer_number_});
+}
+
+void actor::post_health() {
+  auto how = core_->health(now());
+  if (posted_ == how)
+    return;
+  outside().health->post(actor_name(), colour_of(how.how), how.reason);
+  posted_ = std::move(how);
+}
+
+void actor::reserve_signing_time() {
+  if (const auto ceiling = core_->wanted_reservation(now()))
+    commit(signing_time_reserved{mavlink::units(*ceiling)});
+}
+
+void actor::let_out(const durable_core::effect& each) {
+  core_->on_reserved(mavlink::signing_time{std::get<signing_time_reserved>(each).ceiling});
+}
+
+} // namespace godwit::vehicle_link

@@ -1,0 +1,64 @@
+// The link to the autopilot as an actor: others ask it to command the vehicle and to move plans, and hear what it says.
+//
+// The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
+// effects: frames to the wire, answers to whoever asked, observations to the listeners, the state of the link to the
+// health board. A crash loses no line and no queue (they are the port's); who waited for an answer is told that the
+// outcome is not known. Errors: see the outcome types. Thread: as cell.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "actors/vehicle_link/core.hpp"
+#include "actors/vehicle_link/listeners.hpp"
+#include "actors/vehicle_link/state.hpp"
+#include "actors/vehicle_link/wire.hpp"
+#include "messages/vehicle_link/handle.hpp"
+#include "runtime/persistent_cell.hpp"
+
+namespace godwit::vehicle_link {
+
+// So much of what came in is handled in one turn, before other mail has its own.
+inline constexpr int max_chunks_per_turn = 32;
+
+class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+public:
+  actor(runtime::actor_config& config, runtime::birth born, settings configured, signing_settings signing,
+        std::shared_ptr<wire> line, std::shared_ptr<const listeners> ears)
+      : persistent_cell(config, std::move(born)), settings_(std::move(configured)), signing_(std::move(signing)),
+        line_(std::move(line)), ears_(std::move(ears)) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+  void let_out(const durable_core::effect& each) override;
+
+private:
+  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  void drain();
+  void carry_out(const effects& wanted);
+  void carry_out(const transmission& each);
+  void carry_out(const settled_command& each);
+  void carry_out(const settled_transfer& each);
+  void carry_out(const observation& each);
+  void carry_out(const announcement& each);
+  void after_turn();
+  void set_timer();
+  void reserve_signing_time();
+  void post_health();
+  void send_outgoing();
+
+  settings settings_;
+  signing_settings signing_;
+  std::shared_ptr<wire> line_;
+  std::shared_ptr<const listeners> ears_;
+  std::optional<core> core_;
+  std::optional<condition> posted_;
+  std::uint64_t timer_number_ = 0;
+  std::optional<std::int64_t> timer_due_ns_; // nothing: no timer is under way
+  std::vector<transmission> outgoing_;       // of this turn
+  std::uint64_t dropped_out_ = 0;
+};
+
+} // namespace godwit::vehicle_link

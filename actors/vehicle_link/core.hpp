@@ -1,0 +1,135 @@
+// Every decision of vehicle_link: what to send, whom to answer, what to tell, when to look again.
+//
+//   bytes ──> channel ──frames──> vehicle_watch (which vehicle, is it alive, did it restart)
+//                          ├────> command_ledger, current_setter (answers to whoever asked)
+//                          ├────> transfer::client (plan up and down)
+//                          ├────> stream_keeper (does what we need come?)
+//                          └────> observations for listeners, answers to TIMESYNC and PING
+//
+// All state is volatile but the reserved signing time: after a crash the vehicle is asked again, and who waited for an
+// answer has been told that the outcome is not known. Each function takes the time of its event and returns what is to
+// be done, in order. Call on_time no later than next_deadline_ns. Pure: no socket, no clock, no actor.
+// Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "actors/vehicle_link/channel.hpp"
+#include "actors/vehicle_link/command_ledger.hpp"
+#include "actors/vehicle_link/current_setter.hpp"
+#include "actors/vehicle_link/effects.hpp"
+#include "actors/vehicle_link/settings.hpp"
+#include "actors/vehicle_link/stream_keeper.hpp"
+#include "actors/vehicle_link/transfer/client.hpp"
+#include "actors/vehicle_link/vehicle_watch.hpp"
+#include "actors/vehicle_link/voucher_gate.hpp"
+
+namespace godwit::vehicle_link {
+
+enum class wellness { well, impaired, bad };
+
+// For the health board.
+struct condition {
+  wellness how = wellness::well;
+  std::string reason;
+  bool operator==(const condition&) const = default;
+};
+
+// A peer is said to speak MAVLink 1 only when it was heard for so long and never spoke MAVLink 2.
+inline constexpr std::int64_t v1_only_after_ms = 3'000;
+// A rejected signature impairs health for so long.
+inline constexpr std::int64_t alert_lasts_ms = 10'000;
+inline constexpr std::int64_t alert_period_ms = 1'000;
+
+// What only a transfer is about.
+template <class M>
+concept transfer_messages = requires(transfer::client& to, const M& message) {
+  to.on(message, std::int64_t{});
+}
+&&!told_messages::contains(M::message_id);
+
+class core {
+public:
+  core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling);
+
+  [[nodiscard]] effects on_link(const io::link::link_status& status, instant now);
+  [[nodiscard]] effects on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_view bytes, instant now);
+  [[nodiscard]] effects on_time(instant now);
+
+  [[nodiscard]] effects on_command(std::uint64_t request_id, const send_command& what, instant now);
+  [[nodiscard]] effects on_cancel(const cancel_command& what, instant now);
+  [[nodiscard]] effects on_set_mode(const set_mode& what, instant now);
+  [[nodiscard]] effects on_set_current(std::uint64_t request_id, const set_current_item& what, instant now);
+  [[nodiscard]] effects on_set_up_signing(const set_up_signing& what, instant now);
+  [[nodiscard]] effects on_upload(std::uint64_t request_id, const upload_plan& what, instant now);
+  [[nodiscard]] effects on_download(std::uint64_t request_id, const download_plan& what, instant now);
+  [[nodiscard]] effects on_clear(std::uint64_t request_id, const clear_plan& what, instant now);
+  [[nodiscard]] effects on_cancel_transfer(instant now);
+  void on_vouch(const vouch& what, instant now) { gate_.on_vouch(what.who, now.monotonic_ns); }
+
+  [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
+    return channel_.wanted_reservation(now.wall_ns);
+  }
+  void on_reserved(mavlink::signing_time ceiling) { channel_.reserved(ceiling); }
+
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+  [[nodiscard]] connection describe(instant now) const;
+  [[nodiscard]] condition health(instant now);
+
+private:
+  class turn; // what one event leads to, while it is handled
+
+  [[nodiscard]] mavlink::sender ourselves() const;
+  [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
+
+  void take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame);
+  void take(turn& t, const mavlink::heartbeat& m);
+  void take(turn& t, const mavlink::command_ack& m);
+  void take(turn& t, const mavlink::mission_current& m);
+  void take(turn& t, const mavlink::timesync& m);
+  void take(turn& t, const mavlink::ping& m);
+  template <mavlink::message M>
+  requires transfer_messages<M>
+  void take(turn& t, const M& message);
+  template <mavlink::message M>
+  void take(turn& t, const M& message);
+  void note_boot_time(turn& t, std::uint32_t boot_ms);
+
+  void change_phase(turn& t, const std::optional<connection_changed>& change);
+  void restart_conversation(turn& t);
+  void give(turn& t, asker who, const send_command& what);
+  void send_out(turn& t, const send_command& what);
+  void settle(turn& t, const settled_command& done);
+  void ask_for_streams(turn& t);
+  void raise_alert(turn& t);
+  [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what) const;
+  template <class Begin>
+  [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type, instant now,
+                                       Begin begin);
+  void go_on(turn& t, transfer::step next);
+  [[nodiscard]] bool speaks_v1_only(std::int64_t now_ns) const;
+
+  settings settings_;
+  channel channel_;
+  vehicle_watch watch_;
+  command_ledger commands_;
+  current_setter current_;
+  stream_keeper streams_;
+  voucher_gate gate_;
+  std::optional<transfer::client> transfers_; // with the vehicle, once it is known
+  std::uint64_t transfer_request_ = 0;        // who asked for the one under way
+
+  std::string link_reason_;
+  std::uint64_t reconnects_ = 0;
+  io::link::peer_id vehicle_peer_ = io::link::every_peer;
+  std::int64_t next_beat_ns_ = 0;
+  bool heartbeat_held_back_ = false;
+  std::uint64_t not_accepted_ = 0;
+  std::optional<std::int64_t> first_v1_ns_;
+  std::uint64_t alerted_rejections_ = 0;
+  std::optional<std::int64_t> last_alert_ns_;
+};
+
+} // namespace godwit::vehicle_link

@@ -1,0 +1,39 @@
+// What the core of vehicle_link wants done, in this order. Thread: plain values.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "actors/vehicle_link/command_ledger.hpp"
+#include "actors/vehicle_link/surface.hpp"
+#include "io/link/status.hpp"
+#include "io/mavlink/frame.hpp"
+#include "messages/vehicle_link/connection.hpp"
+#include "messages/vehicle_link/transfer.hpp"
+
+namespace godwit::vehicle_link {
+
+// Both clocks at the moment of an event: the first for deadlines, the second for signatures.
+struct instant {
+  std::int64_t monotonic_ns = 0;
+  std::int64_t wall_ns = 0;
+};
+
+struct transmission {
+  io::link::peer_id to = io::link::every_peer;
+  mavlink::frame_buffer frame;
+};
+
+// The transfer that an actor asked for is over.
+struct settled_transfer {
+  std::uint64_t request_id = 0;
+  transfer::outcome outcome;
+};
+
+// For whoever listens to the vehicle.
+using announcement = std::variant<connection_changed, vehicle_restarted, signing_alert, transfer::progress>;
+
+using effect = std::variant<transmission, settled_command, settled_transfer, observation, announcement>;
+using effects = std::vector<effect>;
+
+} // namespace godwit::vehicle_link

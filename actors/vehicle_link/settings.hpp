@@ -1,0 +1,37 @@
+// What can be set about the link to the vehicle. Each has the default that suits a companion computer.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "actors/vehicle_link/stream_keeper.hpp"
+#include "actors/vehicle_link/surface.hpp"
+#include "actors/vehicle_link/vehicle_watch.hpp"
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::vehicle_link {
+
+// As whom we speak. Posing as a ground station (another system id, type 6) is possible and never the default: the
+// autopilot would take our heartbeat for the human's, and not see that the human's link is lost. ArduPilot counts
+// heartbeats for its ground-station failsafe from one configured system id only.
+struct identity {
+  std::uint8_t system = 0; // 0: the vehicle's own; 1 until the vehicle is known
+  std::uint8_t component = static_cast<std::uint8_t>(mavlink::mav_component::onboard_computer);
+  std::uint8_t type = static_cast<std::uint8_t>(mavlink::mav_type::onboard_controller);
+};
+
+// What godwit needs to know of a flight, at rates that a 57600 baud line carries beside a mission transfer.
+[[nodiscard]] std::vector<wanted_stream> default_streams();
+
+struct settings {
+  identity as;
+  watch_settings watch;
+  std::vector<wanted_stream> streams = default_streams();
+  std::int64_t heartbeat_ms = 1'000;
+  std::int64_t command_timeout_ms = 1'000;
+  std::vector<std::string> vouchers; // who must vouch for this process; none: the heartbeat always goes out
+  std::int64_t vouch_lasts_ms = 3'000;
+};
+
+} // namespace godwit::vehicle_link

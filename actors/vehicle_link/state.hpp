@@ -1,0 +1,40 @@
+// What of vehicle_link must survive a crash: how far signing time is used up. All else is asked of the vehicle again.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::vehicle_link {
+
+// All signing times of this link below the ceiling may have been used. Units: 10 us since 2015-01-01 UTC.
+struct signing_time_reserved {
+  std::uint64_t ceiling = 0;
+  static constexpr auto fields =
+      io::table("vehicle_link.signing_time_reserved", io::field("ceiling", &signing_time_reserved::ceiling));
+};
+
+struct state {
+  std::uint64_t signing_ceiling = 0;
+  static constexpr int version = 1;
+  static constexpr auto fields = io::table("vehicle_link.state", io::field("signing_ceiling", &state::signing_ceiling));
+};
+
+// The durable part: a reservation is an event, and what comes of it is the permission to use it.
+struct durable_core {
+  using state = vehicle_link::state;
+  using event = std::variant<signing_time_reserved>;
+  using effect = std::variant<signing_time_reserved>;
+
+  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+    const auto& reserved = std::get<signing_time_reserved>(happened);
+    if (reserved.ceiling > s.signing_ceiling)
+      s.signing_ceiling = reserved.ceiling;
+    return {reserved};
+  }
+  [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
+};
+
+} // namespace godwit::vehicle_link

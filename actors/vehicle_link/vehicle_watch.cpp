@@ -1,0 +1,86 @@
+#include "actors/vehicle_link/vehicle_watch.hpp"
+
+#include <utility>
+
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::vehicle_link {
+
+namespace {
+
+constexpr std::int64_t ns_per_ms = 1'000'000;
+constexpr auto wrap_guard_ms = std::uint32_t{1} << 31U; // the 32-bit clock wraps after 49.7 days, which is no restart
+
+} // namespace
+
+std::optional<connection_changed> vehicle_watch::enter(connection_phase phase, std::string reason) {
+  reason_ = std::move(reason);
+  if (std::exchange(phase_, phase) == phase)
+    return std::nullopt;
+  return connection_changed{phase_, reason_};
+}
+
+std::optional<connection_changed> vehicle_watch::on_transport(bool up, const std::string& reason) {
+  if (!up)
+    return enter(connection_phase::down, reason);
+  if (phase_ != connection_phase::down)
+    return std::nullopt;
+  return enter(connection_phase::silent, "no heartbeat of an autopilot yet");
+}
+
+bool vehicle_watch::is_autopilot(const io::mavlink::heartbeat& beat, std::uint8_t component) const {
+  return component == settings_.component &&
+         beat.autopilot != static_cast<std::uint8_t>(io::mavlink::mav_autopilot::invalid) &&
+         beat.type != static_cast<std::uint8_t>(io::mavlink::mav_type::gcs);
+}
+
+std::optional<connection_changed> vehicle_watch::on_heartbeat(const io::mavlink::heartbeat& beat, std::uint8_t system,
+                                                              std::uint8_t component, std::int64_t now_ns) {
+  if (!is_autopilot(beat, component))
+    return std::nullopt;
+  const auto wanted = vehicle_ ? vehicle_->system : settings_.system;
+  if (wanted != 0 && wanted != system) {
+    ++other_autopilots_;
+    return std::nullopt;
+  }
+  vehicle_ = known_vehicle{system, component, beat.autopilot, beat.type};
+  last_heartbeat_ns_ = now_ns;
+  return enter(connection_phase::connected, {});
+}
+
+std::optional<connection_changed> vehicle_watch::on_time(std::int64_t now_ns) {
+  const auto deadline = next_deadline_ns();
+  if (!deadline || now_ns < *deadline)
+    return std::nullopt;
+  return enter(connection_phase::lost, "no heartbeat of the autopilot for " +
+                                           std::to_string(settings_.lost_after_ms / 1000) +
+                                           " s; is it powered, and is the line or radio up?");
+}
+
+std::optional<vehicle_restarted> vehicle_watch::on_boot_time(std::uint32_t boot_ms) {
+  const auto before = boot_ms_;
+  if (!before || boot_ms >= *before) {
+    boot_ms_ = boot_ms;
+    return std::nullopt;
+  }
+  const auto back_by = *before - boot_ms;
+  if (back_by <= boot_time_tolerance_ms)
+    return std::nullopt; // late; the newest time stays the mark
+  boot_ms_ = boot_ms;
+  if (back_by >= wrap_guard_ms)
+    return std::nullopt;
+  ++restarts_;
+  return vehicle_restarted{*before, boot_ms};
+}
+
+std::int64_t vehicle_watch::heartbeat_age_ms(std::int64_t now_ns) const {
+  return last_heartbeat_ns_ ? (now_ns - *last_heartbeat_ns_) / ns_per_ms : -1;
+}
+
+std::optional<std::int64_t> vehicle_watch::next_deadline_ns() const {
+  if (phase_ != connection_phase::connected || !last_heartbeat_ns_)
+    return std::nullopt;
+  return *last_heartbeat_ns_ + settings_.lost_after_ms * ns_per_ms;
+}
+
+} // namespace godwit::vehicle_link

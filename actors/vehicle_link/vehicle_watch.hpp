@@ -1,0 +1,75 @@
+// Which vehicle is on the link, whether it lives, and whether its autopilot has started again.
+//
+//   down ──transport up──> silent ──heartbeat──> connected ──lost_after_ms without one──> lost
+//    ^                        ^                      ^                                     │
+//    └──────transport gone────┴──────────────────────┴──────────heartbeat──────────────────┘
+//
+// The first autopilot heard is the vehicle, or the one with the configured system id; it stays the vehicle until the
+// process ends, so that a second vehicle on the same radio is never commanded by mistake.
+// Pure: time comes in as monotonic nanoseconds.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/mavlink/messages/heartbeat.hpp"
+#include "messages/vehicle_link/connection.hpp"
+
+namespace godwit::vehicle_link {
+
+struct watch_settings {
+  std::uint8_t system = 0;            // of the vehicle; 0: the first autopilot heard
+  std::uint8_t component = 1;         // of its autopilot
+  std::int64_t lost_after_ms = 5'000; // five heartbeats of an autopilot, which sends one a second
+};
+
+// UDP may deliver a frame late, and streams are stamped at different moments: going back less is no restart.
+inline constexpr std::uint32_t boot_time_tolerance_ms = 1'000;
+
+struct known_vehicle {
+  std::uint8_t system = 0;
+  std::uint8_t component = 0;
+  std::uint8_t autopilot = 0; // MAV_AUTOPILOT
+  std::uint8_t type = 0;      // MAV_TYPE
+};
+
+class vehicle_watch {
+public:
+  explicit vehicle_watch(watch_settings settings) : settings_(settings) {}
+
+  // Each returns the change of phase that it caused, if any.
+  [[nodiscard]] std::optional<connection_changed> on_transport(bool up, const std::string& reason);
+  [[nodiscard]] std::optional<connection_changed> on_heartbeat(const io::mavlink::heartbeat& beat, std::uint8_t system,
+                                                               std::uint8_t component, std::int64_t now_ns);
+  [[nodiscard]] std::optional<connection_changed> on_time(std::int64_t now_ns);
+
+  // The autopilot's time since boot, from any of its messages.
+  [[nodiscard]] std::optional<vehicle_restarted> on_boot_time(std::uint32_t boot_ms);
+
+  [[nodiscard]] bool is_vehicle(std::uint8_t system, std::uint8_t component) const {
+    return vehicle_ && vehicle_->system == system && vehicle_->component == component;
+  }
+  [[nodiscard]] const std::optional<known_vehicle>& vehicle() const { return vehicle_; }
+  [[nodiscard]] connection_phase phase() const { return phase_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] std::int64_t heartbeat_age_ms(std::int64_t now_ns) const; // -1: none yet
+  [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const;
+  [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
+  [[nodiscard]] std::uint64_t other_autopilots() const { return other_autopilots_; } // heartbeats of them
+
+private:
+  [[nodiscard]] bool is_autopilot(const io::mavlink::heartbeat& beat, std::uint8_t component) const;
+  [[nodiscard]] std::optional<connection_changed> enter(connection_phase phase, std::string reason);
+
+  watch_settings settings_;
+  connection_phase phase_ = connection_phase::down;
+  std::string reason_ = "the link is not open yet";
+  std::optional<known_vehicle> vehicle_;
+  std::optional<std::int64_t> last_heartbeat_ns_;
+  std::optional<std::uint32_t> boot_ms_;
+  std::uint64_t restarts_ = 0;
+  std::uint64_t other_autopilots_ = 0;
+};
+
+} // namespace godwit::vehicle_link

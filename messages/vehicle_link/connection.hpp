@@ -1,0 +1,120 @@
+// How the link to the vehicle is: what health shows, and what others hear when it changes. Times in milliseconds.
+// Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::vehicle_link {
+
+//   down ──transport up──> silent ──heartbeat──> connected ──5 missed──> lost
+//    ^                        ^                      ^                     │
+//    └──────transport gone────┴──────────────────────┴─────heartbeat───────┘
+enum class connection_phase {
+  down,      // the transport is not open
+  silent,    // open, and no autopilot was heard since
+  connected, // its heartbeats come
+  lost       // they stopped
+};
+
+constexpr auto enum_names(connection_phase) {
+  return io::names<connection_phase>({{connection_phase::down, "down"},
+                                      {connection_phase::silent, "silent"},
+                                      {connection_phase::connected, "connected"},
+                                      {connection_phase::lost, "lost"}});
+}
+
+struct get_connection {
+  static constexpr auto fields = io::table("vehicle_link.get_connection");
+};
+
+// A number that only rises, under the name of what it counts.
+struct named_count {
+  std::string name;
+  std::uint64_t count = 0;
+  static constexpr auto fields = io::table("vehicle_link.named_count", io::field("name", &named_count::name),
+                                           io::field("count", &named_count::count));
+};
+
+struct connection {
+  connection_phase phase = connection_phase::down;
+  bool connected = false;
+  std::string reason;                      // sentence for people; empty when all is well
+  std::int64_t last_heartbeat_age_ms = -1; // -1: none yet
+  std::uint8_t system = 0;                 // of the vehicle; 0: not known yet
+  std::uint8_t autopilot = 0;              // MAV_AUTOPILOT
+  std::uint8_t vehicle_type = 0;           // MAV_TYPE
+  std::uint8_t tx_seq = 0;                 // of the next frame out
+  std::uint8_t rx_seq = 0;                 // of the last frame of the autopilot
+  bool signing_enabled = false;
+  bool heartbeat_held_back = false; // whoever has to vouch for this process does not
+  std::uint64_t frames_in = 0;      // good ones
+  std::uint64_t frames_out = 0;
+  std::uint64_t sequence_gaps = 0; // frames of the autopilot that did not arrive
+  std::uint64_t parse_errors_total = 0;
+  std::vector<named_count> parse_errors; // by cause
+  std::vector<named_count> kind_errors;  // bad checksums by message kind
+  std::uint64_t signing_rejected = 0;
+  std::vector<named_count> signing_errors; // by cause
+  std::uint64_t not_accepted = 0;          // good frames that are not on the list of what we take
+  std::uint64_t dropped_in = 0;            // bytes that came faster than they were read
+  std::uint64_t dropped_out = 0;           // frames that the link had no room for
+  std::uint64_t vehicle_restarts = 0;
+  std::uint64_t reconnects = 0;             // of the transport
+  std::vector<std::string> missing_streams; // wanted messages that do not come
+  static constexpr auto fields = io::table(
+      "vehicle_link.connection", io::field("phase", &connection::phase), io::field("connected", &connection::connected),
+      io::field("reason", &connection::reason), io::field("last_heartbeat_age_ms", &connection::last_heartbeat_age_ms),
+      io::field("system", &connection::system), io::field("autopilot", &connection::autopilot),
+      io::field("vehicle_type", &connection::vehicle_type), io::field("tx_seq", &connection::tx_seq),
+      io::field("rx_seq", &connection::rx_seq), io::field("signing_enabled", &connection::signing_enabled),
+      io::field("heartbeat_held_back", &connection::heartbeat_held_back),
+      io::field("frames_in", &connection::frames_in), io::field("frames_out", &connection::frames_out),
+      io::field("sequence_gaps", &connection::sequence_gaps),
+      io::field("parse_errors_total", &connection::parse_errors_total),
+      io::field("parse_errors", &connection::parse_errors), io::field("kind_errors", &connection::kind_errors),
+      io::field("signing_rejected", &connection::signing_rejected),
+      io::field("signing_errors", &connection::signing_errors), io::field("not_accepted", &connection::not_accepted),
+      io::field("dropped_in", &connection::dropped_in), io::field("dropped_out", &connection::dropped_out),
+      io::field("vehicle_restarts", &connection::vehicle_restarts), io::field("reconnects", &connection::reconnects),
+      io::field("missing_streams", &connection::missing_streams));
+};
+
+// Told to listeners at each change of phase.
+struct connection_changed {
+  connection_phase phase = connection_phase::down;
+  std::string reason;
+  static constexpr auto fields =
+      io::table("vehicle_link.connection_changed", io::field("phase", &connection_changed::phase),
+                io::field("reason", &connection_changed::reason));
+};
+
+// The autopilot's clock since boot went back: it started again. What it held in memory only is gone.
+struct vehicle_restarted {
+  std::uint32_t boot_ms_before = 0;
+  std::uint32_t boot_ms_now = 0;
+  static constexpr auto fields =
+      io::table("vehicle_link.vehicle_restarted", io::field("boot_ms_before", &vehicle_restarted::boot_ms_before),
+                io::field("boot_ms_now", &vehicle_restarted::boot_ms_now));
+};
+
+// Frames came that are signed wrongly, or not at all where they must be. Told at most once a second.
+struct signing_alert {
+  std::uint64_t rejected = 0; // since the start
+  std::string reason;
+  static constexpr auto fields =
+      io::table("vehicle_link.signing_alert", io::field("rejected", &signing_alert::rejected),
+                io::field("reason", &signing_alert::reason));
+};
+
+// WHO is well. Our heartbeat goes out only while all who have to vouch did so lately, so that the autopilot's own
+// failsafe sees a companion whose executor hangs.
+struct vouch {
+  std::string who;
+  static constexpr auto fields = io::table("vehicle_link.vouch", io::field("who", &vouch::who));
+};
+
+} // namespace godwit::vehicle_link

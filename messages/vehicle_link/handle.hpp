@@ -1,0 +1,29 @@
+// Who may say what to vehicle_link, and who hears what from it.
+//
+// Hand out the narrowest handle that serves: most need only to send commands. What the vehicle says is told to
+// listeners message by message; a listener accepts those that it wants (see listeners.hpp of the actor).
+#pragma once
+
+#include "messages/vehicle_link/types.hpp"
+#include "runtime/seam.hpp"
+
+namespace godwit::vehicle_link {
+
+// Commands alone.
+using command_handle = runtime::mailbox<runtime::asks<send_command, command_outcome>, runtime::tells<cancel_command>>;
+
+// Who flies the vehicle.
+using handle =
+    runtime::mailbox<runtime::asks<send_command, command_outcome>, runtime::tells<cancel_command>,
+                     runtime::tells<set_mode>, runtime::asks<set_current_item, command_outcome>,
+                     runtime::asks<upload_plan, transfer::outcome>, runtime::asks<download_plan, transfer::outcome>,
+                     runtime::asks<clear_plan, transfer::outcome>, runtime::tells<cancel_transfer>,
+                     runtime::tells<set_up_signing>, runtime::tells<vouch>, runtime::asks<get_connection, connection>>;
+
+// The link's thread.
+using wake_handle = runtime::mailbox<runtime::tells<wake>>;
+
+// All of it.
+using own_handle = handle::extend<runtime::tells<wake>::signature, runtime::tells<timer>::signature>;
+
+} // namespace godwit::vehicle_link

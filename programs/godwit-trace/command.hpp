@@ -1,0 +1,22 @@
+// A command of godwit-trace: it puts its options into the command line, and runs when these are read.
+//
+// Adding one is a file with such a function, and a line in commands.hpp.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "programs/godwit-trace/exit_code.hpp"
+#include "programs/godwit-trace/output.hpp"
+
+namespace godwit::trace_tool {
+
+struct command {
+  CLI::App* app = nullptr; // belongs to the command line
+  std::function<exit_code(console&)> run;
+};
+
+using add_command = command (*)(CLI::App& to);
+
+} // namespace godwit::trace_tool

@@ -1,0 +1,158 @@
+#include "programs/godwit-trace/plan_transfer.hpp"
+
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include <poll.h>
+
+#include "io/fields/json_text.hpp"
+#include "io/mavlink/waypoint_file/waypoint_file.hpp"
+#include "programs/godwit-trace/transfer_progress.hpp"
+#include "programs/godwit-trace/vehicle_session.hpp"
+
+namespace godwit::trace_tool {
+
+namespace {
+
+using vehicle_link::effects;
+using vehicle_link::transfer::outcome;
+using vehicle_link::transfer::verdict;
+
+constexpr std::int64_t ns_per_ms = 1'000'000;
+constexpr std::uint64_t our_request = 1;
+
+bool is_readable(int descriptor) {
+  pollfd watched{descriptor, POLLIN, 0};
+  return ::poll(&watched, 1, 0) > 0;
+}
+
+effects begin(vehicle_link::core& core, const plan_request& what) {
+  struct starter {
+    vehicle_link::core& core;
+    effects operator()(const vehicle_link::upload_plan& m) const {
+      return core.on_upload(our_request, m, vehicle_session::now());
+    }
+    effects operator()(const vehicle_link::download_plan& m) const {
+      return core.on_download(our_request, m, vehicle_session::now());
+    }
+    effects operator()(const vehicle_link::clear_plan& m) const {
+      return core.on_clear(our_request, m, vehicle_session::now());
+    }
+  };
+  return std::visit(starter{core}, what);
+}
+
+// Nothing: the vehicle is there.
+std::optional<std::string> wait_for_vehicle(vehicle_session& session, const plan_transfer_options& options, int stop) {
+  const auto until_ns = vehicle_session::now().monotonic_ns + options.wait_for_vehicle.count() * ns_per_ms;
+  for (;;) {
+    (void)session.next(until_ns, stop);
+    const auto now = vehicle_session::now();
+    if (session.core().describe(now).connected)
+      return std::nullopt;
+    if (is_readable(stop))
+      return "stopped before a vehicle was heard";
+    if (now.monotonic_ns >= until_ns) {
+      const auto why = session.core().health(now).reason;
+      const auto& link = session.link_status();
+      const bool says_more = link.phase != io::link::link_phase::up && link.reason != why;
+      return says_more ? why + "; the link: " + link.reason : why;
+    }
+  }
+}
+
+outcome transfer(vehicle_session& session, const plan_transfer_options& options, console& to, int stop) {
+  transfer_progress bar(to);
+  bool is_cancelled = false;
+  auto told = session.carry_out(begin(session.core(), options.what));
+  for (;;) {
+    for (auto& each : told) {
+      if (auto* over = std::get_if<vehicle_link::settled_transfer>(&each)) {
+        bar.finish();
+        return std::move(over->outcome);
+      }
+      if (const auto* news = std::get_if<vehicle_link::announcement>(&each))
+        if (const auto* advanced = std::get_if<vehicle_link::transfer::progress>(news))
+          bar.show(*advanced);
+    }
+    if (!is_cancelled && is_readable(stop)) {
+      is_cancelled = true;
+      told = session.carry_out(session.core().on_cancel_transfer(vehicle_session::now()));
+      continue;
+    }
+    // Behind a cancel STOP stays readable, and would end each wait at once.
+    told = session.next(INT64_MAX, is_cancelled ? -1 : stop);
+  }
+}
+
+std::string seconds(std::int64_t ns) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f s", static_cast<double>(ns) * 1e-9);
+  return text.data();
+}
+
+std::string proof_text(const outcome& how) {
+  switch (how.proof) {
+  case vehicle_link::transfer::proof::acknowledged:
+    return "acknowledged";
+  case vehicle_link::transfer::proof::counted:
+    return "acknowledged, and the vehicle holds as many items";
+  case vehicle_link::transfer::proof::plan_id:
+    return "the vehicle has a new plan of as many items";
+  case vehicle_link::transfer::proof::read_back:
+    return "read back and the same";
+  case vehicle_link::transfer::proof::none:
+    break;
+  }
+  return "done";
+}
+
+std::string sentence(const plan_request& what, const outcome& how, const std::string& file) {
+  const auto took = " in " + seconds(how.duration_ns);
+  if (std::holds_alternative<vehicle_link::clear_plan>(what))
+    return "cleared" + took;
+  if (std::holds_alternative<vehicle_link::download_plan>(what))
+    return "downloaded " + std::to_string(how.items.size()) + " items" + took + ", written to " + file;
+  auto text = "uploaded " + std::to_string(std::get<vehicle_link::upload_plan>(what).items.size()) + " items" + took +
+              ": " + proof_text(how);
+  if (how.effort.items_resent != 0)
+    text += "; " + std::to_string(how.effort.items_resent) + " items were sent again";
+  if (how.plan_id && *how.plan_id != 0)
+    text += "; plan id " + std::to_string(*how.plan_id);
+  return text;
+}
+
+exit_code report(const plan_transfer_options& options, const outcome& how, console& to) {
+  if (options.json)
+    to.out.text() += io::to_json(how) + '\n';
+  if (how.verdict != verdict::accepted) {
+    to.say(std::string(io::name_of(how.verdict)) + ": " + how.reason);
+    return exit_code::failed;
+  }
+  if (std::holds_alternative<vehicle_link::download_plan>(options.what))
+    if (const auto saved = io::mavlink::save_waypoint_file(options.save_to, how.items); !saved) {
+      to.say(saved.error().message());
+      return exit_code::failed;
+    }
+  if (!options.json)
+    to.out.text() += sentence(options.what, how, options.save_to) + '\n';
+  return exit_code::ok;
+}
+
+} // namespace
+
+exit_code run_plan_transfer(const plan_transfer_options& options, console& to, int stop) {
+  vehicle_session session(options.link, options.signing);
+  if (const auto opened = session.open(options.where); !opened) {
+    to.say(opened.error());
+    return exit_code::usage;
+  }
+  if (const auto why = wait_for_vehicle(session, options, stop)) {
+    to.say(*why);
+    return exit_code::failed;
+  }
+  return report(options, transfer(session, options, to, stop), to);
+}
+
+} // namespace godwit::trace_tool

@@ -1,0 +1,22 @@
+// Points in time as text: 2026-07-01T12:34:56.123456Z, as in RFC 3339 and always UTC.
+//
+// Times are microseconds since 1970. Errors: none; text that is not a time gives nothing. Thread: pure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace godwit::trace_tool {
+
+// What lies behind the year 9999, in a log that is damaged, is written as a number: 18446744073709551615us.
+void append_utc(std::string& out, std::uint64_t time_us);
+
+// SINCE_US and six decimals, in seconds: 12.345678. Negative for what stands before the beginning.
+void append_seconds(std::string& out, std::int64_t since_us);
+
+// The same form; the fraction (one to six digits) and the Z may be missing.
+[[nodiscard]] std::optional<std::uint64_t> parse_utc(std::string_view text);
+
+} // namespace godwit::trace_tool

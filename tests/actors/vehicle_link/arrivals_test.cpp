@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "actors/vehicle_link/arrivals.hpp"
+
+namespace {
+
+using namespace godwit::vehicle_link;
+namespace link = godwit::io::link;
+
+constexpr std::array<std::byte, 100> chunk{};
+
+TEST(arrivals, the_actor_is_woken_once_until_it_has_taken_all) {
+  arrivals queue;
+  EXPECT_TRUE(queue.put(1, chunk, true));
+  EXPECT_FALSE(queue.put(1, chunk, true));
+  EXPECT_TRUE(queue.take());
+  EXPECT_FALSE(queue.put(1, chunk, true));
+  EXPECT_TRUE(queue.take());
+  EXPECT_TRUE(queue.take());
+  EXPECT_FALSE(queue.take());
+  EXPECT_TRUE(queue.put(1, chunk, true));
+}
+
+TEST(arrivals, a_flood_is_dropped_at_the_bound_and_counted) {
+  arrivals queue;
+  std::size_t put = 0;
+  for (; put < 10'000; ++put)
+    (void)queue.put(1, chunk, true);
+  std::size_t taken = 0;
+  while (queue.take())
+    ++taken;
+  EXPECT_EQ(taken, max_waiting_bytes / chunk.size());
+  EXPECT_EQ(queue.dropped_bytes(), (put - taken) * chunk.size());
+}
+
+TEST(arrivals, of_the_state_of_the_link_only_the_newest_counts) {
+  arrivals queue;
+  EXPECT_TRUE(queue.put(link::link_status{link::link_phase::up, "a", 0}));
+  EXPECT_FALSE(queue.put(link::link_status{link::link_phase::down, "b", 0}));
+  EXPECT_EQ(queue.take_status()->reason, "b");
+  EXPECT_FALSE(queue.take_status());
+}
+
+TEST(arrivals, a_state_that_comes_while_the_last_chunk_is_taken_is_not_forgotten) {
+  arrivals queue;
+  (void)queue.put(1, chunk, true);
+  EXPECT_FALSE(queue.take_status());
+  EXPECT_TRUE(queue.take());
+  EXPECT_FALSE(queue.put(link::link_status{link::link_phase::down, "b", 0})) << "awake: it still takes";
+  EXPECT_FALSE(queue.take());
+  // It has to look at the state again before it sleeps: the queue stays awake until the state is taken.
+  EXPECT_TRUE(queue.take_status());
+}
+
+} // namespace

@@ -1,0 +1,393 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/actors/vehicle_link/vehicle_frames.hpp"
+
+namespace {
+
+using namespace godwit::vehicle_link;
+using namespace godwit::vehicle_link::test;
+namespace link = godwit::io::link;
+
+// A core with a link that is up and a vehicle that was heard.
+struct connected {
+  explicit connected(const settings& configured = quiet(), const signing_settings& signing = {},
+                     mavlink::mav_autopilot autopilot = mavlink::mav_autopilot::px4)
+      : it(configured, signing, {}) {
+    (void)it.on_link(link_up(), at(0));
+    hello = vehicle.beat(it, 0, autopilot);
+  }
+  core it;
+  vehicle_voice vehicle;
+  effects hello;
+};
+
+send_command command(std::uint16_t id) {
+  send_command result;
+  result.command = id;
+  return result;
+}
+
+mavlink::command_ack ack(std::uint16_t id, mavlink::mav_result result, mavlink::sender to = {}) {
+  return {
+      .command = id, .result = mavlink::number(result), .target_system = to.system, .target_component = to.component};
+}
+
+// -- heartbeat and identity ------------------------------------------------------------------------------------------
+
+TEST(vehicle_link_core, a_heartbeat_goes_out_once_a_second_as_the_vehicles_own_companion) {
+  connected c;
+  std::size_t beats = 0;
+  for (std::int64_t now = 0; now < 60 * s; now += 50 * ms) {
+    if (now % s == 0)
+      (void)c.vehicle.beat(c.it, now);
+    for (const auto& each : sent_of<mavlink::heartbeat>(c.it.on_time(at(now)))) {
+      ++beats;
+      EXPECT_EQ(each.type, mavlink::number(mavlink::mav_type::onboard_controller));
+      EXPECT_EQ(each.autopilot, mavlink::number(mavlink::mav_autopilot::invalid));
+    }
+  }
+  EXPECT_EQ(beats, 60U);
+}
+
+TEST(vehicle_link_core, speaks_with_the_system_id_of_the_vehicle_it_is_on) {
+  core it(quiet(), {}, {});
+  vehicle_voice vehicle;
+  (void)it.on_link(link_up(), at(0));
+  (void)vehicle.say(it, mavlink::heartbeat{.type = 2, .autopilot = 12}, 0, {42, 1});
+  const auto done = it.on_time(at(s));
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(std::get<transmission>(done[0]).frame.view().from(), (mavlink::sender{42, 191}));
+}
+
+TEST(vehicle_link_core, the_first_heartbeat_goes_out_as_soon_as_the_link_is_up) {
+  core it(quiet(), {}, {});
+  (void)it.on_time(at(s));
+  (void)it.on_link(link_up(), at(s + 100 * ms));
+  EXPECT_EQ(it.next_deadline_ns(), s + 100 * ms);
+  EXPECT_EQ(sent_of<mavlink::heartbeat>(it.on_time(at(s + 100 * ms))).size(), 1U);
+}
+
+TEST(vehicle_link_core, heartbeats_go_on_while_the_link_is_down_because_one_may_find_the_peer_again) {
+  core it(quiet(), {}, {});
+  EXPECT_EQ(sent_of<mavlink::heartbeat>(it.on_time(at(s))).size(), 1U);
+  EXPECT_EQ(it.describe(at(s)).phase, connection_phase::down);
+}
+
+TEST(vehicle_link_core, the_heartbeat_is_held_back_while_one_of_those_who_vouch_is_silent) {
+  auto configured = quiet();
+  configured.vouchers = {"executor", "failsafe"};
+  connected c(configured);
+  c.it.on_vouch({"executor"}, at(0));
+  EXPECT_TRUE(sent_of<mavlink::heartbeat>(c.it.on_time(at(s))).empty());
+  EXPECT_TRUE(c.it.describe(at(s)).heartbeat_held_back);
+  EXPECT_EQ(c.it.health(at(s)).how, wellness::impaired);
+  c.it.on_vouch({"executor"}, at(s));
+  c.it.on_vouch({"failsafe"}, at(s));
+  EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(2 * s))).size(), 1U);
+  EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(5 * s))).size(), 0U) << "both have hung since";
+}
+
+// -- the vehicle -----------------------------------------------------------------------------------------------------
+
+TEST(vehicle_link_core, tells_of_each_change_of_the_connection_once) {
+  connected c;
+  EXPECT_EQ(announced<connection_changed>(c.hello).size(), 1U);
+  EXPECT_TRUE(announced<connection_changed>(c.vehicle.beat(c.it, s)).empty());
+  const auto lost = announced<connection_changed>(c.it.on_time(at(6 * s)));
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_EQ(lost[0].phase, connection_phase::lost);
+  EXPECT_EQ(c.it.health(at(6 * s)).how, wellness::bad);
+  EXPECT_EQ(announced<connection_changed>(c.vehicle.beat(c.it, 7 * s)).size(), 1U);
+  EXPECT_EQ(c.it.health(at(7 * s)).how, wellness::well);
+}
+
+TEST(vehicle_link_core, what_is_not_on_the_list_is_counted_and_goes_no_further) {
+  connected c;
+  EXPECT_TRUE(c.vehicle.say(c.it, mavlink::param_value{}, 0).empty());
+  EXPECT_TRUE(c.vehicle.say(c.it, mavlink::command_long{.target_system = 1, .command = 2003}, 0).empty());
+  EXPECT_EQ(c.it.describe(at(0)).not_accepted, 2U);
+}
+
+TEST(vehicle_link_core, what_another_component_or_system_says_goes_no_further) {
+  connected c;
+  EXPECT_TRUE(c.vehicle.say(c.it, mavlink::attitude{}, 0, {1, 154}).empty());
+  EXPECT_TRUE(c.vehicle.say(c.it, mavlink::attitude{}, 0, {2, 1}).empty());
+  EXPECT_EQ(observed<mavlink::attitude>(c.vehicle.say(c.it, mavlink::attitude{}, 0)).size(), 1U);
+}
+
+TEST(vehicle_link_core, each_message_on_the_list_is_told_as_it_came) {
+  connected c;
+  told_messages::for_each(
+      [&]<class M>() { EXPECT_EQ(observed<M>(c.vehicle.say(c.it, M{}, 0)).size(), 1U) << godwit::io::type_name<M>(); });
+}
+
+TEST(vehicle_link_core, the_word_of_a_radio_is_taken_from_any_sender) {
+  connected c;
+  EXPECT_EQ(observed<mavlink::radio_status>(c.vehicle.say(c.it, mavlink::radio_status{}, 0, {51, 68})).size(), 1U);
+}
+
+TEST(vehicle_link_core, timesync_and_ping_are_answered_to_who_asked) {
+  connected c;
+  const auto sync = sent_of<mavlink::timesync>(c.vehicle.say(c.it, mavlink::timesync{.ts1 = 77}, 5 * ms));
+  ASSERT_EQ(sync.size(), 1U);
+  EXPECT_EQ(sync[0].ts1, 77);
+  EXPECT_EQ(sync[0].tc1, 5 * ms);
+  EXPECT_TRUE(c.vehicle.say(c.it, mavlink::timesync{.tc1 = 5, .ts1 = 77}, 0).empty()) << "an answer is not answered";
+  const auto pong = sent_of<mavlink::ping>(c.vehicle.say(c.it, mavlink::ping{.time_usec = 9, .seq = 4}, 0));
+  ASSERT_EQ(pong.size(), 1U);
+  EXPECT_EQ(pong[0].seq, 4U);
+  EXPECT_EQ(pong[0].target_system, 1);
+  EXPECT_TRUE(sent_of<mavlink::ping>(c.vehicle.say(c.it, mavlink::ping{.target_system = 1, .target_component = 191}, 0))
+                  .empty());
+}
+
+TEST(vehicle_link_core, a_restart_of_the_autopilot_is_told_ends_commands_and_asks_for_streams_again) {
+  auto configured = quiet();
+  configured.streams = {{mavlink::attitude::message_id, 200}};
+  connected c(configured);
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.hello).size(), 1U);
+  (void)c.vehicle.say(c.it, ack(511, mavlink::mav_result::accepted), 0);
+  (void)c.vehicle.say(c.it, mavlink::system_time{.time_boot_ms = 90'000}, 0);
+  (void)c.it.on_command(9, command(400), at(0));
+  const auto done = c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = 2'000}, s);
+  EXPECT_EQ(announced<vehicle_restarted>(done).size(), 1U);
+  ASSERT_EQ(settled(done).size(), 1U);
+  EXPECT_EQ(settled(done)[0].outcome.verdict, command_verdict::vehicle_restarted);
+  EXPECT_EQ(sent_of<mavlink::command_long>(done).size(), 1U) << "the stream";
+}
+
+// -- commands --------------------------------------------------------------------------------------------------------
+
+TEST(vehicle_link_core, a_command_goes_to_the_autopilot_and_its_ack_to_whoever_asked) {
+  connected c;
+  auto what = command(400);
+  what.param1 = 1;
+  what.confirmation = 2;
+  const auto out = sent_of<mavlink::command_long>(c.it.on_command(9, what, at(0)));
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_EQ(out[0].target_system, 1);
+  EXPECT_EQ(out[0].target_component, 1);
+  EXPECT_EQ(out[0].param1, 1.0F);
+  EXPECT_EQ(out[0].confirmation, 2);
+  const auto done = settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::accepted, {1, 191}), 3 * ms));
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(done[0].asked_by.request_id, 9U);
+  EXPECT_EQ(done[0].outcome.verdict, command_verdict::accepted);
+}
+
+TEST(vehicle_link_core, a_position_travels_in_integers) {
+  connected c;
+  auto what = command(192);
+  what.form = command_form::in_integers;
+  what.x = 473'977'418;
+  what.y = 85'455'938;
+  what.z = 30;
+  what.frame = 6;
+  const auto out = sent_of<mavlink::command_int>(c.it.on_command(9, what, at(0)));
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_EQ(out[0].x, 473'977'418);
+  EXPECT_EQ(out[0].frame, 6);
+}
+
+TEST(vehicle_link_core, an_ack_for_another_station_is_not_ours_and_one_without_a_target_is) {
+  connected c;
+  (void)c.it.on_command(9, command(400), at(0));
+  EXPECT_TRUE(settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::denied, {255, 190}), 0)).empty());
+  EXPECT_TRUE(settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::denied, {1, 190}), 0)).empty());
+  EXPECT_EQ(settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::accepted), 0)).size(), 1U);
+}
+
+TEST(vehicle_link_core, without_an_answer_the_asker_hears_of_it_at_the_deadline) {
+  connected c;
+  (void)c.it.on_command(9, command(400), at(0));
+  EXPECT_LE(c.it.next_deadline_ns(), 1 * s);
+  EXPECT_TRUE(settled(c.it.on_time(at(s - 1))).empty());
+  const auto done = settled(c.it.on_time(at(s)));
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(done[0].outcome.verdict, command_verdict::timed_out);
+}
+
+TEST(vehicle_link_core, a_command_that_can_not_be_sent_is_answered_at_once_with_the_reason) {
+  core it(quiet(), {}, {});
+  auto done = settled(it.on_command(9, command(400), at(0)));
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(done[0].outcome.verdict, command_verdict::not_sent);
+  (void)it.on_link(link_up(), at(0));
+  done = settled(it.on_command(9, command(400), at(0)));
+  EXPECT_NE(done.at(0).outcome.reason.find("no vehicle"), std::string::npos);
+}
+
+TEST(vehicle_link_core, a_lost_link_is_still_tried) {
+  connected c;
+  (void)c.it.on_time(at(10 * s));
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_command(9, command(20), at(10 * s))).size(), 1U);
+}
+
+TEST(vehicle_link_core, nan_never_reaches_ardupilot) {
+  auto what = command(300);
+  what.param1 = std::numeric_limits<float>::quiet_NaN();
+  connected ardupilot(quiet(), {}, mavlink::mav_autopilot::ardupilotmega);
+  const auto done = ardupilot.it.on_command(9, what, at(0));
+  EXPECT_TRUE(sent_of<mavlink::command_long>(done).empty());
+  EXPECT_EQ(settled(done).at(0).outcome.verdict, command_verdict::invalid);
+  connected px4;
+  EXPECT_EQ(sent_of<mavlink::command_long>(px4.it.on_command(9, what, at(0))).size(), 1U);
+}
+
+TEST(vehicle_link_core, cancelling_is_for_a_command_that_waits) {
+  connected c;
+  EXPECT_TRUE(c.it.on_cancel({241, 1}, at(0)).empty());
+  (void)c.it.on_command(9, command(241), at(0));
+  EXPECT_EQ(sent_of<mavlink::command_cancel>(c.it.on_cancel({241, 1}, at(0))).at(0).command, 241);
+}
+
+TEST(vehicle_link_core, set_current_falls_back_to_the_message_and_takes_the_broadcast_as_the_answer) {
+  connected c;
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_set_current(9, {4}, at(0))).at(0).command, 224);
+  EXPECT_EQ(settled(c.it.on_set_current(10, {5}, at(0))).at(0).outcome.verdict, command_verdict::already_running);
+  const auto second = c.vehicle.say(c.it, ack(224, mavlink::mav_result::unsupported), 0);
+  EXPECT_EQ(sent_of<mavlink::mission_set_current>(second).at(0).seq, 4);
+  const auto done = settled(c.vehicle.say(c.it, mavlink::mission_current{.seq = 4}, 0));
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(done[0].asked_by.request_id, 9U);
+  EXPECT_EQ(done[0].outcome.verdict, command_verdict::accepted);
+}
+
+// -- streams ---------------------------------------------------------------------------------------------------------
+
+TEST(vehicle_link_core, asks_for_each_stream_in_turn_and_names_those_that_do_not_come) {
+  settings configured;
+  configured.streams = {{mavlink::attitude::message_id, 200}, {mavlink::extended_sys_state::message_id, 1'000}};
+  connected c(configured);
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.hello).at(0).param1, 30.0F);
+  const auto second = c.vehicle.say(c.it, ack(511, mavlink::mav_result::accepted), 0);
+  EXPECT_EQ(sent_of<mavlink::command_long>(second).at(0).param1, 245.0F);
+  (void)c.vehicle.say(c.it, ack(511, mavlink::mav_result::failed), 0);
+  for (std::int64_t now = 0; now < 4 * s; now += 200 * ms) {
+    (void)c.vehicle.say(c.it, mavlink::attitude{}, now);
+    (void)c.it.on_time(at(now));
+  }
+  EXPECT_EQ(c.it.describe(at(4 * s)).missing_streams, std::vector<std::string>{"EXTENDED_SYS_STATE"});
+}
+
+// -- signatures ------------------------------------------------------------------------------------------------------
+
+signing_settings signed_link(mavlink::link_security security = mavlink::link_security::open) {
+  std::array<std::byte, mavlink::secret_key_size> bytes{};
+  bytes.fill(std::byte{0x42});
+  return {.key = std::make_shared<mavlink::secret_key>(bytes),
+          .link = mavlink::link_id{1},
+          .unsigned_frames = mavlink::unsigned_policy(),
+          .security = security};
+}
+
+TEST(vehicle_link_core, a_signed_link_refuses_what_is_not_signed_and_raises_one_alert_a_second) {
+  core it(quiet(), signed_link(), {});
+  vehicle_voice vehicle;
+  (void)it.on_link(link_up(), at(0));
+  EXPECT_EQ(announced<signing_alert>(vehicle.beat(it, 0)).size(), 1U);
+  EXPECT_TRUE(announced<signing_alert>(vehicle.beat(it, 10 * ms)).empty());
+  const auto later = announced<signing_alert>(vehicle.beat(it, s));
+  ASSERT_EQ(later.size(), 1U);
+  EXPECT_EQ(later[0].rejected, 3U);
+  const auto shown = it.describe(at(s));
+  EXPECT_EQ(shown.system, 0) << "it was not believed";
+  EXPECT_TRUE(shown.signing_enabled);
+  EXPECT_EQ(shown.signing_rejected, 3U);
+}
+
+TEST(vehicle_link_core, signed_frames_of_the_vehicle_are_believed_and_ours_are_signed) {
+  const auto signing = signed_link();
+  core it(quiet(), signing, {});
+  (void)it.on_link(link_up(), at(0));
+  mavlink::signer vehicle(mavlink::secret_key(signing.key->bytes()), mavlink::link_id{9}, {});
+  auto beat = mavlink::encode(mavlink::heartbeat{.type = 2, .autopilot = 12}, {1, 1}, 0, mavlink::signing::on);
+  ASSERT_TRUE(vehicle.sign(beat, at(0).wall_ns));
+  EXPECT_EQ(observed<mavlink::heartbeat>(it.on_bytes(1, true, beat.span(), at(0))).size(), 1U);
+  const auto ours = it.on_time(at(s));
+  mavlink::replay_table replays;
+  mavlink::verifier check(mavlink::secret_key(signing.key->bytes()), replays);
+  ASSERT_FALSE(ours.empty());
+  EXPECT_EQ(check.judge(std::get<transmission>(ours[0]).frame.view(), mavlink::signing_time_at(at(s).wall_ns)),
+            mavlink::verdict::accepted_signed);
+}
+
+TEST(vehicle_link_core, the_key_goes_out_only_over_a_secure_link) {
+  for (const auto security : {mavlink::link_security::open, mavlink::link_security::secure}) {
+    auto signing = signed_link(security);
+    signing.unsigned_frames = mavlink::unsigned_policy::accept_all();
+    connected c(quiet(), signing);
+    const auto sent = sent_of<mavlink::setup_signing>(c.it.on_set_up_signing({}, at(0)));
+    EXPECT_EQ(sent.size(), security == mavlink::link_security::secure ? 1U : 0U);
+    for (const auto& each : sent)
+      EXPECT_EQ(each.secret_key[31], 0x42);
+  }
+}
+
+TEST(vehicle_link_core, signing_beyond_what_is_reserved_on_the_disk_is_bad_health) {
+  auto signing = signed_link();
+  signing.unsigned_frames = mavlink::unsigned_policy::accept_all();
+  connected c(quiet(), signing);
+  const auto wanted = c.it.wanted_reservation(at(0));
+  ASSERT_TRUE(wanted);
+  c.it.on_reserved(*wanted);
+  (void)c.it.on_time(at(s));
+  EXPECT_EQ(c.it.health(at(s)).how, wellness::well);
+  (void)c.vehicle.beat(c.it, 7 * s);
+  (void)c.it.on_time(at(8 * s)); // the journal did not answer meanwhile
+  EXPECT_EQ(c.it.health(at(8 * s)).how, wellness::bad);
+}
+
+// -- bad input -------------------------------------------------------------------------------------------------------
+
+TEST(vehicle_link_core, a_peer_that_speaks_only_mavlink_1_is_named_with_the_remedy) {
+  core it(quiet(), {}, {});
+  (void)it.on_link(link_up(), at(0));
+  // HEARTBEAT of an ArduPilot rover in the first protocol version.
+  const std::array<unsigned char, 17> v1{0xFE, 9, 0, 1, 1, 0, 0, 0, 0, 0, 10, 3, 81, 3, 3, 0, 0};
+  std::array<std::byte, 17> bytes{};
+  std::transform(v1.begin(), v1.end(), bytes.begin(), [](unsigned char each) { return std::byte{each}; });
+  const auto crc = mavlink::frame_crc(std::span(bytes).subspan(1, 14), mavlink::heartbeat::crc_extra);
+  bytes[15] = std::byte(crc & 0xFFU);
+  bytes[16] = std::byte(crc >> 8U);
+  (void)it.on_bytes(1, true, bytes, at(0));
+  (void)it.on_bytes(1, true, bytes, at(3 * s));
+  const auto health = it.health(at(3 * s));
+  EXPECT_NE(health.reason.find("MAVLink 1"), std::string::npos) << health.reason;
+  EXPECT_NE(health.reason.find("SERIALn_PROTOCOL"), std::string::npos);
+}
+
+TEST(vehicle_link_core, good_frames_between_garbage_arrive_and_the_counters_tell) {
+  connected c;
+  std::vector<std::byte> garbage(64, std::byte{0xFD});
+  std::size_t heard = 0;
+  for (int i = 0; i < 1'000; ++i) {
+    (void)c.it.on_bytes(link::only_peer, true, garbage, at(i * ms));
+    heard += observed<mavlink::attitude>(c.vehicle.say(c.it, mavlink::attitude{}, i * ms)).size();
+  }
+  EXPECT_EQ(heard, 1'000U);
+  EXPECT_GT(c.it.describe(at(s)).parse_errors_total, 0U);
+}
+
+TEST(vehicle_link_core, half_a_frame_on_a_stream_is_let_go_after_a_silence) {
+  connected c;
+  const auto frame = mavlink::encode(mavlink::attitude{}, {1, 1}, 0);
+  (void)c.it.on_bytes(link::only_peer, false, frame.span().first(6), at(0));
+  (void)c.it.on_time(at(s));
+  // The next frame is not taken for the rest of the first one.
+  const auto done = c.it.on_bytes(link::only_peer, false, frame.span(), at(s));
+  EXPECT_EQ(observed<mavlink::attitude>(done).size(), 1U);
+}
+
+TEST(vehicle_link_core, more_peers_than_fit_make_room_for_each_other) {
+  connected c;
+  const auto frame = mavlink::encode(mavlink::heartbeat{.type = 6, .autopilot = 8}, {255, 190}, 0);
+  for (link::peer_id peer = 10; peer < 1'000; ++peer)
+    (void)c.it.on_bytes(peer, true, frame.span(), at(static_cast<std::int64_t>(peer) * ms));
+  EXPECT_EQ(observed<mavlink::attitude>(c.vehicle.say(c.it, mavlink::attitude{}, 2 * s)).size(), 1U);
+}
+
+} // namespace

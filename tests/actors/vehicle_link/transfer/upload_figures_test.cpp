@@ -1,0 +1,66 @@
+// What the windowed upload promises, held against vehicles with the timing of real ones: 200 seeds each, virtual time.
+#include <gtest/gtest.h>
+
+#include "tests/support/upload_figures.hpp"
+
+namespace godwit::tests {
+namespace {
+
+constexpr int seeds = 200;
+
+struct promise {
+  double loss;
+  double at_most_s; // median
+};
+
+void holds_promise(const upload_peer& peer, const promise& each, int items, int runs) {
+  const auto measured = measure_uploads(peer, network(each.loss), items, runs);
+  ::testing::Test::RecordProperty(std::string(peer.name) + "_" + std::to_string(items) + "_" +
+                                      std::to_string(static_cast<int>(each.loss * 100)) + "_ms",
+                                  static_cast<int>(measured.median_s * 1e3));
+  EXPECT_LE(measured.median_s, each.at_most_s) << peer.name << ", loss " << each.loss;
+  EXPECT_EQ(measured.failures, 0) << peer.name << ", loss " << each.loss;
+  EXPECT_EQ(measured.untruthful, 0) << peer.name << ", loss " << each.loss;
+}
+
+TEST(upload_figures, px4_takes_100_items_in_a_quarter_of_a_second_and_in_seconds_at_20_percent_loss) {
+  for (const promise& each : {promise{0, 0.25}, promise{0.05, 0.6}, promise{0.1, 1.2}, promise{0.2, 2.5}})
+    holds_promise(px4_peer(), each, 100, seeds);
+}
+
+TEST(upload_figures, copter_takes_100_items_at_one_message_a_turn) {
+  for (const promise& each : {promise{0, 0.3}, promise{0.05, 1.2}, promise{0.1, 2.0}, promise{0.2, 3.5}})
+    holds_promise(copter_peer(), each, 100, seeds);
+}
+
+TEST(upload_figures, rover_is_kept_busy_in_each_of_its_turns) { holds_promise(rover_peer(), {0, 2.3}, 100, seeds); }
+
+TEST(upload_figures, a_thousand_items_take_ten_times_as_long_and_no_more) {
+  constexpr int runs = 20;
+  for (const promise& each : {promise{0, 2.5}, promise{0.05, 6}, promise{0.1, 12}, promise{0.2, 25}})
+    holds_promise(px4_peer(), each, 1'000, runs);
+  for (const promise& each : {promise{0, 3}, promise{0.05, 12}, promise{0.1, 20}, promise{0.2, 35}})
+    holds_promise(copter_peer(), each, 1'000, runs);
+  holds_promise(rover_peer(), {0, 23}, 1'000, runs);
+}
+
+TEST(upload_figures, a_slow_half_duplex_line_is_filled_and_hardly_more_is_sent_over_it) {
+  constexpr double line_time_s = 1.2; // of 100 items and their requests, at 57600 baud
+  for (const auto& peer : {px4_peer(), copter_peer()}) {
+    SCOPED_TRACE(peer.name);
+    const auto clean = measure_uploads(peer, radio(0), 100, 5);
+    EXPECT_LE(clean.median_s, 1.25 * line_time_s);
+    const auto thousand = measure_uploads(peer, radio(0), 1'000, 2);
+    EXPECT_LE(thousand.median_s, 1.25 * 11.6);
+    for (const double loss : {0.0, 0.05}) {
+      const auto ahead = measure_uploads(peer, radio(loss), 100, seeds);
+      const auto one_by_one = measure_uploads(request_by_request(peer), radio(loss), 100, seeds);
+      EXPECT_EQ(ahead.failures, 0);
+      EXPECT_EQ(ahead.untruthful, 0);
+      EXPECT_LE(ahead.median_bytes, 1.5 * one_by_one.median_bytes) << "loss " << loss;
+    }
+  }
+}
+
+} // namespace
+} // namespace godwit::tests

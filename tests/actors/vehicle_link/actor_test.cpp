@@ -221,6 +221,31 @@ TEST(vehicle_link, frames_that_the_link_has_no_room_for_are_counted) {
   EXPECT_GE(p.shown().dropped_out, 2U);
 }
 
+TEST(vehicle_link, a_transfer_under_way_at_a_crash_is_answered_with_outcome_unknown) {
+  runtime::simulated_disk disk;
+  process p(disk);
+  p.connect();
+  upload_plan plan;
+  plan.items.resize(3);
+  const auto asked = p.world.ask(p.link, 60s, plan);
+  p.world.settle();
+  EXPECT_EQ(p.line->sent[mavlink::mission_count::message_id], 1);
+  ASSERT_TRUE(p.world.kill("vehicle_link"));
+  p.world.advance(100ms);
+  EXPECT_EQ(asked->failures, 1);
+  EXPECT_EQ(asked->failure.code, runtime::ask_errc::outcome_unknown) << asked->failure.what;
+}
+
+TEST(vehicle_link, a_transfer_that_nobody_answers_ends_as_timed_out) {
+  runtime::simulated_disk disk;
+  process p(disk);
+  p.connect();
+  const auto asked = p.world.ask(p.link, 60s, clear_plan{});
+  p.world.advance(30s);
+  ASSERT_EQ(asked->answers, 1);
+  EXPECT_EQ(asked->answer.verdict, transfer::verdict::timed_out) << asked->answer.reason;
+}
+
 // -- any order of events ---------------------------------------------------------------------------------------------
 
 // What may happen next: WHAT says which, NUMBER is its argument.

@@ -19,6 +19,16 @@ std::size_t frame_size(const M& message) {
   return mavlink::encode(message, vehicle_id, 0).size();
 }
 
+template <class M>
+transfer::step hear(transfer::client& client, const M& message, std::int64_t now_ns) {
+  return client.on(message, now_ns);
+}
+
+// The client never asks for the deprecated form of an item.
+transfer::step hear(transfer::client& /*client*/, const mavlink::mission_item& /*message*/, std::int64_t /*now_ns*/) {
+  return {};
+}
+
 } // namespace
 
 transfer_world::transfer_world(const mission_server::habits& vehicle, const transfer::peer_profile& profile,
@@ -120,11 +130,8 @@ void transfer_world::carry_out(const mission_server::reaction& what) {
 
 template <class M>
 void transfer_world::to_station(station& to, const M& message) {
-  to.line.send(simulated_line::down, frame_size(message), [this, &to, message] {
-    // The client never asks for the deprecated form of an item.
-    if constexpr (!std::is_same_v<M, mavlink::mission_item>)
-      carry_out(to, to.client.on(message, time_.now_ns()));
-  });
+  to.line.send(simulated_line::down, frame_size(message),
+               [this, &to, message] { carry_out(to, hear(to.client, message, time_.now_ns())); });
 }
 
 void transfer_world::report_mission_every_second() {
@@ -149,7 +156,11 @@ bool transfer_world::is_same(const std::vector<mavlink::mission_item_int>& a,
   return !transfer::first_difference(a, b, false);
 }
 
-void transfer_world::restart_our_client() { ours().client = transfer::client(our_id, vehicle_id, profile_); }
+void transfer_world::restart_our_client() {
+  auto* client = &ours().client;
+  std::destroy_at(client);
+  std::construct_at(client, our_id, vehicle_id, profile_);
+}
 
 void transfer_world::reboot_vehicle(std::int64_t duration_ns) {
   is_vehicle_down_ = true;

@@ -37,8 +37,6 @@ void clear::on_ack(step& out, const mavlink::mission_ack& m, std::int64_t now_ns
   case mav_mission_result::operation_cancelled:
     return; // late ones of an upload
   case mav_mission_result::accepted:
-    if (asked_times_ == 1)
-      line_.sample(now_ns - asked_ns_);
     reader_.emplace(plan_reader::depth::count, who_, peer_, line_);
     reader_->start(out, now_ns);
     return;

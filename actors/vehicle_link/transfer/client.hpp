@@ -32,6 +32,9 @@ inline constexpr std::int64_t frames_stay_ns = 1'000 * ns_per_ms;
 class client {
 public:
   client(mavlink::sender ourselves, mavlink::sender peer, const peer_profile& profile);
+  client(const client&) = delete; // what runs looks into it
+  client& operator=(const client&) = delete;
+  ~client() = default;
 
   // Only while is_idle(). PLAN is sent as given, numbered from 0: whoever wants home as item 0 puts it there. No items:
   // the plan is cleared. More than plan_reader::max_items: refused here.

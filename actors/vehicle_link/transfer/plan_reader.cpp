@@ -33,7 +33,7 @@ void plan_reader::on_count(step& out, const mavlink::mission_count& m, std::int6
   if (state_ != state::listing)
     return;
   if (list_asked_times_ == 1)
-    line_.sample(now_ns - list_asked_ns_);
+    take_sample(now_ns - list_asked_ns_);
   note_progress(now_ns);
   count_ = m.count;
   plan_id_ = m.opaque_id;
@@ -61,7 +61,7 @@ void plan_reader::on_item(step& out, const mavlink::mission_item_int& m, std::in
   answers_.on_answers(1, now_ns);
   const auto round_trip_ns = now_ns - asked.last_ns;
   if (asked.times == 1)
-    line_.sample(round_trip_ns);
+    take_sample(round_trip_ns);
   window_.on_progress(1, round_trip_ns, asked.times == 1);
   while (missing_ < count_ && askings_[static_cast<std::size_t>(missing_)].has_come)
     ++missing_;
@@ -164,6 +164,12 @@ void plan_reader::ask_again_before(step& out, int end, std::int64_t now_ns) {
 
 bool plan_reader::is_overdue(int index, std::int64_t now_ns) const {
   return now_ns - askings_[static_cast<std::size_t>(index)].last_ns >= (line_.smoothed_ns() + line_.timeout_ns()) / 2;
+}
+
+// What comes too soon is an answer to what was asked in an earlier reading.
+void plan_reader::take_sample(std::int64_t round_trip_ns) {
+  if (!line_.is_too_soon(round_trip_ns))
+    line_.sample(round_trip_ns);
 }
 
 void plan_reader::note_progress(std::int64_t now_ns) {

@@ -74,6 +74,7 @@ private:
   void ask_for_item(step& out, int index, std::int64_t now_ns);
   void ask_ahead(step& out, std::int64_t now_ns);
   void ask_again_before(step& out, int end, std::int64_t now_ns);
+  void take_sample(std::int64_t round_trip_ns);
   void note_progress(std::int64_t now_ns);
   [[nodiscard]] bool is_overdue(int index, std::int64_t now_ns) const; // between usual and too long
   [[nodiscard]] std::int64_t gives_up_ns() const;

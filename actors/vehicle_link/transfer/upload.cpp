@@ -334,8 +334,11 @@ void upload::on_time(step& out, std::int64_t now_ns) {
   if (now_ns >= gives_up_ns() && (!is_announcing || now_ns >= announces_next_ns())) {
     on_given_up(out, now_ns);
   } else if (is_announcing) {
-    if (now_ns >= announces_next_ns())
-      announce(out, now_ns);
+    if (now_ns < announces_next_ns())
+      return;
+    if (announcements_ > 0)
+      line_.on_silence();
+    announce(out, now_ns);
   } else if (now_ns >= flow_.due_ns()) {
     flow_.on_silence(now_ns);
     const bool is_over = errors_ > 0 && flow_.silences() >= silences_after_error;

@@ -1,0 +1,26 @@
+#include "actors/ground_port/mission_server/habits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace godwit::ground_port::mission_server {
+namespace {
+
+TEST(habits, the_three_ardupilots_differ_in_their_turns_only) {
+  auto copter = ardupilot_copter_habits();
+  EXPECT_EQ(copter.turn_ns, 2'500'000);
+  EXPECT_EQ(ardupilot_rover_habits().turn_ns, 20 * ns_per_ms);
+  EXPECT_EQ(ardupilot_plane_habits().turn_ns, 20 * ns_per_ms);
+  EXPECT_EQ(copter.asks_with, ardupilot_rover_habits().asks_with);
+}
+
+TEST(habits, what_is_ours_goes_by_the_text) {
+  const auto plain = plain_habits();
+  EXPECT_TRUE(plain.is_atomic);
+  EXPECT_TRUE(plain.has_plan_ids);
+  EXPECT_TRUE(plain.obeys_cancel);
+  EXPECT_EQ(plain.turn_ns, 0);
+  EXPECT_EQ(plain.asks_with, request_kind::mission_request_int);
+}
+
+} // namespace
+} // namespace godwit::ground_port::mission_server

@@ -1,0 +1,90 @@
+#include "actors/ground_port/mission_server/item_forms.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace godwit::ground_port::mission_server {
+namespace {
+
+using mavlink::mav_cmd;
+using mavlink::mav_frame;
+using mavlink::number;
+
+mavlink::mission_item_int waypoint() {
+  mavlink::mission_item_int result;
+  result.command = number(mav_cmd::nav_waypoint);
+  result.frame = number(mav_frame::global_relative_alt_int);
+  result.seq = 3;
+  result.current = 1;
+  result.param1 = 5;
+  result.param2 = 1;
+  result.x = 500'000'000;
+  result.y = -364'000'000;
+  result.z = 30.126F;
+  result.mission_type = 1;
+  return result;
+}
+
+TEST(item_forms, a_float_item_has_degrees_and_keeps_the_rest) {
+  const auto item = in_floats(waypoint());
+  EXPECT_FLOAT_EQ(item.x, 50.0F);
+  EXPECT_FLOAT_EQ(item.y, -36.4F);
+  EXPECT_EQ(item.seq, 3);
+  EXPECT_EQ(item.command, number(mav_cmd::nav_waypoint));
+  EXPECT_EQ(item.param1, 5);
+  EXPECT_EQ(item.mission_type, 1);
+}
+
+TEST(item_forms, there_and_back_loses_no_more_than_a_float_does) {
+  const auto back = in_integers(in_floats(waypoint()));
+  EXPECT_NEAR(back.x, 500'000'000, 50);
+  EXPECT_NEAR(back.y, -364'000'000, 50);
+}
+
+TEST(item_forms, a_local_position_has_metres_in_a_tenth_of_a_millimetre) {
+  auto item = waypoint();
+  item.frame = 1; // local
+  item.x = 12'500;
+  EXPECT_FLOAT_EQ(in_floats(item).x, 1.25F);
+}
+
+TEST(item_forms, numbers_that_are_none_or_too_large_do_not_overflow) {
+  mavlink::mission_item item;
+  item.x = std::nanf("");
+  item.y = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(in_integers(item).x, 0);
+  EXPECT_EQ(in_integers(item).y, INT32_MAX);
+}
+
+TEST(item_forms, px4_keeps_items_as_sent) {
+  const auto kept = as_kept(waypoint(), px4_habits());
+  EXPECT_EQ(kept.frame, number(mav_frame::global_relative_alt_int));
+  EXPECT_EQ(kept.param2, 1);
+  EXPECT_EQ(kept.z, 30.126F);
+}
+
+TEST(item_forms, ardupilot_keeps_what_it_uses) {
+  const auto kept = as_kept(waypoint(), ardupilot_copter_habits());
+  EXPECT_EQ(kept.frame, number(mav_frame::global_relative_alt));
+  EXPECT_EQ(kept.param1, 5);
+  EXPECT_EQ(kept.param2, 0);
+  EXPECT_EQ(kept.autocontinue, 1);
+  EXPECT_EQ(kept.current, 0);
+  EXPECT_NEAR(kept.z, 30.13F, 1e-4);
+  auto home = waypoint();
+  home.command = number(mav_cmd::nav_return_to_launch);
+  EXPECT_EQ(as_kept(home, ardupilot_copter_habits()).frame, number(mav_frame::global));
+}
+
+TEST(item_forms, the_address_is_not_part_of_a_plan) {
+  auto item = waypoint();
+  item.target_system = 1;
+  item.target_component = 1;
+  EXPECT_EQ(as_kept(item, {}).target_system, 0);
+  EXPECT_EQ(as_kept(item, {}).target_component, 0);
+}
+
+} // namespace
+} // namespace godwit::ground_port::mission_server

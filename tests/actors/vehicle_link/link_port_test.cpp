@@ -166,6 +166,13 @@ TEST(vehicle_link_on_a_line, a_udp_peer_that_is_gone_and_back_is_connected_again
   EXPECT_LE(clock_type::now() - back, 5s);
 }
 
+// The address sanitizer holds freed memory back, up to 256 MiB, to find who still uses it.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool keeps_freed_memory = true;
+#else
+constexpr bool keeps_freed_memory = false;
+#endif
+
 // Resident memory of this process in KiB.
 long resident_kib() {
   std::ifstream status("/proc/self/status");
@@ -199,7 +206,8 @@ TEST(vehicle_link_on_a_line, a_flood_of_garbage_lets_good_frames_through_and_mem
   send_for(300);
   vehicle.send(to, attitude());
   EXPECT_TRUE(p.heard.wait_for_attitudes(300)) << p.heard.attitudes() << " of 401; UDP may lose some";
-  EXPECT_LE(resident_kib(), settled_kib + 8 * 1024);
+  if (!keeps_freed_memory)
+    EXPECT_LE(resident_kib(), settled_kib + 8 * 1024);
 }
 
 } // namespace

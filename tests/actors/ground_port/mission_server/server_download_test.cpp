@@ -3,6 +3,7 @@
 #include "actors/ground_port/mission_server/server.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 #include "actors/ground_port/mission_server/server.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -106,15 +108,32 @@ TEST(server_upload, the_last_item_again_is_accepted_from_its_station_alone_and_i
   EXPECT_EQ(with.tell(waypoint(2)), words{"ACK error"}) << "the plan is no longer there";
 }
 
-TEST(server_upload, ardupilot_begins_again_at_item_0_with_the_new_count) {
-  dialogue with(ardupilot_rover_habits());
-  (void)with.tell(count_of(5));
-  (void)with.tell(waypoint(0));
-  (void)with.tell(waypoint(1));
-  EXPECT_EQ(with.tell(count_of(2)), words{"REQUEST 0"});
-  (void)with.tell(waypoint(0));
-  EXPECT_EQ(with.tell(waypoint(1)), words{"ACK accepted"});
-  EXPECT_EQ(with.held().items.size(), 2U);
+TEST(server_upload, ardupilot_and_our_server_begin_again_with_the_new_count_and_px4_goes_on_with_the_old_one) {
+  for (const auto& [vehicle, answer, count] : {std::tuple{ardupilot_rover_habits(), "REQUEST 0", 2},
+                                               {plain_habits(), "REQUEST_INT 0", 2},
+                                               {px4_habits(), "ACK error", 4}}) {
+    dialogue with(vehicle);
+    (void)with.tell(count_of(4));
+    (void)with.tell(waypoint(0));
+    (void)with.tell(waypoint(1));
+    EXPECT_EQ(with.tell(count_of(2)), words{answer});
+    for (int seq = count == 2 ? 0 : 2; seq < count - 1; ++seq)
+      (void)with.tell(waypoint(seq));
+    EXPECT_EQ(with.tell(waypoint(count - 1)), words{"ACK accepted"});
+    EXPECT_EQ(with.held().items.size(), static_cast<std::size_t>(count));
+  }
+}
+
+TEST(server_upload, px4_and_our_server_do_not_clear_what_is_coming_in) {
+  for (const auto& [vehicle, busy] : {std::pair{px4_habits(), "ACK error"}, {plain_habits(), "ACK denied"}}) {
+    dialogue with(vehicle);
+    (void)with.upload(3);
+    (void)with.tell(count_of(1));
+    EXPECT_EQ(with.tell(clear_of(0)), words{busy});
+    EXPECT_EQ(with.held().items.size(), 3U);
+    EXPECT_EQ(with.tell(waypoint(0)), words{"ACK accepted"});
+    EXPECT_EQ(with.held().items.size(), 1U);
+  }
 }
 
 // -- Turns
@@ -206,8 +225,8 @@ TEST(server_upload, float_items_make_a_plan_on_px4_and_ardupilot) {
     EXPECT_EQ(with.wait(1 * s).front(), "REQUEST 1") << "asked for in that form from now on";
     EXPECT_EQ(with.tell(float_waypoint(1)), words{"REQUEST 2"});
     EXPECT_EQ(with.tell(waypoint(2)), words{"ACK accepted"}) << "the other one is as good";
-    EXPECT_EQ(with.held().items[1].x, 500'000'000);
-    EXPECT_EQ(with.held().items[1].y, 365'000'000);
+    EXPECT_EQ(with.held().items.at(1).x, 500'000'000);
+    EXPECT_EQ(with.held().items.at(1).y, 365'000'000);
   }
 }
 
@@ -233,7 +252,7 @@ TEST(server_upload, an_item_of_a_station_that_is_refused_never_comes_into_the_pl
     foreign.seq = 1;
     (void)with.tell(foreign, other_station);
     EXPECT_EQ(with.tell(waypoint(1)), words{"ACK accepted"});
-    EXPECT_EQ(with.held().items[1].x, waypoint(1).x);
+    EXPECT_EQ(with.held().items.at(1).x, waypoint(1).x);
   }
 }
 
@@ -338,8 +357,8 @@ TEST(server_upload, ardupilot_holds_the_beginning_of_the_new_plan_and_the_rest_o
   (void)with.wait(8 * s);
   const auto& items = with.held().items;
   ASSERT_EQ(items.size(), 3U);
-  EXPECT_EQ(items[1].x, waypoint(1).x + 1'000);
-  EXPECT_EQ(items[2].x, waypoint(2).x);
+  EXPECT_EQ(items.at(1).x, waypoint(1).x + 1'000);
+  EXPECT_EQ(items.at(2).x, waypoint(2).x);
 }
 
 // -- Plan ids

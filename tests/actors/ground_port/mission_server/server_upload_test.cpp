@@ -1,4 +1,4 @@
-// Uploads and clears in whole exchanges, with the turns of the vehicles: as PX4 1.17 and ArduPilot 4.7 were seen to
+// Uploads in whole exchanges, with the turns of the vehicles: as PX4 1.17 and ArduPilot 4.7 were seen to
 // answer on the wire, and as our own server does where they differ.
 #include "actors/ground_port/mission_server/server.hpp"
 
@@ -121,18 +121,6 @@ TEST(server_upload, ardupilot_and_our_server_begin_again_with_the_new_count_and_
       (void)with.tell(waypoint(seq));
     EXPECT_EQ(with.tell(waypoint(count - 1)), words{"ACK accepted"});
     EXPECT_EQ(with.held().items.size(), static_cast<std::size_t>(count));
-  }
-}
-
-TEST(server_upload, px4_and_our_server_do_not_clear_what_is_coming_in) {
-  for (const auto& [vehicle, busy] : {std::pair{px4_habits(), "ACK error"}, {plain_habits(), "ACK denied"}}) {
-    dialogue with(vehicle);
-    (void)with.upload(3);
-    (void)with.tell(count_of(1));
-    EXPECT_EQ(with.tell(clear_of(0)), words{busy});
-    EXPECT_EQ(with.held().items.size(), 3U);
-    EXPECT_EQ(with.tell(waypoint(0)), words{"ACK accepted"});
-    EXPECT_EQ(with.held().items.size(), 1U);
   }
 }
 
@@ -405,47 +393,6 @@ TEST(server_upload, ardupilot_has_no_ids) {
     (void)with.tell(list_of(type));
     EXPECT_EQ(with.last<mavlink::mission_count>().opaque_id, 0U);
   }
-}
-
-// -- Clear
-
-TEST(server_upload, a_clear_is_for_one_type_and_all_is_for_each) {
-  dialogue with(px4_habits());
-  for (const int type : {0, fence, rally})
-    (void)with.upload(2, type);
-  EXPECT_EQ(with.tell(clear_of(fence)), words{"ACK accepted type 1"});
-  EXPECT_EQ(with.held(0).items.size(), 2U);
-  EXPECT_EQ(with.held(fence).items.size(), 0U);
-  EXPECT_EQ(with.held(fence).id, 0U);
-  EXPECT_EQ(with.held(rally).items.size(), 2U);
-  EXPECT_EQ(with.tell(clear_of(all)), words{"ACK accepted type 255"});
-  EXPECT_EQ(with.held(0).items.size() + with.held(rally).items.size(), 0U);
-  EXPECT_EQ(with.changes().size(), 3U + 1U + 3U);
-}
-
-TEST(server_upload, ardupilot_and_our_server_name_the_type_that_they_do_not_know) {
-  for (const auto& vehicle : {ardupilot_copter_habits(), plain_habits()}) {
-    dialogue with(vehicle);
-    EXPECT_EQ(with.tell(count_of(0, 7)), words{"ACK unsupported type 7"});
-    EXPECT_EQ(with.tell(clear_of(7)), words{"ACK unsupported type 7"});
-  }
-  dialogue px4(px4_habits());
-  (void)px4.upload(2);
-  EXPECT_EQ(px4.tell(count_of(0, 7)), words{"ACK accepted type 7"});
-  EXPECT_EQ(px4.held().items.size(), 2U) << "said, and nothing done";
-}
-
-TEST(server_upload, while_the_mission_is_flown_only_fence_and_rally_are_cleared) {
-  dialogue with(plain_habits());
-  for (const int type : {0, fence, rally})
-    (void)with.upload(2, type);
-  with.vehicle().lock(true);
-  EXPECT_EQ(with.tell(clear_of(all)), words{"ACK denied type 255"});
-  EXPECT_EQ(with.tell(clear_of(fence)), words{"ACK accepted type 1"});
-  EXPECT_EQ(with.tell(count_of(0, rally)), words{"ACK accepted type 2"});
-  EXPECT_EQ(with.held().items.size(), 2U);
-  with.vehicle().lock(false);
-  EXPECT_EQ(with.tell(clear_of(0)), words{"ACK accepted"});
 }
 
 } // namespace

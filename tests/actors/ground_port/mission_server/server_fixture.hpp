@@ -3,9 +3,10 @@
 // type 1".
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
-#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "actors/ground_port/mission_server/server.hpp"
@@ -70,13 +71,12 @@ public:
   // Since the beginning.
   [[nodiscard]] const std::vector<outgoing>& said() const { return said_; }
   [[nodiscard]] const std::vector<plan_change>& changes() const { return changes_; }
-  // The last message of this kind.
+  // The last message of this kind; an empty one, if there was none.
   template <class M>
   [[nodiscard]] M last() const {
-    for (auto each = said_.rbegin(); each != said_.rend(); ++each)
-      if (const auto* message = std::get_if<M>(&*each))
-        return *message;
-    return {};
+    const auto found = std::find_if(said_.rbegin(), said_.rend(),
+                                    [](const outgoing& each) { return std::holds_alternative<M>(each); });
+    return found == said_.rend() ? M{} : std::get<M>(*found);
   }
 
 private:

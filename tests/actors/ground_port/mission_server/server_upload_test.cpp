@@ -14,7 +14,6 @@ namespace godwit::ground_port::mission_server::test {
 namespace {
 
 using mavlink::mav_mission_result;
-using mavlink::mav_mission_type;
 using mavlink::number;
 using words = dialogue::words;
 

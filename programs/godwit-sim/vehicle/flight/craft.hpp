@@ -1,0 +1,36 @@
+// What kind of vehicle it is, and its limits. Thread: values.
+#pragma once
+
+#include <cstdint>
+
+namespace godwit::sim {
+
+enum class craft_kind { rover, multirotor };
+
+struct craft {
+  craft_kind kind = craft_kind::rover;
+  double speed_mps = 2; // of its own choice
+  double acceleration_mps2 = 1;
+  double turn_rate_deg_s = 45;
+  double climb_mps = 2.5;         // multirotor
+  double descent_mps = 1.5;       // multirotor
+  double arrival_radius_m = 2;    // where an item has none of its own
+  double takeoff_altitude_m = 10; // above home, where a take-off item has none
+  double return_altitude_m = 15;  // above home
+  // 50 steps a second: at 20 m/s less than half a metre each.
+  static constexpr std::int64_t step_ns = 20'000'000;
+};
+
+[[nodiscard]] craft rover_craft();
+[[nodiscard]] craft multirotor_craft();
+
+// How fast it goes: the craft's own speeds, or what a mission has changed them to.
+struct pace {
+  double speed_mps = 0;
+  double climb_mps = 0;
+  double descent_mps = 0;
+};
+
+[[nodiscard]] pace own_pace(const craft& of);
+
+} // namespace godwit::sim

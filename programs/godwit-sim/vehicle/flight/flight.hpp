@@ -1,0 +1,75 @@
+// What the vehicle does between two commands: it stands, drives, climbs, follows its mission, comes back, lands.
+//
+// The autopilot (modes, arming, MAVLink) tells it what to do; flight moves the body in small steps and says what
+// happened. It knows no MAVLink but the items of the mission, and no time but the world's.
+//
+//   flight f(multirotor_craft(), home);
+//   f.mission().load(items);
+//   f.mission().start(0);
+//   f.set_task(task::follow_mission{});
+//   ... at f.next_step_ns(), or whenever: for (const auto& each : f.advance(world_ns)) ...
+//
+// Deterministic: the same calls at the same times give the same bytes. The ground is level, at home's altitude when the
+// flight is made. A rover takes LAND for `drive there and stop`; a multirotor that is told to go somewhere while it
+// stands on the ground takes off first. Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "programs/godwit-sim/vehicle/flight/craft.hpp"
+#include "programs/godwit-sim/vehicle/flight/happening.hpp"
+#include "programs/godwit-sim/vehicle/flight/maneuver.hpp"
+#include "programs/godwit-sim/vehicle/flight/mission_pilot.hpp"
+#include "programs/godwit-sim/vehicle/flight/mission_run.hpp"
+#include "programs/godwit-sim/vehicle/flight/mover.hpp"
+#include "programs/godwit-sim/vehicle/flight/task.hpp"
+#include "programs/godwit-sim/vehicle/world/body.hpp"
+
+namespace godwit::sim {
+
+class flight {
+public:
+  flight(const craft& what, const position& home);
+
+  // Moves the body to the time NOW, in steps of at most craft::step_ns. In order. What a vehicle at rest is told takes
+  // effect now, and not at the time of the last call.
+  [[nodiscard]] happenings advance(std::int64_t world_ns);
+
+  // The task that it has already is left as it is, with what it has done of it.
+  void set_task(const task::any& what);
+  [[nodiscard]] const task::any& current_task() const { return task_; }
+  [[nodiscard]] mission_run& mission() { return pilot_.run(); }
+  [[nodiscard]] const mission_run& mission() const { return pilot_.run(); }
+
+  [[nodiscard]] const body& where() const { return mover_.where(); }
+  [[nodiscard]] const position& home() const { return home_; }
+  void set_home(const position& where) { home_ = where; }
+  [[nodiscard]] double altitude_above_home_m() const { return where().where.altitude_m - home_.altitude_m; }
+  [[nodiscard]] bool is_in_air() const { return mover_.is_in_air(); } // never for a rover
+  [[nodiscard]] bool is_moving() const { return where().ground_speed_mps > 0.1 || where().climb_mps != 0; }
+  // The time of the next step while it moves or waits; a vehicle at rest needs none, and the answer is never_ns.
+  [[nodiscard]] std::int64_t next_step_ns() const;
+  static constexpr std::int64_t never_ns = INT64_MAX;
+  // How many steps it has taken.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+  // Everything stops at once, as when the power comes back: on the ground, where it is. The mission is idle.
+  void restart();
+
+private:
+  void step(double step_s, happenings& said);
+  void begin_task();
+  [[nodiscard]] bool is_settled() const;
+
+  mover mover_;
+  position home_;
+  task::any task_ = task::rest{};
+  mission_pilot pilot_;
+  maneuver maneuver_; // of the tasks that are one
+  bool is_task_done_ = true;
+  bool is_resting_ = true; // since the last call of advance()
+  std::int64_t time_ns_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+} // namespace godwit::sim

@@ -1,0 +1,129 @@
+#include "programs/godwit-sim/vehicle/flight/item_legs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "programs/godwit-sim/vehicle/flight/item_place.hpp"
+#include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
+
+namespace godwit::sim {
+
+using io::mavlink::mission_item_int;
+
+namespace {
+
+// Landings aim better than waypoints.
+constexpr double landing_radius_m = 0.5;
+
+// NaN and what is negative mean none.
+double seconds(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0; }
+
+double turning_s(const mission_item_int& item, double speed_mps) {
+  constexpr double default_radius_m = 20;
+  const double radius_m = std::isfinite(item.param3) && item.param3 != 0 ? std::abs(item.param3) : default_radius_m;
+  return seconds(item.param1) * 2 * std::numbers::pi * radius_m / speed_mps;
+}
+
+go_leg leg_to(const mission_item_int& item, const item_place& place, const item_setting& setting) {
+  const bool is_waypoint = item.command == nav_waypoint || item.command == nav_spline_waypoint;
+  const double radius_m = is_waypoint ? seconds(item.param2) : 0;
+  const bool stops = !is_waypoint || seconds(item.param1) > 0 || !setting.goes_on;
+  return {place.at, radius_m > 0 ? radius_m : setting.vehicle.what().arrival_radius_m, stops};
+}
+
+leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
+  const auto& craft = setting.vehicle.what();
+  auto top = place.at;
+  const bool has_altitude = place.has_own_altitude && place.at.altitude_m != setting.home.altitude_m;
+  if (!has_altitude)
+    top.altitude_m = setting.home.altitude_m + craft.takeoff_altitude_m;
+  // Who flies higher already does not come down for it.
+  const double floor_m = setting.vehicle.is_in_air() ? setting.vehicle.where().where.altitude_m
+                                                     : setting.vehicle.ground_m() + min_flight_height_m;
+  top.altitude_m = std::max(top.altitude_m, floor_m);
+  leg_list legs{climb_leg{top.altitude_m}};
+  if (!place.is_here)
+    legs.emplace_back(go_leg{top, craft.arrival_radius_m, true});
+  return legs;
+}
+
+// The item's altitude is the one to abort at: it comes there as high as it flies, and goes down.
+leg_list landing_legs(const item_place& place, const item_setting& setting) {
+  const auto& vehicle = setting.vehicle;
+  auto above = place.at;
+  above.altitude_m = setting.here.altitude_m;
+  if (vehicle.is_multirotor() && !vehicle.is_in_air())
+    above.altitude_m = std::max(above.altitude_m, vehicle.ground_m() + vehicle.what().takeoff_altitude_m);
+  const bool is_landed_there = vehicle.is_multirotor() && !vehicle.is_in_air() &&
+                               between(vehicle.where().where, place.at).distance_m <= vehicle.what().arrival_radius_m;
+  leg_list legs;
+  if (!place.is_here && !is_landed_there)
+    legs = legs_to({above, landing_radius_m, true}, vehicle);
+  legs.emplace_back(land_leg{});
+  return legs;
+}
+
+} // namespace
+
+leg_list legs_to(const go_leg& place, const mover& vehicle) {
+  go_leg there = place;
+  leg_list legs;
+  if (vehicle.is_multirotor()) {
+    there.to.altitude_m = std::max(there.to.altitude_m, vehicle.ground_m() + min_flight_height_m);
+    if (!vehicle.is_in_air())
+      legs.emplace_back(climb_leg{there.to.altitude_m});
+  }
+  legs.emplace_back(there);
+  return legs;
+}
+
+leg_list legs_home(const position& home, const mover& vehicle) {
+  if (!vehicle.is_multirotor())
+    return {go_leg{home, vehicle.what().arrival_radius_m, true}};
+  if (!vehicle.is_in_air())
+    return {};
+  auto above = home;
+  above.altitude_m = std::max(vehicle.where().where.altitude_m, home.altitude_m + vehicle.what().return_altitude_m);
+  return {climb_leg{above.altitude_m}, go_leg{above, landing_radius_m, true}, land_leg{}};
+}
+
+tl::expected<leg_list, std::string> legs_of(const mission_item_int& item, const item_setting& setting) {
+  if (item.command == nav_return_to_launch)
+    return legs_home(setting.home, setting.vehicle);
+  if (item.command == nav_delay) {
+    if (item.param1 < 0)
+      return tl::unexpected(std::string("a delay until a time of day is not known"));
+    return leg_list{wait_leg{seconds(item.param1)}};
+  }
+  const auto place = place_of(item, setting.home, setting.here);
+  if (!place)
+    return tl::unexpected(place.error());
+  switch (item.command) {
+  case nav_takeoff:
+    if (!setting.vehicle.is_multirotor())
+      return tl::unexpected(std::string("a rover does not take off"));
+    return takeoff_legs(*place, setting);
+  case nav_land:
+    return landing_legs(*place, setting);
+  case nav_waypoint:
+  case nav_spline_waypoint:
+  case nav_loiter_unlim:
+  case nav_loiter_time:
+  case nav_loiter_turns:
+    break;
+  default:
+    return tl::unexpected("command " + std::to_string(item.command) + " is not known");
+  }
+  auto legs = legs_to(leg_to(item, *place, setting), setting.vehicle);
+  if (item.command == nav_loiter_unlim)
+    legs.emplace_back(stay_leg{});
+  else if (item.command == nav_loiter_turns)
+    legs.emplace_back(wait_leg{turning_s(item, setting.how_fast.speed_mps)});
+  else if (seconds(item.param1) > 0)
+    legs.emplace_back(wait_leg{seconds(item.param1)});
+  return legs;
+}
+
+} // namespace godwit::sim

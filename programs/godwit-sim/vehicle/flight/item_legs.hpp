@@ -1,0 +1,43 @@
+// What a NAV item of a mission means for a vehicle.
+//
+// | Item | Multirotor | Rover |
+// |---|---|---|
+// | waypoint, spline waypoint | there, hold | the same |
+// | loiter: unlimited, time, turns | there, wait; the time that the turns take | the same |
+// | take-off | up, then there | skipped |
+// | land | there, down | there, stop |
+// | return to launch | up to the return altitude, home, down | home, stop |
+// | delay | wait | the same |
+//
+// A multirotor on the ground takes off first, to the altitude of the item. Thread: pure. Source: MAV_CMD of MAVLink's
+// common.xml.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "io/mavlink/messages/mission_transfer.hpp"
+#include "programs/godwit-sim/vehicle/flight/leg.hpp"
+#include "programs/godwit-sim/vehicle/flight/mover.hpp"
+
+namespace godwit::sim {
+
+struct item_setting {
+  const mover& vehicle;
+  position home;
+  position here; // where the item began: what `here` means for it, also when it goes on after a pause
+  pace how_fast;
+  bool goes_on = true; // another item follows at once: it need not stop
+};
+
+// The error says why the vehicle does not fly it.
+[[nodiscard]] tl::expected<leg_list, std::string> legs_of(const io::mavlink::mission_item_int& item,
+                                                          const item_setting& setting);
+
+// To a place, from the ground or in the air.
+[[nodiscard]] leg_list legs_to(const go_leg& place, const mover& vehicle);
+// To the return altitude, home, and down; a rover: home. On the ground a multirotor is back.
+[[nodiscard]] leg_list legs_home(const position& home, const mover& vehicle);
+
+} // namespace godwit::sim

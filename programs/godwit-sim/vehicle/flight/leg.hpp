@@ -1,0 +1,32 @@
+// The parts of a manoeuvre. Thread: values.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "programs/godwit-sim/vehicle/world/position.hpp"
+
+namespace godwit::sim {
+
+struct climb_leg { // straight up or down; a multirotor on the ground takes off
+  double altitude_m = 0;
+};
+struct go_leg { // done within the radius, and a multirotor at the altitude
+  position to;
+  double radius_m = 0;
+  bool stops = false;
+  double speed_mps = 0; // 0: what the pace says
+};
+struct land_leg {}; // straight down to the ground
+struct wait_leg {   // standing, or at a hover
+  double left_s = 0;
+};
+struct stay_leg {}; // the same, with no end
+
+using leg = std::variant<climb_leg, go_leg, land_leg, wait_leg, stay_leg>;
+using leg_list = std::vector<leg>;
+
+// A multirotor does not fly lower than this above the ground but to land: an altitude of 0 is no landing.
+constexpr double min_flight_height_m = 1;
+
+} // namespace godwit::sim

@@ -1,0 +1,102 @@
+#include "programs/godwit-sim/vehicle/flight/maneuver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace godwit::sim {
+namespace {
+
+// A multirotor within this of an altitude is there.
+constexpr double at_altitude_m = 0.5;
+// Nobody drives or flies more precisely than this.
+constexpr double min_radius_m = 0.3;
+
+template <class... Fs>
+struct each_of : Fs... {
+  using Fs::operator()...;
+};
+template <class... Fs>
+each_of(Fs...) -> each_of<Fs...>;
+
+bool is_at_altitude(const mover& vehicle, double altitude_m) {
+  return !vehicle.is_multirotor() || std::abs(vehicle.where().where.altitude_m - altitude_m) <= at_altitude_m;
+}
+
+} // namespace
+
+void maneuver::begin(leg_list legs) {
+  legs_ = std::move(legs);
+  index_ = 0;
+  is_begun_ = false;
+  has_station_ = false;
+}
+
+void maneuver::set_station(const position& where) {
+  station_ = way(where);
+  has_station_ = true;
+}
+
+void maneuver::enter_leg(const mover& vehicle) {
+  if (std::exchange(is_begun_, true))
+    return;
+  std::visit(each_of{[&](const climb_leg& how) {
+                       auto above = vehicle.where().where;
+                       above.altitude_m = how.altitude_m;
+                       set_station(above);
+                     },
+                     [&](const go_leg& how) { set_station(how.to); }, [&](const land_leg&) { has_station_ = false; },
+                     [](const auto&) {}},
+             legs_[index_]);
+}
+
+void maneuver::step(mover& vehicle, const pace& how_fast, double step_s) {
+  if (is_done())
+    return keep(vehicle, how_fast, step_s);
+  enter_leg(vehicle);
+  const bool done = std::visit(each_of{[&](const climb_leg& how) {
+                                         keep(vehicle, how_fast, step_s);
+                                         return is_at_altitude(vehicle, how.altitude_m);
+                                       },
+                                       [&](const go_leg& how) { return go(how, vehicle, how_fast, step_s); },
+                                       [&](const land_leg&) {
+                                         vehicle.land(how_fast, step_s);
+                                         return !vehicle.is_in_air();
+                                       },
+                                       [&](wait_leg& how) {
+                                         keep(vehicle, how_fast, step_s);
+                                         how.left_s -= step_s;
+                                         return how.left_s <= 0;
+                                       },
+                                       [&](const stay_leg&) {
+                                         keep(vehicle, how_fast, step_s);
+                                         return false;
+                                       }},
+                               legs_[index_]);
+  if (!done)
+    return;
+  ++index_;
+  is_begun_ = false;
+}
+
+bool maneuver::is_settled() const { return is_done() || std::holds_alternative<stay_leg>(legs_[index_]); }
+
+void maneuver::keep(mover& vehicle, const pace& how_fast, double step_s) {
+  // A rover that has come too far does not turn round for it.
+  if (!has_station_ || !vehicle.is_multirotor())
+    return vehicle.hold(step_s);
+  const auto& here = vehicle.where().where;
+  vehicle.go({station_.from(here), station_.to().altitude_m, true}, how_fast, step_s);
+}
+
+bool maneuver::go(const go_leg& how, mover& vehicle, const pace& how_fast, double step_s) {
+  pace own = how_fast;
+  if (how.speed_mps > 0)
+    own.speed_mps = how.speed_mps;
+  vehicle.go({station_.from(vehicle.where().where), how.to.altitude_m, how.stops}, own, step_s);
+  // Fast as it is, it may step over a small circle.
+  const double radius_m = std::max({how.radius_m, min_radius_m, vehicle.where().ground_speed_mps * step_s});
+  return station_.from(vehicle.where().where).distance_m <= radius_m && is_at_altitude(vehicle, how.to.altitude_m);
+}
+
+} // namespace godwit::sim

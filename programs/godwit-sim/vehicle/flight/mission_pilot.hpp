@@ -1,0 +1,62 @@
+// Flies the items of a mission: begins each, carries out the commands beside it, says when it is done.
+//
+// What a step says is in the order in which a ground station must hear it:
+//
+//   item_begun, [item_skipped ...]  when an item begins; skipped are commands beside it, or the item itself
+//   [took_off, landed]              said by flight, while the body moves
+//   item_reached                    after the hold
+//   [item_skipped ...]              commands that its CONDITION_DELAY has held back until now
+//   item_begun of the next | mission_completed
+//
+// Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "programs/godwit-sim/vehicle/flight/happening.hpp"
+#include "programs/godwit-sim/vehicle/flight/maneuver.hpp"
+#include "programs/godwit-sim/vehicle/flight/mission_run.hpp"
+
+namespace godwit::sim {
+
+class mission_pilot {
+public:
+  explicit mission_pilot(const craft& what) : how_fast_(own_pace(what)) {}
+
+  [[nodiscard]] mission_run& run() { return run_; }
+  [[nodiscard]] const mission_run& run() const { return run_; }
+
+  // The vehicle is somewhere else and comes back to the mission: the current item goes on, from its first leg.
+  void resume();
+  // One step: begins what is new, moves the vehicle.
+  void step(mover& vehicle, position& home, double step_s, happenings& said);
+  // Behind the step: whether the item is done, and what then is the next one.
+  void settle(const mover& vehicle, position& home, happenings& said);
+  // The next step would change nothing but the vehicle's motion.
+  [[nodiscard]] bool is_settled() const;
+
+private:
+  void begin(const mover& vehicle, position& home, happenings& said);
+  void go_on(const mover& vehicle, const position& home, happenings& said);
+  bool begin_nav(const mover& vehicle, position& home, happenings& said);
+  bool plan(const mover& vehicle, const position& home, happenings& said);
+  void carry_out_next(const mover& vehicle, position& home, happenings& said);
+  void carry_out_due(const mover& vehicle, position& home, happenings& said);
+  void carry_out_all(const mover& vehicle, position& home, happenings& said);
+  void drop_late(happenings& said);
+
+  mission_run run_;
+  maneuver maneuver_;
+  pace how_fast_;
+  position here_; // where the current item began
+  // The commands beside the current item that are still to be carried out, by sequence, and how long they wait. No more
+  // than the plan has, for each jump in a row.
+  std::deque<int> commands_;
+  double commands_wait_s_ = 0;
+  bool is_interrupted_ = false;
+  std::uint64_t seen_changes_ = 0;
+  std::uint64_t seen_starts_ = 0;
+};
+
+} // namespace godwit::sim

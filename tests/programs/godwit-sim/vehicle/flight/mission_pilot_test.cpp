@@ -1,0 +1,296 @@
+// The rules of a mission's execution, one by one, and what a station hears of it.
+#include "programs/godwit-sim/vehicle/flight/mission_pilot.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
+
+namespace godwit::sim::test {
+namespace {
+
+using heard = std::vector<std::string>;
+
+TEST(sim_mission_pilot, a_rover_reaches_its_waypoints_one_after_the_other) {
+  auto it = rover();
+  it.follow({waypoint(20, 0), waypoint(20, 20), waypoint(0, 20)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "begun 1", "reached 1", "begun 2", "reached 2", "completed"}));
+}
+
+TEST(sim_mission_pilot, a_multirotor_takes_off_flies_and_lands_and_says_so_in_this_order) {
+  auto it = multirotor();
+  it.follow({at(nav_takeoff, 0, 0, 10), waypoint(40, 0), at(nav_land, 40, 10, 0)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "took off", "reached 0", "begun 1", "reached 1", "begun 2", "landed",
+                            "reached 2", "completed"}));
+  EXPECT_FALSE(it.vehicle.is_in_air());
+  EXPECT_NEAR(it.from_home_m(), std::hypot(40, 10), 1);
+}
+
+TEST(sim_mission_pilot, a_return_item_is_reached_when_the_multirotor_stands_at_home) {
+  auto it = multirotor();
+  it.follow({at(nav_takeoff, 0, 0, 10), waypoint(60, 0), command(nav_return_to_launch)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ((heard{it.said.end() - 4, it.said.end()}), (heard{"begun 2", "landed", "reached 2", "completed"}));
+  EXPECT_LT(it.from_home_m(), 1);
+}
+
+TEST(sim_mission_pilot, a_mission_that_begins_with_a_waypoint_takes_off_to_its_altitude_first) {
+  auto it = multirotor();
+  it.follow({waypoint(40, 0, 25)});
+  ASSERT_TRUE(it.run_until([&] { return it.vehicle.altitude_above_home_m() > 24; }));
+  EXPECT_LT(it.from_home_m(), 0.1);
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "took off", "reached 0", "completed"}));
+}
+
+TEST(sim_mission_pilot, reached_comes_after_the_hold_and_the_hold_begins_with_the_first_arrival) {
+  auto it = rover();
+  it.follow({waypoint(20, 0, 0, 5), waypoint(20, 20)});
+  ASSERT_TRUE(it.run_until([&] { return it.from_home_m() > 18; }));
+  const double arrival_s = static_cast<double>(it.now_ns) * 1e-9;
+  ASSERT_TRUE(it.run_until_said("reached 0"));
+  EXPECT_NEAR(it.time_of("reached 0") - arrival_s, 5, 0.1);
+}
+
+TEST(sim_mission_pilot, reached_is_said_in_the_step_in_which_the_next_item_begins_and_before_it) {
+  auto it = rover();
+  it.follow({waypoint(20, 0), waypoint(40, 0)});
+  ASSERT_TRUE(it.run_until_said("begun 1"));
+  EXPECT_EQ(it.time_of("reached 0"), it.time_of("begun 1"));
+}
+
+TEST(sim_mission_pilot, do_commands_between_two_items_run_when_the_first_of_them_begins) {
+  auto it = rover();
+  it.follow({waypoint(20, 0), command(do_change_speed, 1, 0.5F), command(201), waypoint(40, 0)});
+  it.run(0.1);
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 2: command 201 is not known"}));
+  it.run(10);
+  EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 0.5, 1e-9);
+}
+
+TEST(sim_mission_pilot, an_unknown_do_command_is_skipped_with_a_reason_and_is_not_reached) {
+  auto it = rover();
+  it.follow({command(201), waypoint(10, 0)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "skipped 0: command 201 is not known", "reached 1", "completed"}));
+}
+
+TEST(sim_mission_pilot, an_unknown_nav_command_is_skipped_with_a_reason_and_is_not_reached) {
+  auto it = rover();
+  it.follow({at(31, 10, 0), command(202), waypoint(10, 0)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 202 is not known", "skipped 0: command 31 is not known",
+                            "begun 2", "reached 2", "completed"}));
+}
+
+TEST(sim_mission_pilot, a_rover_skips_the_take_off_and_stops_where_it_should_land) {
+  auto it = rover();
+  it.follow({at(nav_takeoff, 0, 0, 10), at(nav_land, 20, 0, 0)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 0: a rover does not take off", "begun 1", "reached 1", "completed"}));
+  it.run(5);
+  EXPECT_NEAR(it.from_home_m(), 20, 0.6);
+  EXPECT_FALSE(it.vehicle.is_moving());
+}
+
+TEST(sim_mission_pilot, autocontinue_0_holds_after_the_item) {
+  auto it = rover();
+  it.follow({held(waypoint(20, 0)), waypoint(60, 0)});
+  ASSERT_TRUE(it.run_until_said("reached 0"));
+  it.run(60);
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0"}));
+  EXPECT_EQ(it.vehicle.mission().state(), run_state::running);
+  EXPECT_NEAR(it.from_home_m(), 20, 2);
+  ASSERT_TRUE(it.vehicle.mission().set_current(1));
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said.back(), "completed");
+}
+
+TEST(sim_mission_pilot, a_mission_of_do_commands_alone_completes_at_once) {
+  auto it = rover();
+  it.follow({command(do_change_speed, 1, 1), held(command(condition_delay, 60)), command(201)});
+  it.run(0.1);
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "begun 2", "skipped 2: command 201 is not known", "completed"}));
+  EXPECT_EQ(it.vehicle.mission().state(), run_state::completed);
+}
+
+TEST(sim_mission_pilot, set_current_while_running_goes_there_now) {
+  auto it = rover();
+  it.follow({waypoint(100, 0), waypoint(200, 0), waypoint(0, 20)});
+  it.run(5);
+  ASSERT_TRUE(it.vehicle.mission().set_current(2));
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 2", "reached 2", "completed"}));
+}
+
+TEST(sim_mission_pilot, a_start_while_running_begins_again_at_the_new_item) {
+  auto it = rover();
+  it.follow({waypoint(10, 0), waypoint(20, 0)});
+  ASSERT_TRUE(it.run_until_said("begun 1"));
+  it.vehicle.mission().start(0);
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said,
+            (heard{"begun 0", "reached 0", "begun 1", "begun 0", "reached 0", "begun 1", "reached 1", "completed"}));
+}
+
+TEST(sim_mission_pilot, the_last_item_asked_for_is_the_last_one) {
+  auto it = rover();
+  it.follow({waypoint(10, 0), waypoint(20, 0), waypoint(30, 0)}, 1, 1);
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 1", "reached 1", "completed"}));
+}
+
+TEST(sim_mission_pilot, a_change_of_speed_lasts_until_the_next_start) {
+  auto it = rover();
+  it.follow({waypoint(10, 0), command(do_change_speed, 1, 0.5F), waypoint(20, 0)});
+  ASSERT_TRUE(it.run_until_said("begun 2"));
+  it.run(3);
+  EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 0.5, 1e-9);
+  it.vehicle.mission().start(2);
+  it.run(3);
+  EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 2, 1e-9);
+}
+
+TEST(sim_mission_pilot, a_change_of_speed_takes_effect_on_the_leg_beside_it) {
+  auto it = multirotor();
+  it.follow({at(nav_takeoff, 0, 0, 5), waypoint(300, 0), command(do_change_speed, 1, 9)});
+  ASSERT_TRUE(it.run_until_said("begun 1"));
+  it.run(10);
+  EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 9, 1e-6);
+}
+
+TEST(sim_mission_pilot, a_new_home_is_where_a_return_leads) {
+  auto it = rover();
+  it.follow({waypoint(30, 0), at(do_set_home, 0, 20, 0), command(nav_return_to_launch)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_LT(between(it.vehicle.where().where, moved(home, {90, 20})).distance_m, 2.1);
+}
+
+TEST(sim_mission_pilot, condition_delay_holds_back_the_commands_behind_it) {
+  auto it = rover();
+  it.follow({waypoint(100, 0), command(condition_delay, 5), command(201), waypoint(20, 0)});
+  ASSERT_TRUE(it.run_until_said("skipped 2: command 201 is not known"));
+  EXPECT_NEAR(it.time_of("skipped 2: command 201 is not known"), 5, 0.1);
+}
+
+TEST(sim_mission_pilot, what_a_delay_holds_back_longer_than_the_item_is_not_carried_out) {
+  auto it = rover();
+  it.follow({waypoint(10, 0), command(condition_delay, 600), command(do_change_speed, 1, 0.5F), waypoint(30, 0)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "skipped 2: its delay was longer than the item beside it",
+                            "begun 3", "reached 3", "completed"}));
+  EXPECT_LT(it.time_of("completed"), 20);
+}
+
+TEST(sim_mission_pilot, a_jump_repeats_what_it_says) {
+  auto it = rover();
+  it.follow({waypoint(10, 0), waypoint(20, 0), jump_to(0, 1)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "begun 1", "reached 1", "begun 0", "reached 0", "begun 1",
+                            "reached 1", "completed"}));
+}
+
+TEST(sim_mission_pilot, loiter_time_counts_from_the_arrival_and_loiter_unlim_never_ends) {
+  auto it = multirotor();
+  auto loiter = at(nav_loiter_time, 20, 0);
+  loiter.param1 = 8;
+  it.follow({at(nav_takeoff, 0, 0, 10), loiter, at(nav_loiter_unlim, 0, 20)});
+  ASSERT_TRUE(it.run_until_said("reached 1"));
+  EXPECT_GT(it.time_of("reached 1") - it.time_of("begun 1"), 8 + 18 / 5.0);
+  it.run(300);
+  EXPECT_EQ(it.said.back(), "begun 2");
+  EXPECT_NEAR(it.from_home_m(), 20, 0.2);
+  EXPECT_EQ(it.vehicle.next_step_ns(), flight::never_ns);
+}
+
+TEST(sim_mission_pilot, a_delay_waits_where_it_is) {
+  auto it = rover();
+  it.follow({waypoint(10, 0), command(nav_delay, 6), waypoint(20, 0)});
+  ASSERT_TRUE(it.run_until_said("reached 1"));
+  EXPECT_NEAR(it.time_of("reached 1") - it.time_of("reached 0"), 6, 0.1);
+}
+
+TEST(sim_mission_pilot, after_a_pause_the_item_goes_on_and_is_not_said_to_begin_again) {
+  auto it = rover();
+  it.follow({waypoint(40, 0), command(201)});
+  it.run(5);
+  it.vehicle.set_task(task::hold{});
+  it.run(20);
+  const double paused_m = it.from_home_m();
+  EXPECT_LT(paused_m, 15);
+  EXPECT_EQ(it.vehicle.mission().state(), run_state::running);
+  it.vehicle.set_task(task::follow_mission{});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 201 is not known", "reached 0", "completed"}));
+}
+
+TEST(sim_mission_pilot, a_take_off_that_was_paused_goes_on_where_it_began) {
+  auto it = multirotor();
+  it.follow({at(nav_takeoff, 30, 0, 20)});
+  ASSERT_TRUE(it.run_until([&] { return it.vehicle.altitude_above_home_m() > 5; }));
+  it.vehicle.set_task(task::land{});
+  ASSERT_TRUE(it.run_until_said("landed"));
+  it.vehicle.set_task(task::follow_mission{});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "took off", "landed", "took off", "reached 0", "completed"}));
+}
+
+TEST(sim_mission_pilot, when_it_is_complete_it_stays_there_and_back_in_the_mission_it_stays_where_it_is) {
+  auto it = multirotor();
+  it.follow({waypoint(30, 0)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  it.run(20);
+  EXPECT_NEAR(it.from_home_m(), 30, 0.2);
+  it.vehicle.set_task(task::come_back{});
+  ASSERT_TRUE(it.run_until_said("landed"));
+  it.vehicle.set_task(task::follow_mission{});
+  it.run(20);
+  EXPECT_FALSE(it.vehicle.is_in_air());
+  EXPECT_LT(it.from_home_m(), 1);
+}
+
+TEST(sim_mission_pilot, a_stopped_run_holds) {
+  auto it = rover();
+  it.follow({waypoint(100, 0)});
+  it.run(5);
+  it.vehicle.mission().stop();
+  it.run(10);
+  EXPECT_FALSE(it.vehicle.is_moving());
+  EXPECT_LT(it.from_home_m(), 15);
+  EXPECT_EQ(it.said, heard{"begun 0"});
+}
+
+TEST(sim_mission_pilot, a_plan_replaced_on_the_way_goes_on_at_the_given_item) {
+  auto it = rover();
+  it.follow({waypoint(100, 0), waypoint(200, 0)});
+  it.run(5);
+  it.vehicle.mission().replace({waypoint(0, 50), waypoint(0, 10)}, 0, 1);
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "reached 1", "completed"}));
+}
+
+TEST(sim_mission_pilot, an_item_left_for_one_that_is_skipped_is_not_flown_on) {
+  auto it = rover();
+  it.follow({waypoint(100, 0), at(31, 0, 0)});
+  it.run(5);
+  ASSERT_TRUE(it.vehicle.mission().set_current(1));
+  it.run(20);
+  EXPECT_EQ(it.said.back(), "completed");
+  EXPECT_LT(it.from_home_m(), 15);
+  EXPECT_FALSE(it.vehicle.is_moving());
+}
+
+TEST(sim_mission_pilot, home_at_item_0_is_not_flown) {
+  auto it = rover();
+  it.vehicle.mission().load({waypoint(0, 0), waypoint(10, 0)}, 1);
+  it.vehicle.mission().start(0);
+  it.vehicle.set_task(task::follow_mission{});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_EQ(it.said, (heard{"begun 1", "reached 1", "completed"}));
+}
+
+} // namespace
+} // namespace godwit::sim::test

@@ -120,7 +120,8 @@ void transfer_world::to_vehicle(mavlink::sender from, const transfer::outgoing& 
 
 void transfer_world::carry_out(const mission_server::reaction& what) {
   for (const auto& change : what.changes)
-    if (change.type == mavlink::mav_mission_type::mission)
+    if (change.type == mavlink::mav_mission_type::mission &&
+        change.kind != mission_server::plan_change_kind::begun_replacing)
       history_.push_back({change.by, server_.plan(change.type).items});
   for (const auto& message : what.messages)
     for (const auto& each : stations_)

@@ -1,20 +1,20 @@
 // How a vehicle behaves in plan transfers where the MAVLink text leaves it open, or where it does otherwise.
 //
 // What an autopilot does is a value of this struct: PX4 1.17 and ArduPilot 4.7 (Rover, Copter, Plane) as they were seen
-// on the wire, and `plain`, which is what godwit's own ground port does: by the MAVLink text, atomic, with plan ids.
-// One server serves them all, so that a client is tested against the code that also serves ground stations.
-// Thread: values.
+// on the wire, and as their sources have it where they were not; and `plain`, which is what godwit's own ground port
+// does: by the MAVLink text, atomic, with plan ids. One server serves them all, so that a client is tested against the
+// code that also serves ground stations. Thread: values.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
+#include "actors/ground_port/mission_server/texts.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
 
 namespace godwit::ground_port::mission_server {
-
-namespace mavlink = io::mavlink;
 
 inline constexpr std::int64_t ns_per_ms = 1'000'000;
 
@@ -30,11 +30,34 @@ enum class last_item_again { accepted_again, error, ignored };
 // In answer to an item when no transfer is open.
 enum class stray_item { error, ignored };
 
-// In answer to MISSION_COUNT from the station whose transfer is open.
-enum class count_again { begins_again, begins_again_before_item_1 };
+// In answer to an item of a station while another has a transfer. `by_order`: INVALID_SEQUENCE if it is not the one
+// that the other was asked for, else DENIED.
+enum class foreign_item { error, ignored, by_order };
+
+// In answer to MISSION_COUNT from the station whose upload is open. `asks_again_before_item_1`: the new count is not
+// taken; the item is asked for again if it is the first one, else the vehicle is busy.
+enum class count_again { begins_again, asks_again_before_item_1 };
 
 // At the end of its patience.
 enum class giving_up { silent, tells };
+
+// While a plan is being downloaded: who has to wait. `everybody`: an upload or a clear of the reader itself as well,
+// until it has closed the download.
+enum class while_read { nobody_waits, others_wait, everybody_waits };
+
+// MISSION_WRITE_PARTIAL_LIST, which replaces some items of a plan that is held.
+enum class partial_list { unsupported, ignored, taken };
+
+// Which messages are for the vehicle: those with its address; with component 0 of its system as well; with any
+// component of its system, and with system 0.
+enum class hears { own_address, component_0_too, everything };
+
+// How a fence is judged: that polygons have 3 vertices at least and as many as they say, and circles a radius.
+struct fence_habits {
+  mavlink::mav_mission_result refusal = mavlink::mav_mission_result::invalid_param1;
+  bool counts_vertices_only = false; // does not compare them with what follows, and takes any circle
+  bool judges_at_the_end = false;    // and keeps the old fence until then, whatever it does with missions
+};
 
 struct habits {
   request_kind asks_with = request_kind::mission_request_int;
@@ -45,29 +68,45 @@ struct habits {
   out_of_order when_out_of_order = out_of_order::asked_for_again;
   last_item_again when_last_item_comes_again = last_item_again::accepted_again;
   stray_item when_no_transfer = stray_item::error;
+  foreign_item when_item_is_foreign = foreign_item::error;
   count_again when_count_comes_again = count_again::begins_again;
-  std::optional<mavlink::mav_mission_result> when_busy = mavlink::mav_mission_result::denied; // none: no answer
+
+  // What is answered to MISSION_COUNT, MISSION_REQUEST_LIST and MISSION_CLEAR_ALL while another transfer is open;
+  // none: nothing.
+  std::optional<mavlink::mav_mission_result> when_busy = mavlink::mav_mission_result::denied;
+  std::optional<mavlink::mav_mission_result> when_list_is_refused = mavlink::mav_mission_result::denied;
+  std::optional<mavlink::mav_mission_result> when_clear_is_refused = mavlink::mav_mission_result::denied;
   bool obeys_cancel = true;
 
-  bool is_busy_while_read = false;   // COUNT is refused until a download is closed, or gives_up_ns
-  bool serves_any_item = false;      // in a download: any item, at any time; else in order, after a request list
-  bool serves_float_items = true;    // MISSION_ITEM in answer to MISSION_REQUEST; else UNSUPPORTED
-  bool takes_float_items = false;    // MISSION_ITEM in an upload
-  bool listens_to_everybody = false; // targets 0 and other components of the same system
+  bool refused_count_ends_upload = true; // of the station that sent it
+
+  while_read when_read = while_read::others_wait;
+  bool list_ends_a_full_download = false; // of which each item was given, and which was not acknowledged
+  bool serves_any_item = false;           // in a download: any item, at any time; else in order, after a request list
+  bool tells_count_to_the_lost = false;   // MISSION_COUNT before the refusal of an item that is not there
+  bool serves_float_items = true;         // MISSION_ITEM in answer to MISSION_REQUEST; else UNSUPPORTED
+  bool takes_float_items = false;         // MISSION_ITEM in an upload
+  partial_list when_partial = partial_list::unsupported;
+  hears listens = hears::own_address;
 
   // One message of a transfer is taken in each turn of the main loop. 0: at once.
   std::int64_t turn_ns = 0;
 
   bool is_atomic = true; // the old plan stays until the new one is complete
   bool has_plan_ids = true;
-  bool rewrites_items = false;         // as ArduPilot: frame 3 for 6, without the parameters that it does not use
-  bool marks_first_as_current = false; // gives `current` 1 back with item 0 of a mission
+  bool rewrites_items = false; // as ArduPilot: frame 3 for 6, without the parameters that it does not use
+  bool marks_current = false;  // gives `current` 1 back with the item of the mission at which the vehicle is
   std::optional<mavlink::mission_item_int> home; // item 0 of a mission, whatever is uploaded there
 
   bool clears_all_types_at_once = true;
-  bool checks_type = true; // UNSUPPORTED for an unknown mission type; else it is accepted
+  // While the mission is flown; none: it is cleared all the same.
+  std::optional<mavlink::mav_mission_result> when_cleared_in_flight = mavlink::mav_mission_result::denied;
+  std::optional<mavlink::mav_mission_result> when_counted_0_in_flight = mavlink::mav_mission_result::denied;
+  bool checks_type = true; // UNSUPPORTED for an unknown mission type; else it is cleared, and has no space
   bool checks_latitude = true;
+  fence_habits fence;
   int capacity = 1'000; // items of one plan; more: NO_SPACE
+  std::span<const text_row> texts = plain_texts();
 };
 
 [[nodiscard]] habits plain_habits();

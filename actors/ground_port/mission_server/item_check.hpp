@@ -5,7 +5,8 @@
 
 namespace godwit::ground_port::mission_server {
 
-// `accepted`, or what is wrong with it: a command, a frame or a position that the vehicle does not know.
+// `accepted`, or what is wrong with it: a command that is no item of such a plan, a frame that the vehicle does not
+// know, or a position that is not on earth. Only what has a position is judged by it.
 [[nodiscard]] mavlink::mav_mission_result check_item(const mavlink::mission_item_int& item, const habits& vehicle);
 
 } // namespace godwit::ground_port::mission_server

@@ -1,6 +1,7 @@
 #include "actors/ground_port/mission_server/item_forms.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace godwit::ground_port::mission_server {
 
@@ -13,7 +14,10 @@ using mavlink::number;
 constexpr double units_per_degree = 1e7;
 constexpr double units_per_metre = 1e4; // of local frames
 
+// In the frame of items without a position x and y are two more parameters, and no lengths.
 double units(std::uint8_t frame) {
+  if (frame == number(mav_frame::mission))
+    return 1;
   const bool is_global = frame == number(mav_frame::global) || frame == number(mav_frame::global_relative_alt) ||
                          frame == number(mav_frame::global_int) || frame == number(mav_frame::global_relative_alt_int);
   return is_global ? units_per_degree : units_per_metre;
@@ -39,11 +43,12 @@ To with_common_fields(const From& from) {
   return to;
 }
 
-// A value that does not fit is as far away as can be said, and no position.
+// A value that does not fit is as far away as can be said, and no position. So is one that is no number: MAVLink says
+// so with the greatest integer.
 std::int32_t rounded(double value) {
   constexpr double limit = 2'147'483'647.0;
   if (std::isnan(value))
-    return 0;
+    return std::numeric_limits<std::int32_t>::max();
   return static_cast<std::int32_t>(std::lround(std::fmax(-limit, std::fmin(value, limit))));
 }
 
@@ -58,6 +63,10 @@ mavlink::mission_item_int in_integers(const mavlink::mission_item& item) {
 
 mavlink::mission_item in_floats(const mavlink::mission_item_int& item) {
   auto result = with_common_fields<mavlink::mission_item>(item);
+  if (item.frame == number(mav_frame::global_relative_alt_int))
+    result.frame = number(mav_frame::global_relative_alt);
+  if (item.frame == number(mav_frame::global_int))
+    result.frame = number(mav_frame::global);
   result.x = static_cast<float>(item.x / units(item.frame));
   result.y = static_cast<float>(item.y / units(item.frame));
   return result;

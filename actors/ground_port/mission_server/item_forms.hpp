@@ -5,7 +5,8 @@
 
 namespace godwit::ground_port::mission_server {
 
-// The float form has degrees in the global frames, and loses what a float can not hold (about 1 m of longitude).
+// The float form has degrees in the global frames, none of which is an `_int` one, and loses what a float can not hold
+// (about 1 m of longitude).
 [[nodiscard]] mavlink::mission_item_int in_integers(const mavlink::mission_item& item);
 [[nodiscard]] mavlink::mission_item in_floats(const mavlink::mission_item_int& item);
 

@@ -15,7 +15,11 @@ using mavlink::mav_mission_type;
 
 std::uint32_t checksum_of(const std::vector<mavlink::mission_item_int>& items) {
   auto crc = crc32(0, nullptr, 0);
-  for (const auto& each : items) {
+  for (auto each : items) {
+    each.target_system = 0;
+    each.target_component = 0;
+    each.mission_type = 0;
+    each.current = 0;
     std::array<std::byte, mavlink::layout<mavlink::mission_item_int>::full_length> bytes;
     mavlink::write_fields(each, bytes.data());
     crc = crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
@@ -39,14 +43,31 @@ const held_plan& plan_store::plan(mav_mission_type type) const { return plans_[i
 
 held_plan& plan_store::place(mav_mission_type type) { return plans_[index_of(type)]; }
 
+bool plan_store::is_staged(mav_mission_type type) const {
+  return vehicle_.is_atomic || (type == mav_mission_type::fence && vehicle_.fence.judges_at_the_end);
+}
+
+std::uint32_t plan_store::id_of(const std::vector<mavlink::mission_item_int>& items) const {
+  return vehicle_.has_plan_ids ? checksum_of(items) : 0;
+}
+
 void plan_store::begin(mav_mission_type type, int count) {
   type_ = type;
-  count_ = count;
-  incoming_.clear();
-  if (vehicle_.is_atomic)
+  staged_.clear();
+  if (is_staged(type))
     return;
   auto& items = place(type).items;
   items.resize(std::min(items.size(), static_cast<std::size_t>(count)));
+}
+
+void plan_store::begin_in_part(mav_mission_type type) {
+  type_ = type;
+  if (is_staged(type))
+    staged_ = place(type).items;
+}
+
+const std::vector<mavlink::mission_item_int>& plan_store::incoming() const {
+  return is_staged(type_) ? staged_ : plan(type_).items;
 }
 
 void plan_store::put(const mavlink::mission_item_int& item) {
@@ -56,27 +77,33 @@ void plan_store::put(const mavlink::mission_item_int& item) {
     kept = *vehicle_.home;
     kept.seq = 0;
   }
-  if (vehicle_.is_atomic) {
-    incoming_.push_back(kept);
-    return;
-  }
-  auto& items = place(type_).items;
+  auto& items = is_staged(type_) ? staged_ : place(type_).items;
   if (item.seq < items.size())
     items[item.seq] = kept;
   else
     items.push_back(kept);
 }
 
-void plan_store::complete() {
+bool plan_store::complete() {
   auto& plan = place(type_);
-  if (vehicle_.is_atomic)
-    plan.items = std::move(incoming_);
-  incoming_.clear();
-  plan.id = vehicle_.has_plan_ids ? checksum_of(plan.items) : 0;
+  bool is_the_same = false;
+  if (is_staged(type_)) {
+    is_the_same = checksum_of(plan.items) == checksum_of(staged_);
+    plan.items = std::move(staged_);
+  }
+  staged_.clear();
+  plan.id = id_of(plan.items);
+  return is_the_same;
 }
 
-void plan_store::discard() { incoming_.clear(); }
+void plan_store::discard() { staged_.clear(); }
 
 void plan_store::clear(mav_mission_type type) { place(type) = {}; }
+
+void plan_store::restore(mav_mission_type type, std::vector<mavlink::mission_item_int> items) {
+  auto& plan = place(type);
+  plan.items = std::move(items);
+  plan.id = id_of(plan.items);
+}
 
 } // namespace godwit::ground_port::mission_server

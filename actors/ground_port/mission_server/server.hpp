@@ -8,9 +8,10 @@
 //
 // One station at a time: to others it is busy. It asks for each item, asks again when nothing comes, and gives up when
 // the station is silent. What autopilots do otherwise, or where the MAVLink text leaves the choice, is `habits`. COUNT
-// 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are denied, and an upload is not. Bounds:
-// items of a plan (habits::capacity), messages that wait for their turn (max_waiting_messages). Pure: time comes in;
-// call on_time no later than next_deadline_ns. Thread: one at a time. Source: MAVLink mission protocol.
+// 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are refused, and an upload is not. Bounds:
+// items of a plan (habits::capacity), messages that wait for their turn (max_waiting_messages). After 10 s in which
+// nothing came in it is idle. Pure: time comes in; call on_time no later than next_deadline_ns. Thread: one at a time.
+// Source: MAVLink mission protocol.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +19,13 @@
 #include <variant>
 #include <vector>
 
+#include "actors/ground_port/mission_server/fence_check.hpp"
 #include "actors/ground_port/mission_server/habits.hpp"
 #include "actors/ground_port/mission_server/inbox.hpp"
 #include "actors/ground_port/mission_server/plan_store.hpp"
+#include "actors/ground_port/mission_server/reaction.hpp"
 
 namespace godwit::ground_port::mission_server {
-
-using outgoing = std::variant<mavlink::mission_request, mavlink::mission_request_int, mavlink::mission_ack,
-                              mavlink::mission_count, mavlink::mission_item_int, mavlink::mission_item>;
-
-struct plan_change {
-  mavlink::mav_mission_type type{};
-  std::uint32_t plan_id = 0; // 0: none, or a vehicle without ids
-  int count = 0;             // 0: it was cleared
-  mavlink::sender by;
-};
-
-// What an event leads to.
-struct reaction {
-  std::vector<outgoing> messages; // each has its target
-  std::vector<plan_change> changes;
-};
 
 class server {
 public:
@@ -48,16 +35,26 @@ public:
   [[nodiscard]] reaction on_time(std::int64_t now_ns);
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 
+  // A plan that was held before, in a life of which nothing else is left: no messages, no notes of a change. The same
+  // items as plan() gave have the same id again.
+  void put_plan(mavlink::mav_mission_type type, std::vector<mavlink::mission_item_int> items);
+
   // The vehicle starts again: what is held stays, what was going on is forgotten.
   void restart();
 
   // The mission is being flown, and must not vanish.
   void lock(bool locked) { is_locked_ = locked; }
 
+  // Where the vehicle is in its mission; at item 0 with each new plan. A download marks it, where it is a habit.
+  void set_current(int seq) { current_ = seq; }
+
   [[nodiscard]] const held_plan& plan(mavlink::mav_mission_type type) const { return store_.plan(type); }
   [[nodiscard]] bool is_idle() const { return std::holds_alternative<idle>(session_); }
   [[nodiscard]] bool is_receiving() const { return std::holds_alternative<receiving>(session_); }
   [[nodiscard]] bool is_giving() const { return std::holds_alternative<giving>(session_); }
+  // With whom a transfer is open.
+  [[nodiscard]] std::optional<mavlink::sender> partner() const;
+  [[nodiscard]] bool is_busy_with(mavlink::sender station) const { return partner() == station; }
   [[nodiscard]] std::uint64_t dropped() const { return inbox_.dropped(); }
 
 private:
@@ -65,11 +62,13 @@ private:
   struct receiving {
     mavlink::sender from;
     mavlink::mav_mission_type type{};
-    int count = 0;
+    int count = 0; // the sequence behind the last item that comes
     int wanted = 0;
     std::int64_t heard_ns = 0;
     std::int64_t asked_ns = 0;
     request_kind asks_with{};
+    fence_check fence;
+    std::optional<int> marked_current;
   };
   struct giving {
     mavlink::sender to;
@@ -77,41 +76,72 @@ private:
     int next = 0;
     std::int64_t heard_ns = 0;
   };
+  // The last upload: its ACK may have been lost.
+  struct finished_upload {
+    mavlink::sender from;
+    mavlink::mav_mission_type type{};
+    int last = 0;
+  };
 
   void take(const letter& each, std::int64_t now_ns);
+
+  // server_upload.cpp
   void take(mavlink::sender from, const mavlink::mission_count& m, std::int64_t now_ns);
+  void take(mavlink::sender from, const mavlink::mission_write_partial_list& m, std::int64_t now_ns);
   void take(mavlink::sender from, const mavlink::mission_item_int& m, std::int64_t now_ns);
   void take(mavlink::sender from, const mavlink::mission_item& m, std::int64_t now_ns);
+  void begin(mavlink::sender from, mavlink::mav_mission_type type, int first, int count, std::int64_t now_ns);
+  void take_count_again(receiving& upload, const mavlink::mission_count& m, std::int64_t now_ns);
+  void take_stray(mavlink::sender from, const mavlink::mission_item_int& m);
+  void take_foreign(mavlink::sender from, const mavlink::mission_item_int& m);
+  void take_wanted(receiving& upload, const mavlink::mission_item_int& m, std::int64_t now_ns);
+  void finish(const receiving& ended);
+  [[nodiscard]] std::optional<int> fault_of_the_whole(const receiving& upload) const;
+  void give_up_upload(const receiving& upload);
+  void ask(receiving& upload, std::int64_t now_ns);
+
+  // server_download.cpp
+  void take(mavlink::sender from, const mavlink::mission_request_list& m, std::int64_t now_ns);
   void take(mavlink::sender from, const mavlink::mission_request& m, std::int64_t now_ns);
   void take(mavlink::sender from, const mavlink::mission_request_int& m, std::int64_t now_ns);
-  void take(mavlink::sender from, const mavlink::mission_request_list& m, std::int64_t now_ns);
-  void take(mavlink::sender from, const mavlink::mission_ack& m, std::int64_t now_ns);
-  void take(mavlink::sender from, const mavlink::mission_clear_all& m, std::int64_t now_ns);
-
-  void take_stray(mavlink::sender from, const mavlink::mission_item_int& m);
-  void take_wanted(receiving& upload, const mavlink::mission_item_int& m, std::int64_t now_ns);
   [[nodiscard]] std::optional<mavlink::mission_item_int> item_for(mavlink::sender to, std::uint8_t type, int seq,
                                                                   std::int64_t now_ns);
-  void clear(mavlink::sender from, std::uint8_t type);
-  void ask(receiving& upload, std::int64_t now_ns);
+  void send_count(mavlink::sender to, mavlink::mav_mission_type type);
+
+  void take(mavlink::sender from, const mavlink::mission_ack& m, std::int64_t now_ns);
+  void take(mavlink::sender from, const mavlink::mission_clear_all& m, std::int64_t now_ns);
+  void clear(mavlink::sender from, std::uint8_t type, occasion by);
+  void on_silence(std::int64_t now_ns);
+  void end_session();
+
   void acknowledge(mavlink::sender to, std::uint8_t type, mavlink::mav_mission_result result, std::uint32_t id = 0);
-  void refuse_as_busy(mavlink::sender to, std::uint8_t type);
-  void note_change(mavlink::mav_mission_type type, mavlink::sender by);
+  void refuse_as_busy(mavlink::sender to, std::uint8_t type, std::optional<mavlink::mav_mission_result> result,
+                      occasion when);
+  void note_change(plan_change_kind kind, mavlink::mav_mission_type type, mavlink::sender by);
+  void say(occasion when, text_facts facts);
   template <class M>
-  void send(mavlink::sender to, M message);
+  void send(mavlink::sender to, M message) {
+    message.target_system = to.system;
+    message.target_component = to.component;
+    out_.messages.emplace_back(message);
+  }
   template <class M>
   [[nodiscard]] bool is_for_us(const M& m) const;
   [[nodiscard]] bool is_busy_for(mavlink::sender station) const;
-  void on_silence(std::int64_t now_ns);
+  [[nodiscard]] bool is_closed_by_a_download() const {
+    return is_giving() && vehicle_.when_read == while_read::everybody_waits;
+  }
 
   habits vehicle_;
   mavlink::sender ourselves_;
   inbox inbox_;
   plan_store store_;
   std::variant<idle, receiving, giving> session_;
-  std::optional<receiving> finished_; // the last upload: its ACK may have been lost
+  std::optional<finished_upload> finished_;
   bool is_locked_ = false;
-  reaction out_; // of the event that is being handled
+  int current_ = 0;
+  std::uint32_t said_once_ = 0; // a bit for each occasion
+  reaction out_;                // of the event that is being handled
 };
 
 } // namespace godwit::ground_port::mission_server

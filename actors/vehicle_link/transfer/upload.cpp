@@ -16,6 +16,8 @@ using mavlink::number;
 constexpr std::int64_t max_wait_ns = 1'000 * ns_per_ms;
 // A vehicle that said it was busy is not asked again sooner.
 constexpr std::int64_t min_busy_wait_ns = 250 * ns_per_ms;
+// Of what is known of the vehicle's patience: the margin that the profile adds to it, and the way of the messages.
+constexpr std::int64_t patience_doubt_ns = 1'000 * ns_per_ms;
 // The vehicle answered with errors, and there was no progress for so many waits: it is not in a transfer any more.
 constexpr int silences_after_error = 2;
 
@@ -262,7 +264,7 @@ void upload::on_item(step& out, const mavlink::mission_item_int& m, std::int64_t
 void upload::look_at_reader(step& out, std::int64_t now_ns) {
   using enum plan_reader::state;
   const bool count_tells =
-      reader_->now() == reading && (reader_->count() != size() || is_new_plan_id(reader_->plan_id()));
+      reader_->now() == reading && (reader_->count() != size() || is_id_of_ours(reader_->plan_id(), now_ns));
   if (reader_->now() == complete || count_tells) {
     compare_with_held(out, now_ns);
   } else if (reader_->is_over()) {
@@ -286,7 +288,7 @@ void upload::compare_with_held(step& out, std::int64_t now_ns) {
   auto how = proof::counted;
   if (held != size() || is_other_id) {
     difference = std::min(held, size());
-  } else if (is_new_plan_id(plan_id)) {
+  } else if (is_id_of_ours(plan_id, now_ns)) {
     how = proof::plan_id;
   } else if (depth_ == plan_reader::depth::items) {
     how = proof::read_back;
@@ -312,7 +314,7 @@ void upload::compare_with_held(step& out, std::int64_t now_ns) {
 
 void upload::on_plan_id(step& out, std::uint32_t plan_id, std::optional<int> count, std::int64_t now_ns) {
   const bool waits_for_ack = phase_ != phase::announcing && flow_.is_last_asked_for() && flow_.is_all_sent();
-  if (decided_ || !waits_for_ack || !is_new_plan_id(plan_id) || count.value_or(size()) != size())
+  if (decided_ || !waits_for_ack || !is_id_of_ours(plan_id, now_ns) || count.value_or(size()) != size())
     return;
   if (reader_)
     reader_->close(out, mav_mission_result::accepted);
@@ -388,7 +390,7 @@ void upload::accept(step& out, proof how, std::uint32_t plan_id, std::int64_t no
 void upload::refuse(step& out, std::uint8_t result, std::int64_t now_ns) {
   refusal_.reset();
   auto what = refused(result);
-  if (peer_.is_atomic || !has_begun_) {
+  if (peer_.is_atomic || !may_have_begun()) {
     finish(out, std::move(what), now_ns);
     return;
   }
@@ -422,14 +424,21 @@ outcome upload::refused(std::uint8_t result) const {
   what.result = result;
   if (phase_ != phase::announcing)
     what.item = static_cast<std::uint16_t>(flow_.wanted());
-  const bool keeps_old = peer_.is_atomic || !has_begun_;
+  const bool keeps_old = peer_.is_atomic || !may_have_begun();
   what.holding = keeps_old && !was_complete_before_ ? holding::unchanged : holding::unknown;
   return what;
 }
 
-bool upload::is_new_plan_id(std::uint32_t plan_id) const {
-  return plan_id != 0 && old_plan_id_ && plan_id != *old_plan_id_;
+// A new id alone could be that of another station's plan. But a vehicle that has asked for the last item waits for it as
+// long as its patience, and takes no other plan before: until then a new id can only be ours.
+bool upload::is_id_of_ours(std::uint32_t plan_id, std::int64_t now_ns) const {
+  const bool is_new = plan_id != 0 && old_plan_id_ && plan_id != *old_plan_id_;
+  return is_new && (plan_id == acknowledged_id_ || now_ns - progress_ns_ < peer_.patience_ns - patience_doubt_ns);
 }
+
+// A vehicle that is busy now may have taken the first announcement, and the items that went along with it, while each
+// of its answers was lost.
+bool upload::may_have_begun() const { return has_begun_ || (items_went_along_ && announcements_ > 1 && busy_); }
 
 std::int64_t upload::gives_up_ns() const {
   if (busy_)

@@ -25,7 +25,7 @@
 //
 // *Settling.* Whether the vehicle has the plan is asked and not guessed. An ACK without a request for the last item
 // could be one of a shorter plan that was still open: the count tells. No ACK at all: a new plan id with the right
-// count tells, else the plan is read back and compared by meaning. ArduPilot answers a repeated last item with ERROR
+// count tells while no other station can have brought it; else the plan is read back and compared by meaning. ArduPilot answers a repeated last item with ERROR
 // although the plan is stored. If it holds something else, the upload begins again.
 //
 // Time: silence for the patience of the profile means that the vehicle must have given up; then the upload begins again
@@ -101,7 +101,8 @@ private:
   [[nodiscard]] outcome failed(verdict how, std::string reason) const;
   [[nodiscard]] outcome refused(std::uint8_t result) const;
   [[nodiscard]] bool may_be_complete() const { return was_complete_before_ || flow_.is_all_sent(); }
-  [[nodiscard]] bool is_new_plan_id(std::uint32_t plan_id) const;
+  [[nodiscard]] bool may_have_begun() const;
+  [[nodiscard]] bool is_id_of_ours(std::uint32_t plan_id, std::int64_t now_ns) const;
   [[nodiscard]] std::int64_t gives_up_ns() const;
   [[nodiscard]] std::int64_t announces_next_ns() const;
   [[nodiscard]] int size() const { return static_cast<int>(plan_.size()); }

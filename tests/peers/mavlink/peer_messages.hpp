@@ -5,25 +5,26 @@
 #include <cstdint>
 
 #include "io/mavlink/messages.hpp"
+#include "io/mavlink/messages/mission_write_partial_list.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/signing/secret_key.hpp"
 
 namespace godwit::io::mavlink::peers {
 
-// Those that we read, and the one that we only send.
-using sent_only = message_list<request_data_stream>;
+// Those that we read everywhere, the one that we only send, and the one that the mission server alone reads.
+using of_few = message_list<request_data_stream, mission_write_partial_list>;
 
 // Calls F.template operator()<M>() for each.
 template <class F>
 void for_each_message(F&& f) {
   known_messages::for_each(f);
-  sent_only::for_each(f);
+  of_few::for_each(f);
 }
 
 // Calls F with the message in FRAME; false if it is none of them.
 template <class F>
 bool visit_any(const frame_view& frame, F&& f) {
-  return known_messages::visit(frame, f) || sent_only::visit(frame, f);
+  return known_messages::visit(frame, f) || of_few::visit(frame, f);
 }
 
 inline constexpr std::int64_t signing_ns = 1'781'000'000'000'000'000; // since 1970 UTC: a day in 2026

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "actors/ground_port/mission_server/inbox.hpp"
+
 namespace godwit::ground_port::mission_server {
 namespace {
 
@@ -20,6 +22,14 @@ TEST(habits, what_is_ours_goes_by_the_text) {
   EXPECT_TRUE(plain.obeys_cancel);
   EXPECT_EQ(plain.turn_ns, 0);
   EXPECT_EQ(plain.asks_with, request_kind::mission_request_int);
+}
+
+TEST(habits, what_can_wait_and_the_patience_behind_it_are_over_in_10_s) {
+  for (const auto& vehicle :
+       {plain_habits(), px4_habits(), ardupilot_copter_habits(), ardupilot_plane_habits(), ardupilot_rover_habits()}) {
+    const auto turns = static_cast<std::int64_t>(max_waiting_messages) + 1; // the first one may just have begun
+    EXPECT_LE(turns * vehicle.turn_ns + vehicle.gives_up_ns, 10'000 * ns_per_ms);
+  }
 }
 
 } // namespace

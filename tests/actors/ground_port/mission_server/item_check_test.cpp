@@ -58,5 +58,21 @@ TEST(check_item, refuses_positions_that_are_not_on_earth_where_the_vehicle_looks
   EXPECT_EQ(check_item(item, {}), mav_mission_result::invalid_param6_y);
 }
 
+TEST(check_item, looks_for_a_position_only_where_there_is_one) {
+  auto item = waypoint();
+  item.x = 950'000'000;
+  item.command = number(mav_cmd::do_digicam_control);
+  EXPECT_EQ(check_item(item, {}), mav_mission_result::accepted) << "param5 of a camera";
+  item.command = number(mav_cmd::nav_waypoint);
+  item.frame = number(mavlink::mav_frame::mission);
+  EXPECT_EQ(check_item(item, {}), mav_mission_result::accepted);
+}
+
+TEST(check_item, refuses_orders) {
+  auto item = waypoint();
+  item.command = number(mav_cmd::component_arm_disarm);
+  EXPECT_EQ(check_item(item, {}), mav_mission_result::unsupported);
+}
+
 } // namespace
 } // namespace godwit::ground_port::mission_server

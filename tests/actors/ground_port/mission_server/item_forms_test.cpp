@@ -50,11 +50,21 @@ TEST(item_forms, a_local_position_has_metres_in_a_tenth_of_a_millimetre) {
   EXPECT_FLOAT_EQ(in_floats(item).x, 1.25F);
 }
 
+TEST(item_forms, x_and_y_of_an_item_without_a_position_are_parameters_and_stay_as_they_are) {
+  mavlink::mission_item item;
+  item.frame = number(mavlink::mav_frame::mission);
+  item.x = 7;
+  item.y = -3;
+  EXPECT_EQ(in_integers(item).x, 7);
+  EXPECT_EQ(in_integers(item).y, -3);
+  EXPECT_EQ(in_floats(in_integers(item)).x, 7.0F);
+}
+
 TEST(item_forms, numbers_that_are_none_or_too_large_do_not_overflow) {
   mavlink::mission_item item;
   item.x = std::nanf("");
   item.y = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(in_integers(item).x, 0);
+  EXPECT_EQ(in_integers(item).x, INT32_MAX) << "no position, and not the one at 0";
   EXPECT_EQ(in_integers(item).y, INT32_MAX);
 }
 

@@ -25,7 +25,7 @@ TEST(plan_store, an_atomic_vehicle_holds_the_old_plan_until_the_new_one_is_compl
   store.begin(mav_mission_type::mission, 3);
   put(store, 3, 10);
   EXPECT_TRUE(store.plan(mav_mission_type::mission).items.empty());
-  store.complete();
+  (void)store.complete();
   store.begin(mav_mission_type::mission, 2);
   put(store, 1, 90);
   EXPECT_EQ(store.plan(mav_mission_type::mission).items.size(), 3U);
@@ -37,7 +37,7 @@ TEST(plan_store, ardupilot_holds_a_mixture_in_between) {
   plan_store store(ardupilot_copter_habits());
   store.begin(mav_mission_type::mission, 4);
   put(store, 4, 10);
-  store.complete();
+  (void)store.complete();
   store.begin(mav_mission_type::mission, 3);
   put(store, 2, 90);
   store.discard();
@@ -53,12 +53,12 @@ TEST(plan_store, item_0_of_an_ardupilot_mission_is_home_and_only_of_a_mission) {
   plan_store store(vehicle);
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
-  store.complete();
+  (void)store.complete();
   EXPECT_EQ(store.plan(mav_mission_type::mission).items[0].x, 77);
   EXPECT_EQ(store.plan(mav_mission_type::mission).items[1].x, 11);
   store.begin(mav_mission_type::rally, 1);
   put(store, 1, 10);
-  store.complete();
+  (void)store.complete();
   EXPECT_EQ(store.plan(mav_mission_type::rally).items[0].x, 10);
 }
 
@@ -66,26 +66,52 @@ TEST(plan_store, the_same_plan_has_the_same_id_and_another_one_another) {
   plan_store store(px4_habits());
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
-  store.complete();
+  (void)store.complete();
   const auto id = store.plan(mav_mission_type::mission).id;
   EXPECT_NE(id, 0U);
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 20);
-  store.complete();
+  (void)store.complete();
   EXPECT_NE(store.plan(mav_mission_type::mission).id, id);
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
-  store.complete();
+  (void)store.complete();
   EXPECT_EQ(store.plan(mav_mission_type::mission).id, id);
   store.clear(mav_mission_type::mission);
   EXPECT_EQ(store.plan(mav_mission_type::mission).id, 0U);
+}
+
+TEST(plan_store, the_id_says_nothing_of_address_type_and_mark) {
+  auto other = item(0, 10);
+  const auto id = checksum_of({other});
+  other.current = 1;
+  other.target_system = 7;
+  other.target_component = 8;
+  other.mission_type = 2;
+  EXPECT_EQ(checksum_of({other}), id);
+  other.param1 = 1;
+  EXPECT_NE(checksum_of({other}), id);
+}
+
+TEST(plan_store, a_restored_plan_has_the_id_that_it_had) {
+  plan_store store(px4_habits());
+  store.begin(mav_mission_type::mission, 2);
+  put(store, 2, 10);
+  EXPECT_FALSE(store.complete());
+  const auto held = store.plan(mav_mission_type::mission);
+  plan_store later(px4_habits());
+  later.restore(mav_mission_type::mission, held.items);
+  EXPECT_EQ(later.plan(mav_mission_type::mission).id, held.id);
+  later.begin(mav_mission_type::mission, 2);
+  put(later, 2, 10);
+  EXPECT_TRUE(later.complete()) << "the same again";
 }
 
 TEST(plan_store, a_vehicle_without_ids_has_none) {
   plan_store store(ardupilot_copter_habits());
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
-  store.complete();
+  (void)store.complete();
   EXPECT_EQ(store.plan(mav_mission_type::mission).id, 0U);
 }
 

@@ -1,6 +1,9 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace godwit::ground_port::mission_server::test {
 
@@ -30,6 +33,13 @@ std::uint16_t command_of(int type) {
 
 } // namespace
 
+std::vector<plan_change> settled(const std::vector<plan_change>& changes) {
+  std::vector<plan_change> result;
+  std::copy_if(changes.begin(), changes.end(), std::back_inserter(result),
+               [](const plan_change& each) { return each.kind != plan_change_kind::begun_replacing; });
+  return result;
+}
+
 mavlink::sender target_of(const outgoing& message) {
   return std::visit([](const auto& m) { return mavlink::sender{m.target_system, m.target_component}; }, message);
 }
@@ -58,6 +68,7 @@ mavlink::mission_item_int waypoint(int seq, int type) {
   message.command = command_of(type);
   message.frame = number(mavlink::mav_frame::global_relative_alt);
   message.autocontinue = 1;
+  message.param1 = type == 1 ? 50 : 0; // the radius of a circle
   message.x = 500'000'000 + seq;
   message.y = 364'000'000;
   message.z = 30;
@@ -65,8 +76,9 @@ mavlink::mission_item_int waypoint(int seq, int type) {
   return message;
 }
 
-mavlink::mission_ack ack_of(mavlink::mav_mission_result result) {
+mavlink::mission_ack ack_of(mavlink::mav_mission_result result, int type) {
   mavlink::mission_ack message;
+  message.mission_type = static_cast<std::uint8_t>(type);
   message.type = number(result);
   return message;
 }
@@ -103,11 +115,15 @@ dialogue::words dialogue::upload(int count, int type, mavlink::sender from) {
   return answer;
 }
 
+dialogue::words dialogue::texts() { return std::exchange(texts_, {}); }
+
 const held_plan& dialogue::held(int type) const { return server_.plan(static_cast<mavlink::mav_mission_type>(type)); }
 
 void dialogue::hear(const reaction& what) {
   said_.insert(said_.end(), what.messages.begin(), what.messages.end());
   changes_.insert(changes_.end(), what.changes.begin(), what.changes.end());
+  for (const auto& each : what.texts)
+    texts_.push_back(each.text);
 }
 
 } // namespace godwit::ground_port::mission_server::test

@@ -20,13 +20,16 @@ inline constexpr mavlink::sender vehicle_id{1, 1};
 inline constexpr mavlink::sender station{255, 190};
 inline constexpr mavlink::sender other_station{254, 190};
 
+// The changes that say what is held, without those that only announce one.
+[[nodiscard]] std::vector<plan_change> settled(const std::vector<plan_change>& changes);
+
 // An outgoing message without its address, which is named where it is not STATION. The type is named unless it is 0.
 [[nodiscard]] std::string in_words(const outgoing& message);
 [[nodiscard]] mavlink::sender target_of(const outgoing& message);
 
 [[nodiscard]] mavlink::mission_count count_of(int count, int type = 0);
 [[nodiscard]] mavlink::mission_item_int waypoint(int seq, int type = 0); // a fence or rally item for these types
-[[nodiscard]] mavlink::mission_ack ack_of(mavlink::mav_mission_result result);
+[[nodiscard]] mavlink::mission_ack ack_of(mavlink::mav_mission_result result, int type = 0);
 [[nodiscard]] mavlink::mission_clear_all clear_of(int type);
 [[nodiscard]] mavlink::mission_request_list list_of(int type);
 
@@ -71,6 +74,8 @@ public:
   // Since the beginning.
   [[nodiscard]] const std::vector<outgoing>& said() const { return said_; }
   [[nodiscard]] const std::vector<plan_change>& changes() const { return changes_; }
+  // What was said to people since the last call.
+  [[nodiscard]] words texts();
   // The last message of this kind; an empty one, if there was none.
   template <class M>
   [[nodiscard]] M last() const {
@@ -88,6 +93,7 @@ private:
   std::size_t told_ = 0;             // of what was said, in words
   std::vector<outgoing> said_;
   std::vector<plan_change> changes_;
+  words texts_;
 };
 
 } // namespace godwit::ground_port::mission_server::test

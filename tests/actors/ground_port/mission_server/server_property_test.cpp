@@ -27,6 +27,7 @@ enum class op_kind : std::uint8_t {
   acknowledge,
   cancel,
   clear,
+  partial_list,
   flood,
   lock,
   restart,
@@ -42,9 +43,9 @@ struct op {
 };
 
 std::ostream& operator<<(std::ostream& out, const op& each) {
-  constexpr std::array names{"count", "wanted_items", "any_item", "float_item", "spoiled_item",
-                             "list",  "request",      "floats",   "ack",        "cancel",
-                             "clear", "flood",        "lock",     "restart",    "wait"};
+  constexpr std::array names{"count",   "wanted_items", "any_item", "float_item", "spoiled_item", "list",
+                             "request", "floats",       "ack",      "cancel",     "clear",        "partial list",
+                             "flood",   "lock",         "restart",  "wait"};
   return out << names.at(static_cast<std::size_t>(each.kind)) << (each.is_other ? " of the other" : "") << " to "
              << int{each.address} << " type " << int{each.type} << " (" << each.arg << ')';
 }
@@ -70,6 +71,7 @@ struct Arbitrary<godwit::ground_port::mission_server::test::op> {
                                                            {3, op_kind::acknowledge},
                                                            {2, op_kind::cancel},
                                                            {2, op_kind::clear},
+                                                           {2, op_kind::partial_list},
                                                            {1, op_kind::flood},
                                                            {1, op_kind::lock},
                                                            {1, op_kind::restart},
@@ -147,6 +149,8 @@ private:
       return say(each, by, ack_of(mav_mission_result::operation_cancelled));
     case op_kind::clear:
       return say(each, by, clear_of(each.type));
+    case op_kind::partial_list:
+      return say(each, by, part_of(each.arg % room, each.arg / room % room, each.type));
     case op_kind::flood:
       return flood(by);
     case op_kind::lock:
@@ -229,9 +233,17 @@ private:
     now_ns_ = until_ns;
   }
 
+  static mavlink::mission_write_partial_list part_of(int first, int last, int type) {
+    mavlink::mission_write_partial_list result;
+    result.start_index = static_cast<std::int16_t>(first);
+    result.end_index = static_cast<std::int16_t>(last);
+    result.mission_type = static_cast<std::uint8_t>(type);
+    return result;
+  }
+
   // A vehicle that hears nothing more takes what waits, and then loses its patience.
   void come_to_rest() {
-    wait(static_cast<std::int64_t>(max_waiting_messages) * vehicle_.turn_ns + vehicle_.gives_up_ns);
+    wait(10 * s);
     RC_ASSERT(server_.is_idle());
     RC_ASSERT(server_.next_deadline_ns() == std::numeric_limits<std::int64_t>::max());
     RC_ASSERT(vehicle_.turn_ns != 0 || server_.dropped() == 0U);

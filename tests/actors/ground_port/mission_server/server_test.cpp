@@ -177,8 +177,10 @@ TEST(server, an_item_without_a_transfer_is_an_error) {
 }
 
 TEST(server, a_second_station_is_told_that_the_vehicle_is_busy_and_the_first_goes_on) {
-  for (const auto& [vehicle, busy] : {std::pair{px4_habits(), mav_mission_result::error},
-                                      std::pair{ardupilot_copter_habits(), mav_mission_result::denied}}) {
+  for (const auto& [vehicle, busy, stray] :
+       {std::tuple{px4_habits(), mav_mission_result::error, std::optional<mav_mission_result>()},
+        {ardupilot_copter_habits(), mav_mission_result::denied, std::optional(mav_mission_result::invalid_sequence)},
+        {plain_habits(), mav_mission_result::denied, std::optional(mav_mission_result::error)}}) {
     conversation with(vehicle);
     (void)with.count(3);
     const auto refused = acknowledged(with.count(5, mav_mission_type::mission, other_station));
@@ -186,7 +188,7 @@ TEST(server, a_second_station_is_told_that_the_vehicle_is_busy_and_the_first_goe
     EXPECT_EQ(refused->type, number(busy));
     EXPECT_EQ(refused->target_system, other_station.system);
     EXPECT_EQ(requested(with.item(0)), 1);
-    EXPECT_EQ(result_of(with.item(0, other_station)), mav_mission_result::error) << "it has no transfer";
+    EXPECT_EQ(result_of(with.item(0, other_station)), stray) << "it has no transfer";
     EXPECT_EQ(requested(with.item(1)), 2);
   }
 }
@@ -316,7 +318,6 @@ TEST(server, gives_its_plan_in_order_and_the_last_item_twice_if_asked) {
   EXPECT_EQ(first.current, 1) << "PX4 marks the first";
   EXPECT_EQ(with.request<mavlink::mission_request_int>(0).size(), 1U);
   EXPECT_EQ(with.request<mavlink::mission_request_int>(1).size(), 1U);
-  EXPECT_TRUE(with.request<mavlink::mission_request_int>(999).empty());
 }
 
 TEST(server, ardupilot_gives_any_item_at_any_time) {

@@ -66,7 +66,7 @@ TEST(clear, a_vehicle_that_flies_its_mission_refuses) {
   world.vehicle().lock(true);
   const auto outcome = world.clear();
   EXPECT_EQ(outcome.verdict, verdict::refused);
-  EXPECT_EQ(outcome.result, mavlink::number(mav_mission_result::denied));
+  EXPECT_EQ(outcome.result, mavlink::number(mav_mission_result::error));
   EXPECT_EQ(outcome.holding, transfer::holding::unchanged);
   EXPECT_EQ(world.vehicle().plan(mav_mission_type::mission).items.size(), 10U);
 }

@@ -30,8 +30,6 @@ std::uint32_t plan_id_of(const mavlink::mission_current& m, mav_mission_type typ
 // MISSION_CURRENT.total of a vehicle without a mission.
 constexpr std::uint16_t no_plan_total = 65'535;
 
-constexpr std::array one_by_one{mav_mission_type::mission, mav_mission_type::fence, mav_mission_type::rally};
-
 std::size_t index_of(mav_mission_type type) { return number(type); }
 
 bool has_any_plan_id(const mavlink::mission_current& m) {
@@ -63,10 +61,9 @@ step client::upload(mav_mission_type type, std::vector<mavlink::mission_item_int
     return begin(who, std::make_unique<transfer::clear>(clear_with::mission_count_0, who, profile_, line_), now_ns);
   if (plan.size() > plan_reader::max_items)
     return refused_here(type);
-  return begin(who,
-               std::make_unique<transfer::upload>(std::move(plan), plan_ids_[index_of(type)],
-                                                  quiet_from_ns_[index_of(type)], who, profile_, line_),
-               now_ns);
+  return begin(
+      who, std::make_unique<transfer::upload>(std::move(plan), quiet_from_ns_[index_of(type)], who, profile_, line_),
+      now_ns);
 }
 
 step client::download(mav_mission_type type, std::int64_t now_ns) {
@@ -157,19 +154,13 @@ step client::on(const mavlink::mission_ack& m, std::int64_t now_ns) {
 step client::on(const mavlink::mission_current& m, std::int64_t now_ns) {
   step out;
   keeps_plan_ids_ = keeps_plan_ids_ || has_any_plan_id(m);
-  if (!keeps_plan_ids_)
+  if (!keeps_plan_ids_ || is_idle())
     return out;
-  if (!is_idle()) {
-    std::optional<int> count;
-    if (who_.mission_type == mav_mission_type::mission && m.total != 0)
-      count = m.total == no_plan_total ? 0 : m.total;
-    running_->on_plan_id(out, plan_id_of(m, who_.mission_type), count, now_ns);
-    end_if_finished(out, now_ns);
-    return out;
-  }
-  for (const auto type : one_by_one)
-    if (now_ns >= quiet_from_ns_[index_of(type)])
-      plan_ids_[index_of(type)] = plan_id_of(m, type);
+  std::optional<int> count;
+  if (who_.mission_type == mav_mission_type::mission && m.total != 0)
+    count = m.total == no_plan_total ? 0 : m.total;
+  running_->on_plan_id(out, plan_id_of(m, who_.mission_type), count, now_ns);
+  end_if_finished(out, now_ns);
   return out;
 }
 
@@ -194,9 +185,6 @@ void client::end_if_finished(const step& out, std::int64_t now_ns) {
   running_.reset();
   if (!is_download(*out.finished))
     quiet_from_ns_[index_of(who_.mission_type)] = now_ns + frames_stay_ns;
-  // What the vehicle said before is old by now, and an old id would make the next one look new.
-  if (out.finished->holding != holding::unchanged)
-    plan_ids_[index_of(who_.mission_type)] = out.finished->plan_id;
 }
 
 } // namespace godwit::vehicle_link::transfer

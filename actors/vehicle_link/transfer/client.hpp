@@ -74,8 +74,7 @@ private:
   std::unique_ptr<operation> running_;
   int cancel_repeats_left_ = 0;
   bool keeps_plan_ids_;
-  std::array<std::optional<std::uint32_t>, 3> plan_ids_; // by type, as the vehicle said last when nothing was going on
-  std::array<std::int64_t, 3> quiet_from_ns_{};          // by type: nothing of the last upload is on the line any more
+  std::array<std::int64_t, 3> quiet_from_ns_{}; // by type: nothing of the last upload is on the line any more
   std::uint64_t ignored_ = 0;
 };
 

@@ -25,10 +25,10 @@ constexpr bool is(std::uint8_t result, mav_mission_result what) { return result 
 
 } // namespace
 
-upload::upload(std::vector<mavlink::mission_item_int> plan, std::optional<std::uint32_t> old_plan_id,
-               std::int64_t not_before_ns, const parties& who, const peer_profile& peer, round_trip& line)
-    : plan_(std::move(plan)), old_plan_id_(old_plan_id), who_(who), peer_(peer), line_(line),
-      flow_(static_cast<int>(plan_.size()), peer, line), not_before_ns_(not_before_ns) {
+upload::upload(std::vector<mavlink::mission_item_int> plan, std::int64_t not_before_ns, const parties& who,
+               const peer_profile& peer, round_trip& line)
+    : plan_(std::move(plan)), who_(who), peer_(peer), line_(line), flow_(static_cast<int>(plan_.size()), peer, line),
+      not_before_ns_(not_before_ns) {
   for (std::size_t i = 0; i < plan_.size(); ++i) {
     plan_[i] = who_.addressed(plan_[i]);
     plan_[i].seq = static_cast<std::uint16_t>(i);
@@ -67,6 +67,7 @@ void upload::restart_or(step& out, outcome otherwise, std::int64_t now_ns) {
   }
   ++effort_.restarts;
   was_complete_before_ = may_be_complete();
+  old_plan_id_.reset();
   flow_.restart();
   phase_ = phase::announcing;
   announcements_ = 0;
@@ -313,6 +314,9 @@ void upload::compare_with_held(step& out, std::int64_t now_ns) {
 }
 
 void upload::on_plan_id(step& out, std::uint32_t plan_id, std::optional<int> count, std::int64_t now_ns) {
+  // What the vehicle holds while it takes our plan is what it held before, whatever other stations did until then.
+  if (phase_ == phase::sending && !flow_.is_all_sent())
+    old_plan_id_ = plan_id;
   const bool waits_for_ack = phase_ != phase::announcing && flow_.is_last_asked_for() && flow_.is_all_sent();
   if (decided_ || !waits_for_ack || !is_id_of_ours(plan_id, now_ns) || count.value_or(size()) != size())
     return;
@@ -429,11 +433,14 @@ outcome upload::refused(std::uint8_t result) const {
   return what;
 }
 
-// A new id alone could be that of another station's plan. But a vehicle that has asked for the last item waits for it as
-// long as its patience, and takes no other plan before: until then a new id can only be ours.
+// A new id alone could be that of another station's plan. But a vehicle that has asked for the last item waits for it
+// as long as its patience, and takes no other plan before: until then another id than while it took ours can only be
+// ours.
 bool upload::is_id_of_ours(std::uint32_t plan_id, std::int64_t now_ns) const {
-  const bool is_new = plan_id != 0 && old_plan_id_ && plan_id != *old_plan_id_;
-  return is_new && (plan_id == acknowledged_id_ || now_ns - progress_ns_ < peer_.patience_ns - patience_doubt_ns);
+  if (plan_id == 0 || plan_id == acknowledged_id_)
+    return plan_id != 0;
+  const bool is_new = old_plan_id_ && plan_id != *old_plan_id_;
+  return is_new && flow_.is_last_asked_for() && now_ns - progress_ns_ < peer_.patience_ns - patience_doubt_ns;
 }
 
 // A vehicle that is busy now may have taken the first announcement, and the items that went along with it, while each

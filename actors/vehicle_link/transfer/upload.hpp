@@ -25,8 +25,9 @@
 //
 // *Settling.* Whether the vehicle has the plan is asked and not guessed. An ACK without a request for the last item
 // could be one of a shorter plan that was still open: the count tells. No ACK at all: a new plan id with the right
-// count tells while no other station can have brought it; else the plan is read back and compared by meaning. ArduPilot answers a repeated last item with ERROR
-// although the plan is stored. If it holds something else, the upload begins again.
+// count tells while no other station can have brought it; else the plan is read back and compared by meaning. ArduPilot
+// answers a repeated last item with ERROR although the plan is stored. If it holds something else, the upload begins
+// again.
 //
 // Time: silence for the patience of the profile means that the vehicle must have given up; then the upload begins again
 // with MISSION_COUNT, at most max_restarts times. So does a vehicle that speaks and never gets further for three times
@@ -54,11 +55,10 @@ inline constexpr int patience_without_progress = 3;
 
 class upload final : public operation {
 public:
-  // PLAN has 1 to plan_reader::max_items items. OLD_PLAN_ID: the vehicle's word on what it holds, if it gave one.
-  // NOT_BEFORE_NS: items of an earlier upload may be on the line until then; no protocol number tells them from ours.
-  // LINE outlives it.
-  upload(std::vector<mavlink::mission_item_int> plan, std::optional<std::uint32_t> old_plan_id,
-         std::int64_t not_before_ns, const parties& who, const peer_profile& peer, round_trip& line);
+  // PLAN has 1 to plan_reader::max_items items. NOT_BEFORE_NS: items of an earlier upload may be on the line until
+  // then; no protocol number tells them from ours. LINE outlives it.
+  upload(std::vector<mavlink::mission_item_int> plan, std::int64_t not_before_ns, const parties& who,
+         const peer_profile& peer, round_trip& line);
 
   void start(step& out, std::int64_t now_ns) override;
   void on_request(step& out, std::uint16_t item, std::int64_t now_ns) override;
@@ -108,7 +108,6 @@ private:
   [[nodiscard]] int size() const { return static_cast<int>(plan_.size()); }
 
   std::vector<mavlink::mission_item_int> plan_;
-  std::optional<std::uint32_t> old_plan_id_;
   parties who_;
   peer_profile peer_;
   round_trip& line_;
@@ -121,19 +120,20 @@ private:
   std::int64_t progress_ns_ = 0;        // or this attempt's beginning
   std::int64_t first_announced_ns_ = 0; // of this attempt
   std::int64_t announced_ns_ = 0;
-  int announcements_ = 0;             // of this attempt
-  bool items_went_along_ = false;     // with the first of them
-  bool has_closed_ours_ = false;      // since the last of them
-  std::optional<std::uint8_t> busy_;  // what a vehicle that is busy has said
-  std::optional<refusal> refusal_;    // not yet believed
-  int errors_ = 0;                    // since the last progress
-  bool has_begun_ = false;            // the vehicle has asked for item 0, in some attempt
-  bool was_complete_before_ = false;  // all was sent in an earlier attempt
-  int done_ = 0;                      // as told to people
-  std::optional<plan_reader> reader_; // while settling
-  plan_reader::depth depth_{};        // of it
-  std::uint32_t acknowledged_id_ = 0; // by the ACK that is being settled
-  std::optional<outcome> decided_;    // only what the vehicle holds is still asked
+  int announcements_ = 0;                    // of this attempt
+  bool items_went_along_ = false;            // with the first of them
+  bool has_closed_ours_ = false;             // since the last of them
+  std::optional<std::uint8_t> busy_;         // what a vehicle that is busy has said
+  std::optional<refusal> refusal_;           // not yet believed
+  int errors_ = 0;                           // since the last progress
+  bool has_begun_ = false;                   // the vehicle has asked for item 0, in some attempt
+  bool was_complete_before_ = false;         // all was sent in an earlier attempt
+  int done_ = 0;                             // as told to people
+  std::optional<plan_reader> reader_;        // while settling
+  plan_reader::depth depth_{};               // of it
+  std::optional<std::uint32_t> old_plan_id_; // as told while the vehicle took our plan, in this attempt
+  std::uint32_t acknowledged_id_ = 0;        // by the ACK that is being settled
+  std::optional<outcome> decided_;           // only what the vehicle holds is still asked
   effort effort_;
 };
 

@@ -140,10 +140,20 @@ TEST(upload, acknowledgements_that_never_come_are_settled_by_the_plan_id_where_t
   world.report_mission_every_second();
   world.run_for(1'500 * ms);
   world.ours().drops_received = drop_acks_of(mav_mission_result::accepted, 1'000);
-  const auto outcome = world.upload(mission_of(20));
+  const auto outcome = world.upload(mission_of(1'500)); // so long that the old id is told on the way
   EXPECT_EQ(outcome.verdict, verdict::accepted);
   EXPECT_EQ(outcome.proof, proof::plan_id);
   EXPECT_EQ(outcome.plan_id, world.vehicle().plan(mav_mission_type::mission).id);
+}
+
+TEST(upload, a_new_plan_id_is_no_proof_where_the_old_one_was_not_told_while_the_vehicle_took_the_plan) {
+  auto world = px4_world();
+  world.report_mission_every_second();
+  world.run_for(1'500 * ms);
+  world.ours().drops_received = drop_acks_of(mav_mission_result::accepted, 1'000);
+  const auto outcome = world.upload(mission_of(20));
+  EXPECT_EQ(outcome.verdict, verdict::accepted);
+  EXPECT_EQ(outcome.proof, proof::read_back);
 }
 
 TEST(upload, an_acknowledgement_without_a_request_for_the_last_item_is_settled_by_the_count) {

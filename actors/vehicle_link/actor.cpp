@@ -66,6 +66,8 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, signing_, mavlink::signing_time{current_state().signing_ceiling});
+  if (const auto status = line_->incoming().newest_status()) // an earlier life may have taken it
+    carry_out(core_->on_link(*status, now()));
   tell(me(), wake{}); // what came in meanwhile waits
   set_timer();
 }
@@ -77,6 +79,8 @@ void actor::drain() {
   for (int i = 0; i < max_chunks_per_turn; ++i) {
     const auto chunk = incoming.take();
     if (!chunk) {
+      if (incoming.has_status()) // it came in between, and woke nobody
+        break;
       after_turn();
       return;
     }

@@ -13,11 +13,13 @@
 #include "actors/vehicle_link/core.hpp"
 #include "actors/vehicle_link/listeners.hpp"
 #include "actors/vehicle_link/state.hpp"
-#include "actors/vehicle_link/wire.hpp"
+#include "io/link/wire.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "runtime/persistent_cell.hpp"
 
 namespace godwit::vehicle_link {
+
+using io::link::wire;
 
 // So much of what came in is handled in one turn, before other mail has its own.
 inline constexpr int max_chunks_per_turn = 32;

@@ -22,6 +22,26 @@ bool has_nan(const send_command& c) {
          std::isnan(c.z) || (c.form == command_form::in_floats && (std::isnan(c.param5) || std::isnan(c.param6)));
 }
 
+std::vector<named_count> named(const std::vector<mavlink::channel_count>& counts) {
+  std::vector<named_count> result;
+  for (const auto& each : counts)
+    result.push_back({each.name, each.count});
+  return result;
+}
+
+void show(const mavlink::channel_report& of, connection& in) {
+  in.rx_seq = of.last_sequence;
+  in.signing_enabled = of.is_signing;
+  in.frames_in = of.frames_in;
+  in.frames_out = of.frames_out;
+  in.sequence_gaps = of.sequence_gaps;
+  in.parse_errors_total = of.parse_errors_total;
+  in.parse_errors = named(of.parse_errors);
+  in.kind_errors = named(of.kind_errors);
+  in.signing_rejected = of.signing_rejected;
+  in.signing_errors = named(of.signing_errors);
+}
+
 mavlink::command_long as_long(const send_command& c, std::uint8_t system) {
   return {.target_system = system,
           .target_component = c.target_component,
@@ -462,7 +482,8 @@ connection core::describe(instant now) const {
     result.autopilot = vehicle->autopilot;
     result.vehicle_type = vehicle->type;
   }
-  channel_.describe(result, who);
+  show(channel_.report(who), result);
+  result.tx_seq = channel_.next_sequence(ourselves());
   result.heartbeat_held_back = heartbeat_held_back_;
   result.not_accepted = not_accepted_;
   result.vehicle_restarts = watch_.restarts();

@@ -16,7 +16,6 @@
 #include <optional>
 #include <string>
 
-#include "actors/vehicle_link/channel.hpp"
 #include "actors/vehicle_link/command_ledger.hpp"
 #include "actors/vehicle_link/current_setter.hpp"
 #include "actors/vehicle_link/effects.hpp"
@@ -25,8 +24,11 @@
 #include "actors/vehicle_link/transfer/client.hpp"
 #include "actors/vehicle_link/vehicle_watch.hpp"
 #include "actors/vehicle_link/voucher_gate.hpp"
+#include "io/mavlink/signing/channel.hpp"
 
 namespace godwit::vehicle_link {
+
+using mavlink::signing_settings;
 
 enum class wellness { well, impaired, bad };
 
@@ -112,7 +114,7 @@ private:
   [[nodiscard]] bool speaks_v1_only(std::int64_t now_ns) const;
 
   settings settings_;
-  channel channel_;
+  mavlink::channel channel_;
   vehicle_watch watch_;
   command_ledger commands_;
   current_setter current_;

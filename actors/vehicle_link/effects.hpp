@@ -8,16 +8,13 @@
 #include "actors/vehicle_link/surface.hpp"
 #include "io/link/status.hpp"
 #include "io/mavlink/frame.hpp"
+#include "io/mavlink/signing/channel.hpp"
 #include "messages/vehicle_link/connection.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 
 namespace godwit::vehicle_link {
 
-// Both clocks at the moment of an event: the first for deadlines, the second for signatures.
-struct instant {
-  std::int64_t monotonic_ns = 0;
-  std::int64_t wall_ns = 0;
-};
+using mavlink::instant;
 
 struct transmission {
   io::link::peer_id to = io::link::every_peer;

@@ -9,34 +9,21 @@
 // are stopped. Thread: open and close by the owner; the rest from any.
 #pragma once
 
-#include <memory>
-#include <mutex>
 #include <string>
 
 #include <tl/expected.hpp>
 
-#include "actors/vehicle_link/wire.hpp"
+#include "io/link/line.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "runtime/gateway.hpp"
 
 namespace godwit::vehicle_link {
 
-class link_port final : public wire {
+class link_port final : public io::link::line {
 public:
   // The error is that of io::link::open_link.
   [[nodiscard]] tl::expected<void, std::string> open(const io::link::uri& where, const io::link::link_options& options,
                                                      runtime::gateway gateway, wake_handle actor);
-  void close();
-
-  bool send(std::span<const std::byte> frame, io::link::peer_id to) override;
-  [[nodiscard]] io::link::link_counters counters() const;
-  [[nodiscard]] std::string description() const;
-
-private:
-  [[nodiscard]] std::shared_ptr<io::link::link> current() const;
-
-  mutable std::mutex mutex_; // guards the pointer only
-  std::shared_ptr<io::link::link> link_;
 };
 
 } // namespace godwit::vehicle_link

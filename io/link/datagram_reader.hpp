@@ -1,4 +1,4 @@
-// Hands on what arrives on a UDP socket, out of one buffer that is made once.
+// Hands on what arrives on a UDP socket, out of the buffer of its thread.
 //
 // Errors: the owner is asked about each and says whether to read on. Thread: the link's own.
 #pragma once
@@ -7,20 +7,20 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
 #include <boost/asio/ip/udp.hpp>
+
+#include "io/link/liveness.hpp"
 
 namespace godwit::io::link {
 
 class datagram_reader {
 public:
   using endpoint = boost::asio::ip::udp::endpoint;
-  static constexpr std::size_t buffer_bytes = 64 * 1024; // no datagram is longer
-  static constexpr int max_a_turn = 16;                  // then timers and others have their turn
+  static constexpr int max_a_turn = 16; // then timers and others have their turn
 
   // FAILED: an error number; true: read on, false: the socket is closed.
-  datagram_reader(boost::asio::ip::udp::socket& socket,
+  datagram_reader(boost::asio::ip::udp::socket& socket, std::span<std::byte> buffer,
                   std::function<void(const endpoint&, std::span<const std::byte>)> heard,
                   std::function<bool(int)> failed);
 
@@ -36,8 +36,9 @@ private:
   boost::asio::ip::udp::socket& socket_;
   std::function<void(const endpoint&, std::span<const std::byte>)> heard_;
   std::function<bool(int)> failed_;
-  std::vector<std::byte> buffer_;
+  std::span<std::byte> buffer_;
   std::uint64_t generation_ = 0; // of the socket: a wait that was over just before it was closed must not count
+  liveness alive_;
 };
 
 } // namespace godwit::io::link

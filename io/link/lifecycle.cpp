@@ -36,10 +36,10 @@ void lifecycle::failed(std::string why) {
   }
   is_open_ = false;
   timer_.expires_at(std::max(now, waits_since + pause_.next()));
-  timer_.async_wait([this](const boost::system::error_code& cancelled) {
+  timer_.async_wait(alive_.guard([this](const boost::system::error_code& cancelled) {
     if (!cancelled)
       try_now();
-  });
+  }));
   tell(link_phase::down, std::move(why));
 }
 

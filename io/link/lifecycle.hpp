@@ -19,6 +19,7 @@
 #include "io/link/back_off.hpp"
 #include "io/link/counter_set.hpp"
 #include "io/link/link.hpp"
+#include "io/link/liveness.hpp"
 
 namespace godwit::io::link {
 
@@ -56,6 +57,7 @@ private:
   bool was_up_ = false;
   clock::time_point try_began_;
   clock::time_point opened_at_;
+  liveness alive_;
 };
 
 } // namespace godwit::io::link

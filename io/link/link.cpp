@@ -2,8 +2,10 @@
 
 #include <optional>
 
+#include "io/link/io_thread.hpp"
 #include "io/link/serial_opener.hpp"
 #include "io/link/stream_link.hpp"
+#include "io/link/tcp_in_link.hpp"
 #include "io/link/tcp_opener.hpp"
 #include "io/link/udp_in_link.hpp"
 #include "io/link/udp_out_link.hpp"
@@ -55,9 +57,29 @@ std::unique_ptr<link> make(const uri& where, link_callbacks callbacks, const lin
     return std::make_unique<stream_link>(
         where, std::move(callbacks), options, options.tcp_retry_cap,
         [&](boost::asio::io_context& io) { return std::make_unique<tcp_opener>(io, where, options.connect_timeout); });
+  case uri::kind::tcp_in:
+    return std::make_unique<tcp_in_link>(where, std::move(callbacks), options);
   }
   return nullptr;
 }
+
+// A link on a thread that goes on after it: it ends inside that thread, between two handlers.
+class link_among_others final : public link {
+public:
+  link_among_others(std::shared_ptr<io_thread> thread, std::unique_ptr<link> one)
+      : thread_(std::move(thread)), one_(std::move(one)) {}
+  ~link_among_others() override {
+    thread_->run_inside([this] { one_.reset(); });
+  }
+
+  bool send(std::span<const std::byte> bytes, peer_id to) override { return one_->send(bytes, to); }
+  [[nodiscard]] link_counters counters() const override { return one_->counters(); }
+  [[nodiscard]] std::string description() const override { return one_->description(); }
+
+private:
+  std::shared_ptr<io_thread> thread_;
+  std::unique_ptr<link> one_;
+};
 
 } // namespace
 
@@ -66,7 +88,10 @@ tl::expected<std::unique_ptr<link>, std::string> open_link(const uri& where, lin
   if (auto wrong = mistake_in(where, callbacks, options))
     return tl::make_unexpected(*std::move(wrong));
   try {
-    return make(where, std::move(callbacks), options);
+    auto made = make(where, std::move(callbacks), options);
+    if (options.thread == nullptr)
+      return made;
+    return std::make_unique<link_among_others>(std::move(options.thread), std::move(made));
   } catch (const std::exception& failure) {
     // What Asio and the standard library throw here comes from the system: no thread or no descriptor left.
     return tl::make_unexpected(where.text() + ": the system refused a thread or a descriptor: " + failure.what());

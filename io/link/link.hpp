@@ -15,8 +15,8 @@
 //
 // Errors: open_link fails for what can never work; everything else is a status. Thread: send, counters and description
 // from any; the callbacks come in the link's own thread, one at a time. An exception out of a callback is a broken
-// invariant and ends the process. A link is never destroyed inside one of its callbacks. Source: POSIX and Linux man
-// pages udp(7), tcp(7), termios(3), ioctl_tty(2).
+// invariant and ends the process. A link is never destroyed inside one of its callbacks, nor inside those of a link
+// with which it shares a thread. Source: POSIX and Linux man pages udp(7), tcp(7), termios(3), ioctl_tty(2).
 #pragma once
 
 #include <chrono>
@@ -34,19 +34,22 @@
 
 namespace godwit::io::link {
 
+class io_thread;
+
 // Totals since the link was made, but for the two marked "now". A chunk is a datagram, or what one read or send of a
 // stream was about.
 struct link_counters {
   std::uint64_t rx_bytes = 0;
   std::uint64_t rx_chunks = 0;
-  std::uint64_t tx_bytes = 0;        // handed to the system; udpin: once for each peer
+  std::uint64_t tx_bytes = 0;        // handed to the system; udpin, tcpin: once for each peer
   std::uint64_t tx_chunks = 0;       // the same
   std::uint64_t tx_dropped = 0;      // not up, queue full, refused by the system, or lost with the link
-  std::uint64_t tx_no_peer = 0;      // udpin: nobody was heard lately; any: no peer with this id
+  std::uint64_t tx_no_peer = 0;      // udpin: nobody was heard lately; tcpin: nobody is there; any: no such peer
   std::uint64_t tx_queued_bytes = 0; // now
   std::uint64_t peers = 0;           // now
-  std::uint64_t peers_forgotten = 0; // silent for too long
-  std::uint64_t peers_evicted = 0;   // the longest silent one, for a new one when there were max_peers
+  std::uint64_t peers_forgotten = 0; // udpin: silent for too long
+  std::uint64_t peers_evicted = 0;   // udpin: the longest silent one, for a new one when there were max_peers
+  std::uint64_t peers_refused = 0;   // tcpin: turned away, because there were max_peers
   std::uint64_t open_failures = 0;   // tries to open that failed
   std::uint64_t losses = 0;          // times the link was up and went down
   std::uint64_t errors = 0;          // of the system, while reading and writing
@@ -58,6 +61,9 @@ struct link_callbacks {
   std::function<void(peer_id from, std::span<const std::byte> bytes, bool is_datagram)> received;
   // Called when phase or reason have changed, from the first "connecting" on. May be empty.
   std::function<void(const link_status&)> changed;
+  // tcpin: the connection of this peer has ended; nothing more comes from it, and its number does not come back. May be
+  // empty.
+  std::function<void(peer_id who)> left = {};
 };
 
 // What the required time to come back allows at most: a cap above it is refused.
@@ -74,16 +80,19 @@ struct link_options {
   // 57600 baud carry 5.7 kB/s: this is 11 s of the slowest usual line and the whole of a plan of 1000 items. What waits
   // longer is out of date, and whoever sends more is too fast for the line.
   std::size_t send_queue_bytes = 64 * 1024;
-  // Ground stations and routers on one port; a seventeenth is a mistake or an attack.
+  // udpin, tcpin: ground stations and routers on one port; a seventeenth is a mistake or an attack.
   std::size_t max_peers = 16;
-  // 30 heartbeats: long enough for a radio shadow, short enough not to send to a closed ground station for ever.
+  // udpin: 30 heartbeats, long enough for a radio shadow, short enough not to send to a closed ground station for ever.
   std::chrono::milliseconds forget_peer_after{30'000};
+  // None: a thread of its own. Else the link uses this one, which may serve many (io_thread.hpp).
+  std::shared_ptr<io_thread> thread = nullptr;
 };
 
 class link {
 public:
   link() = default;
-  // Ends the link's thread and waits for it. What the system has not put on the line by then is thrown away.
+  // Ends the link's thread, or its part in a shared one, and waits for that. What the system has not put on the line by
+  // then is thrown away.
   virtual ~link() = default;
   link(const link&) = delete;
   link& operator=(const link&) = delete;

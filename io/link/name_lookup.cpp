@@ -97,10 +97,10 @@ void name_lookup::start(const std::string& host, const std::function<void(found_
   under_way_ = std::make_shared<request>();
   under_way_->answers_to = &io_;
   try {
-    std::thread([host, done, places = places_, look_up = look_up_, request = under_way_] {
+    std::thread([host, answered = alive_.guard(done), places = places_, look_up = look_up_, request = under_way_] {
       auto found = look_up(host);
       places->give_back();
-      request->answer([done, found = std::move(found)] { done(found); });
+      request->answer([answered, found = std::move(found)]() mutable { answered(found); });
     }).detach();
   } catch (const std::system_error& failure) {
     places_->give_back();

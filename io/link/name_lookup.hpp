@@ -18,6 +18,8 @@
 #include <boost/asio/ip/address.hpp>
 #include <tl/expected.hpp>
 
+#include "io/link/liveness.hpp"
+
 namespace godwit::io::link {
 
 // Not empty; IPv4 first, because that is where MAVLink programs listen.
@@ -65,6 +67,7 @@ private:
   blocking_lookup look_up_;
   std::shared_ptr<lookup_places> places_;
   std::shared_ptr<request> under_way_;
+  liveness alive_;
 };
 
 } // namespace godwit::io::link

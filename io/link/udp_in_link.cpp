@@ -10,13 +10,14 @@ namespace godwit::io::link {
 
 udp_in_link::udp_in_link(const uri& where, link_callbacks callbacks, const link_options& options)
     : where_(where), received_(std::move(callbacks.received)), peers_(options.max_peers, options.forget_peer_after),
-      description_(where.text()), lookup_(thread_.context()), socket_(thread_.context()),
+      description_(where.text()), thread_(options.thread), lookup_(thread_.context()), socket_(thread_.context()),
       reader_(
-          socket_, [this](const udp::endpoint& from, std::span<const std::byte> bytes) { heard(from, bytes); },
+          socket_, thread_.buffer(),
+          [this](const udp::endpoint& from, std::span<const std::byte> bytes) { heard(from, bytes); },
           [this](int error) { return read_failed(error); }),
       life_(thread_.context(), {options.first_retry, options.udp_retry_cap}, counters_, std::move(callbacks.changed),
             [this] { open(); }) {
-  boost::asio::post(thread_.context(), [this] { life_.begin("opening " + where_.text()); });
+  boost::asio::post(thread_.context(), alive_.guard([this] { life_.begin("opening " + where_.text()); }));
   thread_.start();
 }
 

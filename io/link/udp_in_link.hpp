@@ -9,9 +9,10 @@
 
 #include "io/link/counter_set.hpp"
 #include "io/link/datagram_reader.hpp"
-#include "io/link/io_thread.hpp"
 #include "io/link/lifecycle.hpp"
 #include "io/link/link.hpp"
+#include "io/link/link_thread.hpp"
+#include "io/link/liveness.hpp"
 #include "io/link/name_lookup.hpp"
 #include "io/link/peer_table.hpp"
 
@@ -45,11 +46,12 @@ private:
   mutable peer_table peers_; // who looks at it, sees who was heard lately
   std::string description_;
 
-  io_thread thread_;
+  link_thread thread_;
   name_lookup lookup_;
   udp::socket socket_;
   datagram_reader reader_;
   lifecycle life_;
+  liveness alive_;
 };
 
 } // namespace godwit::io::link

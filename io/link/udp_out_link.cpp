@@ -17,13 +17,13 @@ bool is_about_one_datagram(int error) {
 
 udp_out_link::udp_out_link(const uri& where, link_callbacks callbacks, const link_options& options)
     : where_(where), place_(host_and_port(where.host, where.port)), received_(std::move(callbacks.received)),
-      lookup_(thread_.context()), socket_(thread_.context()),
+      thread_(options.thread), lookup_(thread_.context()), socket_(thread_.context()),
       reader_(
-          socket_, [this](const udp::endpoint&, std::span<const std::byte> bytes) { heard(bytes); },
+          socket_, thread_.buffer(), [this](const udp::endpoint&, std::span<const std::byte> bytes) { heard(bytes); },
           [this](int error) { return read_failed(error); }),
       refusal_timer_(thread_.context()), life_(thread_.context(), {options.first_retry, options.udp_retry_cap},
                                                counters_, std::move(callbacks.changed), [this] { open(); }) {
-  boost::asio::post(thread_.context(), [this] { life_.begin("opening " + where_.text()); });
+  boost::asio::post(thread_.context(), alive_.guard([this] { life_.begin("opening " + where_.text()); }));
   thread_.start();
 }
 
@@ -88,7 +88,7 @@ void udp_out_link::refused(int error) {
 void udp_out_link::look_whether_refusal_is_over() {
   refusal_timer_runs_ = true;
   refusal_timer_.expires_after(look_again);
-  refusal_timer_.async_wait([this](const boost::system::error_code&) {
+  refusal_timer_.async_wait(alive_.guard([this](const boost::system::error_code&) {
     refusal_timer_runs_ = false;
     if (life_.phase() != link_phase::down || !socket_.is_open())
       return;
@@ -101,7 +101,7 @@ void udp_out_link::look_whether_refusal_is_over() {
       life_.answered("sending to " + place_);
     else
       look_whether_refusal_is_over();
-  });
+  }));
 }
 
 // Such an error means that the way there has changed, say the network's address: a new socket finds the new way.
@@ -155,7 +155,7 @@ void udp_out_link::report(int error) {
   const bool peer = is_about_the_peer(error);
   if (!peer)
     send_descriptor_ = -1;
-  boost::asio::post(thread_.context(), [this, error, peer] {
+  boost::asio::post(thread_.context(), alive_.guard([this, error, peer] {
     {
       const std::lock_guard lock(mutex_);
       report_under_way_ = false;
@@ -166,7 +166,7 @@ void udp_out_link::report(int error) {
       refused(error);
     else
       lost(error);
-  });
+  }));
 }
 
 } // namespace godwit::io::link

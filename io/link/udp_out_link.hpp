@@ -11,9 +11,10 @@
 
 #include "io/link/counter_set.hpp"
 #include "io/link/datagram_reader.hpp"
-#include "io/link/io_thread.hpp"
 #include "io/link/lifecycle.hpp"
 #include "io/link/link.hpp"
+#include "io/link/link_thread.hpp"
+#include "io/link/liveness.hpp"
 #include "io/link/name_lookup.hpp"
 #include "io/link/refusal_watch.hpp"
 
@@ -51,13 +52,14 @@ private:
   refusal_watch watch_;
   bool report_under_way_ = false; // a sender has told the link's thread of an error, which it has not looked at yet
 
-  io_thread thread_;
+  link_thread thread_;
   name_lookup lookup_;
   udp::socket socket_;
   datagram_reader reader_;
   boost::asio::steady_timer refusal_timer_;
   bool refusal_timer_runs_ = false;
   lifecycle life_;
+  liveness alive_;
 };
 
 } // namespace godwit::io::link

@@ -19,11 +19,8 @@ struct scheme {
   std::string_view name;
   uri::kind kind;
 };
-constexpr scheme schemes[] = {{"udpin", uri::kind::udp_in},
-                              {"udp", uri::kind::udp_in},
-                              {"udpout", uri::kind::udp_out},
-                              {"serial", uri::kind::serial},
-                              {"tcp", uri::kind::tcp}};
+constexpr scheme schemes[] = {{"udpin", uri::kind::udp_in},  {"udp", uri::kind::udp_in}, {"udpout", uri::kind::udp_out},
+                              {"serial", uri::kind::serial}, {"tcp", uri::kind::tcp},    {"tcpin", uri::kind::tcp_in}};
 
 std::string quoted(std::string_view text) {
   std::string shown = "\"";
@@ -34,8 +31,8 @@ std::string quoted(std::string_view text) {
 
 std::string mistake(std::string_view text, const std::string& part) {
   return quoted(text) + ": " + part +
-         "; a link is udpin://HOST:PORT or udpout://HOST:PORT (UDP), serial:///dev/NAME:BAUD (serial line) or "
-         "tcp://HOST:PORT (TCP)";
+         "; a link is udpin://HOST:PORT or udpout://HOST:PORT (UDP), serial:///dev/NAME:BAUD (serial line), "
+         "tcp://HOST:PORT or tcpin://HOST:PORT (TCP)";
 }
 
 bool all_of(std::string_view text, std::string_view allowed) {
@@ -77,7 +74,7 @@ std::optional<std::string> mistake_in_ipv6(std::string_view host) {
 }
 
 part_result with_port(uri so_far, std::string_view text) {
-  const std::uint32_t least = so_far.which == uri::kind::udp_in ? 0 : 1;
+  const std::uint32_t least = so_far.listens() ? 0 : 1;
   const auto port = number(text, least, 65'535);
   if (!port)
     return tl::make_unexpected("the port " + quoted(text) + " is not a number from " + std::to_string(least) +
@@ -109,7 +106,7 @@ part_result parse_network(uri::kind kind, std::string_view rest) {
   if (rest.find(':', colon + 1) != std::string_view::npos && is_address(AF_INET6, rest.substr(0, rest.rfind(':'))))
     return tl::make_unexpected(std::string("an IPv6 address stands in brackets, as in [::1]:14550"));
   result.host = rest.substr(0, colon);
-  if (result.host.empty() && kind != uri::kind::udp_in)
+  if (result.host.empty() && !result.listens())
     return tl::make_unexpected(std::string("the host is missing"));
   if (auto wrong = result.host.empty() ? std::nullopt : mistake_in_name(result.host))
     return tl::make_unexpected(*std::move(wrong));

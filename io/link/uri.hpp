@@ -5,6 +5,7 @@
 //   udpout://HOST:PORT         sends there from a free port, and hears what comes back
 //   serial:///dev/NAME:BAUD    the baud rate may be left out: 57600, what telemetry radios are sold with
 //   tcp://HOST:PORT            connects there, as to a simulator
+//   tcpin://HOST:PORT          listens there for several at once, as a simulator does; port and host as for udpin
 //
 // HOST is a name, an IPv4 address, or an IPv6 address in brackets. Names with addresses of both families mean the IPv4
 // one first, because that is where MAVLink programs listen. Device names below /dev/serial/ may hold colons.
@@ -27,16 +28,18 @@ inline constexpr std::uint32_t max_baud = 12'000'000; // the fastest USB adapter
 inline constexpr std::size_t max_uri_length = 512;    // a longer text is not a URI but a mistake
 
 struct uri {
-  enum class kind { udp_in, udp_out, serial, tcp };
+  enum class kind { udp_in, udp_out, serial, tcp, tcp_in };
 
   kind which = kind::udp_in;
-  std::string host;       // without brackets; empty only for udp_in
-  std::uint16_t port = 0; // 0 only for udp_in and serial
+  std::string host;       // without brackets; empty only for udp_in and tcp_in
+  std::uint16_t port = 0; // 0 only for udp_in, tcp_in and serial
   std::string device;     // serial: an absolute path; empty for the others
   std::uint32_t baud = 0; // serial: bits per second; 0 for the others
 
   // The canonical form, which parse_uri reads back as an equal value.
   [[nodiscard]] std::string text() const;
+  // It waits for others, and does not call them.
+  [[nodiscard]] bool listens() const { return which == kind::udp_in || which == kind::tcp_in; }
   bool operator==(const uri&) const = default;
 };
 

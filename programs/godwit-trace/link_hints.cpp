@@ -23,6 +23,7 @@ std::string link_hints::silence() const {
   const std::string heartbeat = has_heartbeat_ ? "" : " Some speak only when they hear somebody: try --heartbeat.";
   switch (where_.which) {
   case kind::udp_in:
+  case kind::tcp_in:
     return nothing + "Does the vehicle or simulator send to this computer, port " + std::to_string(where_.port) +
            "? A firewall may hold it back, and another program may have the port.";
   case kind::udp_out:

@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "actors/vehicle_link/channel.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "io/link/uri.hpp"
+#include "io/mavlink/signing/channel.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 #include "programs/godwit-trace/exit_code.hpp"
 #include "programs/godwit-trace/output.hpp"
@@ -30,7 +30,7 @@ struct plan_transfer_options {
   bool json = false;
   std::chrono::milliseconds wait_for_vehicle{15'000};
   vehicle_link::settings link;
-  vehicle_link::signing_settings signing;
+  io::mavlink::signing_settings signing;
 };
 
 // STOP is a descriptor that is polled and not read.

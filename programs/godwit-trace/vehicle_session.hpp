@@ -14,8 +14,8 @@
 
 #include <tl/expected.hpp>
 
-#include "actors/vehicle_link/arrivals.hpp"
 #include "actors/vehicle_link/core.hpp"
+#include "io/link/arrivals.hpp"
 #include "io/link/link.hpp"
 
 namespace godwit::trace_tool {
@@ -46,7 +46,7 @@ private:
   void wake() const;
 
   vehicle_link::core core_;
-  vehicle_link::arrivals incoming_;
+  io::link::arrivals incoming_;
   io::link::link_status status_;
   int descriptor_; // readable when something has come in
   std::unique_ptr<io::link::link> link_;

@@ -151,4 +151,24 @@ void tcp_end::write(std::string_view text) const { write_all(connection_, text);
 
 std::string tcp_end::read(std::size_t bytes) const { return read_bytes(connection_, bytes); }
 
+tcp_caller::tcp_caller(std::uint16_t port)
+    : connection_(checked(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0), "socket")) {
+  const auto to = loopback(port);
+  checked(::connect(connection_.number(), reinterpret_cast<const sockaddr*>(&to), sizeof to), "connect");
+}
+
+void tcp_caller::write(std::string_view text) const { write_all(connection_, text); }
+
+std::string tcp_caller::read(std::size_t bytes) const { return read_bytes(connection_, bytes); }
+
+bool tcp_caller::has_bytes() const {
+  pollfd entry{connection_.number(), POLLIN, 0};
+  return ::poll(&entry, 1, 0) == 1;
+}
+
+bool tcp_caller::is_hung_up() const {
+  char byte = 0;
+  return readable(connection_) && ::read(connection_.number(), &byte, 1) <= 0;
+}
+
 } // namespace godwit::io::link::testing

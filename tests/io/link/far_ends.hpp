@@ -73,4 +73,20 @@ private:
   std::uint16_t port_ = 0;
 };
 
+// A TCP socket that is connected to a port of 127.0.0.1.
+class tcp_caller {
+public:
+  explicit tcp_caller(std::uint16_t port);
+  void write(std::string_view text) const;
+  // Waits for so many bytes with `patience`; fewer if the other side has closed the connection.
+  [[nodiscard]] std::string read(std::size_t bytes) const;
+  // Waits with `patience` for the end of the connection, with nothing before it.
+  [[nodiscard]] bool is_hung_up() const;
+  // Without waiting.
+  [[nodiscard]] bool has_bytes() const;
+
+private:
+  descriptor connection_;
+};
+
 } // namespace godwit::io::link::testing

@@ -28,6 +28,8 @@ TEST(link_uri, every_form_is_read) {
       {"udpout://[fe80::1%eth0]:14550", network(kind::udp_out, "fe80::1%eth0", 14550)},
       {"tcp://localhost:5760", network(kind::tcp, "localhost", 5760)},
       {"tcp://[2001:db8::7]:65535", network(kind::tcp, "2001:db8::7", 65535)},
+      {"tcpin://127.0.0.1:5760", network(kind::tcp_in, "127.0.0.1", 5760)},
+      {"tcpin://:0", network(kind::tcp_in, "", 0)},
       {"serial:///dev/ttyAMA0:921600", serial("/dev/ttyAMA0", 921600)},
       {"serial:///dev/ttyACM0", serial("/dev/ttyACM0", 57600)},
       {"serial:///dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0",
@@ -43,14 +45,14 @@ TEST(link_uri, every_form_is_read) {
   }
 }
 
-TEST(link_uri, a_mistake_is_named_and_the_three_forms_are_shown) {
+TEST(link_uri, a_mistake_is_named_and_the_forms_are_shown) {
   const std::pair<std::string, const char*> mistakes[] = {
       {"", "the kind of link is missing"},
       {"/dev/ttyACM0", "the kind of link is missing"},
       {"udp:127.0.0.1:14550", "the kind of link is missing"},
       {"serial:/dev/ttyACM0:57600", "the kind of link is missing"},
       {"UDP://127.0.0.1:14550", "kind of link \"UDP\" is not known"},
-      {"tcpin://127.0.0.1:5760", "kind of link \"tcpin\" is not known"},
+      {"tcpout://127.0.0.1:5760", "kind of link \"tcpout\" is not known"},
       {"://127.0.0.1:14550", "kind of link \"\" is not known"},
       {"udpin://", "the port is missing"},
       {"udpin://127.0.0.1", "the port is missing"},
@@ -90,14 +92,22 @@ TEST(link_uri, a_mistake_is_named_and_the_three_forms_are_shown) {
     const auto read = parse_uri(text);
     ASSERT_FALSE(read) << text;
     EXPECT_NE(read.error().find(part), std::string::npos) << read.error();
-    for (const char* form : {"udpin://HOST:PORT", "serial:///dev/NAME:BAUD", "tcp://HOST:PORT"})
+    for (const char* form : {"udpin://HOST:PORT", "serial:///dev/NAME:BAUD", "tcp://HOST:PORT", "tcpin://HOST:PORT"})
       EXPECT_NE(read.error().find(form), std::string::npos) << read.error();
     EXPECT_LT(read.error().size(), 400U) << "a mistake is quoted in part only";
   }
 }
 
+TEST(link_uri, udpin_and_tcpin_listen) {
+  for (const char* text : {"udpin://:1", "udp://:1", "tcpin://:1"})
+    EXPECT_TRUE(parse_uri(text)->listens()) << text;
+  for (const char* text : {"udpout://a:1", "tcp://a:1", "serial:///dev/ttyACM0"})
+    EXPECT_FALSE(parse_uri(text)->listens()) << text;
+}
+
 RC_GTEST_PROP(link_uri_property, what_is_read_is_written_the_same_way, ()) {
-  const auto head = *rc::gen::element<std::string>("udp://", "udpin://", "udpout://", "tcp://", "serial://", "");
+  const auto head =
+      *rc::gen::element<std::string>("udp://", "udpin://", "udpout://", "tcp://", "tcpin://", "serial://", "");
   const auto tail =
       *rc::gen::container<std::string>(rc::gen::element('[', ']', ':', '/', '.', '%', '1', '0', 'f', 'x'));
   const auto read = parse_uri(head + tail);

@@ -19,7 +19,8 @@ link_callbacks watcher::callbacks() {
             const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
             note([&] { chunks.push_back({from, text, is_datagram}); });
           },
-          [this, note](const link_status& status) { note([&] { statuses.push_back(status); }); }};
+          [this, note](const link_status& status) { note([&] { statuses.push_back(status); }); },
+          [this, note](peer_id who) { note([&] { left.push_back(who); }); }};
 }
 
 bool watcher::wait_for(const std::function<bool(const watcher&)>& what) {

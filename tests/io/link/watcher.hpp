@@ -41,6 +41,7 @@ public:
   // Inside wait_for only; elsewhere take copies.
   std::vector<link_status> statuses;
   std::vector<chunk> chunks;
+  std::vector<peer_id> left;
 
   [[nodiscard]] link_status last_status();
   [[nodiscard]] chunk last_chunk();

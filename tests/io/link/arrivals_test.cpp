@@ -2,12 +2,11 @@
 
 #include <array>
 
-#include "actors/vehicle_link/arrivals.hpp"
+#include "io/link/arrivals.hpp"
 
 namespace {
 
-using namespace godwit::vehicle_link;
-namespace link = godwit::io::link;
+using namespace godwit::io::link;
 
 constexpr std::array<std::byte, 100> chunk{};
 
@@ -37,8 +36,8 @@ TEST(arrivals, a_flood_is_dropped_at_the_bound_and_counted) {
 
 TEST(arrivals, of_the_state_of_the_link_only_the_newest_counts) {
   arrivals queue;
-  EXPECT_TRUE(queue.put(link::link_status{link::link_phase::up, "a", 0}));
-  EXPECT_FALSE(queue.put(link::link_status{link::link_phase::down, "b", 0}));
+  EXPECT_TRUE(queue.put(link_status{link_phase::up, "a", 0}));
+  EXPECT_FALSE(queue.put(link_status{link_phase::down, "b", 0}));
   EXPECT_EQ(queue.take_status()->reason, "b");
   EXPECT_FALSE(queue.take_status());
 }
@@ -48,10 +47,20 @@ TEST(arrivals, a_state_that_comes_while_the_last_chunk_is_taken_is_not_forgotten
   (void)queue.put(1, chunk, true);
   EXPECT_FALSE(queue.take_status());
   EXPECT_TRUE(queue.take());
-  EXPECT_FALSE(queue.put(link::link_status{link::link_phase::down, "b", 0})) << "awake: it still takes";
+  EXPECT_FALSE(queue.put(link_status{link_phase::down, "b", 0})) << "awake: it still takes";
   EXPECT_FALSE(queue.take());
   // It has to look at the state again before it sleeps: the queue stays awake until the state is taken.
   EXPECT_TRUE(queue.take_status());
+}
+
+TEST(arrivals, the_newest_status_is_known_after_it_was_taken) {
+  arrivals queue;
+  EXPECT_FALSE(queue.newest_status());
+  (void)queue.put(link_status{link_phase::up, "a", 0});
+  (void)queue.take_status();
+  EXPECT_FALSE(queue.take_status());
+  ASSERT_TRUE(queue.newest_status());
+  EXPECT_EQ(queue.newest_status()->reason, "a");
 }
 
 } // namespace

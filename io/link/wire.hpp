@@ -1,14 +1,14 @@
-// What the actor sees of its link: a place to put frames, and what has come in. A test puts a line of its own in here.
+// What an actor sees of its link: a place to put frames, and what has come in. A test puts a line of its own in here.
 // Thread: any.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
-#include "actors/vehicle_link/arrivals.hpp"
+#include "io/link/arrivals.hpp"
 #include "io/link/link.hpp"
 
-namespace godwit::vehicle_link {
+namespace godwit::io::link {
 
 class wire {
 public:
@@ -18,7 +18,7 @@ public:
   virtual ~wire() = default;
 
   // False: dropped and counted by the link.
-  virtual bool send(std::span<const std::byte> frame, io::link::peer_id to) = 0;
+  virtual bool send(std::span<const std::byte> frame, peer_id to) = 0;
 
   [[nodiscard]] arrivals& incoming() { return incoming_; }
 
@@ -26,4 +26,4 @@ private:
   arrivals incoming_;
 };
 
-} // namespace godwit::vehicle_link
+} // namespace godwit::io::link

@@ -17,13 +17,13 @@
 
 #include "io/link/link.hpp"
 
-namespace godwit::vehicle_link {
+namespace godwit::io::link {
 
 // Ten seconds of a PX4 at its fastest streams (25 kB/s).
 inline constexpr std::size_t max_waiting_bytes = 256 * 1024;
 
 struct arrival {
-  io::link::peer_id peer = 0;
+  peer_id peer = 0;
   bool is_datagram = false;
   std::vector<std::byte> bytes;
 };
@@ -31,7 +31,7 @@ struct arrival {
 class arrivals {
 public:
   // True: the actor sleeps and has to be woken.
-  [[nodiscard]] bool put(io::link::peer_id peer, std::span<const std::byte> bytes, bool is_datagram) {
+  [[nodiscard]] bool put(peer_id peer, std::span<const std::byte> bytes, bool is_datagram) {
     const std::lock_guard guard(mutex_);
     if (waiting_bytes_ + bytes.size() > max_waiting_bytes) {
       dropped_bytes_ += bytes.size();
@@ -42,18 +42,30 @@ public:
     return !std::exchange(awake_, true);
   }
 
-  [[nodiscard]] bool put(io::link::link_status status) {
+  [[nodiscard]] bool put(link_status status) {
     const std::lock_guard guard(mutex_);
+    newest_status_ = status;
     status_ = std::move(status);
     return !std::exchange(awake_, true);
   }
 
-  [[nodiscard]] std::optional<io::link::link_status> take_status() {
+  [[nodiscard]] std::optional<link_status> take_status() {
     const std::lock_guard guard(mutex_);
     return std::exchange(status_, std::nullopt);
   }
 
-  // The oldest. Nothing: all is taken, and the next put() says to wake the actor again.
+  // Also when it was taken: what an incarnation that was just born has to know. Nothing: there was none yet.
+  [[nodiscard]] std::optional<link_status> newest_status() const {
+    const std::lock_guard guard(mutex_);
+    return newest_status_;
+  }
+
+  [[nodiscard]] bool has_status() const {
+    const std::lock_guard guard(mutex_);
+    return status_.has_value();
+  }
+
+  // The oldest. Nothing: all bytes are taken, and the next put() says to wake the actor again, unless has_status().
   [[nodiscard]] std::optional<arrival> take() {
     const std::lock_guard guard(mutex_);
     if (chunks_.empty()) {
@@ -75,9 +87,10 @@ private:
   mutable std::mutex mutex_;
   std::deque<arrival> chunks_;
   std::size_t waiting_bytes_ = 0;
-  std::optional<io::link::link_status> status_;
+  std::optional<link_status> status_; // not taken yet
+  std::optional<link_status> newest_status_;
   std::uint64_t dropped_bytes_ = 0;
   bool awake_ = false;
 };
 
-} // namespace godwit::vehicle_link
+} // namespace godwit::io::link

@@ -1,0 +1,77 @@
+#include "io/link/line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+
+#include "tests/io/link/far_ends.hpp"
+
+namespace godwit::io::link {
+namespace {
+
+using testing::udp_end;
+
+constexpr std::chrono::seconds long_enough{30}; // for a machine under load
+
+// Counts the calls, and waits for them.
+class alarm_clock {
+public:
+  void ring() {
+    const std::lock_guard guard(mutex_);
+    ++rings_;
+    rang_.notify_all();
+  }
+  [[nodiscard]] bool wait_for(int rings) {
+    std::unique_lock guard(mutex_);
+    return rang_.wait_for(guard, long_enough, [&] { return rings_ >= rings; });
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable rang_;
+  int rings_ = 0;
+};
+
+TEST(line, what_comes_in_is_queued_and_whoever_takes_it_is_woken) {
+  const udp_end far;
+  alarm_clock clock;
+  line near;
+  ASSERT_TRUE(near.open(*parse_uri("udpout://127.0.0.1:" + std::to_string(far.port())), {}, [&] { clock.ring(); }));
+  int rings = 0;
+  for (auto phase = link_phase::connecting; phase != link_phase::up;) {
+    if (const auto status = near.incoming().take_status())
+      phase = status->phase;
+    EXPECT_FALSE(near.incoming().take());
+    if (phase != link_phase::up && !near.incoming().has_status()) {
+      ASSERT_TRUE(clock.wait_for(++rings)) << "for the status";
+    }
+  }
+  std::array<std::byte, 3> hello{};
+  EXPECT_TRUE(near.send(hello, every_peer));
+  ASSERT_TRUE(far.receive());
+  far.send(far.last_sender(), "answer");
+  std::optional<arrival> got = near.incoming().take();
+  for (; !got; got = near.incoming().take())
+    ASSERT_TRUE(clock.wait_for(++rings));
+  near.close();
+  EXPECT_EQ(got->bytes.size(), 6U);
+}
+
+TEST(line, a_line_that_is_not_open_sends_nothing) {
+  line closed;
+  EXPECT_FALSE(closed.send({}, every_peer));
+  EXPECT_EQ(closed.description(), "closed");
+  EXPECT_EQ(closed.counters(), link_counters{});
+  closed.close();
+}
+
+TEST(line, what_can_never_work_is_an_error) {
+  line bad;
+  uri nowhere;
+  nowhere.which = uri::kind::serial;
+  EXPECT_FALSE(bad.open(nowhere, {}, [] {}));
+}
+
+} // namespace
+} // namespace godwit::io::link

@@ -1,0 +1,221 @@
+#include "actors/ground_port/actor.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <type_traits>
+
+namespace godwit::ground_port {
+
+namespace {
+
+runtime::health_colour colour_of(wellness how) {
+  switch (how) {
+  case wellness::well:
+    return runtime::health_colour::green;
+  case wellness::impaired:
+    return runtime::health_colour::yellow;
+  case wellness::bad:
+    break;
+  }
+  return runtime::health_colour::red;
+}
+
+std::string sentence_for(runtime::ask_errc why) {
+  switch (why) {
+  case runtime::ask_errc::timeout:
+    return "the executor does not answer";
+  case runtime::ask_errc::not_taken:
+    return "the executor is not running";
+  case runtime::ask_errc::outcome_unknown:
+  case runtime::ask_errc::given_up:
+    break;
+  }
+  return "the executor failed; try again";
+}
+
+} // namespace
+
+template <class M>
+auto actor::hears() {
+  return on<M>([this](const M& message) {
+    carry_out(core_->on_telemetry(message, now()));
+    after_turn();
+  });
+}
+
+actor::behavior_type actor::handlers() {
+  const auto then = [this](const effects& wanted) {
+    carry_out(wanted);
+    after_turn();
+  };
+  return {on<executor::start_answer>([this](const executor::start_answer& m) {
+            carry_out_first(core_->on_start_answer(m, now()));
+            after_turn();
+          }),
+          on<mission_progress>([this, then](const mission_progress& m) { then(core_->on_progress(m, now())); }),
+          on<item_reached>([this, then](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
+          on<status_text>([this, then](const status_text& m) { then(core_->on_status_text(m, now())); }),
+          on<set_mission>([this](const set_mission& m) {
+            carry_out_first(core_->on_set_mission(m, now()));
+            after_turn();
+          }),
+          on<get_port>([this](const get_port&) {
+            auto result = core_->describe(now());
+            result.counts.push_back({"dropped_in", line_->incoming().dropped_bytes()});
+            result.counts.push_back({"dropped_out", dropped_out_});
+            return result;
+          }),
+          hears<mavlink::heartbeat>(),
+          hears<mavlink::sys_status>(),
+          hears<mavlink::system_time>(),
+          hears<mavlink::gps_raw_int>(),
+          hears<mavlink::attitude>(),
+          hears<mavlink::global_position_int>(),
+          hears<mavlink::mission_current>(),
+          hears<mavlink::mission_item_reached>(),
+          hears<mavlink::vfr_hud>(),
+          hears<mavlink::battery_status>(),
+          hears<mavlink::autopilot_version>(),
+          hears<mavlink::fence_status>(),
+          hears<mavlink::home_position>(),
+          hears<mavlink::extended_sys_state>(),
+          hears<mavlink::statustext>(),
+          on<wake>([this](const wake&) { drain(); }),
+          on<timer>([this](const timer& which) {
+            if (which.number != timer_number_)
+              return;
+            timer_due_ns_.reset();
+            carry_out(core_->on_time(now()));
+            drain(); // also when a wake was lost with an incarnation
+          })};
+}
+
+void actor::started() {
+  core_.emplace(settings_, signing_, current_state(), others_->executor.has_value(), now());
+  if (const auto status = line_->incoming().newest_status())
+    carry_out(core_->on_link(*status, now()));
+  tell(me(), wake{}); // what came in meanwhile waits
+  set_timer();
+}
+
+// What has to be written comes first: each handler gives one event to the journal.
+void actor::drain() {
+  auto& incoming = line_->incoming();
+  if (const auto status = incoming.take_status())
+    carry_out(core_->on_link(*status, now()));
+  for (int i = 0; i < max_chunks_per_turn && to_commit_.empty(); ++i) {
+    const auto chunk = incoming.take();
+    if (!chunk) {
+      if (incoming.has_status()) // it came in between, and woke nobody
+        break;
+      after_turn();
+      return;
+    }
+    carry_out(core_->on_bytes(chunk->peer, chunk->is_datagram, chunk->bytes, now()));
+  }
+  tell(me(), wake{}); // there may be more; what others say comes first
+  after_turn();
+}
+
+// -- effects --------------------------------------------------------------------------------------
+
+void actor::carry_out(const effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+}
+
+// An event that another actor's message brings is committed with that message: it would not come again.
+void actor::carry_out_first(const effects& wanted) {
+  const auto before = to_commit_.size();
+  carry_out(wanted);
+  std::rotate(to_commit_.begin(), to_commit_.begin() + static_cast<std::ptrdiff_t>(before), to_commit_.end());
+}
+
+void actor::carry_out(const wish_to_go& each) {
+  const auto then = [this](const effects& wanted) {
+    carry_out(wanted);
+    after_turn();
+  };
+  ask(
+      *others_->executor, current_patience, each.what,
+      [this, then, request = each.request](const executor::current_answer& answer) {
+        then(core_->on_current_answer(request, answer, now()));
+      },
+      [this, then, request = each.request](const runtime::ask_error& why) {
+        then(core_->on_current_failed(request, sentence_for(why.code), now()));
+      });
+}
+
+void actor::carry_out(const operator_link& each) {
+  for (const auto& ear : others_->operator_ears)
+    tell(ear, each);
+}
+
+// The frames go last. Up to there a crash leaves nothing sent, and the message is handled again; from there on it is
+// not, because a station must not be told twice.
+void actor::after_turn() {
+  post_health();
+  set_timer();
+  commit_next();
+  send_outgoing();
+}
+
+// One event in each turn; more of them come in turns of their own.
+void actor::commit_next() {
+  if (const auto ceiling = core_->wanted_reservation(now()))
+    to_commit_.emplace_back(signing_time_reserved{mavlink::units(*ceiling)});
+  if (to_commit_.empty())
+    return;
+  auto next = std::move(to_commit_.front());
+  to_commit_.pop_front();
+  if (!to_commit_.empty())
+    tell(me(), wake{});
+  commit(std::move(next));
+}
+
+void actor::send_outgoing() {
+  if (outgoing_.empty())
+    return;
+  mark_committed();
+  for (const auto& each : outgoing_)
+    if (!line_->send(each.frame.span(), each.to))
+      ++dropped_out_;
+  outgoing_.clear();
+}
+
+// One timer is under way at a time; an earlier deadline overtakes it with a new number.
+void actor::set_timer() {
+  const auto due = core_->next_deadline_ns();
+  if (timer_due_ns_ && *timer_due_ns_ <= due)
+    return;
+  timer_due_ns_ = due;
+  const auto delay = std::max<std::int64_t>(due - now_ns(), 0);
+  tell_after(std::chrono::nanoseconds(delay), me(), timer{++timer_number_});
+}
+
+void actor::post_health() {
+  auto how = core_->health(now());
+  if (posted_ == how)
+    return;
+  outside().health->post(actor_name(), colour_of(how.how), how.reason);
+  posted_ = std::move(how);
+}
+
+void actor::let_out(const durable_core::effect& each) {
+  std::visit(
+      [this]<class M>(const M& m) {
+        if constexpr (std::is_same_v<M, signing_time_reserved>) {
+          core_->on_reserved(mavlink::signing_time{m.ceiling});
+        } else if constexpr (runtime::accepts<executor::station_handle, M>) {
+          if (others_->executor)
+            tell(*others_->executor, m);
+        } else {
+          carry_out(core_->on_durable(m, now()));
+          send_outgoing();
+          set_timer();
+        }
+      },
+      each);
+}
+
+} // namespace godwit::ground_port

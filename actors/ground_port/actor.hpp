@@ -1,0 +1,80 @@
+// The port for ground stations as an actor: the vehicle's role towards them, played for the executor.
+//
+// The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
+// effects: frames to the wire, events to the journal, wishes to the executor, the operator's link to those who listen.
+// A crash loses no line and no queue (they are the port's) and nothing that a station was told; a transfer under way is
+// forgotten, and the station asks again. Thread: as cell.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "actors/ground_port/core.hpp"
+#include "io/link/wire.hpp"
+#include "messages/executor/handle.hpp"
+#include "messages/ground_port/handle.hpp"
+#include "runtime/persistent_cell.hpp"
+
+namespace godwit::ground_port {
+
+using io::link::wire;
+
+// So much of what came in is handled in one turn, before other mail has its own.
+inline constexpr int max_chunks_per_turn = 32;
+// The executor's mode change has an answer by then.
+inline constexpr std::chrono::seconds current_patience{3};
+
+// Whom the port speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not
+// changed after the actors were started.
+struct neighbours {
+  std::optional<executor::station_handle> executor; // none: missions are taken and shown, and not started
+  std::vector<operator_ear> operator_ears;
+};
+
+class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+public:
+  // CONFIGURED has no objection_to.
+  actor(runtime::actor_config& config, runtime::birth born, settings configured, signing_settings signing,
+        std::shared_ptr<wire> line, std::shared_ptr<const neighbours> others)
+      : persistent_cell(config, std::move(born)), settings_(std::move(configured)), signing_(std::move(signing)),
+        line_(std::move(line)), others_(std::move(others)) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+  void let_out(const durable_core::effect& each) override;
+
+private:
+  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  template <class M>
+  auto hears();
+  void drain();
+  void carry_out(const effects& wanted);
+  void carry_out_first(const effects& wanted);
+  void carry_out(const transmission& each) { outgoing_.push_back(each); }
+  void carry_out(const durable_event& each) { to_commit_.push_back(each); }
+  void carry_out(const wish_to_go& each);
+  void carry_out(const operator_link& each);
+  void after_turn();
+  void commit_next();
+  void set_timer();
+  void post_health();
+  void send_outgoing();
+
+  settings settings_;
+  signing_settings signing_;
+  std::shared_ptr<wire> line_;
+  std::shared_ptr<const neighbours> others_;
+  std::optional<core> core_;
+  std::optional<condition> posted_;
+  std::uint64_t timer_number_ = 0;
+  std::optional<std::int64_t> timer_due_ns_; // nothing: no timer is under way
+  std::vector<transmission> outgoing_;       // of this turn
+  std::deque<durable_event> to_commit_;      // bounded by what one chunk can cause, see max_waiting_for_disk
+  std::uint64_t dropped_out_ = 0;
+};
+
+} // namespace godwit::ground_port

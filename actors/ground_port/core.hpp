@@ -1,0 +1,213 @@
+// Every decision of ground_port: the vehicle's role towards ground stations, played by godwit.
+//
+//   bytes ──> channel ──frames of stations──> station_table (who is there, is the operator)
+//                          ├────> mission_server (plans up and down)
+//                          ├────> commands: start_ledger, start item, messages and their rates
+//                          └────> parameters, TIMESYNC, PING
+//   what the vehicle says ──> forward_gate ──> stations
+//   what the executor says ──> MISSION_CURRENT, MISSION_ITEM_REACHED, STATUSTEXT
+//
+// A change that a station must be able to rely on (a plan, a start, a start item) becomes a durable event first; what
+// the station is told waits for on_durable. Until then it is neither acknowledged, nor shown, nor given out. Nothing
+// from a station ever goes on to the vehicle: what it may cause, the executor is asked for. Each function takes the
+// time of its event and returns what is to be done, in order. Call on_time no later than next_deadline_ns. Pure: no
+// socket, no clock, no actor. Thread: one at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/ground_port/effects.hpp"
+#include "actors/ground_port/forward_gate.hpp"
+#include "actors/ground_port/mission_server/server.hpp"
+#include "actors/ground_port/settings.hpp"
+#include "actors/ground_port/start_ledger.hpp"
+#include "actors/ground_port/state.hpp"
+#include "actors/ground_port/station_table.hpp"
+#include "actors/ground_port/surface.hpp"
+#include "actors/ground_port/text_queue.hpp"
+#include "actors/ground_port/vehicle_role/current_report.hpp"
+#include "actors/ground_port/vehicle_role/order.hpp"
+#include "actors/ground_port/vehicle_role/param_table.hpp"
+#include "io/mavlink/signing/channel.hpp"
+#include "messages/ground_port/types.hpp"
+
+namespace godwit::ground_port {
+
+using mavlink::instant;
+using mavlink::signing_settings;
+
+enum class wellness { well, impaired, bad };
+
+// For the health board.
+struct condition {
+  wellness how = wellness::well;
+  std::string reason;
+  bool operator==(const condition&) const = default;
+};
+
+// Plans and start items that wait for the disk. At the bound stations are not heard about plans, and repeat themselves.
+inline constexpr std::size_t max_waiting_for_disk = 16;
+// What is to be told when they are on the disk.
+inline constexpr std::size_t max_held_messages = 64;
+// An answer that a crash has delayed for longer is not sent: the station has given up by then, and could take it for
+// the answer to something else.
+inline constexpr std::int64_t answer_is_worth_ns = 2'000'000'000;
+// A port that passes no commands on says so to each station at most this often.
+inline constexpr std::int64_t command_notice_period_ns = 60'000'000'000;
+// The autopilot counts as present on this port so long after its last frame.
+inline constexpr std::int64_t autopilot_is_here_ns = 10'000'000'000;
+inline constexpr std::int64_t alert_lasts_ns = 10'000'000'000;
+
+class core {
+public:
+  core(settings configured, const signing_settings& signing, const state& restored, bool has_executor, instant now);
+
+  [[nodiscard]] effects on_link(const io::link::link_status& status, instant now);
+  [[nodiscard]] effects on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_view bytes, instant now);
+  [[nodiscard]] effects on_time(instant now);
+
+  [[nodiscard]] effects on_telemetry(const telemetry& m, instant now);
+
+  [[nodiscard]] effects on_progress(const mission_progress& m, instant now);
+  [[nodiscard]] effects on_item_reached(const item_reached& m, instant now);
+  [[nodiscard]] effects on_status_text(const status_text& m, instant now);
+  [[nodiscard]] effects on_set_mission(const set_mission& m, instant now);
+  [[nodiscard]] effects on_start_answer(const executor::start_answer& m, instant now);
+  [[nodiscard]] effects on_current_answer(std::uint64_t request, const executor::current_answer& m, instant now);
+  // The executor did not answer. REASON is a sentence for people.
+  [[nodiscard]] effects on_current_failed(std::uint64_t request, const std::string& reason, instant now);
+
+  // On the disk now, in this life or an earlier one.
+  [[nodiscard]] effects on_durable(const plan_settled& m, instant now);
+  [[nodiscard]] effects on_durable(const start_settled& m, instant now);
+  [[nodiscard]] effects on_durable(const start_item_settled& m, instant now);
+  void on_reserved(mavlink::signing_time ceiling) { channel_.reserved(ceiling); }
+  [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
+    return channel_.wanted_reservation(now.wall_ns);
+  }
+
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+  [[nodiscard]] port_description describe(instant now) const;
+  [[nodiscard]] condition health(instant now);
+
+private:
+  class turn; // what one event leads to, while it is handled
+
+  // As whom we speak, and as whom the vehicle's messages go on.
+  [[nodiscard]] mavlink::sender ourselves() const;
+  [[nodiscard]] mavlink::sender autopilot() const;
+  [[nodiscard]] bool is_standing_in() const;
+  [[nodiscard]] bool is_autopilot_here(std::int64_t now_ns) const;
+  [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
+
+  void take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame);
+  void take_own_system(turn& t, mavlink::sender from);
+  void take(turn& t, station& from, const mavlink::heartbeat& m);
+  void take(turn& t, station& from, const mavlink::mission_set_current& m);
+  void take(turn& t, station& from, const mavlink::command_long& m);
+  void take(turn& t, station& from, const mavlink::command_int& m);
+  void take(turn& t, station& from, const mavlink::param_request_list& m);
+  void take(turn& t, station& from, const mavlink::param_request_read& m);
+  void take(turn& t, station& from, const mavlink::param_set& m);
+  void take(turn& t, station& from, const mavlink::timesync& m);
+  void take(turn& t, station& from, const mavlink::ping& m);
+
+  // core_commands.cpp
+  template <class M>
+  void take_command(turn& t, station& from, const M& m);
+  void obey(turn& t, const vehicle_role::order& what, bool is_for_all_systems);
+  void answer(turn& t, const vehicle_role::order& what, mavlink::mav_result result);
+  void refuse(turn& t, const vehicle_role::order& what, mavlink::mav_result result, const std::string& text);
+  void start(turn& t, const vehicle_role::order& what);
+  void give_message(turn& t, const vehicle_role::order& what, std::optional<std::uint32_t> id);
+  [[nodiscard]] bool send_message(turn& t, io::link::peer_id to, std::uint32_t id);
+  [[nodiscard]] bool set_interval(std::uint32_t id, float interval_us, std::int64_t now_ns);
+  void note_foreign_command(turn& t, station& from);
+
+  // core_mission.cpp
+  struct current_wish {
+    std::optional<vehicle_role::order> by_command; // none: by MISSION_SET_CURRENT
+    mavlink::sender from;
+    std::uint16_t index = 0;
+  };
+  void go_on(turn& t, mission_server::reaction next);
+  void note_change(turn& t, const mission_server::plan_change& change, std::optional<mavlink::mission_ack> ack);
+  void tell(turn& t, const mission_server::reaction& what);
+  void choose_current(turn& t, const current_wish& wish);
+  void refuse_current(turn& t, const current_wish& wish, mavlink::mav_result result, const std::string& text);
+  void end_wish(turn& t, mavlink::mav_result result, const std::string& text);
+  [[nodiscard]] bool is_running() const;
+  [[nodiscard]] mavlink::mission_current current() const;
+  void show_plans();
+  void note_on_disk();
+  void make_server();
+  [[nodiscard]] bool is_of_this_life(std::uint64_t ticket) const {
+    return ticket >= first_ticket_ && ticket < next_ticket_;
+  }
+  [[nodiscard]] bool is_busy_with_disk() const { return waiting_for_disk_ >= max_waiting_for_disk; }
+
+  void beat(turn& t);
+  void finish(turn& t);
+
+  settings settings_;
+  bool has_executor_;
+  mavlink::channel channel_;
+  std::optional<mission_server::server> server_;
+  station_table stations_;
+  forward_gate gate_;
+  text_queue texts_;
+  start_ledger starts_;
+  vehicle_role::current_report report_;
+  vehicle_role::param_table params_;
+
+  // What is on the disk, and so may be shown.
+  struct shown {
+    std::uint32_t id = 0;
+    std::size_t items = 0;
+  };
+  std::array<shown, mission_server::plan_types> shown_;
+  struct held {
+    std::uint64_t ticket = 0;
+    mission_server::reaction reaction;
+  };
+  std::deque<held> held_;
+  std::uint64_t first_ticket_;
+  std::uint64_t next_ticket_;
+  std::size_t waiting_for_disk_ = 0;
+
+  std::optional<mission_progress> progress_;
+  std::optional<std::uint16_t> start_item_;       // as shown
+  std::optional<std::uint16_t> noted_start_item_; // as it will be when nothing waits for the disk any more
+  std::optional<current_wish> wish_;              // the executor was asked
+  std::uint64_t wish_request_ = 0;
+
+  bool link_is_up_ = false;
+  std::string link_reason_ = "not opened";
+  bool is_armed_ = false;
+  bool stood_down_ = false; // from standing in: the autopilot itself was heard
+  std::optional<std::int64_t> autopilot_heard_ns_;
+  std::int64_t next_beat_ns_;
+  std::uint64_t alerted_rejections_ = 0;
+  std::optional<std::int64_t> last_alert_ns_;
+
+  struct counters {
+    std::uint64_t not_accepted = 0;    // good frames that are not on the list of what we take
+    std::uint64_t not_for_us = 0;      // for another component or system
+    std::uint64_t from_own_system = 0; // of the vehicle's other components: no stations
+    std::uint64_t commands_for_autopilot = 0;
+    std::uint64_t commands_unsupported = 0;
+    std::uint64_t commands_refused = 0;
+    std::uint64_t forwarded = 0;
+    std::uint64_t not_sent = 0;         // while the link was down
+    std::uint64_t waiting_for_disk = 0; // messages of stations that were not taken at the bound
+    std::uint64_t held_dropped = 0;
+  };
+  counters counts_;
+};
+
+} // namespace godwit::ground_port

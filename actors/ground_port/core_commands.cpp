@@ -1,0 +1,217 @@
+// The part of the core that is about commands of stations.
+//
+// | Command                            | Answer |
+// |------------------------------------|-------------------------------------------------------------------------------|
+// | MISSION_START                      | see vehicle_role/mission_start.hpp and start_ledger.hpp | |
+// DO_SET_MISSION_CURRENT             | out of range DENIED; not running: the start item; running: the executor's     |
+// | REQUEST_MESSAGE, 410, 519, 520     | ACCEPTED and the message; DENIED: not one of ours; FAILED: nothing heard yet |
+// | SET_MESSAGE_INTERVAL               | ACCEPTED, or DENIED for what is not forwarded | | any other to us |
+// UNSUPPORTED; nothing, when all systems are meant                              | | to the autopilot | nothing: it is
+// not us. The station is told once a minute that none is passed  |
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "actors/ground_port/about.hpp"
+#include "actors/ground_port/core.hpp"
+#include "actors/ground_port/turn.hpp"
+
+namespace godwit::ground_port {
+
+namespace {
+
+using mavlink::mav_cmd;
+using mavlink::mav_result;
+using mavlink::mav_severity;
+
+// Older ways to ask for one message.
+constexpr std::uint16_t get_home_position = 410;
+constexpr std::uint16_t request_protocol_version = 519;
+constexpr std::uint16_t request_autopilot_capabilities = 520;
+
+constexpr std::int64_t ns_per_us = 1'000;
+constexpr std::int64_t least_current_interval_us = 100'000; // changes are told at once, whatever is asked for
+
+// VALUE as an integer, if it is one from LEAST to MOST. Compared as floats, so that no conversion overflows.
+std::optional<std::int64_t> integer_in(float value, std::int64_t least, std::int64_t most) {
+  if (!std::isfinite(value) || std::trunc(value) != value || value < static_cast<float>(least) ||
+      value > static_cast<float>(most))
+    return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
+std::optional<std::uint32_t> message_id_in(float value) {
+  constexpr std::int64_t most = (1 << 24) - 1; // what a frame has room for, and a float holds exactly
+  const auto id = integer_in(value, 0, most);
+  return id ? std::optional(static_cast<std::uint32_t>(*id)) : std::nullopt;
+}
+
+} // namespace
+
+void core::take(turn& t, station& from, const mavlink::command_long& m) { take_command(t, from, m); }
+void core::take(turn& t, station& from, const mavlink::command_int& m) { take_command(t, from, m); }
+
+template <class M>
+void core::take_command(turn& t, station& from, const M& m) {
+  if (is_for_us(m.target_system, m.target_component))
+    obey(t, vehicle_role::read_order(from.who, m), m.target_system == 0);
+  else if (m.target_system == autopilot().system && m.target_component == autopilot().component)
+    note_foreign_command(t, from);
+  else
+    ++counts_.not_for_us;
+}
+
+void core::note_foreign_command(turn& t, station& from) {
+  ++counts_.commands_for_autopilot;
+  const auto now = t.now.monotonic_ns;
+  if (from.told_about_commands_ns && now - *from.told_about_commands_ns < command_notice_period_ns)
+    return;
+  from.told_about_commands_ns = now;
+  t.say(mav_severity::notice, "This port passes no commands to the autopilot", from.peer);
+}
+
+void core::obey(turn& t, const vehicle_role::order& what, bool is_for_all_systems) {
+  switch (what.command) {
+  case mavlink::number(mav_cmd::mission_start):
+    return start(t, what);
+  case mavlink::number(mav_cmd::do_set_mission_current): {
+    constexpr std::int64_t keep_current = -1;
+    const auto index = integer_in(what.param1, keep_current, std::numeric_limits<std::uint16_t>::max());
+    if (!index)
+      return refuse(t, what, mav_result::denied, "Set current: not an item number");
+    const auto wanted = *index == keep_current ? current().seq : static_cast<std::uint16_t>(*index);
+    return choose_current(t, {what, what.from, wanted});
+  }
+  case mavlink::number(mav_cmd::request_message):
+    return give_message(t, what, message_id_in(what.param1));
+  case get_home_position:
+    return give_message(t, what, mavlink::home_position::message_id);
+  case request_protocol_version:
+    return give_message(t, what, mavlink::protocol_version::message_id);
+  case request_autopilot_capabilities:
+    return give_message(t, what, mavlink::autopilot_version::message_id);
+  case mavlink::number(mav_cmd::set_message_interval): {
+    const auto id = message_id_in(what.param1);
+    const bool is_set = id && set_interval(*id, what.param2, t.now.monotonic_ns);
+    return answer(t, what, is_set ? mav_result::accepted : mav_result::denied);
+  }
+  default:
+    ++counts_.commands_unsupported;
+    if (!is_for_all_systems) // what all were asked to do, only those answer who can
+      answer(t, what, mav_result::unsupported);
+  }
+}
+
+void core::answer(turn& t, const vehicle_role::order& what, mav_result result) {
+  t.send(what.from, vehicle_role::answer_to(what, result));
+}
+
+void core::refuse(turn& t, const vehicle_role::order& what, mav_result result, const std::string& text) {
+  ++counts_.commands_refused;
+  answer(t, what, result);
+  t.say(mav_severity::warning, text);
+}
+
+// -- MISSION_START --------------------------------------------------------------------------------
+
+void core::start(turn& t, const vehicle_role::order& what) {
+  const auto repetition = starts_.judge(what, t.now);
+  if (repetition == start_ledger::kind::repeated_while_asked)
+    return answer(t, what, mav_result::in_progress);
+  if (repetition == start_ledger::kind::repeated_after)
+    return answer(t, what, static_cast<mav_result>(starts_.record()->result));
+  vehicle_role::start_situation now;
+  now.item_count = static_cast<int>(server_->plan(mavlink::mav_mission_type::mission).items.size());
+  now.is_transferring = server_->is_receiving() || !held_.empty();
+  now.is_armed = true; // armed and ready: the executor knows
+  auto decided = vehicle_role::decide_start({what.param1, what.param2}, now);
+  if (decided.result != mav_result::accepted)
+    return refuse(t, what, decided.result, decided.text);
+  if (repetition == start_ledger::kind::busy)
+    return refuse(t, what, mav_result::temporarily_rejected, "Mission start: another start is under way");
+  if (!has_executor_)
+    return refuse(t, what, mav_result::temporarily_rejected, "Mission start: no executor is there");
+  // Who has chosen the item to begin with, and then starts from "the first", means that one.
+  if (decided.first == 0 && noted_start_item_ && *noted_start_item_ <= decided.last)
+    decided.first = *noted_start_item_;
+  const auto plan_id = server_->plan(mavlink::mav_mission_type::mission).id;
+  t.note(start_noted{starts_.begin(what, decided, plan_id, t.now)});
+}
+
+effects core::on_start_answer(const executor::start_answer& m, instant now) {
+  turn t(*this, now);
+  if (const auto record = starts_.settle(m, now))
+    t.note(start_noted{*record});
+  finish(t);
+  return std::move(t.done);
+}
+
+effects core::on_durable(const start_settled& m, instant now) {
+  turn t(*this, now);
+  const auto& record = m.record;
+  const auto result = static_cast<mav_result>(record.result);
+  if (result == mav_result::accepted) {
+    start_item_.reset();
+    noted_start_item_.reset();
+  } else {
+    ++counts_.commands_refused;
+  }
+  const mavlink::sender to{record.asked.asked_by.system, record.asked.asked_by.component};
+  if (!record.is_correction && now.wall_ns - record.settled_at_ns < answer_is_worth_ns)
+    t.send(to, vehicle_role::answer_to({.from = to, .command = mavlink::number(mav_cmd::mission_start)}, result));
+  t.say(result == mav_result::accepted ? mav_severity::info : mav_severity::warning, record.text);
+  finish(t);
+  return std::move(t.done);
+}
+
+// -- messages and their rates ---------------------------------------------------------------------
+
+void core::give_message(turn& t, const vehicle_role::order& what, std::optional<std::uint32_t> id) {
+  const bool is_ours = id && (*id == mavlink::protocol_version::message_id || forwarded_messages::contains(*id));
+  if (!is_ours)
+    return answer(t, what, mav_result::denied);
+  const auto place = t.done.size();
+  const bool is_sent = send_message(t, stations_.way_to(what.from), *id);
+  answer(t, what, is_sent ? mav_result::accepted : mav_result::failed);
+  if (is_sent && t.done.size() == place + 2) // the answer first: a station may wait for it before the message
+    std::swap(t.done[place], t.done[place + 1]);
+}
+
+bool core::send_message(turn& t, io::link::peer_id to, std::uint32_t id) {
+  if (id == mavlink::protocol_version::message_id) {
+    t.send(to, protocol_to_show());
+    return true;
+  }
+  const auto& newest = gate_.newest(id);
+  if (id == mavlink::autopilot_version::message_id) {
+    t.send(to, version_to_show(newest ? std::optional(std::get<mavlink::autopilot_version>(*newest)) : std::nullopt));
+    return true;
+  }
+  if (id == mavlink::mission_current::message_id) {
+    t.send(to, current());
+    return true;
+  }
+  if (!newest || is_autopilot_here(t.now.monotonic_ns))
+    return false;
+  std::visit([&](const auto& message) { t.send_as(to, message, autopilot()); }, *newest);
+  return true;
+}
+
+bool core::set_interval(std::uint32_t id, float interval_us, std::int64_t now_ns) {
+  // Below 2^31, and the largest float there.
+  constexpr std::int64_t most_us = std::numeric_limits<std::int32_t>::max() - 127;
+  const auto wanted_us = integer_in(interval_us, -1, most_us);
+  if (!wanted_us)
+    return false;
+  if (id != mavlink::mission_current::message_id)
+    return gate_.set_interval(id, *wanted_us);
+  // MISSION_CURRENT is told at least once a second: stations and failsafes go by it.
+  const auto period_ns = *wanted_us == 0 ? vehicle_role::current_report::period_ns : *wanted_us * ns_per_us;
+  if (period_ns > vehicle_role::current_report::period_ns || *wanted_us < 0)
+    return false;
+  report_.set_period(std::max(period_ns, least_current_interval_us * ns_per_us), now_ns);
+  return true;
+}
+
+} // namespace godwit::ground_port

@@ -1,0 +1,293 @@
+// The part of the core that is about plans, their progress and the current item.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "actors/ground_port/core.hpp"
+#include "actors/ground_port/turn.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::ground_port {
+
+namespace {
+
+using executor::current_verdict;
+using mavlink::mav_mission_type;
+using mavlink::mav_result;
+using mavlink::mav_severity;
+using mavlink::mission_state;
+
+constexpr std::uint16_t no_mission_total = 65'535;
+
+constexpr std::array all_types{mav_mission_type::mission, mav_mission_type::fence, mav_mission_type::rally};
+
+std::size_t place_of(mav_mission_type type) { return static_cast<std::size_t>(mavlink::number(type)); }
+
+mav_result result_for(current_verdict verdict) {
+  switch (verdict) {
+  case current_verdict::going:
+    return mav_result::accepted;
+  case current_verdict::not_running:
+  case current_verdict::not_now:
+    return mav_result::temporarily_rejected;
+  case current_verdict::no_such_item:
+    return mav_result::denied;
+  case current_verdict::failed:
+    break;
+  }
+  return mav_result::failed;
+}
+
+std::optional<mavlink::mission_ack> ack_in(const mission_server::reaction& of) {
+  for (const auto& each : of.messages)
+    if (const auto* ack = std::get_if<mavlink::mission_ack>(&each))
+      return *ack;
+  return std::nullopt;
+}
+
+} // namespace
+
+void core::make_server() {
+  auto habits = mission_server::plain_habits();
+  habits.capacity = settings_.max_items;
+  habits.listens = mission_server::hears::component_0_too;
+  server_.emplace(habits, ourselves());
+}
+
+// -- plans ----------------------------------------------------------------------------------------
+
+void core::go_on(turn& t, mission_server::reaction next) {
+  // To clear what is not there changes nothing that has to be written.
+  std::erase_if(next.changes, [&](const mission_server::plan_change& each) {
+    return each.kind == mission_server::plan_change_kind::begun_replacing ||
+           (each.kind == mission_server::plan_change_kind::cleared && held_.empty() &&
+            shown_[place_of(each.type)].items == 0);
+  });
+  if (!next.changes.empty()) {
+    const auto ack = ack_in(next);
+    for (std::size_t i = 0; i < next.changes.size(); ++i)
+      note_change(t, next.changes[i], i + 1 == next.changes.size() ? ack : std::nullopt);
+    held_.push_back({next_ticket_ - 1, std::move(next)});
+    return;
+  }
+  if (held_.empty()) {
+    tell(t, next);
+    return;
+  }
+  // What is said now may rest on a plan that is not on the disk: it waits too.
+  auto& waiting = held_.back().reaction;
+  if (waiting.messages.size() + next.messages.size() > max_held_messages) {
+    counts_.held_dropped += next.messages.size();
+    return;
+  }
+  waiting.messages.insert(waiting.messages.end(), next.messages.begin(), next.messages.end());
+  waiting.texts.insert(waiting.texts.end(), next.texts.begin(), next.texts.end());
+}
+
+void core::note_change(turn& t, const mission_server::plan_change& change, std::optional<mavlink::mission_ack> ack) {
+  plan_noted event;
+  event.ticket = next_ticket_++;
+  event.type = change.type;
+  event.plan_id = change.plan_id;
+  event.items = keep(server_->plan(change.type).items);
+  event.by = {change.by.system, change.by.component};
+  event.ack = ack;
+  if (change.type == mav_mission_type::mission) {
+    if (change.marked_current)
+      event.start_item = static_cast<std::uint16_t>(*change.marked_current);
+    noted_start_item_ = event.start_item;
+  }
+  ++waiting_for_disk_;
+  t.note(std::move(event));
+}
+
+void core::tell(turn& t, const mission_server::reaction& what) {
+  for (const auto& each : what.messages)
+    std::visit([&](const auto& m) { t.send(mavlink::sender{m.target_system, m.target_component}, m); }, each);
+  for (const auto& each : what.texts)
+    t.say(static_cast<mav_severity>(each.severity), each.text);
+}
+
+effects core::on_durable(const plan_settled& m, instant now) {
+  turn t(*this, now);
+  if (!is_of_this_life(m.ticket)) {
+    // The station has not been answered, unless it was between the answer and the crash.
+    if (m.ack && now.wall_ns - m.at_ns < answer_is_worth_ns)
+      t.send(mavlink::sender{m.ack->target_system, m.ack->target_component}, *m.ack);
+    finish(t);
+    return std::move(t.done);
+  }
+  note_on_disk();
+  if (!held_.empty() && held_.front().ticket == m.ticket) {
+    const auto reaction = std::move(held_.front().reaction);
+    held_.pop_front();
+    if (held_.empty())
+      show_plans();
+    tell(t, reaction);
+  } else if (held_.empty()) {
+    show_plans(); // of the executor's: no station waits for it
+  }
+  finish(t);
+  return std::move(t.done);
+}
+
+void core::note_on_disk() {
+  GODWIT_ASSERT(waiting_for_disk_ > 0, "what was noted is settled once");
+  if (--waiting_for_disk_ == 0)
+    start_item_ = noted_start_item_;
+}
+
+void core::show_plans() {
+  for (const auto type : all_types) {
+    const auto& plan = server_->plan(type);
+    shown_[place_of(type)] = {plan.id, plan.items.size()};
+  }
+}
+
+effects core::on_set_mission(const set_mission& m, instant now) {
+  turn t(*this, now);
+  if (m.items.size() > static_cast<std::size_t>(settings_.max_items)) {
+    t.say(mav_severity::error, "The mission is too long for this port to show it");
+  } else {
+    server_->put_plan(mav_mission_type::mission, m.items);
+    const auto& plan = server_->plan(mav_mission_type::mission);
+    noted_start_item_.reset();
+    ++waiting_for_disk_;
+    plan_noted event;
+    event.ticket = next_ticket_++;
+    event.plan_id = plan.id;
+    event.items = keep(plan.items);
+    event.from_executor = true;
+    t.note(std::move(event));
+  }
+  finish(t);
+  return std::move(t.done);
+}
+
+// -- progress -------------------------------------------------------------------------------------
+
+bool core::is_running() const {
+  const auto& mission = shown_[place_of(mav_mission_type::mission)];
+  return progress_ && mission.items != 0 && progress_->plan_id == mission.id &&
+         progress_->state == mission_state::active;
+}
+
+mavlink::mission_current core::current() const {
+  const auto& mission = shown_[place_of(mav_mission_type::mission)];
+  mavlink::mission_current result;
+  result.mission_id = mission.id;
+  result.fence_id = shown_[place_of(mav_mission_type::fence)].id;
+  result.rally_points_id = shown_[place_of(mav_mission_type::rally)].id;
+  if (mission.items == 0) {
+    result.total = no_mission_total;
+    result.mission_state = mavlink::number(mission_state::no_mission);
+    return result;
+  }
+  const bool is_known = progress_ && progress_->plan_id == mission.id;
+  const auto state = is_known ? progress_->state : mission_state::not_started;
+  const bool is_under_way = state == mission_state::active || state == mission_state::paused;
+  auto seq = is_known ? progress_->current : std::uint16_t{0};
+  if (start_item_ && !is_under_way)
+    seq = *start_item_;
+  result.total = static_cast<std::uint16_t>(mission.items);
+  result.seq = std::min(seq, static_cast<std::uint16_t>(mission.items - 1));
+  result.mission_state = mavlink::number(start_item_ && !is_under_way ? mission_state::not_started : state);
+  result.mission_mode = mavlink::number(is_known ? progress_->mode : mavlink::mission_mode::unknown);
+  return result;
+}
+
+// -- the current item -----------------------------------------------------------------------------
+
+void core::take(turn& t, station& from, const mavlink::mission_set_current& m) {
+  if (is_for_us(m.target_system, m.target_component))
+    choose_current(t, {std::nullopt, from.who, m.seq});
+  else
+    ++counts_.not_for_us;
+}
+
+void core::refuse_current(turn& t, const current_wish& wish, mav_result result, const std::string& text) {
+  ++counts_.commands_refused;
+  if (wish.by_command)
+    answer(t, *wish.by_command, result);
+  if (!text.empty())
+    t.say(mav_severity::warning, text);
+}
+
+void core::choose_current(turn& t, const current_wish& wish) {
+  const auto& mission = shown_[place_of(mav_mission_type::mission)];
+  if (wish.index >= mission.items) {
+    refuse_current(t, wish, mav_result::denied, "Set current: there is no item " + std::to_string(wish.index));
+    return;
+  }
+  if (!held_.empty() || is_busy_with_disk()) {
+    refuse_current(t, wish, mav_result::temporarily_rejected, "Set current: a plan is being stored");
+    return;
+  }
+  if (wish_) {
+    const bool is_same = wish_->from == wish.from && wish_->index == wish.index;
+    refuse_current(t, wish, is_same ? mav_result::in_progress : mav_result::temporarily_rejected,
+                   is_same ? "" : "Set current: another item was just asked for");
+    return;
+  }
+  const auto state = static_cast<mission_state>(current().mission_state);
+  if (state != mission_state::active && state != mission_state::paused) {
+    if (start_item_ == wish.index) { // nothing to write
+      if (wish.by_command)
+        answer(t, *wish.by_command, mav_result::accepted);
+      t.send(io::link::every_peer, current());
+      return;
+    }
+    noted_start_item_ = wish.index;
+    ++waiting_for_disk_;
+    start_item_noted event{next_ticket_++, wish.index, std::nullopt};
+    if (wish.by_command)
+      event.ack = vehicle_role::answer_to(*wish.by_command, mav_result::accepted);
+    t.note(std::move(event));
+    return;
+  }
+  if (!has_executor_) {
+    refuse_current(t, wish, mav_result::temporarily_rejected, "Set current: no executor is there");
+    return;
+  }
+  wish_ = wish;
+  t.done.emplace_back(wish_to_go{++wish_request_, {wish.index, mission.id, {wish.from.system, wish.from.component}}});
+}
+
+effects core::on_durable(const start_item_settled& m, instant now) {
+  turn t(*this, now);
+  if (is_of_this_life(m.ticket))
+    note_on_disk();
+  if (m.ack && now.wall_ns - m.at_ns < answer_is_worth_ns)
+    t.send(mavlink::sender{m.ack->target_system, m.ack->target_component}, *m.ack);
+  finish(t);
+  return std::move(t.done);
+}
+
+effects core::on_current_answer(std::uint64_t request, const executor::current_answer& m, instant now) {
+  turn t(*this, now);
+  if (request == wish_request_ && wish_)
+    end_wish(t, result_for(m.verdict),
+             m.verdict == current_verdict::going ? "" : "Set current: " + (m.reason.empty() ? "refused" : m.reason));
+  finish(t);
+  return std::move(t.done);
+}
+
+effects core::on_current_failed(std::uint64_t request, const std::string& reason, instant now) {
+  turn t(*this, now);
+  if (request == wish_request_ && wish_)
+    end_wish(t, mav_result::temporarily_rejected, "Set current: " + reason);
+  finish(t);
+  return std::move(t.done);
+}
+
+void core::end_wish(turn& t, mav_result result, const std::string& text) {
+  const auto wish = *std::exchange(wish_, std::nullopt);
+  if (result != mav_result::accepted) {
+    refuse_current(t, wish, result, text);
+    return;
+  }
+  if (wish.by_command)
+    answer(t, *wish.by_command, result);
+}
+
+} // namespace godwit::ground_port

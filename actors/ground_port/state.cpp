@@ -1,0 +1,54 @@
+#include "actors/ground_port/state.hpp"
+
+#include <algorithm>
+
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::ground_port {
+
+namespace {
+
+using effects = std::vector<durable_core::effect>;
+
+effects decide(state& s, const signing_time_reserved& what, std::int64_t) {
+  s.signing_ceiling = std::max(s.signing_ceiling, what.ceiling);
+  return {what};
+}
+
+effects decide(state& s, const plan_noted& what, std::int64_t now_ns) {
+  std::erase_if(s.plans, [&](const kept_plan& each) { return each.type == what.type; });
+  if (!what.items.empty())
+    s.plans.push_back({what.type, what.plan_id, what.items});
+  if (what.type == io::mavlink::mav_mission_type::mission)
+    s.start_item = what.start_item;
+  effects result;
+  if (!what.from_executor && what.items.empty())
+    result.emplace_back(executor::plan_cleared{what.type, what.by});
+  else if (!what.from_executor)
+    result.emplace_back(executor::plan_taken{what.type, what.plan_id, restore(what.items), what.by});
+  result.emplace_back(plan_settled{what.ticket, what.ack, now_ns});
+  return result;
+}
+
+effects decide(state& s, const start_noted& what, std::int64_t) {
+  s.last_start = what.record;
+  if (what.record.is_settled) {
+    if (what.record.result == io::mavlink::number(io::mavlink::mav_result::accepted))
+      s.start_item.reset(); // it is used up
+    return {start_settled{what.record}};
+  }
+  return {what.record.asked};
+}
+
+effects decide(state& s, const start_item_noted& what, std::int64_t now_ns) {
+  s.start_item = what.index;
+  return {start_item_settled{what.ticket, what.index, what.ack, now_ns}};
+}
+
+} // namespace
+
+effects durable_core::handle(state& s, const event& happened, std::int64_t now_ns) {
+  return std::visit([&](const auto& each) { return decide(s, each, now_ns); }, happened);
+}
+
+} // namespace godwit::ground_port

@@ -1,0 +1,146 @@
+// What of ground_port must survive a crash: the plans that stations have uploaded, the last MISSION_START and its
+// answer, the start item, and how far signing time is used up.
+//
+//   event                    effects, once it is on the disk
+//   plan_noted               plan_taken or plan_cleared to the executor, then plan_settled: the ACK may go out
+//   start_noted, asked       start_mission to the executor
+//   start_noted, settled     start_settled: the COMMAND_ACK and the text go out
+//   start_item_noted         start_item_settled: the answer goes out
+//   signing_time_reserved    itself: the permission to use it
+//
+// So a station hears of nothing that a crash could take back, and the executor is asked once in effect for each start
+// that is meant. A transfer in progress is not kept. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "actors/ground_port/kept_item.hpp"
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/enums/mission.hpp"
+#include "io/mavlink/messages/command.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+#include "messages/executor/types.hpp"
+
+namespace godwit::ground_port {
+
+// All signing times of this link below the ceiling may have been used. Units: 10 us since 2015-01-01 UTC.
+struct signing_time_reserved {
+  std::uint64_t ceiling = 0;
+  static constexpr auto fields =
+      io::table("ground_port.signing_time_reserved", io::field("ceiling", &signing_time_reserved::ceiling));
+};
+
+// The plan of this type is this one now; without items: none.
+struct plan_noted {
+  std::uint64_t ticket = 0; // tells which plan_settled belongs to it
+  io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
+  std::uint32_t plan_id = 0;
+  std::vector<kept_item> items;
+  std::optional<std::uint16_t> start_item; // of a mission, where the station marked one
+  bool from_executor = false;              // which then need not be told
+  executor::station by;
+  std::optional<io::mavlink::mission_ack> ack; // what the station waits for; of CLEAR_ALL with the last type alone
+  static constexpr auto fields = io::table(
+      "ground_port.plan_noted", io::field("ticket", &plan_noted::ticket), io::field("type", &plan_noted::type),
+      io::field("plan_id", &plan_noted::plan_id), io::field("items", &plan_noted::items),
+      io::field("start_item", &plan_noted::start_item), io::field("from_executor", &plan_noted::from_executor),
+      io::field("by", &plan_noted::by), io::field("ack", &plan_noted::ack));
+};
+
+struct plan_settled {
+  std::uint64_t ticket = 0;
+  std::optional<io::mavlink::mission_ack> ack;
+  std::int64_t at_ns = 0; // ns since 1970 (UTC)
+  static constexpr auto fields =
+      io::table("ground_port.plan_settled", io::field("ticket", &plan_settled::ticket),
+                io::field("ack", &plan_settled::ack), io::field("at_ns", &plan_settled::at_ns));
+};
+
+// A MISSION_START that was given to the executor, and what became of it.
+struct start_record {
+  executor::start_mission asked; // its key tells starts apart
+  float first_item = 0;          // as the station sent them
+  float last_item = 0;
+  std::int64_t asked_at_ns = 0; // ns since 1970 (UTC)
+  bool is_settled = false;
+  bool is_answered = false;       // settled by the executor, and not because it was silent
+  bool is_correction = false;     // it answered after its silence had settled it
+  std::uint8_t result = 0;        // MAV_RESULT, when settled
+  std::string text;               // for STATUSTEXT, when settled
+  std::int64_t settled_at_ns = 0; // ns since 1970 (UTC)
+  static constexpr auto fields = io::table(
+      "ground_port.start_record", io::field("asked", &start_record::asked),
+      io::field("first_item", &start_record::first_item), io::field("last_item", &start_record::last_item),
+      io::field("asked_at_ns", &start_record::asked_at_ns), io::field("is_settled", &start_record::is_settled),
+      io::field("is_answered", &start_record::is_answered), io::field("is_correction", &start_record::is_correction),
+      io::field("result", &start_record::result), io::field("text", &start_record::text),
+      io::field("settled_at_ns", &start_record::settled_at_ns));
+};
+
+struct start_noted {
+  start_record record;
+  static constexpr auto fields = io::table("ground_port.start_noted", io::field("record", &start_noted::record));
+};
+
+struct start_settled {
+  start_record record;
+  static constexpr auto fields = io::table("ground_port.start_settled", io::field("record", &start_settled::record));
+};
+
+// The mission is not running, and will begin here.
+struct start_item_noted {
+  std::uint64_t ticket = 0; // tells which start_item_settled belongs to it
+  std::uint16_t index = 0;
+  std::optional<io::mavlink::command_ack> ack; // none: it was asked for without a command
+  static constexpr auto fields =
+      io::table("ground_port.start_item_noted", io::field("ticket", &start_item_noted::ticket),
+                io::field("index", &start_item_noted::index), io::field("ack", &start_item_noted::ack));
+};
+
+struct start_item_settled {
+  std::uint64_t ticket = 0;
+  std::uint16_t index = 0;
+  std::optional<io::mavlink::command_ack> ack;
+  std::int64_t at_ns = 0; // ns since 1970 (UTC)
+  static constexpr auto fields =
+      io::table("ground_port.start_item_settled", io::field("ticket", &start_item_settled::ticket),
+                io::field("index", &start_item_settled::index), io::field("ack", &start_item_settled::ack),
+                io::field("at_ns", &start_item_settled::at_ns));
+};
+
+struct kept_plan {
+  io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
+  std::uint32_t plan_id = 0;
+  std::vector<kept_item> items;
+  static constexpr auto fields =
+      io::table("ground_port.kept_plan", io::field("type", &kept_plan::type), io::field("plan_id", &kept_plan::plan_id),
+                io::field("items", &kept_plan::items));
+};
+
+struct state {
+  std::uint64_t signing_ceiling = 0;
+  std::vector<kept_plan> plans;            // at most one of each type; a type without a plan is absent
+  std::optional<std::uint16_t> start_item; // chosen by a station, and no start has used it yet
+  std::optional<start_record> last_start;
+  static constexpr int version = 1;
+  static constexpr auto fields = io::table(
+      "ground_port.state", io::field("signing_ceiling", &state::signing_ceiling), io::field("plans", &state::plans),
+      io::field("start_item", &state::start_item), io::field("last_start", &state::last_start));
+};
+
+struct durable_core {
+  using state = ground_port::state;
+  using event = std::variant<signing_time_reserved, plan_noted, start_noted, start_item_noted>;
+  using effect = std::variant<signing_time_reserved, executor::plan_taken, executor::plan_cleared, plan_settled,
+                              executor::start_mission, start_settled, start_item_settled>;
+
+  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t now_ns);
+  // What is owed is in the journal.
+  [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
+};
+
+} // namespace godwit::ground_port

@@ -1,0 +1,121 @@
+// What others say to the executor about the mission, and what it answers. Plain values.
+//
+// Only what a ground station can cause stands here. A request that makes the vehicle act carries a key and the last
+// moment at which it may be obeyed: a request that comes to the executor late, because it or the asker was being
+// restarted, starts nothing. Sequences count from 0 in the plan of the station. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/enums/mission.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+
+namespace godwit::executor {
+
+// Who asked: a station's system and component id.
+struct station {
+  std::uint8_t system = 0;
+  std::uint8_t component = 0;
+  static constexpr auto fields =
+      io::table("executor.station", io::field("system", &station::system), io::field("component", &station::component));
+  bool operator==(const station&) const = default;
+};
+
+// Fly the mission from item FIRST to item LAST. The items were looked at: both are in the plan, FIRST is not behind
+// LAST. Whether the vehicle is ready and armed is the executor's to say. Answered with start_answer.
+struct start_mission {
+  std::uint64_t key = 0; // new for each start that is meant
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+  std::uint32_t plan_id = 0; // of the plan that is meant: the one of the last plan_taken
+  station asked_by;
+  std::int64_t obey_until_ns = 0; // ns since 1970 (UTC); later it is answered `too_late` and starts nothing
+  static constexpr auto fields = io::table(
+      "executor.start_mission", io::field("key", &start_mission::key), io::field("first", &start_mission::first),
+      io::field("last", &start_mission::last), io::field("plan_id", &start_mission::plan_id),
+      io::field("asked_by", &start_mission::asked_by), io::field("obey_until_ns", &start_mission::obey_until_ns));
+};
+
+enum class start_verdict {
+  started,      // the vehicle is in its mission mode, from the item that was asked for
+  not_ready,    // a preflight check fails or has not ended: `reason` says which
+  disarmed,     // and starting does not arm
+  no_such_item, // or another plan is held by now
+  too_late,     // obey_until_ns had passed
+  failed        // it was tried: `reason` says how far it came
+};
+
+constexpr auto enum_names(start_verdict) {
+  return io::names<start_verdict>({{start_verdict::started, "started"},
+                                   {start_verdict::not_ready, "not_ready"},
+                                   {start_verdict::disarmed, "disarmed"},
+                                   {start_verdict::no_such_item, "no_such_item"},
+                                   {start_verdict::too_late, "too_late"},
+                                   {start_verdict::failed, "failed"}});
+}
+
+struct start_answer {
+  std::uint64_t key = 0;
+  start_verdict verdict = start_verdict::failed;
+  std::string reason; // sentence for people; empty when started
+  static constexpr auto fields =
+      io::table("executor.start_answer", io::field("key", &start_answer::key),
+                io::field("verdict", &start_answer::verdict), io::field("reason", &start_answer::reason));
+};
+
+// The mission runs: go to this item now. Asking twice for the same item does no harm. Answered with current_answer.
+struct set_current {
+  std::uint16_t index = 0;
+  std::uint32_t plan_id = 0;
+  station asked_by;
+  static constexpr auto fields =
+      io::table("executor.set_current", io::field("index", &set_current::index),
+                io::field("plan_id", &set_current::plan_id), io::field("asked_by", &set_current::asked_by));
+};
+
+enum class current_verdict {
+  going,        // the vehicle is on its way there
+  not_running,  // the mission does not run any more
+  no_such_item, // or another plan is held by now
+  not_now,      // a pilot has the vehicle, or a failsafe acts
+  failed        // it was tried
+};
+
+constexpr auto enum_names(current_verdict) {
+  return io::names<current_verdict>({{current_verdict::going, "going"},
+                                     {current_verdict::not_running, "not_running"},
+                                     {current_verdict::no_such_item, "no_such_item"},
+                                     {current_verdict::not_now, "not_now"},
+                                     {current_verdict::failed, "failed"}});
+}
+
+struct current_answer {
+  current_verdict verdict = current_verdict::failed;
+  std::string reason; // sentence for people; empty when going
+  static constexpr auto fields = io::table("executor.current_answer", io::field("verdict", &current_answer::verdict),
+                                           io::field("reason", &current_answer::reason));
+};
+
+// A station has uploaded a plan, and has been or is being told that it is held. It becomes a mission of the executor.
+struct plan_taken {
+  io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
+  std::uint32_t plan_id = 0;
+  std::vector<io::mavlink::mission_item_int> items; // as the station sent them
+  station by;
+  static constexpr auto fields =
+      io::table("executor.plan_taken", io::field("type", &plan_taken::type), io::field("plan_id", &plan_taken::plan_id),
+                io::field("items", &plan_taken::items), io::field("by", &plan_taken::by));
+};
+
+// A station has cleared its plan.
+struct plan_cleared {
+  io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
+  station by;
+  static constexpr auto fields =
+      io::table("executor.plan_cleared", io::field("type", &plan_cleared::type), io::field("by", &plan_cleared::by));
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,49 @@
+// What the executor tells ground_port, so that ground stations see how the mission goes. Sequences count from 0 in the
+// plan that ground_port holds. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/enums/mission.hpp"
+#include "io/mavlink/enums/vehicle.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+
+namespace godwit::ground_port {
+
+// Becomes MISSION_CURRENT: at 1 Hz, and within 100 ms of a change. Ignored while PLAN_ID is not that of the mission
+// that is held.
+struct mission_progress {
+  std::uint32_t plan_id = 0;
+  std::uint16_t current = 0;
+  io::mavlink::mission_state state = io::mavlink::mission_state::not_started;
+  io::mavlink::mission_mode mode = io::mavlink::mission_mode::unknown;
+  static constexpr auto fields =
+      io::table("ground_port.mission_progress", io::field("plan_id", &mission_progress::plan_id),
+                io::field("current", &mission_progress::current), io::field("state", &mission_progress::state),
+                io::field("mode", &mission_progress::mode));
+};
+
+// Becomes MISSION_ITEM_REACHED, once for each.
+struct item_reached {
+  std::uint16_t sequence = 0;
+  static constexpr auto fields = io::table("ground_port.item_reached", io::field("sequence", &item_reached::sequence));
+};
+
+// Becomes STATUSTEXT, in several frames when it is longer than 50 characters.
+struct status_text {
+  io::mavlink::mav_severity severity = io::mavlink::mav_severity::info;
+  std::string text;
+  static constexpr auto fields = io::table("ground_port.status_text", io::field("severity", &status_text::severity),
+                                           io::field("text", &status_text::text));
+};
+
+// The mission is another one now, and no station has sent it. Stations that download get this one. No items: none.
+struct set_mission {
+  std::vector<io::mavlink::mission_item_int> items;
+  static constexpr auto fields = io::table("ground_port.set_mission", io::field("items", &set_mission::items));
+};
+
+} // namespace godwit::ground_port

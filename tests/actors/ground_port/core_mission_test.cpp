@@ -1,0 +1,486 @@
+// Plans, their progress and the current item on the ground port.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "tests/actors/ground_port/port_desk.hpp"
+
+namespace godwit::ground_port {
+namespace {
+
+using namespace test;
+using mavlink::mav_cmd;
+using mavlink::mav_mission_result;
+using mavlink::mav_mission_type;
+using mavlink::mav_result;
+using mavlink::mission_current;
+using mavlink::mission_state;
+
+constexpr int accepted = static_cast<int>(mav_result::accepted);
+constexpr int denied = static_cast<int>(mav_result::denied);
+constexpr auto ack_accepted = mavlink::number(mav_mission_result::accepted);
+constexpr auto ack_denied = mavlink::number(mav_mission_result::denied);
+
+mavlink::command_long set_current(float index) { return command(mav_cmd::do_set_mission_current, index); }
+
+void run(desk& port, std::uint16_t current = 0) {
+  port.executor_says(
+      mission_progress{port.shown().plans[0].plan_id, current, mission_state::active, mavlink::mission_mode::active});
+}
+
+void arm(desk& port, bool armed = true) {
+  port.vehicle_says(mavlink::heartbeat{.base_mode = static_cast<std::uint8_t>(armed ? 128 : 0)});
+}
+
+// -- plans ----------------------------------------------------------------------------------------
+
+TEST(ground_port_core, an_uploaded_mission_is_acknowledged_with_its_id_and_becomes_one_of_the_executor) {
+  desk port;
+  const auto ack = port.upload(3);
+  EXPECT_EQ(ack.type, ack_accepted);
+  EXPECT_NE(ack.opaque_id, 0U);
+  EXPECT_EQ(ack.target_system, station_id.system);
+  ASSERT_EQ(port.taken.size(), 1U);
+  EXPECT_EQ(port.taken[0].plan_id, ack.opaque_id);
+  EXPECT_EQ(port.taken[0].items.size(), 3U);
+  EXPECT_EQ(port.taken[0].by, (executor::station{255, 190}));
+}
+
+TEST(ground_port_core, fences_and_rally_points_are_taken_too) {
+  desk port;
+  std::vector<mavlink::mission_item_int> circle{waypoint(0, 5003)};
+  circle[0].param1 = 100;
+  EXPECT_EQ(port.upload(circle, 1).type, ack_accepted);
+  EXPECT_EQ(port.upload({waypoint(0, 5100)}, 2).type, ack_accepted);
+  port.advance(100 * ms);
+  EXPECT_NE(port.last<mission_current>().fence_id, 0U);
+  EXPECT_NE(port.last<mission_current>().rally_points_id, 0U);
+  EXPECT_EQ(port.download(1).size(), 1U);
+}
+
+TEST(ground_port_core, the_acknowledgement_waits_for_the_disk) {
+  desk port;
+  port.slow_disk();
+  port.upload(3);
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+  port.settle_disk();
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+}
+
+TEST(ground_port_core, until_then_nobody_is_shown_or_given_the_new_plan) {
+  desk port;
+  port.upload(3);
+  const auto old_id = port.last<mavlink::mission_ack>().opaque_id;
+  port.slow_disk();
+  port.forget();
+  port.upload(5);
+  port.advance(2 * s);
+  EXPECT_EQ(port.last<mission_current>().mission_id, old_id);
+  EXPECT_EQ(port.last<mission_current>().total, 3);
+  port.say(mavlink::mission_request_list{}, other_station);
+  EXPECT_TRUE(port.sent<mavlink::mission_count>().empty());
+  port.settle_disk();
+  EXPECT_EQ(port.last<mavlink::mission_count>().count, 5);
+}
+
+TEST(ground_port_core, the_last_item_again_is_acknowledged_no_sooner_than_the_first_time) {
+  desk port;
+  port.slow_disk();
+  port.upload(2);
+  port.say(waypoint(1));
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+  port.settle_disk();
+  EXPECT_EQ(port.sent<mavlink::mission_ack>().size(), 2U);
+}
+
+TEST(ground_port_core, after_a_crash_the_plan_is_served_again_with_the_same_id) {
+  desk port;
+  auto items = waypoints(3);
+  items[0].param4 = NAN;
+  items[1].param4 = -NAN;
+  items[2].param2 = 0.1F;
+  const auto id = port.upload(items).opaque_id;
+  port.crash();
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mission_current>().mission_id, id);
+  const auto read = port.download();
+  ASSERT_EQ(read.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read[i].x, items[i].x);
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(read[i].param4), std::bit_cast<std::uint32_t>(items[i].param4));
+    EXPECT_EQ(read[i].param2, items[i].param2);
+  }
+}
+
+TEST(ground_port_core, a_crash_before_the_disk_has_it_leaves_the_old_plan) {
+  desk port;
+  const auto old_id = port.upload(3).opaque_id;
+  port.slow_disk();
+  port.upload(5);
+  port.crash();
+  EXPECT_EQ(port.shown().plans[0].plan_id, old_id);
+  EXPECT_EQ(port.download().size(), 3U);
+}
+
+TEST(ground_port_core, an_acknowledgement_that_a_crash_has_cut_off_is_sent_by_the_next_life) {
+  desk port;
+  const auto id = port.upload(3).opaque_id;
+  port.forget();
+  port.crash(true);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().opaque_id, id);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().target_system, station_id.system);
+}
+
+TEST(ground_port_core, an_acknowledgement_that_is_long_overdue_is_not_sent) {
+  desk port;
+  port.upload(3);
+  port.forget();
+  port.advance(10 * s);
+  port.crash(true);
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+}
+
+TEST(ground_port_core, a_transfer_in_progress_is_forgotten_by_a_crash) {
+  desk port;
+  port.say(mavlink::mission_count{.count = 3});
+  EXPECT_EQ(port.shown().transfer, "receiving");
+  port.crash();
+  EXPECT_EQ(port.shown().transfer, "idle");
+}
+
+TEST(ground_port_core, clearing_tells_the_executor_and_waits_for_the_disk) {
+  desk port;
+  port.upload(3);
+  port.forget();
+  port.slow_disk();
+  port.say(mavlink::mission_clear_all{});
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+  port.settle_disk();
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+  ASSERT_EQ(port.cleared.size(), 1U);
+  EXPECT_EQ(port.cleared[0].type, mav_mission_type::mission);
+  port.crash();
+  EXPECT_EQ(port.shown().plans[0].items, 0U);
+}
+
+TEST(ground_port_core, clearing_all_types_is_acknowledged_once_when_all_are_on_the_disk) {
+  desk port;
+  port.upload(3);
+  port.upload({waypoint(0, 5100)}, 2);
+  port.forget();
+  port.say(mavlink::mission_clear_all{.mission_type = 255});
+  EXPECT_EQ(port.sent<mavlink::mission_ack>().size(), 1U);
+  EXPECT_EQ(port.cleared.size(), 2U);
+}
+
+TEST(ground_port_core, clearing_what_is_not_there_is_acknowledged_and_writes_nothing) {
+  desk port;
+  for (int i = 0; i < 100; ++i)
+    port.say(mavlink::mission_clear_all{});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+  EXPECT_EQ(port.events, 0U);
+}
+
+TEST(ground_port_core, a_mission_that_is_flown_is_not_cleared) {
+  desk port;
+  port.upload(3);
+  arm(port);
+  run(port);
+  port.say(mavlink::mission_clear_all{});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_denied);
+  port.say(mavlink::mission_count{.count = 0});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_denied);
+  EXPECT_EQ(port.shown().plans[0].items, 3U);
+}
+
+TEST(ground_port_core, a_mission_is_cleared_while_disarmed_or_not_running) {
+  desk port;
+  port.upload(3);
+  run(port);
+  arm(port, false);
+  port.say(mavlink::mission_clear_all{});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+  port.upload(3);
+  arm(port);
+  port.executor_says(mission_progress{port.shown().plans[0].plan_id, 2, mission_state::complete});
+  port.say(mavlink::mission_count{.count = 0});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+}
+
+TEST(ground_port_core, a_mission_of_the_executors_is_shown_and_not_told_back_to_it) {
+  desk port;
+  port.executor_says(set_mission{waypoints(4)});
+  port.advance(100 * ms);
+  EXPECT_EQ(port.last<mission_current>().total, 4);
+  EXPECT_EQ(port.download().size(), 4U);
+  EXPECT_TRUE(port.taken.empty());
+  port.crash();
+  EXPECT_EQ(port.shown().plans[0].items, 4U);
+}
+
+TEST(ground_port_core, a_flood_of_uploads_is_bounded_by_what_waits_for_the_disk) {
+  desk port;
+  port.slow_disk();
+  for (int i = 0; i < 100; ++i) {
+    port.say(mavlink::mission_count{.count = 1});
+    port.say(waypoint(0));
+  }
+  EXPECT_GT(port.count_of("transfers_dropped"), 0U);
+  port.settle_disk();
+  EXPECT_LE(port.events, max_waiting_for_disk);
+  EXPECT_EQ(port.upload(3).type, ack_accepted) << "it is open again";
+}
+
+TEST(ground_port_core, several_stations_take_turns) {
+  desk port;
+  port.say(mavlink::mission_count{.count = 3});
+  port.say(mavlink::mission_count{.count = 2}, other_station);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_denied);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().target_system, other_station.system);
+  port.say(mavlink::mission_ack{.type = mavlink::number(mav_mission_result::operation_cancelled)});
+  EXPECT_EQ(port.upload(waypoints(2), 0, other_station).type, ack_accepted);
+}
+
+TEST(ground_port_core, answers_go_to_the_station_by_the_way_it_came) {
+  desk port;
+  port.say(start_command(), station_id, 7);
+  EXPECT_EQ(port.way_of<mavlink::command_ack>(), 7U);
+  port.say(start_command(), other_station, 3);
+  EXPECT_EQ(port.way_of<mavlink::command_ack>(), 3U);
+  port.say(start_command(), station_id, 8); // it has moved
+  EXPECT_EQ(port.way_of<mavlink::command_ack>(), 8U);
+}
+
+// -- MISSION_CURRENT ------------------------------------------------------------------------------
+
+TEST(ground_port_core, mission_current_is_told_once_a_second) {
+  desk port;
+  port.forget();
+  port.advance(10 * s);
+  EXPECT_EQ(port.sent<mission_current>().size(), 10U);
+  EXPECT_EQ(port.last<mission_current>().mission_state, mavlink::number(mission_state::no_mission));
+  EXPECT_EQ(port.last<mission_current>().total, 65'535);
+}
+
+TEST(ground_port_core, mission_current_has_total_state_mode_and_id) {
+  desk port;
+  const auto id = port.upload(3).opaque_id;
+  port.advance(100 * ms);
+  EXPECT_EQ(port.last<mission_current>().total, 3);
+  EXPECT_EQ(port.last<mission_current>().mission_id, id);
+  EXPECT_EQ(port.last<mission_current>().mission_state, mavlink::number(mission_state::not_started));
+  run(port, 1);
+  port.advance(100 * ms);
+  EXPECT_EQ(port.last<mission_current>().seq, 1);
+  EXPECT_EQ(port.last<mission_current>().mission_state, mavlink::number(mission_state::active));
+  EXPECT_EQ(port.last<mission_current>().mission_mode, mavlink::number(mavlink::mission_mode::active));
+}
+
+TEST(ground_port_core, a_change_is_told_within_100_ms) {
+  desk port;
+  port.upload(5);
+  port.advance(300 * ms);
+  for (std::uint16_t i = 1; i < 5; ++i) {
+    port.forget();
+    run(port, i);
+    port.advance(100 * ms);
+    ASSERT_EQ(port.sent<mission_current>().size(), 1U);
+    EXPECT_EQ(port.last<mission_current>().seq, i);
+  }
+}
+
+TEST(ground_port_core, progress_of_another_plan_is_not_shown) {
+  desk port;
+  port.upload(5);
+  port.executor_says(mission_progress{12'345, 3, mission_state::active});
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mission_current>().seq, 0);
+  EXPECT_EQ(port.last<mission_current>().mission_state, mavlink::number(mission_state::not_started));
+}
+
+TEST(ground_port_core, the_index_past_the_last_item_is_never_told) {
+  desk port;
+  port.upload(3);
+  run(port, 3);
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mission_current>().seq, 2);
+}
+
+TEST(ground_port_core, an_item_that_was_reached_is_told_once_and_at_once) {
+  desk port;
+  port.upload(3);
+  port.executor_says(item_reached{1});
+  port.advance(5 * s);
+  ASSERT_EQ(port.sent<mavlink::mission_item_reached>().size(), 1U);
+  EXPECT_EQ(port.last<mavlink::mission_item_reached>().seq, 1);
+}
+
+// -- the current item -----------------------------------------------------------------------------
+
+TEST(ground_port_core, set_current_out_of_range_changes_nothing_and_is_said) {
+  desk port;
+  port.upload(3);
+  for (const float bad : {3.0F, 65'535.0F, 1e20F, -2.0F, 1.5F, NAN}) {
+    port.forget();
+    port.say(set_current(bad));
+    EXPECT_EQ(port.last_result(), denied) << bad;
+    port.advance(1 * s);
+    EXPECT_FALSE(port.texts().empty()) << bad;
+  }
+  port.forget();
+  port.say(mavlink::mission_set_current{.seq = 3});
+  EXPECT_TRUE(port.said("Set current: there is no item 3"));
+  EXPECT_EQ(port.disk.start_item, std::nullopt);
+}
+
+TEST(ground_port_core, set_current_without_a_mission_is_denied) {
+  desk port;
+  port.say(set_current(0));
+  EXPECT_EQ(port.last_result(), denied);
+}
+
+TEST(ground_port_core, set_current_while_idle_is_the_start_item) {
+  desk port;
+  port.upload(5);
+  port.advance(1 * s);
+  port.forget();
+  port.say(set_current(2));
+  EXPECT_EQ(port.last_result(), accepted);
+  port.advance(100 * ms);
+  EXPECT_EQ(port.last<mission_current>().seq, 2);
+  EXPECT_TRUE(port.wishes.empty());
+  port.say(start_command());
+  EXPECT_EQ(port.starts.back().first, 2);
+}
+
+TEST(ground_port_core, a_start_that_names_an_item_goes_there_and_not_to_the_start_item) {
+  desk port;
+  port.upload(5);
+  port.say(set_current(2));
+  port.say(start_command(1));
+  EXPECT_EQ(port.starts.back().first, 1);
+}
+
+TEST(ground_port_core, a_start_item_is_used_once) {
+  desk port;
+  port.upload(5);
+  port.say(set_current(2));
+  port.say(start_command());
+  port.executor_answers(executor::start_verdict::started);
+  port.advance(5 * s);
+  port.say(start_command());
+  EXPECT_EQ(port.starts.back().first, 0);
+  EXPECT_EQ(port.disk.start_item, std::nullopt);
+}
+
+TEST(ground_port_core, a_start_item_is_answered_when_it_is_on_the_disk_and_survives_a_crash) {
+  desk port;
+  port.upload(5);
+  port.slow_disk();
+  port.forget();
+  port.say(set_current(2));
+  port.advance(1 * s);
+  EXPECT_EQ(port.last_result(), -1);
+  EXPECT_EQ(port.last<mission_current>().seq, 0);
+  port.settle_disk();
+  EXPECT_EQ(port.last_result(), accepted);
+  port.crash();
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mission_current>().seq, 2);
+}
+
+TEST(ground_port_core, what_an_earlier_life_wrote_late_does_not_count_for_this_one) {
+  desk port;
+  port.upload(5);
+  port.say(set_current(2));
+  port.forget();
+  port.crash();
+  port.slow_disk();
+  port.upload(4);
+  port.let_out_last_again(); // its write came late: the answer to the start item is owed
+  EXPECT_EQ(port.last_result(), accepted);
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+  port.settle_disk();
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+}
+
+TEST(ground_port_core, a_new_mission_has_no_start_item_but_the_one_that_it_marks) {
+  desk port;
+  port.upload(5);
+  port.say(set_current(2));
+  port.upload(4);
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mission_current>().seq, 0);
+  auto items = waypoints(6);
+  items[3].current = 1;
+  port.upload(items);
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mission_current>().seq, 3);
+}
+
+TEST(ground_port_core, mission_set_current_is_confirmed_by_mission_current) {
+  desk port;
+  port.upload(5);
+  port.advance(300 * ms);
+  port.forget();
+  port.say(mavlink::mission_set_current{.seq = 4});
+  port.advance(100 * ms);
+  EXPECT_EQ(port.last<mission_current>().seq, 4);
+  port.forget();
+  port.say(mavlink::mission_set_current{.seq = 4}); // again: there is nothing to change
+  EXPECT_EQ(port.last<mission_current>().seq, 4);
+  EXPECT_TRUE(port.sent<mavlink::command_ack>().empty());
+}
+
+TEST(ground_port_core, set_current_while_running_asks_the_executor_to_go_there_now) {
+  desk port;
+  port.upload(5);
+  run(port, 1);
+  port.forget();
+  port.say(set_current(3));
+  EXPECT_EQ(port.last_result(), -1);
+  ASSERT_EQ(port.wishes.size(), 1U);
+  EXPECT_EQ(port.wishes[0].what.index, 3);
+  port.executor_says(executor::current_answer{executor::current_verdict::going, ""});
+  EXPECT_EQ(port.last_result(), accepted);
+}
+
+TEST(ground_port_core, what_the_executor_refuses_is_refused_with_its_reason) {
+  desk port;
+  port.upload(5);
+  run(port, 1);
+  port.say(set_current(3));
+  port.executor_says(executor::current_answer{executor::current_verdict::not_now, "a pilot has the vehicle"});
+  EXPECT_EQ(port.last_result(), static_cast<int>(mav_result::temporarily_rejected));
+  port.advance(1 * s);
+  EXPECT_TRUE(port.said("Set current: a pilot has the vehicle"));
+  port.say(set_current(3));
+  port.executor_fails_to_answer("the executor is not running");
+  port.advance(1 * s);
+  EXPECT_TRUE(port.said("Set current: the executor is not running"));
+}
+
+TEST(ground_port_core, set_current_again_while_the_executor_works_is_not_given_to_it_again) {
+  desk port;
+  port.upload(5);
+  run(port, 1);
+  port.say(set_current(3));
+  port.say(set_current(3));
+  EXPECT_EQ(port.last_result(), static_cast<int>(mav_result::in_progress));
+  port.say(set_current(2), other_station);
+  EXPECT_EQ(port.last_result(), static_cast<int>(mav_result::temporarily_rejected));
+  EXPECT_EQ(port.wishes.size(), 1U);
+}
+
+TEST(ground_port_core, minus_1_keeps_the_current_item) {
+  desk port;
+  port.upload(5);
+  port.say(set_current(2));
+  port.say(set_current(-1));
+  EXPECT_EQ(port.last_result(), accepted);
+  EXPECT_EQ(port.disk.start_item, 2);
+}
+
+} // namespace
+} // namespace godwit::ground_port

@@ -1,0 +1,64 @@
+#include "actors/ground_port/station_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace godwit::ground_port {
+namespace {
+
+constexpr std::int64_t s = 1'000'000'000;
+constexpr mavlink::heartbeat station_beat{.type = 6};
+
+mavlink::sender numbered(int i) { return {static_cast<std::uint8_t>(100 + i), 190}; }
+
+TEST(station_table, a_station_is_reached_by_the_way_that_it_came_last) {
+  station_table table;
+  EXPECT_EQ(table.way_to({255, 190}), io::link::every_peer);
+  EXPECT_NE(table.hear({255, 190}, 7, 0), nullptr);
+  EXPECT_EQ(table.way_to({255, 190}), 7U);
+  EXPECT_NE(table.hear({255, 190}, 9, 0), nullptr);
+  EXPECT_EQ(table.way_to({255, 190}), 9U);
+  EXPECT_EQ(table.all().size(), 1U);
+}
+
+TEST(station_table, when_it_is_full_a_newcomer_is_refused_while_all_others_are_there) {
+  station_table table;
+  for (int i = 0; i < 16; ++i)
+    EXPECT_NE(table.hear(numbered(i), 1, i), nullptr);
+  EXPECT_EQ(table.hear({255, 190}, 1, 4 * s), nullptr);
+  EXPECT_EQ(table.refused(), 1U);
+}
+
+TEST(station_table, when_it_is_full_the_one_that_was_silent_longest_makes_room) {
+  station_table table;
+  for (int i = 0; i < 16; ++i)
+    EXPECT_NE(table.hear(numbered(i), 1, 0), nullptr);
+  for (int i = 1; i < 16; ++i)
+    EXPECT_NE(table.hear(numbered(i), 1, 5 * s), nullptr);
+  EXPECT_NE(table.hear({255, 190}, 1, 5 * s), nullptr);
+  EXPECT_EQ(table.evicted(), 1U);
+  EXPECT_EQ(table.way_to(numbered(0)), io::link::every_peer);
+  EXPECT_EQ(table.all().size(), 16U);
+}
+
+TEST(station_table, only_heartbeats_of_ground_stations_are_the_operators_link) {
+  station_table table;
+  auto* const other = table.hear({255, 191}, 1, 0);
+  table.note_heartbeat(*other, mavlink::heartbeat{.type = 18}, 0);
+  EXPECT_FALSE(table.operator_now(0).ever_heard);
+  auto* const station = table.hear({255, 190}, 1, s);
+  table.note_heartbeat(*station, station_beat, s);
+  EXPECT_EQ(table.operator_now(3 * s).age_ms, 2'000);
+  EXPECT_EQ(table.operator_now(3 * s).stations, 1U);
+}
+
+TEST(station_table, the_operators_age_outlives_the_place_in_the_table) {
+  station_table table;
+  table.note_heartbeat(*table.hear({255, 190}, 1, 0), station_beat, 0);
+  for (int i = 0; i < 16; ++i)
+    (void)table.hear(numbered(i), 1, 10 * s);
+  EXPECT_EQ(table.operator_now(10 * s).age_ms, 10'000);
+  EXPECT_TRUE(table.operator_now(10 * s).ever_heard);
+}
+
+} // namespace
+} // namespace godwit::ground_port

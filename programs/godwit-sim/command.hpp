@@ -1,0 +1,21 @@
+// A command of godwit-sim: it puts its options into the command line, and runs when these are read.
+//
+// Adding one is a file with such a function, and a line in commands.hpp.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "programs/godwit-sim/exit_code.hpp"
+
+namespace godwit::sim {
+
+struct command {
+  CLI::App* app = nullptr; // belongs to the command line
+  std::function<exit_code()> run;
+};
+
+using add_command = command (*)(CLI::App& to);
+
+} // namespace godwit::sim

@@ -1,0 +1,116 @@
+#include "programs/godwit-sim/host/hosted_vehicle.hpp"
+
+#include <algorithm>
+
+namespace godwit::sim {
+
+namespace mavlink = io::mavlink;
+
+hosted_vehicle::hosted_vehicle(std::size_t number, const hosted_settings& settings, surroundings& around)
+    : number_(number), settings_(settings), around_(around),
+      line_(settings.vehicle.seed,
+            [this](way to, std::span<const std::byte> frame, bool is_damaged) { arrived(to, frame, is_damaged); }),
+      finder_(around.datagrams), vehicle_(settings.vehicle, around.now_ns(), [this](std::span<const std::byte> frame) {
+        line_.send(way::out, frame, around_.now_ns());
+      }) {
+  line_.set(settings.faults);
+  for (const auto& each : settings.refusals)
+    vehicle_.refuse_command(each.command, each.result, each.times);
+}
+
+tl::expected<void, std::string> hosted_vehicle::open(const io::link::link_options& options) {
+  auto opened = io::link::open_link(settings_.where, callbacks(), options);
+  if (!opened)
+    return tl::make_unexpected(std::move(opened.error()));
+  link_ = *std::move(opened);
+  return {};
+}
+
+io::link::link_callbacks hosted_vehicle::callbacks() {
+  return {.received =
+              [this](io::link::peer_id from, std::span<const std::byte> bytes, bool is_datagram) {
+                finder_.feed(from, bytes, is_datagram, around_.now_ns(),
+                             [this](const mavlink::frame_view& frame) { heard(frame); });
+                around_.moved(*this);
+              },
+          .changed =
+              [this](const io::link::link_status& status) {
+                if (status.phase != io::link::link_phase::up)
+                  finder_.forget_all();
+                around_.changed(*this, status);
+              },
+          .left = [this](io::link::peer_id who) { finder_.forget(who); }};
+}
+
+void hosted_vehicle::heard(const mavlink::frame_view& frame) {
+  if (around_.record)
+    around_.record(frame);
+  tell(watch_.heard(frame));
+  line_.send(way::in, frame.bytes(), around_.now_ns());
+}
+
+void hosted_vehicle::arrived(way to, std::span<const std::byte> frame, bool is_damaged) {
+  if (to == way::in) {
+    const auto hand_on = [this](const mavlink::frame_view& good) { vehicle_.on_frame(good, around_.now_ns()); };
+    if (is_damaged)
+      around_.damaged.feed_datagram(frame, hand_on);
+    else
+      hand_on(mavlink::frame_view(frame.data()));
+    return;
+  }
+  if (!is_damaged) {
+    const mavlink::frame_view whole(frame.data());
+    if (around_.record)
+      around_.record(whole);
+    tell(watch_.sent(whole));
+  }
+  if (link_)
+    static_cast<void>(link_->send(frame));
+}
+
+void hosted_vehicle::on_time(std::int64_t now_ns) {
+  finder_.on_time(now_ns, [this](const mavlink::frame_view& frame) { heard(frame); });
+  line_.on_time(now_ns);
+  if (vehicle_.next_deadline_ns() <= now_ns)
+    vehicle_.on_time(now_ns);
+  if (around_.tell && now_ns >= next_look_ns_)
+    look(now_ns);
+}
+
+std::int64_t hosted_vehicle::next_deadline_ns() const {
+  const auto look_at = around_.tell ? next_look_ns_ : faulty_line::never;
+  return std::min({vehicle_.next_deadline_ns(), line_.next_deadline_ns(), finder_.next_deadline_ns(), look_at});
+}
+
+void hosted_vehicle::look(std::int64_t now_ns) {
+  next_look_ns_ = now_ns + look_ns;
+  for (auto& each : watch_.look(vehicle_.describe()))
+    tell(std::move(each));
+}
+
+void hosted_vehicle::tell(std::string sentence) {
+  if (around_.tell && !sentence.empty())
+    around_.tell(*this, std::move(sentence));
+}
+
+struct hosted_vehicle::apply_to {
+  hosted_vehicle& self;
+  std::int64_t now_ns;
+
+  void operator()(const fault::set_line& it) const { self.line_.set(it.faults); }
+  void operator()(const fault::cut& it) const {
+    self.line_.cut(it.time ? now_ns + it.time->count() : faulty_line::never);
+  }
+  void operator()(const fault::restore&) const { self.line_.restore(); }
+  void operator()(const fault::reboot&) const { self.vehicle_.reboot(now_ns); }
+  void operator()(const fault::gps& it) const { self.vehicle_.lose_position(it.is_lost, now_ns); }
+  void operator()(const fault::battery& it) const { self.vehicle_.set_battery(it.percent, now_ns); }
+  void operator()(const fault::refuse& it) const { self.vehicle_.refuse_command(it.command, it.result, it.times); }
+};
+
+void hosted_vehicle::apply(const fault::any& what, std::int64_t now_ns) {
+  std::visit(apply_to{*this, now_ns}, what);
+  around_.moved(*this);
+}
+
+} // namespace godwit::sim

@@ -1,0 +1,91 @@
+// A vehicle with its line and its link: frames from stations go through the line to the vehicle, and what it sends goes
+// through the line to all of them.
+//
+//   station ── link ── frame_finder ── faulty_line ── vehicle
+//
+// Thread: that of the link, for all but the constructor.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "io/link/link.hpp"
+#include "io/mavlink/scanner.hpp"
+#include "programs/godwit-sim/host/event_watch.hpp"
+#include "programs/godwit-sim/host/fault.hpp"
+#include "programs/godwit-sim/host/frame_finder.hpp"
+#include "programs/godwit-sim/line/faulty_line.hpp"
+#include "programs/godwit-sim/vehicle/vehicle.hpp"
+
+namespace godwit::sim {
+
+struct hosted_settings {
+  vehicle_settings vehicle;
+  io::link::uri where;
+  line_faults faults;
+  std::vector<fault::refuse> refusals;
+};
+
+class hosted_vehicle {
+public:
+  static constexpr std::int64_t look_ns = 100'000'000; // between two looks for what to tell
+
+  // What all vehicles of a host share.
+  struct surroundings {
+    io::mavlink::scanner datagrams;
+    io::mavlink::scanner damaged; // frames that the line has damaged: almost none is one any more
+    std::function<std::int64_t()> now_ns;
+    std::function<void(const hosted_vehicle& who, std::string sentence)> tell; // empty: nobody listens
+    std::function<void(const io::mavlink::frame_view& frame)> record;          // empty: nothing is recorded
+    std::function<void(const hosted_vehicle& who)> moved;                      // its deadline has
+    std::function<void(const hosted_vehicle& who, const io::link::link_status& now)> changed; // its link has
+  };
+
+  // NUMBER counts from 0. AROUND stays.
+  hosted_vehicle(std::size_t number, const hosted_settings& settings, surroundings& around);
+  hosted_vehicle(const hosted_vehicle&) = delete;
+  hosted_vehicle& operator=(const hosted_vehicle&) = delete;
+
+  [[nodiscard]] tl::expected<void, std::string> open(const io::link::link_options& options);
+  // For the end: the link is destroyed outside its thread. Nothing is sent any more.
+  [[nodiscard]] std::unique_ptr<io::link::link> take_link() { return std::move(link_); }
+
+  void on_time(std::int64_t now_ns);
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+  void apply(const fault::any& what, std::int64_t now_ns);
+
+  [[nodiscard]] std::size_t number() const { return number_; }
+  [[nodiscard]] const hosted_settings& settings() const { return settings_; }
+  [[nodiscard]] vehicle_picture describe() const { return vehicle_.describe(); }
+  [[nodiscard]] const faulty_line& line() const { return line_; }
+  [[nodiscard]] std::string link_description() const { return link_ ? link_->description() : settings_.where.text(); }
+  [[nodiscard]] io::link::link_counters link_counters() const {
+    return link_ ? link_->counters() : io::link::link_counters{};
+  }
+
+private:
+  struct apply_to;
+
+  [[nodiscard]] io::link::link_callbacks callbacks();
+  void heard(const io::mavlink::frame_view& frame);
+  void arrived(way to, std::span<const std::byte> frame, bool is_damaged);
+  void tell(std::string sentence);
+  void look(std::int64_t now_ns);
+
+  std::size_t number_;
+  hosted_settings settings_;
+  surroundings& around_;
+  faulty_line line_;
+  frame_finder finder_;
+  event_watch watch_;
+  std::int64_t next_look_ns_ = 0;
+  vehicle vehicle_;
+  std::unique_ptr<io::link::link> link_;
+};
+
+} // namespace godwit::sim

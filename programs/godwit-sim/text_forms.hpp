@@ -1,0 +1,31 @@
+// Values as people write them on a command line. Errors: none for what is not of the form; the caller says which form
+// that is. Thread: pure.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace godwit::sim {
+
+// All of TEXT, finite.
+[[nodiscard]] std::optional<double> read_number(std::string_view text);
+[[nodiscard]] std::optional<std::uint64_t> read_whole_number(std::string_view text);
+
+// 15ms, 1.5s, 2min; not negative, at most a year.
+[[nodiscard]] std::optional<std::chrono::nanoseconds> read_duration(std::string_view text);
+
+// The shortest text that reads back as the same value.
+[[nodiscard]] std::string shortest(double value);
+
+// The parts between the separators, without spaces around them; of an empty text one empty part.
+[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view text, char separator);
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+// Somebody else's text in a sentence of ours: in quotes, printable, cut off.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+} // namespace godwit::sim

@@ -1,0 +1,321 @@
+#include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
+
+namespace godwit::sim {
+
+namespace {
+
+using mavlink::mav_cmd;
+using mavlink::mav_severity;
+
+constexpr int first_flown = 1; // item 0 is home
+
+// What its texts call a command.
+std::string_view name_of(std::uint16_t command) {
+  struct row {
+    mav_cmd command;
+    std::string_view name;
+  };
+  static constexpr std::array<row, 11> rows{{
+      {mav_cmd::nav_waypoint, "WP"},
+      {mav_cmd::nav_spline_waypoint, "SplineWP"},
+      {mav_cmd::nav_loiter_unlim, "LoitUnlim"},
+      {mav_cmd::nav_loiter_turns, "LoitTurns"},
+      {mav_cmd::nav_loiter_time, "LoitTime"},
+      {mav_cmd::nav_return_to_launch, "RTL"},
+      {mav_cmd::nav_land, "Land"},
+      {mav_cmd::nav_takeoff, "Takeoff"},
+      {mav_cmd::nav_delay, "Delay"},
+      {mav_cmd::do_jump, "Jump"},
+      {mav_cmd::do_change_speed, "ChangeSpeed"},
+  }};
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const row& r) { return mavlink::number(r.command) == command; });
+  return found == rows.end() ? "?" : found->name;
+}
+
+bool is_waypoint(std::uint16_t command) {
+  return command == mavlink::number(mav_cmd::nav_waypoint) || command == mavlink::number(mav_cmd::nav_spline_waypoint);
+}
+
+} // namespace
+
+// -- arming and modes -------------------------------------------------------------------------------
+
+std::optional<autopilot::refusal> ardupilot::why_not_arm(bool forced) const {
+  const auto kind = state().mode->kind;
+  if (kind == mode_kind::mission || kind == mode_kind::come_back || kind == mode_kind::land)
+    return refusal{answer::failed, mav_severity::critical, "Arm: Mode not armable"};
+  if (forced)
+    return std::nullopt;
+  if (!state().is_ready || !state().has_position)
+    return refusal{answer::failed, mav_severity::critical, "Arm: Need Position Estimate"};
+  if (state().is_battery_empty)
+    return refusal{answer::failed, mav_severity::critical, "Arm: Battery 1 below minimum arming capacity"};
+  return std::nullopt;
+}
+
+std::optional<autopilot::refusal> ardupilot::why_not_disarm(bool forced) const {
+  if (!forced && craft().is_in_air())
+    return refusal{answer::failed, mav_severity::warning, "Disarm: not landed"};
+  return std::nullopt;
+}
+
+std::string ardupilot::why_not(const flight_mode& mode) const {
+  if (mode.needs_position && state().is_armed && !(state().has_position && state().is_ready))
+    return "requires position";
+  if (mode.kind != mode_kind::mission || !state().is_armed)
+    return {};
+  return run().is_empty() || (!craft().is_in_air() && !begins_with_take_off()) ? "init failed" : "";
+}
+
+autopilot::answer ardupilot::change_mode(const flight_mode* mode, std::uint32_t number) {
+  if (mode == nullptr) {
+    say(mav_severity::warning, "No such mode " + std::to_string(number));
+    return answer::failed;
+  }
+  if (mode == state().mode)
+    return answer::accepted;
+  const auto reason = why_not(*mode);
+  if (!reason.empty()) {
+    const bool misses_take_off = mode->kind == mode_kind::mission && !run().is_empty() && !craft().is_in_air();
+    if (misses_take_off && !begins_with_take_off())
+      say(mav_severity::critical, "Auto: Missing Takeoff Cmd");
+    say(mav_severity::warning, "Mode change to " + std::string(mode->name) + " failed: " + reason);
+    return answer::failed;
+  }
+  enter(*mode);
+  return answer::accepted;
+}
+
+void ardupilot::on_mode_left(const flight_mode& mode) {
+  if (mode.kind != mode_kind::mission || phase_ != mission_phase::running)
+    return;
+  run().stop();
+  phase_ = mission_phase::stopped;
+}
+
+void ardupilot::on_mode_entered(const flight_mode& mode) {
+  if (mode.kind == mode_kind::mission && craft().is_in_air())
+    start_or_resume();
+}
+
+void ardupilot::on_armed() {
+  say(mav_severity::info, "Arming motors");
+  preflight_ends_ns_ = now().world_ns + disarms_after_ns;
+}
+
+void ardupilot::on_disarmed() {
+  say(mav_severity::info, "Disarming motors");
+  preflight_ends_ns_ = never_ns;
+  reset_mission();
+}
+
+void ardupilot::on_position_lost() {
+  say(mav_severity::critical, "EKF Failsafe: changed to LAND Mode");
+  enter(mode_kind::land);
+}
+
+void ardupilot::on_battery_empty() {
+  say(mav_severity::critical, "Battery 1 is critical");
+  if (craft().is_in_air())
+    enter(mode_kind::land);
+  else
+    disarm();
+}
+
+void ardupilot::on_restart() {
+  preflight_ends_ns_ = never_ns;
+  load_plan();
+}
+
+// -- the mission ------------------------------------------------------------------------------------
+
+bool ardupilot::begins_with_take_off() const {
+  const auto items = run().items();
+  const auto found = std::find_if(items.begin() + std::min<std::ptrdiff_t>(first_flown, std::ssize(items)), items.end(),
+                                  [](const mavlink::mission_item_int& each) { return is_nav(each); });
+  return found != items.end() && found->command == mavlink::number(mav_cmd::nav_takeoff);
+}
+
+autopilot::answer ardupilot::start_mission(const role::order& what) {
+  if (what.param1 != 0 || what.param2 != 0) // what is no number differs from 0 as well
+    return answer::denied;
+  const auto& mode = mode_of_kind(habits().modes, mode_kind::mission);
+  if (change_mode(&mode, mode.custom) != answer::accepted) {
+    say(mav_severity::warning, "Flight mode change failed");
+    return answer::failed;
+  }
+  if (state().is_armed && !run().is_empty())
+    start_or_resume();
+  return answer::accepted;
+}
+
+void ardupilot::start_or_resume() {
+  if (phase_ == mission_phase::running)
+    return;
+  if (phase_ == mission_phase::complete)
+    reset_mission();
+  run().start(run().current());
+  phase_ = mission_phase::running;
+  is_at_beginning_ = false;
+}
+
+void ardupilot::load_plan() {
+  run().load(held_mission().items, first_flown);
+  phase_ = mission_phase::stopped;
+  is_at_beginning_ = true;
+}
+
+void ardupilot::reset_mission() {
+  run().load(held_mission().items, first_flown);
+  if (phase_ == mission_phase::running)
+    phase_ = mission_phase::stopped;
+  is_at_beginning_ = true;
+}
+
+void ardupilot::on_change(const plans::plan_change& what) {
+  if (what.type == mavlink::mav_mission_type::mission)
+    load_plan(); // cut, replaced or cleared: what was being flown is no more
+}
+
+void ardupilot::on_half_a_plan() { load_plan(); }
+
+bool ardupilot::choose(int sequence) {
+  if (run().is_empty() || !run().set_current(std::max(sequence, first_flown)))
+    return false;
+  if (phase_ == mission_phase::complete)
+    phase_ = mission_phase::stopped;
+  is_at_beginning_ = sequence < first_flown;
+  if (state().is_in(mode_kind::mission) && craft().is_in_air())
+    start_or_resume();
+  return true;
+}
+
+void ardupilot::take(const mavlink::mission_set_current& m) {
+  if (choose(m.seq))
+    with().out.send(progress());
+}
+
+autopilot::answer ardupilot::set_mission_current(const role::order& what) {
+  constexpr float keep = -1;
+  constexpr float reset = 1;
+  if (!(what.param1 >= keep && what.param1 < static_cast<float>(run().count())))
+    return answer::denied;
+  if (what.param2 == reset)
+    reset_mission();
+  if (what.param1 != keep && !choose(static_cast<int>(what.param1)))
+    return answer::denied;
+  owe(mavlink::mission_current::message_id);
+  return answer::accepted;
+}
+
+void ardupilot::tell_begun(int sequence) {
+  is_at_beginning_ = false;
+  const auto command = run().items()[static_cast<std::size_t>(sequence)].command;
+  say(mav_severity::info, "Mission: " + std::to_string(sequence) + " " + std::string(name_of(command)));
+}
+
+void ardupilot::tell_reached(int sequence) {
+  with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(sequence)});
+  if (is_waypoint(run().items()[static_cast<std::size_t>(sequence)].command))
+    say(mav_severity::info, "Reached command #" + std::to_string(sequence));
+}
+
+void ardupilot::on_happening(const happening& what) {
+  if (const auto* begun = std::get_if<item_begun>(&what)) {
+    tell_begun(begun->sequence);
+  } else if (const auto* reached = std::get_if<item_reached>(&what)) {
+    tell_reached(reached->sequence);
+  } else if (const auto* skipped = std::get_if<item_skipped>(&what)) {
+    say(mav_severity::warning, "Skipping invalid cmd #" + std::to_string(skipped->sequence));
+  } else if (std::holds_alternative<took_off>(what)) {
+    preflight_ends_ns_ = never_ns;
+  } else if (std::holds_alternative<landed>(what)) {
+    const bool goes_on = state().is_in(mode_kind::mission) && phase_ == mission_phase::running;
+    if (!goes_on)
+      disarm();
+  } else if (std::holds_alternative<mission_completed>(what)) {
+    phase_ = mission_phase::complete;
+    say(mav_severity::notice, "Mission Complete");
+    if (!craft().is_in_air())
+      disarm();
+  }
+}
+
+void ardupilot::on_time() {
+  if (now().world_ns >= preflight_ends_ns_ && !craft().is_in_air())
+    disarm();
+}
+
+std::int64_t ardupilot::next_timer_ns() const { return preflight_ends_ns_; }
+
+mavlink::mission_current ardupilot::progress() const {
+  auto m = progress_of(run(), with().plans, habits());
+  if (is_at_beginning_)
+    m.seq = 0;
+  m.mission_mode = mavlink::number(state().is_in(mode_kind::mission) ? mavlink::mission_mode::active
+                                                                     : mavlink::mission_mode::unknown);
+  auto how = mavlink::mission_state::not_started; // also when it was stopped under way
+  if (run().is_empty())
+    how = mavlink::mission_state::no_mission;
+  else if (phase_ == mission_phase::complete)
+    how = mavlink::mission_state::complete;
+  else if (phase_ == mission_phase::running)
+    how = mavlink::mission_state::active;
+  m.mission_state = mavlink::number(how);
+  return m;
+}
+
+// -- commands ---------------------------------------------------------------------------------------
+
+autopilot::answer ardupilot::take_off(const role::order& what) {
+  if (!state().is_in(mode_kind::guided) || !state().is_armed || craft().is_in_air() || !(what.z > 0))
+    return answer::failed;
+  climb_to(altitude_in(what));
+  return answer::accepted;
+}
+
+autopilot::answer ardupilot::reposition(const role::order& what) {
+  if (!what.is_in_integers)
+    return answer::unsupported; // a float would round the place
+  constexpr float change_mode_flag = 1;
+  const bool may_change = std::isfinite(what.param2) && std::fmod(what.param2, 2.0F) == change_mode_flag;
+  const auto& guided = mode_of_kind(habits().modes, mode_kind::guided);
+  if (!may_change && state().mode != &guided)
+    return answer::denied;
+  if (change_mode(&guided, guided.custom) != answer::accepted)
+    return answer::failed;
+  if (state().is_armed && craft().is_in_air())
+    go_to(place_in(what));
+  return answer::accepted;
+}
+
+// In AUTO it stays where it is, without leaving the mode.
+autopilot::answer ardupilot::pause_or_continue(const role::order& what) {
+  const bool can = flies_mission() && craft().is_in_air();
+  if (!can || (what.param1 != 0 && what.param1 != 1))
+    return answer::unsupported;
+  if (what.param1 == 0)
+    hold_here();
+  else
+    steer();
+  return answer::accepted;
+}
+
+autopilot::answer ardupilot::restart_or_shut_down(const role::order& what) {
+  constexpr float restart_autopilot = 1;
+  if (what.param1 != restart_autopilot)
+    return answer::unsupported;
+  if (state().is_armed)
+    return answer::failed;
+  ask_for_restart();
+  return answer::accepted;
+}
+
+} // namespace godwit::sim

@@ -1,0 +1,129 @@
+#include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
+
+#include <cmath>
+
+namespace godwit::sim {
+
+namespace {
+
+// MAV_FRAMEs whose altitude is above mean sea level.
+bool is_above_sea(std::uint8_t frame) {
+  return frame == mavlink::number(mavlink::mav_frame::global) ||
+         frame == mavlink::number(mavlink::mav_frame::global_int);
+}
+
+} // namespace
+
+void autopilot::take(const mavlink::set_mode& m) {
+  // It has no answer but the next HEARTBEAT.
+  if ((m.base_mode & mavlink::number(mavlink::mav_mode_flag::custom_mode_enabled)) != 0)
+    static_cast<void>(change_mode(find_mode(habits().modes, m.custom_mode), m.custom_mode));
+}
+
+void autopilot::hear_heartbeat(mavlink::sender, const mavlink::heartbeat&) {}
+
+std::uint32_t autopilot::mode_in(const role::order& what) const {
+  return std::isfinite(what.param2) && what.param2 >= 0 && what.param2 < 0x1p31F
+             ? static_cast<std::uint32_t>(what.param2)
+             : UINT32_MAX;
+}
+
+void autopilot::enter(const flight_mode& mode) {
+  if (&mode == state().mode)
+    return;
+  const auto* left = state().mode;
+  with_.state.mode = &mode;
+  on_mode_left(*left);
+  steer();
+  on_mode_entered(mode);
+}
+
+void autopilot::arm() {
+  if (state().is_armed)
+    return;
+  with_.state.is_armed = true;
+  steer();
+  on_armed();
+}
+
+void autopilot::disarm() {
+  if (!state().is_armed)
+    return;
+  with_.state.is_armed = false;
+  steer();
+  on_disarmed();
+}
+
+void autopilot::steer() {
+  if (!state().is_armed) {
+    with_.craft.set_task(task::rest{});
+    return;
+  }
+  switch (state().mode->kind) {
+  case mode_kind::manual:
+    with_.craft.set_task(task::coast{});
+    break;
+  case mode_kind::hold:
+  case mode_kind::guided:
+  case mode_kind::take_off: // until it is told how high
+    with_.craft.set_task(task::hold{});
+    break;
+  case mode_kind::mission:
+    with_.craft.set_task(task::follow_mission{});
+    break;
+  case mode_kind::come_back:
+    with_.craft.set_task(task::come_back{});
+    break;
+  case mode_kind::land:
+    with_.craft.set_task(task::land{});
+    break;
+  }
+}
+
+void autopilot::go_to(const position& where) { with_.craft.set_task(task::go{where, speed_mps_}); }
+
+void autopilot::climb_to(double altitude_m) { with_.craft.set_task(task::climb{altitude_m}); }
+
+double autopilot::altitude_in(const role::order& what) const {
+  if (!std::isfinite(what.z))
+    return craft().where().where.altitude_m;
+  return is_above_sea(what.frame) ? what.z : craft().home().altitude_m + what.z;
+}
+
+position autopilot::place_in(const role::order& what) const {
+  auto place = craft().where().where;
+  if (std::isfinite(what.x) && std::isfinite(what.y) && std::abs(what.x) <= 90 && std::abs(what.y) <= 180) {
+    place.latitude_deg = what.x;
+    place.longitude_deg = what.y;
+  }
+  place.altitude_m = altitude_in(what);
+  return place;
+}
+
+void autopilot::lose_position(bool lost) {
+  if (state().has_position != lost)
+    return;
+  with_.state.has_position = !lost;
+  if (!lost)
+    return;
+  with_.tells.freeze_position(craft().where().where);
+  if (state().is_armed && state().mode->needs_position)
+    on_position_lost();
+}
+
+void autopilot::empty_battery() {
+  if (state().is_armed)
+    on_battery_empty();
+}
+
+void autopilot::restart() {
+  with_.craft.restart();
+  with_.state.is_armed = false;
+  with_.state.mode = find_mode(habits().modes, habits().first_mode);
+  with_.state.started_world_ns = now_.world_ns;
+  owed_message_.reset();
+  speed_mps_ = 0;
+  on_restart();
+}
+
+} // namespace godwit::sim

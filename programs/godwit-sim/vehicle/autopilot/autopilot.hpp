@@ -1,0 +1,181 @@
+// What an autopilot decides: arming, modes, commands, and what its mission does. The base of all personalities.
+//
+//                 arm            mode of the mission, start
+//   disarmed ──────────> armed ─────────────────────────────> flies the mission ─┐
+//      ^   the task of the mode <── another mode, completed ──┘                  │
+//      └──── disarm, landed, battery ───────────────────────────────────────────┘
+//
+// The base knows what they share; where they differ, a derived class answers (rover, px4, ardupilot), or a trait does.
+// It moves nothing itself: it gives `flight` a task and hears what happened. Each order gets exactly one answer, unless
+// the autopilot is known to do otherwise. Thread: one at a time. Source: MAVLink command protocol, and recordings.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string_view>
+#include <utility>
+
+#include "actors/ground_port/mission_server/server.hpp"
+#include "actors/ground_port/vehicle_role/current_report.hpp"
+#include "actors/ground_port/vehicle_role/message_schedule.hpp"
+#include "actors/ground_port/vehicle_role/order.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/refused_orders.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/telemetry.hpp"
+
+namespace godwit::sim {
+
+// What an autopilot works with. All of it outlives the autopilot.
+struct equipment {
+  const traits& habits;
+  flight& craft;
+  plans::server& plans;
+  outlet& out;
+  telemetry& tells;
+  role::message_schedule& streams;
+  role::current_report& current;
+  condition& state;
+  std::mt19937_64& random;
+};
+
+class autopilot {
+public:
+  explicit autopilot(const equipment& with) : with_(with) {}
+  autopilot(const autopilot&) = delete;
+  autopilot& operator=(const autopilot&) = delete;
+  virtual ~autopilot() = default;
+
+  // Before anything else: what the time is.
+  void set_now(const instant& now) { now_ = now; }
+
+  // -- what comes in
+  void take(const role::order& what);
+  void take(const mavlink::set_mode& m);
+  virtual void take(const mavlink::mission_set_current& m) = 0;
+  virtual void hear_heartbeat(mavlink::sender from, const mavlink::heartbeat& m);
+  // A station asks to begin an upload of a mission, which need not be granted.
+  virtual void expect_upload() {}
+  virtual void on_change(const plans::plan_change& what) = 0;
+  // An upload that had begun to replace the mission did not come to its end.
+  virtual void on_half_a_plan() {}
+  virtual void on_happening(const happening& what) = 0;
+  virtual void on_time() {}
+  // World time.
+  [[nodiscard]] virtual std::int64_t next_timer_ns() const { return never_ns; }
+  // After everything that an event leads to has been sent.
+  virtual void end_turn() {}
+
+  // -- faults
+  void lose_position(bool lost);
+  void empty_battery();
+  void restart();
+  [[nodiscard]] refused_orders& refusals() { return refusals_; }
+
+  // -- what it shows
+  [[nodiscard]] virtual mavlink::mission_current progress() const = 0;
+  // True once after each command to start again.
+  [[nodiscard]] bool take_restart_request() { return std::exchange(wants_restart_, false); }
+
+protected:
+  using answer = mavlink::mav_result;
+
+  // -- what personalities decide
+
+  // Why it can not be armed now; FORCED passes over what is a matter of safety. Nothing: it can.
+  struct refusal {
+    answer result{};
+    mavlink::mav_severity severity{};
+    std::string_view text;
+  };
+  [[nodiscard]] virtual std::optional<refusal> why_not_arm(bool forced) const = 0;
+  [[nodiscard]] virtual std::optional<refusal> why_not_disarm(bool forced) const = 0;
+  // By a command or a message; MODE is none where the number is not known. Changes it if it may.
+  virtual answer change_mode(const flight_mode* mode, std::uint32_t number) = 0;
+  [[nodiscard]] virtual std::uint32_t mode_in(const role::order& what) const;
+  virtual void on_unknown_mode(const role::order&) {}
+  virtual void on_mode_left(const flight_mode&) {}
+  virtual void on_mode_entered(const flight_mode&) {}
+  virtual void on_armed() {}
+  virtual void on_disarmed() {}
+  virtual void on_position_lost() = 0;
+  virtual void on_battery_empty() = 0;
+  virtual void on_restart() {}
+
+  // Commands that the personalities take in different ways.
+  virtual answer start_mission(const role::order& what) = 0;
+  virtual answer set_mission_current(const role::order& what) = 0;
+  virtual answer take_off(const role::order& what) = 0;
+  virtual answer land(const role::order&);
+  virtual answer reposition(const role::order& what) = 0;
+  virtual answer pause_or_continue(const role::order& what) = 0;
+  virtual answer restart_or_shut_down(const role::order& what) = 0;
+
+  // -- what they have at hand
+
+  void enter(const flight_mode& mode);
+  void enter(mode_kind kind) { enter(mode_of_kind(with_.habits.modes, kind)); }
+  void arm();
+  void disarm();
+  // Gives the vehicle the task of the mode.
+  void steer();
+  void go_to(const position& where);
+  void climb_to(double altitude_m);
+  void hold_here() { with_.craft.set_task(task::hold{}); }
+  // Above mean sea level; NaN: as high as it is.
+  [[nodiscard]] virtual double altitude_in(const role::order& what) const;
+  // The place that an order names; what is not a number stays as it is.
+  [[nodiscard]] position place_in(const role::order& what) const;
+
+  void say(mavlink::mav_severity severity, std::string_view text) { with_.out.say(severity, text); }
+  [[nodiscard]] mission_run& run() { return with_.craft.mission(); }
+  [[nodiscard]] const mission_run& run() const { return with_.craft.mission(); }
+  [[nodiscard]] const condition& state() const { return with_.state; }
+  [[nodiscard]] const traits& habits() const { return with_.habits; }
+  [[nodiscard]] const flight& craft() const { return with_.craft; }
+  [[nodiscard]] const instant& now() const { return now_; }
+  [[nodiscard]] const equipment& with() const { return with_; }
+  [[nodiscard]] const plans::held_plan& held_mission() const {
+    return with_.plans.plan(mavlink::mav_mission_type::mission);
+  }
+  [[nodiscard]] bool flies_mission() const {
+    return state().is_armed && state().is_in(mode_kind::mission) && run().state() == run_state::running;
+  }
+  void ask_for_restart() { wants_restart_ = true; }
+  // A message that goes out behind the answer to the order that is being carried out.
+  void owe(std::uint32_t message) { owed_message_ = message; }
+
+private:
+  using handler = answer (autopilot::*)(const role::order&);
+  struct row {
+    std::uint16_t command;
+    handler handle;
+  };
+  [[nodiscard]] static handler handler_for(std::uint16_t command);
+  [[nodiscard]] answer carry_out(const role::order& what);
+
+  // orders.cpp
+  answer arm_or_disarm(const role::order& what);
+  answer set_mode(const role::order& what);
+  answer return_home(const role::order& what);
+  answer loiter(const role::order& what);
+  answer change_speed(const role::order& what);
+  answer set_home(const role::order& what);
+
+  // message_orders.cpp
+  answer request_message(const role::order& what);
+  answer set_message_interval(const role::order& what);
+  answer get_message_interval(const role::order& what);
+  answer request_capabilities(const role::order& what);
+  answer request_protocol_version(const role::order& what);
+  answer get_home(const role::order& what);
+  answer give(std::uint32_t message);
+
+  equipment with_;
+  instant now_;
+  refused_orders refusals_;
+  std::optional<std::uint32_t> owed_message_; // goes out behind the answer
+  double speed_mps_ = 0;                      // of a `go`; 0: the craft's own
+  bool wants_restart_ = false;
+};
+
+} // namespace godwit::sim

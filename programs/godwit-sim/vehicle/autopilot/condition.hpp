@@ -1,0 +1,23 @@
+// How the autopilot is: what a HEARTBEAT tells and what follows from it. Thread: values.
+#pragma once
+
+#include <cstdint>
+
+#include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/names.hpp"
+
+namespace godwit::sim {
+
+struct condition {
+  const flight_mode* mode = nullptr;
+  bool is_armed = false;
+  bool has_position = true; // from satellites
+  bool is_ready = true;     // has been up for as long as it needs before it flies
+  bool is_battery_empty = false;
+  std::int64_t started_world_ns = 0; // its own clock is 0 then
+
+  [[nodiscard]] bool is_in(mode_kind kind) const { return mode->kind == kind; }
+  [[nodiscard]] std::int64_t up_ns(std::int64_t world_ns) const { return world_ns - started_world_ns; }
+};
+
+} // namespace godwit::sim

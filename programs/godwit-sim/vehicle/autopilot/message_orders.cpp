@@ -1,0 +1,98 @@
+// Commands that ask for messages, once or at an interval.
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
+
+namespace godwit::sim {
+
+namespace {
+
+using mavlink::mav_result;
+
+// MESSAGE_INTERVAL (244), whose field `message_id` is in the way of a struct: interval_us i32, message_id u16.
+constexpr std::uint32_t message_interval_id = 244;
+constexpr std::uint8_t message_interval_crc_extra = 95;
+constexpr std::size_t message_interval_size = 6;
+
+std::optional<std::uint32_t> message_in(float param) {
+  if (!std::isfinite(param) || param < 0 || param >= 0x1p24F || std::trunc(param) != param)
+    return std::nullopt;
+  return static_cast<std::uint32_t>(param);
+}
+
+} // namespace
+
+mav_result autopilot::give(std::uint32_t message) {
+  if (message == mavlink::mission_current::message_id && habits().current_is_a_request_away) {
+    with_.out.send(progress());
+    return mav_result::accepted;
+  }
+  return with_.tells.send(message, now_.world_ns) ? mav_result::accepted : habits().unknown_message;
+}
+
+mav_result autopilot::request_message(const role::order& what) {
+  const auto message = message_in(what.param1);
+  if (!message)
+    return habits().unknown_message;
+  if (habits().sends_before_ack)
+    return give(*message);
+  const bool is_current = *message == mavlink::mission_current::message_id && habits().current_is_a_request_away;
+  if (!is_current && !with_.tells.knows(*message))
+    return habits().unknown_message;
+  owed_message_ = message;
+  return mav_result::accepted;
+}
+
+mav_result autopilot::set_message_interval(const role::order& what) {
+  const auto message = message_in(what.param1);
+  const bool is_interval = std::isfinite(what.param2) && std::abs(what.param2) < 0x1p62F;
+  const auto interval_us = is_interval ? static_cast<std::int64_t>(what.param2) : -2; // one that is none
+  if (message == mavlink::mission_current::message_id && habits().current_is_a_request_away && interval_us >= -1) {
+    const auto period_ns = interval_us == 0 ? role::current_report::period_ns : interval_us * 1'000;
+    with_.current.set_period(std::max<std::int64_t>(period_ns, 0), now_.world_ns);
+    return mav_result::accepted;
+  }
+  if (message && with_.streams.set_interval(*message, interval_us, now_.world_ns))
+    return mav_result::accepted;
+  if (habits().autopilot == mavlink::mav_autopilot::ardupilotmega && message)
+    say(mavlink::mav_severity::info, "No ap_message for mavlink id (" + std::to_string(*message) + ")");
+  return habits().unknown_interval;
+}
+
+mav_result autopilot::get_message_interval(const role::order& what) {
+  const auto message = message_in(what.param1);
+  if (!message)
+    return mav_result::denied;
+  const auto interval_us = with_.streams.interval_us(*message);
+  const auto id = static_cast<std::uint16_t>(*message);
+  std::array<std::byte, message_interval_size> payload{};
+  std::memcpy(payload.data(), &interval_us, sizeof interval_us);
+  std::memcpy(payload.data() + sizeof interval_us, &id, sizeof id);
+  with_.out.send_payload(message_interval_id, message_interval_crc_extra, payload);
+  return mav_result::accepted;
+}
+
+mav_result autopilot::request_capabilities(const role::order&) {
+  if (habits().sends_before_ack)
+    return give(mavlink::autopilot_version::message_id);
+  owed_message_ = mavlink::autopilot_version::message_id;
+  return mav_result::accepted;
+}
+
+mav_result autopilot::request_protocol_version(const role::order&) {
+  if (!habits().tells_protocol_version)
+    return mav_result::unsupported;
+  return give(mavlink::protocol_version::message_id);
+}
+
+mav_result autopilot::get_home(const role::order&) {
+  if (habits().sends_before_ack)
+    return give(mavlink::home_position::message_id);
+  owed_message_ = mavlink::home_position::message_id;
+  return mav_result::accepted;
+}
+
+} // namespace godwit::sim

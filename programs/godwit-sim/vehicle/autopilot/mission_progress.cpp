@@ -1,0 +1,17 @@
+#include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
+
+namespace godwit::sim {
+
+mavlink::mission_current progress_of(const mission_run& run, const plans::server& held, const traits& habits) {
+  const auto id_of = [&](mavlink::mav_mission_type type) {
+    return habits.plan_habits.has_plan_ids ? held.plan(type).id : 0U;
+  };
+  const int home = habits.plan_habits.home ? 1 : 0; // is an item, and is not counted
+  return {.seq = static_cast<std::uint16_t>(run.is_empty() ? 0 : run.current()),
+          .total = run.is_empty() ? habits.total_of_no_mission : static_cast<std::uint16_t>(run.count() - home),
+          .mission_id = id_of(mavlink::mav_mission_type::mission),
+          .fence_id = id_of(mavlink::mav_mission_type::fence),
+          .rally_points_id = id_of(mavlink::mav_mission_type::rally)};
+}
+
+} // namespace godwit::sim

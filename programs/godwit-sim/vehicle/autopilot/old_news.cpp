@@ -1,0 +1,43 @@
+#include "programs/godwit-sim/vehicle/autopilot/old_news.hpp"
+
+#include <utility>
+
+namespace godwit::sim {
+
+namespace {
+
+constexpr std::uint16_t no_sequence = 65535;
+
+std::optional<old_news::message> draw(int old_sequence, const io::mavlink::mission_current& now_says,
+                                      std::uint64_t choice) {
+  auto current = now_says;
+  switch (choice % 4) {
+  case 0:
+    current.seq = static_cast<std::uint16_t>(old_sequence);
+    return current;
+  case 1:
+    current.seq = no_sequence;
+    return current;
+  case 2:
+    return io::mavlink::mission_item_reached{static_cast<std::uint16_t>(old_sequence)};
+  default:
+    return std::nullopt;
+  }
+}
+
+} // namespace
+
+std::optional<old_news::message> old_news::on_switch(int old_sequence, const io::mavlink::mission_current& now_says,
+                                                     std::mt19937_64& random) {
+  const auto drawn = random();
+  auto news = draw(old_sequence, now_says, drawn);
+  constexpr std::uint64_t late_bit = 4;
+  if ((drawn & late_bit) == 0)
+    return news;
+  late_ = news;
+  return std::nullopt;
+}
+
+std::optional<old_news::message> old_news::take_late() { return std::exchange(late_, std::nullopt); }
+
+} // namespace godwit::sim

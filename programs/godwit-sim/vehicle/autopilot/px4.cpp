@@ -1,0 +1,322 @@
+#include "programs/godwit-sim/vehicle/autopilot/px4.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
+
+namespace godwit::sim {
+
+namespace {
+
+using mavlink::mav_severity;
+
+constexpr double default_takeoff_m = 2.5; // MIS_TAKEOFF_ALT
+constexpr std::string_view health_failure = "Arming denied: Resolve system health failures first\t";
+
+} // namespace
+
+px4::px4(const equipment& tools) : autopilot(tools) { with().out.hold_texts_back(true); }
+
+// -- arming and modes -------------------------------------------------------------------------------
+
+std::optional<autopilot::refusal> px4::why_not_arm(bool forced) const {
+  if (!forced && (!state().has_position || state().is_battery_empty))
+    return refusal{answer::temporarily_rejected, mav_severity::critical, health_failure};
+  return std::nullopt;
+}
+
+std::optional<autopilot::refusal> px4::why_not_disarm(bool forced) const {
+  if (!forced && craft().is_in_air())
+    return refusal{answer::temporarily_rejected, mav_severity::critical, "Disarming denied: not landed\t"};
+  return std::nullopt;
+}
+
+std::uint32_t px4::mode_in(const role::order& what) const {
+  const auto is_part = [](float value) { return value >= 0 && value <= 255; };
+  if (!is_part(what.param2) || !is_part(what.param3))
+    return UINT32_MAX;
+  return px4_mode(static_cast<std::uint32_t>(what.param2), static_cast<std::uint32_t>(what.param3));
+}
+
+// It answers such a command twice: once for having heard it.
+void px4::on_unknown_mode(const role::order& what) { with().out.send(role::answer_to(what, answer::accepted)); }
+
+autopilot::answer px4::change_mode(const flight_mode* mode, std::uint32_t) {
+  if (mode == nullptr)
+    return answer::accepted;
+  const bool has_no_mission = mode->kind == mode_kind::mission && run().is_empty();
+  const bool has_no_position = mode->needs_position && !state().has_position;
+  if (state().is_armed && (has_no_mission || has_no_position)) {
+    say_tabbed(mav_severity::critical, "Switching to mode '" + std::string(mode->name) + "' is currently not possible");
+    return answer::temporarily_rejected;
+  }
+  if (mode->kind == mode_kind::take_off)
+    takeoff_altitude_m_ = craft().home().altitude_m + default_takeoff_m;
+  enter(*mode);
+  return answer::accepted;
+}
+
+void px4::on_mode_entered(const flight_mode& mode) {
+  if (!state().is_armed)
+    return;
+  if (mode.kind == mode_kind::mission)
+    begin_mission();
+  else if (mode.kind == mode_kind::take_off)
+    climb_to(takeoff_altitude_m_);
+}
+
+void px4::on_armed() {
+  say_tabbed(mav_severity::info, "Armed by " + std::string(reason_));
+  preflight_ends_ns_ = now().world_ns + disarms_after_ns;
+  on_mode_entered(*state().mode);
+}
+
+void px4::on_disarmed() {
+  say_tabbed(mav_severity::info, "Disarmed by " + std::string(reason_));
+  preflight_ends_ns_ = never_ns;
+  if (run().state() == run_state::running)
+    run().stop();
+}
+
+void px4::disarm_by(std::string_view reason) {
+  reason_ = reason;
+  disarm();
+  reason_ = by_command;
+}
+
+void px4::on_position_lost() {
+  say_tabbed(mav_severity::critical, "Failsafe activated");
+  enter(mode_kind::land);
+}
+
+void px4::on_battery_empty() {
+  say_tabbed(mav_severity::emergency, "Emergency battery level, land immediately");
+  if (craft().is_in_air())
+    enter(mode_kind::land);
+  else
+    disarm();
+}
+
+void px4::on_restart() {
+  run().load(held_mission().items);
+  reached_.forget();
+  old_news_ = {};
+  heard_station_ns_ = -1;
+  preflight_ends_ns_ = never_ns;
+  trigger_again_ns_ = never_ns;
+  with().out.hold_texts_back(true);
+}
+
+void px4::hear_heartbeat(mavlink::sender, const mavlink::heartbeat& m) {
+  with().out.hold_texts_back(false);
+  if (m.type != mavlink::number(mavlink::mav_type::gcs))
+    return;
+  if (heard_station_ns_ >= 0 && now().real_ns - heard_station_ns_ > station_lost_after_ns)
+    say_tabbed(mav_severity::info, "GCS connection regained");
+  heard_station_ns_ = now().real_ns;
+}
+
+// -- the mission ------------------------------------------------------------------------------------
+
+autopilot::answer px4::start_mission(const role::order& what) {
+  if (run().is_empty()) {
+    say_tabbed(mav_severity::critical, "Mission start denied! No valid mission");
+    return answer::denied;
+  }
+  constexpr float where_it_is = -1;
+  const bool is_first = what.param1 >= where_it_is && what.param1 < static_cast<float>(run().count());
+  const bool ends_before_it_begins = what.param2 > 0 && what.param2 < what.param1;
+  if (!is_first || ends_before_it_begins)
+    return answer::denied;
+  if (!state().is_armed && why_not_arm(false)) {
+    say_tabbed(mav_severity::critical, "Mission start denied! Resolve system health failures first");
+    return answer::temporarily_rejected;
+  }
+  if (what.param1 >= 0)
+    static_cast<void>(run().set_current(static_cast<int>(what.param1))); // is one, see above
+  enter(mode_kind::mission);
+  reason_ = "mission start";
+  arm();
+  reason_ = by_command;
+  if (run().state() != run_state::running)
+    begin_mission();
+  return answer::accepted;
+}
+
+void px4::begin_mission() {
+  if (run().is_empty()) {
+    say_tabbed(mav_severity::info, "No valid mission available, loitering");
+    enter(mode_kind::hold);
+    return;
+  }
+  if (run().state() == run_state::completed) {
+    if (craft().is_in_air())
+      return; // it stays where it is until it is told where to go on
+    run().start(0);
+  } else if (run().state() == run_state::idle) {
+    run().start(run().current());
+  }
+  announce_mission();
+}
+
+void px4::announce_mission() {
+  say_tabbed(mav_severity::info, "Executing Mission");
+  const auto* item = run().item();
+  if (craft().is_in_air() || item == nullptr || item->command != mavlink::number(mavlink::mav_cmd::nav_takeoff))
+    return;
+  std::array<char, 50> text{};
+  std::snprintf(text.data(), text.size(), "Climb to %.1f meters above home\t", static_cast<double>(item->z));
+  say(mav_severity::info, text.data());
+}
+
+void px4::finish_mission() {
+  stop_trigger(0);
+  trigger_again_ns_ = now().world_ns + ns_per_s;
+  if (craft().is_in_air()) {
+    say_tabbed(mav_severity::info, "Mission finished, loitering");
+    enter(mode_kind::hold);
+  } else {
+    say_tabbed(mav_severity::info, "Mission finished, landed");
+    disarm_by("landing");
+  }
+}
+
+// A camera may still be triggered along the way; whoever has one is to stop.
+void px4::stop_trigger(std::uint8_t confirmation) {
+  with().out.send(mavlink::command_long{.target_system = with().out.ourselves().system,
+                                        .command = mavlink::number(mavlink::mav_cmd::do_trigger_control),
+                                        .confirmation = confirmation,
+                                        .param1 = -1,
+                                        .param3 = 1});
+}
+
+void px4::take(const mavlink::mission_set_current& m) {
+  if (!with().plans.is_idle())
+    say_tabbed(mav_severity::critical, "WPM: IGN WP CURR CMD: Busy");
+  else if (!run().set_current(m.seq))
+    say_tabbed(mav_severity::critical, "WPM: WP CURR CMD: Not in list");
+  else if (state().is_armed && state().is_in(mode_kind::mission) && run().state() != run_state::running)
+    begin_mission();
+}
+
+void px4::on_change(const plans::plan_change& what) {
+  if (what.type != mavlink::mav_mission_type::mission)
+    return;
+  if (what.kind == plans::plan_change_kind::cleared) {
+    reached_.forget();
+    run().load({});
+    if (state().is_armed && state().is_in(mode_kind::mission))
+      enter(mode_kind::hold);
+  } else if (!what.identical) {
+    take_plan(what);
+  }
+}
+
+void px4::take_plan(const plans::plan_change& what) {
+  const bool had_plan = !run().is_empty();
+  const int old_current = run().current();
+  const bool was_completed = run().state() == run_state::completed;
+  const int current = what.marked_current.value_or(was_completed ? 0 : old_current);
+  run().replace(held_mission().items, 0, current);
+  if (was_completed && state().is_armed && state().is_in(mode_kind::mission))
+    begin_mission();
+  if (!had_plan)
+    return;
+  if (const auto news = old_news_.on_switch(old_current, progress(), with().random))
+    std::visit([this](const auto& m) { with().out.send(m); }, *news);
+}
+
+void px4::end_turn() {
+  if (const auto news = old_news_.take_late())
+    std::visit([this](const auto& m) { with().out.send(m); }, *news);
+}
+
+void px4::on_happening(const happening& what) {
+  if (const auto* reached = std::get_if<item_reached>(&what)) {
+    with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(reached->sequence)});
+    reached_.reach(reached->sequence, now().world_ns);
+  } else if (std::holds_alternative<took_off>(what)) {
+    say_tabbed(mav_severity::info, "Takeoff detected");
+    preflight_ends_ns_ = never_ns;
+  } else if (std::holds_alternative<landed>(what)) {
+    say_tabbed(mav_severity::info, "Landing detected");
+    if (!flies_mission() && !(state().is_in(mode_kind::mission) && run().state() == run_state::completed))
+      disarm_by("landing");
+  } else if (std::holds_alternative<mission_completed>(what)) {
+    finish_mission();
+  } else if (std::holds_alternative<arrived>(what) && state().is_in(mode_kind::take_off)) {
+    enter(mode_kind::hold);
+  }
+}
+
+void px4::on_time() {
+  while (const auto sequence = reached_.due(now().world_ns))
+    with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(*sequence)});
+  if (now().world_ns >= preflight_ends_ns_ && !craft().is_in_air())
+    disarm_by("auto preflight disarming");
+  if (now().world_ns >= trigger_again_ns_) {
+    trigger_again_ns_ = never_ns;
+    stop_trigger(1);
+  }
+}
+
+std::int64_t px4::next_timer_ns() const {
+  return std::min({reached_.next_ns(), preflight_ends_ns_, trigger_again_ns_});
+}
+
+mavlink::mission_current px4::progress() const {
+  auto m = progress_of(run(), with().plans, habits());
+  const bool is_in_mission = state().is_in(mode_kind::mission);
+  m.mission_mode = mavlink::number(is_in_mission ? mavlink::mission_mode::active : mavlink::mission_mode::suspended);
+  auto how = mavlink::mission_state::not_started;
+  if (run().is_empty())
+    how = mavlink::mission_state::no_mission;
+  else if (run().state() == run_state::completed)
+    how = mavlink::mission_state::complete;
+  else if (run().state() == run_state::running)
+    how = is_in_mission ? mavlink::mission_state::active : mavlink::mission_state::paused;
+  m.mission_state = mavlink::number(how);
+  return m;
+}
+
+// -- commands ---------------------------------------------------------------------------------------
+
+autopilot::answer px4::set_mission_current(const role::order&) { return answer::unsupported; } // the message alone
+
+autopilot::answer px4::take_off(const role::order& what) {
+  const auto own = craft().home().altitude_m + default_takeoff_m;
+  takeoff_altitude_m_ = std::isfinite(what.z) && what.z != 0 ? altitude_in(what) : own;
+  enter(mode_kind::take_off);
+  if (state().is_armed)
+    climb_to(takeoff_altitude_m_);
+  return answer::accepted;
+}
+
+double px4::altitude_in(const role::order& what) const {
+  // In a COMMAND_LONG, which names no frame, it means above mean sea level.
+  return !what.is_in_integers && std::isfinite(what.z) ? what.z : autopilot::altitude_in(what);
+}
+
+autopilot::answer px4::reposition(const role::order& what) {
+  enter(mode_kind::hold);
+  if (state().is_armed && craft().is_in_air())
+    go_to(place_in(what));
+  return answer::accepted;
+}
+
+autopilot::answer px4::pause_or_continue(const role::order&) { return answer::unsupported; }
+
+autopilot::answer px4::restart_or_shut_down(const role::order& what) {
+  constexpr float restart_autopilot = 1;
+  if (what.param1 != restart_autopilot)
+    return answer::accepted; // nothing was asked for
+  if (state().is_armed)
+    return answer::denied;
+  ask_for_restart();
+  return answer::accepted;
+}
+
+} // namespace godwit::sim

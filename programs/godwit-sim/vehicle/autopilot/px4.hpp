@@ -1,0 +1,80 @@
+// PX4, a multirotor, as version 1.17 was seen to behave.
+//
+// It arms on MISSION_START, goes on at its old index with a plan that marks no item, does not activate a plan that it
+// holds already, repeats MISSION_ITEM_REACHED, and for a moment after the change of a plan may tell old news. After
+// landing it disarms itself. A finished mission that does not end on the ground ends in AUTO.LOITER.
+//
+// What it is not: failsafes but for an empty battery and the loss of position; manual flight; fences are kept and a
+// breach does nothing. Thread: one at a time. Source: recordings; PX4's commander and navigator.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/old_news.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/repeated_reached.hpp"
+
+namespace godwit::sim {
+
+class px4 final : public autopilot {
+public:
+  explicit px4(const equipment& tools);
+
+  using autopilot::take;
+  void take(const mavlink::mission_set_current& m) override;
+  void hear_heartbeat(mavlink::sender from, const mavlink::heartbeat& m) override;
+  void expect_upload() override { reached_.forget(); }
+  void on_change(const plans::plan_change& what) override;
+  void on_happening(const happening& what) override;
+  void on_time() override;
+  [[nodiscard]] std::int64_t next_timer_ns() const override;
+  void end_turn() override;
+  [[nodiscard]] mavlink::mission_current progress() const override;
+
+  static constexpr std::int64_t station_lost_after_ns = 10 * ns_per_s; // COM_DL_LOSS_T
+  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;      // COM_DISARM_PRFLT, without a take-off
+
+protected:
+  [[nodiscard]] std::optional<refusal> why_not_arm(bool forced) const override;
+  [[nodiscard]] std::optional<refusal> why_not_disarm(bool forced) const override;
+  answer change_mode(const flight_mode* mode, std::uint32_t number) override;
+  [[nodiscard]] std::uint32_t mode_in(const role::order& what) const override;
+  void on_unknown_mode(const role::order& what) override;
+  void on_mode_entered(const flight_mode& mode) override;
+  void on_armed() override;
+  void on_disarmed() override;
+  void on_position_lost() override;
+  void on_battery_empty() override;
+  void on_restart() override;
+
+  answer start_mission(const role::order& what) override;
+  answer set_mission_current(const role::order& what) override;
+  answer take_off(const role::order& what) override;
+  answer reposition(const role::order& what) override;
+  answer pause_or_continue(const role::order& what) override;
+  answer restart_or_shut_down(const role::order& what) override;
+  [[nodiscard]] double altitude_in(const role::order& what) const override;
+
+private:
+  // On the way into its mission: from where it stands, or from the beginning when it is done and on the ground.
+  void begin_mission();
+  void announce_mission();
+  void finish_mission();
+  void stop_trigger(std::uint8_t confirmation);
+  void take_plan(const plans::plan_change& what);
+  void disarm_by(std::string_view reason);
+  void say_tabbed(mavlink::mav_severity severity, const std::string& text) { say(severity, text + '\t'); }
+
+  repeated_reached reached_;
+  old_news old_news_;
+  std::int64_t heard_station_ns_ = -1; // real time
+  std::int64_t preflight_ends_ns_ = never_ns;
+  std::int64_t trigger_again_ns_ = never_ns;
+  double takeoff_altitude_m_ = 0;
+  std::string_view reason_ = by_command; // for arming and disarming
+
+  static constexpr std::string_view by_command = "external command";
+};
+
+} // namespace godwit::sim

@@ -1,0 +1,55 @@
+// What the vehicle tells about itself without being spoken to: each streamed message, made from the state of the world.
+//
+// Thread: one at a time. Source: the messages' definitions; values of fields that mean nothing here as recorded.
+#pragma once
+
+#include <cstdint>
+
+#include "io/mavlink/messages.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/condition.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/outlet.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/traits.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/world_clock.hpp"
+#include "programs/godwit-sim/vehicle/flight/flight.hpp"
+#include "programs/godwit-sim/vehicle/world/battery.hpp"
+
+namespace godwit::sim {
+
+class telemetry {
+public:
+  // All of them outlive it.
+  telemetry(const traits& habits, const flight& craft, const battery& power, const condition& state, outlet& out)
+      : habits_(habits), craft_(craft), power_(power), state_(state), out_(out) {}
+
+  // False: no such message is known here. One that can not be told now, a position that is not known for example, is
+  // known and not sent.
+  [[nodiscard]] bool send(std::uint32_t id, std::int64_t world_ns);
+  [[nodiscard]] bool knows(std::uint32_t id) const;
+
+  [[nodiscard]] mavlink::mav_landed_state landed_state() const;
+  // Satellites were lost at this place.
+  void freeze_position(const position& where) { frozen_ = where; }
+  void restart() { pings_ = 0; }
+
+private:
+  [[nodiscard]] mavlink::heartbeat beat() const;
+  [[nodiscard]] mavlink::sys_status status() const;
+  [[nodiscard]] mavlink::gps_raw_int satellites(std::int64_t up_ns) const;
+  [[nodiscard]] mavlink::global_position_int place(std::int64_t up_ns) const;
+  [[nodiscard]] mavlink::attitude angles(std::int64_t up_ns) const;
+  [[nodiscard]] mavlink::vfr_hud hud() const;
+  [[nodiscard]] mavlink::battery_status charge() const;
+  [[nodiscard]] mavlink::home_position home(std::int64_t up_ns) const;
+  [[nodiscard]] mavlink::autopilot_version version() const;
+  [[nodiscard]] bool is_landing() const;
+
+  const traits& habits_;
+  const flight& craft_;
+  const battery& power_;
+  const condition& state_;
+  outlet& out_;
+  position frozen_;
+  std::uint32_t pings_ = 0;
+};
+
+} // namespace godwit::sim

@@ -1,0 +1,114 @@
+#include "programs/godwit-sim/vehicle/autopilot/traits.hpp"
+
+#include "programs/godwit-sim/vehicle/autopilot/param_list.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::sim {
+
+namespace {
+
+using mavlink::mav_result;
+
+// MAV_PROTOCOL_CAPABILITY: mission float 1, param float 2, mission int 4, command int 8, param encoded by bytes 16, by
+// value 131072, MAVLink 2 8192, mission fence 16384, mission rally 32768.
+constexpr std::uint64_t rover_capabilities = 1 | 2 | 4 | 8 | 8192 | 16384 | 32768 | 131072;
+
+traits rover_traits() {
+  traits t;
+  t.type = mavlink::mav_type::ground_rover;
+  t.autopilot = mavlink::mav_autopilot::generic;
+  t.body = rover_craft();
+  t.modes = rover_modes();
+  t.first_mode = 4; // HOLD
+  t.plan_habits = plans::plain_habits();
+  t.params = rover_params();
+  t.param_encoding = role::param_encoding::as_value;
+  t.streams = rover_streams();
+  t.knows_stream_groups = true;
+  t.unknown_message = mav_result::denied;
+  t.unknown_interval = mav_result::denied;
+  t.timesync_target = timesync_target::asker;
+  t.sensors = {0x1200'002F | prearm_bit, 0x1200'002F | prearm_bit, 0x1200'002F | prearm_bit};
+  t.version.capabilities = rover_capabilities;
+  t.version.flight_sw_version = 0x0001'00FF; // 0.1.0, release
+  return t;
+}
+
+traits px4_traits() {
+  traits t;
+  t.type = mavlink::mav_type::quadrotor;
+  t.autopilot = mavlink::mav_autopilot::px4;
+  t.body = multirotor_craft();
+  t.modes = px4_modes();
+  t.first_mode = px4_mode(4, 3); // AUTO.LOITER
+  t.plan_habits = plans::px4_habits();
+  t.params = px4_params();
+  t.param_encoding = role::param_encoding::as_bits;
+  t.streams = px4_streams();
+  t.current_is_a_request_away = false;
+  t.sends_before_ack = true;
+  t.unknown_message = mav_result::denied;
+  t.unknown_interval = mav_result::failed;
+  t.numbers_each_text = true;
+  t.timesync_target = timesync_target::system_of_asker;
+  t.sensors = {50348079, 50413615, 320915519};
+  t.version.capabilities = 59647;
+  t.version.flight_sw_version = 17891583; // 1.17.0, release
+  t.version.middleware_sw_version = 17891583;
+  t.version.os_sw_version = 101854463;
+  t.version.board_version = 1;
+  t.version.flight_custom_version = {0x00, 0x00, 0x00, 0x4b, 0x17, 0xda, 0xe0, 0x1c};
+  t.version.middleware_custom_version = t.version.flight_custom_version;
+  return t;
+}
+
+traits ardupilot_traits() {
+  traits t;
+  t.type = mavlink::mav_type::quadrotor;
+  t.autopilot = mavlink::mav_autopilot::ardupilotmega;
+  t.body = multirotor_craft();
+  t.modes = copter_modes();
+  t.first_mode = 0; // STABILIZE
+  t.plan_habits = plans::ardupilot_copter_habits();
+  t.params = copter_params();
+  t.param_encoding = role::param_encoding::as_value;
+  t.hides_param_index = true;
+  t.streams = ardupilot_streams();
+  t.knows_stream_groups = true;
+  t.tells_current_on_change = false;
+  t.unknown_message = mav_result::failed;
+  t.unknown_interval = mav_result::denied;
+  t.answers_ping = false;
+  t.hears_any_component = true;
+  t.tells_stale_position = true;
+  t.timesync_target = timesync_target::nobody;
+  t.banner = {"ArduCopter V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4", "Frame: QUAD/PLUS"};
+  t.sensors = {322034735, 320986159, 322034991};
+  t.fix_type = 6;                  // as its own simulator's receiver
+  t.ready_after_ns = 5 * ns_per_s; // a real one takes 35 to 40 s
+  t.total_of_no_mission = 0;
+  t.version.capabilities = 61935;
+  t.version.flight_sw_version = 67567616; // 4.7.0, development
+  t.version.flight_custom_version = {'9', '9', 'e', 'a', '6', '0', 'e', 'b'};
+  t.tells_protocol_version = false;
+  return t;
+}
+
+} // namespace
+
+const traits& traits_of(personality who) {
+  static const traits rover = rover_traits();
+  static const traits px4 = px4_traits();
+  static const traits ardupilot = ardupilot_traits();
+  switch (who) {
+  case personality::rover:
+    return rover;
+  case personality::px4:
+    return px4;
+  case personality::ardupilot:
+    return ardupilot;
+  }
+  GODWIT_ASSERT(false, "each personality has its traits");
+}
+
+} // namespace godwit::sim

@@ -1,0 +1,71 @@
+// What tells one simulated autopilot from another and can be said as data; what can not is a class of its own (rover,
+// px4, ardupilot). Thread: constants.
+//
+// Source: recordings of PX4 1.17 and ArduPilot 4.7, and the MAVLink text for the rover, which is nobody's product.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "actors/ground_port/mission_server/habits.hpp"
+#include "actors/ground_port/vehicle_role/param_table.hpp"
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/messages/version.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/stream_table.hpp"
+#include "programs/godwit-sim/vehicle/flight/craft.hpp"
+#include "programs/godwit-sim/vehicle/personality.hpp"
+
+namespace godwit::sim {
+
+// Bits of SYS_STATUS.
+struct sensor_bits {
+  std::uint32_t present = 0;
+  std::uint32_t enabled = 0;
+  std::uint32_t health = 0; // when all is well
+};
+inline constexpr std::uint32_t gps_bit = 0x20;           // MAV_SYS_STATUS_SENSOR_GPS
+inline constexpr std::uint32_t prearm_bit = 0x1000'0000; // MAV_SYS_STATUS_PREARM_CHECK
+
+// Whom the answer to a TIMESYNC names.
+enum class timesync_target { nobody, asker, system_of_asker };
+
+struct traits {
+  mavlink::mav_type type{};
+  mavlink::mav_autopilot autopilot{};
+  craft body;
+  mode_table modes;
+  std::uint32_t first_mode = 0; // after a start
+
+  plans::habits plan_habits;
+  std::vector<role::param> params;
+  role::param_encoding param_encoding{};
+  bool hides_param_index = false; // 65535 in answer to a read by name and to a set
+
+  stream_table streams;
+  bool knows_stream_groups = false;
+  bool tells_current_on_change = true;    // MISSION_CURRENT
+  bool current_is_a_request_away = true;  // MISSION_CURRENT: REQUEST_MESSAGE and SET_MESSAGE_INTERVAL work for it
+  bool sends_before_ack = false;          // the message that was asked for
+  mavlink::mav_result unknown_message{};  // REQUEST_MESSAGE
+  mavlink::mav_result unknown_interval{}; // SET_MESSAGE_INTERVAL
+
+  bool answers_ping = true;
+  sim::timesync_target timesync_target{};
+  std::vector<std::string_view> banner; // said to a station that asks for all parameters
+  bool numbers_each_text = false;
+  bool hears_any_component = false;  // orders and parameters: of its system; else its own and 0
+  bool tells_stale_position = false; // goes on with GLOBAL_POSITION_INT when there is no position
+
+  sensor_bits sensors;
+  std::uint8_t fix_type = 3;                 // gps_fix_type when all is well
+  std::int64_t ready_after_ns = 0;           // of a start, world time: until then it can not be armed for a flight
+  std::uint16_t total_of_no_mission = 65535; // MISSION_CURRENT
+  mavlink::autopilot_version version;
+  bool tells_protocol_version = true;
+};
+
+[[nodiscard]] const traits& traits_of(personality who);
+
+} // namespace godwit::sim

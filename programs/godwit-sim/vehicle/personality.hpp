@@ -1,0 +1,15 @@
+// Whose habits a simulated vehicle has. Thread: values.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::sim {
+
+enum class personality { rover, px4, ardupilot };
+
+constexpr auto enum_names(personality) {
+  return io::names<personality>(
+      {{personality::rover, "rover"}, {personality::px4, "px4"}, {personality::ardupilot, "ardupilot"}});
+}
+
+} // namespace godwit::sim

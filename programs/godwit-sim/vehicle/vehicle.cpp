@@ -1,0 +1,32 @@
+#include "programs/godwit-sim/vehicle/vehicle.hpp"
+
+#include <utility>
+
+#include "programs/godwit-sim/vehicle/vehicle_parts.hpp"
+
+namespace godwit::sim {
+
+vehicle::vehicle(const vehicle_settings& settings, std::int64_t now_ns, frame_sink send)
+    : parts_(std::make_unique<parts>(settings, now_ns, std::move(send))) {}
+
+vehicle::~vehicle() = default;
+
+void vehicle::on_frame(const io::mavlink::frame_view& frame, std::int64_t now_ns) { parts_->on_frame(frame, now_ns); }
+
+void vehicle::on_time(std::int64_t now_ns) { parts_->on_time(now_ns); }
+
+std::int64_t vehicle::next_deadline_ns() const { return parts_->next_deadline_ns(); }
+
+void vehicle::reboot(std::int64_t now_ns) { parts_->reboot(now_ns); }
+
+void vehicle::lose_position(bool lost, std::int64_t now_ns) { parts_->lose_position(lost, now_ns); }
+
+void vehicle::set_battery(double percent, std::int64_t now_ns) { parts_->set_battery(percent, now_ns); }
+
+void vehicle::refuse_command(std::uint16_t command, std::uint8_t result, int times) {
+  parts_->refuse_command(command, result, times);
+}
+
+vehicle_picture vehicle::describe() const { return parts_->describe(); }
+
+} // namespace godwit::sim

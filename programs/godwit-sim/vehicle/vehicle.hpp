@@ -1,0 +1,81 @@
+// A simulated vehicle: what comes in are MAVLink frames and time, what goes out are MAVLink frames.
+//
+//   vehicle rover({.who = personality::rover, .home = {47.0, 8.0, 400.0}}, now_ns, send);
+//   rover.on_frame(frame, now_ns);          // from any station
+//   rover.on_time(now_ns);                  // no later than next_deadline_ns()
+//
+// It answers as the autopilot whose personality it has was seen to answer (see personality.hpp). The world (motion,
+// battery, telemetry) runs `speed` times as fast as the time that comes in; the patience of transfers and commands does
+// not, because who talks to it lives in real time. Everything random comes from the seed. Pure: no clock, no socket; it
+// calls SEND with each frame, which goes to everybody who listens. Thread: one at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "io/mavlink/frame.hpp"
+#include "programs/godwit-sim/vehicle/personality.hpp"
+#include "programs/godwit-sim/vehicle/world/position.hpp"
+
+namespace godwit::sim {
+
+struct vehicle_settings {
+  personality who = personality::px4;
+  std::uint8_t system = 1;
+  position home{47.397742, 8.545594, 488.0};
+  double speed = 1; // world seconds in a second
+  std::uint64_t seed = 1;
+  double battery_percent = 100;
+  double endurance_s = 1'500; // of a full battery in flight; world time
+  bool arms_on_start = false; // rover: MISSION_START arms
+  double stream_factor = 1;   // rates of the default streams, times this
+};
+
+// For people, tests and the control port.
+struct vehicle_picture {
+  position where;
+  double heading_deg = 0;
+  double ground_speed_mps = 0;
+  std::string mode;
+  bool armed = false;
+  bool in_air = false;
+  std::string mission_state; // idle, running, completed
+  int mission_current = 0;
+  int mission_count = 0;
+  std::uint32_t mission_id = 0; // 0: none, or an autopilot without ids
+  double battery_percent = 0;
+  bool has_position = true;  // GPS
+  std::int64_t world_ms = 0; // since the autopilot's start
+};
+
+class vehicle {
+public:
+  using frame_sink = std::function<void(std::span<const std::byte>)>;
+
+  vehicle(const vehicle_settings& settings, std::int64_t now_ns, frame_sink send);
+  vehicle(const vehicle&) = delete;
+  vehicle& operator=(const vehicle&) = delete;
+  ~vehicle();
+
+  void on_frame(const io::mavlink::frame_view& frame, std::int64_t now_ns);
+  void on_time(std::int64_t now_ns);
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+
+  // -- faults on demand
+  void reboot(std::int64_t now_ns);                   // silent for a while, then its clock starts at 0
+  void lose_position(bool lost, std::int64_t now_ns); // GPS
+  void set_battery(double percent, std::int64_t now_ns);
+  void refuse_command(std::uint16_t command, std::uint8_t result, int times); // times < 0: from now on; 0: no longer
+
+  [[nodiscard]] vehicle_picture describe() const;
+
+private:
+  class parts;
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::sim

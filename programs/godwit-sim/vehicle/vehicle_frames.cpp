@@ -1,0 +1,155 @@
+// What a simulated vehicle does with the messages that come in.
+#include "programs/godwit-sim/vehicle/vehicle_parts.hpp"
+
+namespace godwit::sim {
+
+namespace {
+
+using heard_messages = mavlink::message_list<
+    mavlink::heartbeat, mavlink::set_mode, mavlink::ping, mavlink::timesync, mavlink::command_long,
+    mavlink::command_int, mavlink::mission_set_current, mavlink::param_request_list, mavlink::param_request_read,
+    mavlink::param_set, mavlink::request_data_stream, mavlink::mission_count, mavlink::mission_item_int,
+    mavlink::mission_item, mavlink::mission_request, mavlink::mission_request_int, mavlink::mission_request_list,
+    mavlink::mission_ack, mavlink::mission_clear_all, mavlink::mission_write_partial_list>;
+
+constexpr std::uint8_t every_component = 0;
+
+} // namespace
+
+void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now_ns) {
+  advance(now_ns);
+  const auto from = frame.from();
+  if (!is_starting_ && from != out_.ourselves()) {
+    plans_.lock(state_.is_armed && craft_.mission().state() == run_state::running);
+    plans_.set_current(craft_.mission().current());
+    heard_messages::visit(frame, [&](const auto& message) { hear(from, message); });
+  }
+  end_turn();
+}
+
+bool vehicle::parts::is_for_us(std::uint8_t system, std::uint8_t component) const {
+  const auto& us = out_.ourselves();
+  if (habits_.hears_any_component)
+    return system == us.system || system == 0;
+  return system == us.system && (component == us.component || component == every_component);
+}
+
+void vehicle::parts::hear(mavlink::sender from, const mavlink::heartbeat& m) { pilot_->hear_heartbeat(from, m); }
+
+void vehicle::parts::hear(mavlink::sender, const mavlink::set_mode& m) {
+  if (is_for_us(m.target_system, every_component))
+    pilot_->take(m);
+}
+
+void vehicle::parts::hear(mavlink::sender from, const mavlink::ping& m) {
+  if (habits_.answers_ping && m.target_system == 0 && m.target_component == 0)
+    out_.send(mavlink::ping{m.time_usec, m.seq, from.system, from.component});
+}
+
+void vehicle::parts::hear(mavlink::sender from, const mavlink::timesync& m) {
+  const bool is_question = m.tc1 == 0;
+  const bool is_ours = m.target_system == 0 || m.target_system == out_.ourselves().system;
+  if (!is_question || !is_ours)
+    return;
+  mavlink::timesync reply{.tc1 = state_.up_ns(now_.world_ns), .ts1 = m.ts1};
+  switch (habits_.timesync_target) {
+  case timesync_target::nobody:
+    break;
+  case timesync_target::asker:
+    reply.target_system = from.system;
+    reply.target_component = from.component;
+    break;
+  case timesync_target::system_of_asker:
+    reply.target_system = from.system;
+    reply.target_component = 255;
+    break;
+  }
+  out_.send(reply);
+}
+
+void vehicle::parts::hear(mavlink::sender from, const mavlink::command_long& m) {
+  if (is_for_us(m.target_system, m.target_component))
+    pilot_->take(role::read_order(from, m));
+}
+
+void vehicle::parts::hear(mavlink::sender from, const mavlink::command_int& m) {
+  if (is_for_us(m.target_system, m.target_component))
+    pilot_->take(role::read_order(from, m));
+}
+
+void vehicle::parts::hear(mavlink::sender, const mavlink::mission_set_current& m) {
+  if (is_for_us(m.target_system, m.target_component))
+    pilot_->take(m);
+}
+
+void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_list& m) {
+  if (!is_for_us(m.target_system, m.target_component))
+    return;
+  params_.on(m, now_.real_ns);
+  for (const auto text : habits_.banner)
+    out_.say(mavlink::mav_severity::info, text);
+  advance_params();
+}
+
+void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_read& m) {
+  if (!is_for_us(m.target_system, m.target_component))
+    return;
+  auto value = params_.on(m);
+  const bool is_by_name = m.param_index < 0;
+  if (value && is_by_name && habits_.hides_param_index)
+    value->param_index = UINT16_MAX;
+  if (value)
+    out_.send(*value);
+}
+
+void vehicle::parts::hear(mavlink::sender, const mavlink::param_set& m) {
+  if (!is_for_us(m.target_system, m.target_component))
+    return;
+  auto value = params_.on(m);
+  if (value && habits_.hides_param_index)
+    value->param_index = UINT16_MAX;
+  if (value)
+    out_.send(*value);
+}
+
+void vehicle::parts::hear(mavlink::sender, const mavlink::request_data_stream& m) {
+  if (!habits_.knows_stream_groups || !is_for_us(m.target_system, m.target_component))
+    return;
+  constexpr std::uint8_t all_groups = 0;
+  constexpr std::int64_t stop = -1;
+  const bool sends = m.start_stop != 0 && m.req_message_rate != 0;
+  const auto interval_us = sends ? 1'000'000 / m.req_message_rate : stop;
+  for (const auto& each : stream_groups()) {
+    if (m.req_stream_id != all_groups && m.req_stream_id != each.number)
+      continue;
+    if (each.message == mavlink::mission_current::message_id)
+      current_.set_period(sends ? interval_us * 1'000 : 0, now_.world_ns);
+    else
+      static_cast<void>(streams_.set_interval(each.message, interval_us, now_.world_ns)); // it is in the table
+  }
+}
+
+void vehicle::parts::hear(mavlink::sender from, const plans::incoming& m) {
+  const bool was_receiving = plans_.is_receiving();
+  if (const auto* count = std::get_if<mavlink::mission_count>(&m))
+    if (is_for_us(count->target_system, count->target_component) &&
+        count->mission_type == mavlink::number(mavlink::mav_mission_type::mission))
+      pilot_->expect_upload();
+  react(plans_.on(from, m, now_.real_ns), was_receiving);
+}
+
+void vehicle::parts::react(const plans::reaction& to, bool was_receiving) {
+  bool is_whole = false;
+  for (const auto& each : to.changes) {
+    is_whole = is_whole || each.kind != plans::plan_change_kind::begun_replacing;
+    pilot_->on_change(each);
+  }
+  for (const auto& each : to.messages)
+    std::visit([this](const auto& message) { out_.send(message); }, each);
+  for (const auto& each : to.texts)
+    out_.say(each.severity, each.text);
+  if (was_receiving && !plans_.is_receiving() && !is_whole)
+    pilot_->on_half_a_plan();
+}
+
+} // namespace godwit::sim

@@ -1,0 +1,227 @@
+#include "programs/godwit-sim/vehicle/vehicle_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/px4.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/rover.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::sim {
+
+namespace {
+
+constexpr std::uint8_t autopilot_component = 1;
+
+std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, const equipment& with) {
+  switch (settings.who) {
+  case personality::rover:
+    return std::make_unique<rover>(with, settings.arms_on_start);
+  case personality::px4:
+    return std::make_unique<px4>(with);
+  case personality::ardupilot:
+    return std::make_unique<ardupilot>(with);
+  }
+  GODWIT_ASSERT(false, "each personality has its autopilot");
+}
+
+// ArduPilot keeps its home as item 0 of the mission.
+plans::habits with_home(plans::habits habits, const position& home) {
+  if (habits.home) {
+    habits.home->x = static_cast<std::int32_t>(std::lround(home.latitude_deg * 1e7));
+    habits.home->y = static_cast<std::int32_t>(std::lround(home.longitude_deg * 1e7));
+    habits.home->z = static_cast<float>(home.altitude_m);
+  }
+  return habits;
+}
+
+// A ground station looks for its vehicle's id there, by one of the names that it has had.
+std::vector<role::param> with_system(std::vector<role::param> params, std::uint8_t system) {
+  for (auto& each : params)
+    if (each.name == "SYSID_THISMAV" || each.name == "MAV_SYSID" || each.name == "MAV_SYS_ID")
+      each.value = system;
+  return params;
+}
+
+std::string_view word_for(run_state how) {
+  switch (how) {
+  case run_state::idle:
+    return "idle";
+  case run_state::running:
+    return "running";
+  case run_state::completed:
+    return "completed";
+  }
+  return "";
+}
+
+} // namespace
+
+vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, frame_sink send)
+    : settings_(settings), habits_(traits_of(settings.who)), clock_(settings.speed, now_ns), now_(clock_.at(now_ns)),
+      random_(settings.seed), out_({settings.system, autopilot_component}, std::move(send), habits_.numbers_each_text),
+      craft_(habits_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
+      tells_(habits_, craft_, power_, state_, out_),
+      plans_(with_home(habits_.plan_habits, settings.home), out_.ourselves()),
+      params_(with_system(habits_.params, settings.system), habits_.param_encoding), streams_({}, 0),
+      current_(role::current_report::period_ns, habits_.tells_current_on_change) {
+  GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
+  state_.mode = find_mode(habits_.modes, habits_.first_mode);
+  state_.is_ready = habits_.ready_after_ns == 0;
+  make_streams();
+  pilot_ = make_autopilot(settings, {habits_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});
+  pilot_->set_now(now_);
+  find_deadline();
+}
+
+void vehicle::parts::make_streams() {
+  std::vector<role::streamed_message> table(habits_.streams.begin(), habits_.streams.end());
+  for (auto& each : table)
+    if (each.id != mavlink::heartbeat::message_id)
+      each.interval_ns = static_cast<std::int64_t>(static_cast<double>(each.interval_ns) / settings_.stream_factor);
+  const auto phase = static_cast<double>(random_() >> 11U) * 0x1p-53; // 0 to 1
+  streams_ = role::message_schedule(table, now_.world_ns, phase);
+}
+
+// -- time -------------------------------------------------------------------------------------------
+
+void vehicle::parts::on_time(std::int64_t now_ns) {
+  advance(now_ns);
+  end_turn();
+}
+
+void vehicle::parts::advance(std::int64_t now_ns) {
+  now_ = clock_.at(std::max(now_ns, now_.real_ns));
+  pilot_->set_now(now_);
+  if (is_starting_ && now_.real_ns >= silent_until_ns_)
+    start_up();
+  advance_world();
+  if (is_starting_)
+    return;
+  advance_autopilot();
+  advance_plans();
+  advance_params();
+  streams_.for_each_due(now_.world_ns, [this](std::uint32_t id) {
+    static_cast<void>(tells_.send(id, now_.world_ns)); // those of the table are known
+  });
+}
+
+void vehicle::parts::advance_world() {
+  power_.advance(now_.world_ns, load());
+  const bool is_empty = power_.percent() <= 0;
+  if (is_empty && !state_.is_battery_empty)
+    pilot_->empty_battery();
+  state_.is_battery_empty = is_empty;
+  for (const auto& each : craft_.advance(now_.world_ns))
+    if (!is_starting_)
+      pilot_->on_happening(each);
+}
+
+void vehicle::parts::advance_autopilot() {
+  state_.is_ready = state_.up_ns(now_.world_ns) >= habits_.ready_after_ns;
+  pilot_->on_time();
+}
+
+void vehicle::parts::advance_plans() {
+  if (now_.real_ns < plans_.next_deadline_ns())
+    return;
+  const bool was_receiving = plans_.is_receiving();
+  react(plans_.on_time(now_.real_ns), was_receiving);
+}
+
+void vehicle::parts::advance_params() {
+  while (const auto value = params_.due(now_.real_ns))
+    out_.send(*value);
+}
+
+void vehicle::parts::end_turn() {
+  if (!is_starting_) {
+    out_.end_turn();
+    if (const auto message = current_.due(pilot_->progress(), now_.world_ns))
+      out_.send(*message);
+    pilot_->end_turn();
+    if (pilot_->take_restart_request())
+      reboot(now_.real_ns);
+  }
+  find_deadline();
+}
+
+void vehicle::parts::find_deadline() {
+  if (is_starting_) {
+    deadline_ns_ = silent_until_ns_;
+    return;
+  }
+  const auto world =
+      std::min({craft_.next_step_ns(), pilot_->next_timer_ns(), streams_.next_due_ns(), current_.next_due_ns()});
+  deadline_ns_ = std::min({clock_.real_ns(world), plans_.next_deadline_ns(), params_.next_due_ns()});
+}
+
+double vehicle::parts::load() const {
+  if (!state_.is_armed)
+    return battery::idle_load;
+  const bool works = craft_.is_in_air() || craft_.is_moving();
+  constexpr double armed_load = 0.05;
+  return works ? 1 : armed_load;
+}
+
+// -- faults -----------------------------------------------------------------------------------------
+
+void vehicle::parts::reboot(std::int64_t now_ns) {
+  now_ = clock_.at(std::max(now_ns, now_.real_ns));
+  is_starting_ = true;
+  silent_until_ns_ = now_.real_ns + start_takes_ns;
+  out_.be_silent(true);
+  out_.restart();
+  pilot_->set_now(now_);
+  pilot_->restart();
+  find_deadline();
+}
+
+void vehicle::parts::start_up() {
+  is_starting_ = false;
+  plans_.restart();
+  out_.be_silent(false);
+  state_.started_world_ns = now_.world_ns;
+  tells_.restart();
+  make_streams();
+  current_ = role::current_report(role::current_report::period_ns, habits_.tells_current_on_change);
+}
+
+void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {
+  advance(now_ns);
+  pilot_->lose_position(lost);
+  end_turn();
+}
+
+void vehicle::parts::set_battery(double percent, std::int64_t now_ns) {
+  advance(now_ns);
+  power_.set_percent(percent);
+  advance(now_ns); // it may be empty now
+  end_turn();
+}
+
+void vehicle::parts::refuse_command(std::uint16_t command, std::uint8_t result, int times) {
+  pilot_->refusals().refuse(command, result, times);
+}
+
+vehicle_picture vehicle::parts::describe() const {
+  const auto& body = craft_.where();
+  const auto progress = pilot_->progress();
+  return {.where = body.where,
+          .heading_deg = body.heading_deg,
+          .ground_speed_mps = body.ground_speed_mps,
+          .mode = std::string(state_.mode->name),
+          .armed = state_.is_armed,
+          .in_air = craft_.is_in_air(),
+          .mission_state = std::string(word_for(craft_.mission().state())),
+          .mission_current = progress.seq,
+          .mission_count = craft_.mission().count(),
+          .mission_id = progress.mission_id,
+          .battery_percent = power_.percent(),
+          .has_position = state_.has_position,
+          .world_ms = state_.up_ns(now_.world_ns) / ns_per_ms};
+}
+
+} // namespace godwit::sim

@@ -1,0 +1,133 @@
+#include "programs/godwit-sim/vehicle_options.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "programs/godwit-sim/text_forms.hpp"
+
+namespace godwit::sim {
+namespace {
+
+std::string in_option(const char* option, const std::string& sentence) { return std::string(option) + ": " + sentence; }
+
+tl::expected<position, std::string> read_home(const std::string& text) {
+  const auto parts = parts_of(text, ',');
+  std::vector<double> numbers;
+  for (const auto part : parts)
+    if (const auto number = read_number(part))
+      numbers.push_back(*number);
+  if (parts.size() != 3 || numbers.size() != 3)
+    return tl::make_unexpected(in_quotes(text) +
+                               " is no place: LATITUDE,LONGITUDE,ALTITUDE in degrees and metres, such as "
+                               "47.397742,8.545594,488");
+  if (std::abs(numbers[0]) > 89 || std::abs(numbers[1]) > 180)
+    return tl::make_unexpected(in_quotes(text) + " lies nowhere: a latitude is from -89 to 89 degrees (north is "
+                                                 "positive), a longitude from -180 to 180 (east is positive)");
+  if (numbers[2] < -500 || numbers[2] > 9'000)
+    return tl::make_unexpected(in_quotes(text) + " lies too low or too high: an altitude is from -500 to 9000 metres");
+  return position{numbers[0], numbers[1], numbers[2]};
+}
+
+tl::expected<personality, std::string> read_personality(const std::string& text) {
+  if (const auto who = io::value_of<personality>(text))
+    return *who;
+  return tl::make_unexpected(in_quotes(text) + " is no personality: rover, px4 or ardupilot");
+}
+
+// All that is the same for each vehicle.
+tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments& given) {
+  const auto who = read_personality(given.personality);
+  const auto home = read_home(given.home);
+  const auto where = io::link::parse_uri(given.link);
+  const auto faults = parse_line_faults(given.faults);
+  if (!who)
+    return tl::make_unexpected(in_option("--personality", who.error()));
+  if (!home)
+    return tl::make_unexpected(in_option("--home", home.error()));
+  if (!where)
+    return tl::make_unexpected(in_option("--link", where.error()));
+  if (!faults)
+    return tl::make_unexpected(in_option("--faults", faults.error()));
+  hosted_settings result{.vehicle = {}, .where = *where, .faults = *faults, .refusals = {}};
+  result.vehicle.who = *who;
+  result.vehicle.home = *home;
+  result.vehicle.speed = given.speed;
+  result.vehicle.battery_percent = given.battery;
+  result.vehicle.arms_on_start = given.arm_on_start;
+  for (const auto& each : given.refuse) {
+    const auto refusal = parse_refusal(each);
+    if (!refusal)
+      return tl::make_unexpected(in_option("--refuse", refusal.error()));
+    result.refusals.push_back(*refusal);
+  }
+  return result;
+}
+
+tl::expected<void, std::string> add_vehicles(const vehicle_arguments& given, const hosted_settings& first,
+                                             host_settings& to) {
+  for (int number = 0; number < given.count; ++number) {
+    auto each = first;
+    const auto where = link_of(first.where, number);
+    if (!where)
+      return tl::make_unexpected(in_option("--count", where.error()));
+    each.where = *where;
+    each.vehicle.system = system_of(given.system, number);
+    each.vehicle.seed = given.seed + static_cast<std::uint64_t>(number);
+    each.vehicle.home = home_of(first.vehicle.home, number);
+    to.vehicles.push_back(std::move(each));
+  }
+  return {};
+}
+
+} // namespace
+
+std::uint8_t system_of(int first, int number) {
+  return static_cast<std::uint8_t>((first - 1 + number) % max_system + 1);
+}
+
+tl::expected<io::link::uri, std::string> link_of(const io::link::uri& where, int number) {
+  if (number == 0)
+    return where;
+  if (where.which == io::link::uri::kind::serial)
+    return tl::make_unexpected(std::string("a serial line has room for one vehicle"));
+  auto result = where;
+  if (!where.listens() || where.port == 0)
+    return result;
+  if (where.port + number > 65'535)
+    return tl::make_unexpected("there are not so many ports from " + std::to_string(where.port) + " on");
+  result.port = static_cast<std::uint16_t>(where.port + number);
+  return result;
+}
+
+position home_of(const position& first, int number) {
+  const auto column = static_cast<double>(number % vehicles_in_row);
+  const auto row = static_cast<double>(number / vehicles_in_row);
+  const auto east = number == 0 ? first : moved(first, {90, column * distance_between_homes_m});
+  return row == 0 ? east : moved(east, {0, row * distance_between_homes_m});
+}
+
+tl::expected<host_settings, std::string> read(const vehicle_arguments& given) {
+  const auto vehicle = read_vehicle(given);
+  if (!vehicle)
+    return tl::make_unexpected(vehicle.error());
+  host_settings result;
+  if (auto added = add_vehicles(given, *vehicle, result); !added)
+    return tl::make_unexpected(std::move(added.error()));
+  for (const auto& each : given.fault_at) {
+    auto fault = parse_timed_fault(each);
+    if (!fault)
+      return tl::make_unexpected(in_option("--fault-at", fault.error()));
+    result.faults.push_back(*std::move(fault));
+  }
+  if (!given.control.empty()) {
+    auto where = parse_control_place(given.control);
+    if (!where)
+      return tl::make_unexpected(in_option("--control", where.error()));
+    result.control = *std::move(where);
+  }
+  result.tlog = given.tlog;
+  result.is_quiet = given.quiet;
+  return result;
+}
+
+} // namespace godwit::sim

@@ -1,0 +1,132 @@
+#!/usr/bin/env node
+// node-mavlink as a ground station, against a simulated vehicle:
+//
+//   node mission_check.mjs GODWIT_SIM rover|px4|ardupilot
+//
+// Starts the program with a vehicle on a free port, uploads a mission, reads it back, makes the vehicle fly it, follows
+// it to its end, and reads it back again. Exit 0 if all is as it must be, 1 if not, 2 on wrong usage.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+
+import { load_definitions } from "./definitions.mjs";
+import { ground_station, port_of } from "./ground_station.mjs";
+
+const home = { latitude: 47.397742, longitude: 8.545594, altitude: 488 };
+const speed = "20";
+const nav_waypoint = 16;
+const nav_land = 21;
+const nav_takeoff = 22;
+const mission_start = 300;
+const do_set_mode = 176;
+const arm_disarm = 400;
+const state_complete = 5;
+const relative_int = 6; // MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
+const relative = 3;     // the same, under the number that ArduPilot gives back
+
+function check(is_right, sentence) {
+  if (!is_right) throw new Error(sentence);
+}
+
+function item(command, north_m, east_m, altitude_m) {
+  const metres_per_degree = 111_319.5;
+  const latitude = home.latitude + north_m / metres_per_degree;
+  const longitude = home.longitude + east_m / (metres_per_degree * Math.cos(home.latitude * Math.PI / 180));
+  return { frame: relative_int, command, current: 0, autocontinue: 1, param1: 0, param2: 0, param3: 0, param4: 0,
+    x: Math.round(latitude * 1e7), y: Math.round(longitude * 1e7), z: altitude_m };
+}
+
+const square = (altitude_m) => [[30, 0], [30, 30], [0, 30]].map((corner) => item(nav_waypoint, ...corner, altitude_m));
+const flight = [item(nav_takeoff, 0, 0, 10), ...square(10), item(nav_land, 0, 30, 0)];
+flight[0].current = 1;
+
+async function until_armed(station) {
+  for (const end = Date.now() + 60_000; Date.now() < end; await new Promise((go) => setTimeout(go, 250))) {
+    if (await station.command(arm_disarm, [1]) === 0) return;
+  }
+  throw new Error("the vehicle does not let itself be armed");
+}
+
+const personalities = {
+  rover: { plan: square(0), first: 0, make_ready: until_armed },
+  px4: { plan: flight, first: 0, make_ready: async () => {} }, // arms on MISSION_START
+  ardupilot: {
+    plan: [item(nav_waypoint, 0, 0, 0), ...flight], // its item 0 is home
+    first: 1,
+    async make_ready(station) {
+      const guided = 4;
+      check(await station.command(do_set_mode, [1, guided]) === 0, "GUIDED was refused");
+      await until_armed(station);
+    },
+  },
+};
+
+// By meaning: autopilots number a frame differently, and leave out what means nothing.
+function compare(sent, held, first) {
+  check(held.length === sent.length, `${held.length} items are held, ${sent.length} were sent`);
+  const same_frame = (a, b) => a === b || (a === relative_int && b === relative);
+  for (let n = first; n < sent.length; ++n) {
+    check(held[n].seq === n && held[n].command === sent[n].command && same_frame(sent[n].frame, held[n].frame),
+      `item ${n} is another command or frame: ${JSON.stringify(held[n])}`);
+    for (const field of ["x", "y", "z"])
+      check(Math.abs(held[n][field] - sent[n][field]) < 1e-6, `item ${n}: ${field} is ${held[n][field]}`);
+  }
+}
+
+function reached(station) {
+  const all = station.heard.filter(({ name }) => name === "MISSION_ITEM_REACHED").map(({ message }) => message.seq);
+  return all.filter((seq, n) => n === 0 || all[n - 1] !== seq); // some autopilots repeat themselves
+}
+
+async function fly(station, { plan, first, make_ready }) {
+  check(await station.wait_for(["HEARTBEAT"], undefined, undefined, 0), "no heartbeat is heard");
+  check(await station.upload(plan) === 0, "the upload was refused");
+  compare(plan, await station.download(), first);
+  await make_ready(station);
+  check(await station.command(mission_start) === 0, "MISSION_START was refused");
+  const is_complete = (message) => message.missionState === state_complete;
+  check(await station.wait_for(["MISSION_CURRENT"], is_complete, 120_000), "the mission is not completed");
+  const waypoints = plan.map((each, seq) => ({ ...each, seq })).filter(({ command, seq }) =>
+    command === nav_waypoint && seq >= first).map(({ seq }) => seq);
+  const in_order = reached(station);
+  check(in_order.every((seq, n) => n === 0 || in_order[n - 1] < seq), `reached in the order ${in_order}`);
+  check(waypoints.every((seq) => in_order.includes(seq)), `of ${waypoints} only ${in_order} were reached`);
+  const currents = station.heard.filter(({ name }) => name === "MISSION_CURRENT").map(({ message }) => message.seq);
+  check(waypoints.every((seq) => currents.includes(seq)), `of ${waypoints} some were never current: ${currents}`);
+  compare(plan, await station.download(), first);
+  return in_order;
+}
+
+async function run(program_path, name) {
+  const definitions = await load_definitions();
+  const { latitude, longitude, altitude } = home;
+  const program = spawn(program_path, ["vehicle", "--personality", name, "--link", "udpin://127.0.0.1:0",
+    "--home", `${latitude},${longitude},${altitude}`, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
+  program.stdout.setEncoding("utf8");
+  let station;
+  try {
+    station = new ground_station(await port_of(program), definitions);
+    program.stdout.on("data", (text) => process.stdout.write(text)); // for whoever reads why it failed
+    const began = Date.now();
+    const in_order = await fly(station, personalities[name]);
+    console.log(`${name}: uploaded, flown and read back in ${Date.now() - began} ms; reached ${in_order}`);
+  } finally {
+    station?.close();
+    if (program.exitCode === null) {
+      program.kill("SIGTERM");
+      const [code] = await once(program, "exit");
+      check(code === 0, `the program ended with ${code}`);
+    }
+  }
+}
+
+const [program_path, name] = process.argv.slice(2);
+if (!Object.hasOwn(personalities, name ?? "")) {
+  console.error("usage: mission_check.mjs GODWIT_SIM rover|px4|ardupilot");
+  process.exit(2);
+}
+try {
+  await run(program_path, name);
+} catch (error) {
+  console.error(`ERROR: ${error.message}`);
+  process.exitCode = 1;
+}

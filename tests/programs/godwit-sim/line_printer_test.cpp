@@ -1,0 +1,78 @@
+#include "programs/godwit-sim/line_printer.hpp"
+
+#include <array>
+#include <csignal>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "io/link/descriptor.hpp"
+
+namespace godwit::sim {
+namespace {
+
+struct line_printer_test : ::testing::Test {
+  line_printer_test() {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(::pipe(ends.data()), 0);
+    reader = io::link::descriptor(ends[0]);
+    writer = io::link::descriptor(ends[1]);
+    printer.emplace(writer.number());
+  }
+  // What was printed, when the printer is over.
+  [[nodiscard]] std::string all() {
+    printer.reset();
+    writer.reset();
+    std::string text;
+    std::array<char, 4'096> buffer{};
+    for (ssize_t size = 0; (size = ::read(reader.number(), buffer.data(), buffer.size())) > 0;)
+      text.append(buffer.data(), static_cast<std::size_t>(size));
+    return text;
+  }
+
+  io::link::descriptor reader;
+  io::link::descriptor writer;
+  std::optional<line_printer> printer;
+};
+
+TEST_F(line_printer_test, lines_come_in_order_and_none_is_left_at_the_end) {
+  printer->push("one");
+  printer->push("two");
+  EXPECT_EQ(all(), "one\ntwo\n");
+}
+
+TEST_F(line_printer_test, nobody_waits_for_a_reader_that_does_not_read) {
+  for (std::size_t n = 0; n < 3 * line_printer::max_waiting; ++n)
+    printer->push("a line of some length, so that the pipe is full soon");
+  EXPECT_GE(printer->dropped(), line_printer::max_waiting);
+  printer.reset();
+}
+
+TEST_F(line_printer_test, what_is_missing_is_said_in_its_place) {
+  for (std::size_t n = 0; n < 3 * line_printer::max_waiting; ++n)
+    printer->push("a line of some length, so that the pipe is full soon");
+  const auto dropped = printer->dropped();
+  std::string text;
+  std::array<char, 4'096> buffer{};
+  // There is room again when enough has been read; the next line then brings the news along.
+  while (text.find("lines are missing here") == std::string::npos) {
+    const auto size = ::read(reader.number(), buffer.data(), buffer.size());
+    ASSERT_GT(size, 0);
+    text.append(buffer.data(), static_cast<std::size_t>(size));
+    printer->push("more");
+  }
+  const auto told = std::stoull(text.substr(text.rfind('(') + 1));
+  EXPECT_GE(told, dropped);
+  EXPECT_LE(told, printer->dropped());
+}
+
+TEST_F(line_printer_test, a_reader_that_has_gone_away_is_no_error) {
+  std::signal(SIGPIPE, SIG_IGN);
+  reader.reset();
+  printer->push("is anybody there?");
+  printer.reset();
+}
+
+} // namespace
+} // namespace godwit::sim

@@ -1,0 +1,36 @@
+#include "programs/godwit-sim/vehicle/autopilot/old_news.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace godwit::sim {
+namespace {
+
+TEST(old_news, is_told_before_or_behind_the_acknowledgement_or_not_at_all) {
+  std::mt19937_64 random(1);
+  std::set<std::string> seen;
+  for (int i = 0; i < 200; ++i) {
+    old_news news;
+    const auto early = news.on_switch(7, {.seq = 1, .total = 9, .mission_id = 5}, random);
+    const auto late = news.take_late();
+    EXPECT_FALSE(early && late) << "once";
+    EXPECT_FALSE(news.take_late());
+    seen.insert(early ? "before" : late ? "behind" : "not at all");
+    const auto& told = early ? early : late;
+    if (!told)
+      continue;
+    if (const auto* current = std::get_if<io::mavlink::mission_current>(&*told)) {
+      EXPECT_TRUE(current->seq == 7 || current->seq == 65535);
+      EXPECT_EQ(current->mission_id, 5U);
+      seen.insert(current->seq == 7 ? "old sequence" : "no sequence");
+    } else {
+      EXPECT_EQ(std::get<io::mavlink::mission_item_reached>(*told).seq, 7);
+      seen.insert("old item");
+    }
+  }
+  EXPECT_EQ(seen.size(), 6U);
+}
+
+} // namespace
+} // namespace godwit::sim

@@ -69,6 +69,10 @@ effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_v
 }
 
 void core::take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
+  if (frame.id() == mavlink::radio_status::message_id) { // a radio's word, taken unsigned: says nothing of who is there
+    ++counts_.not_accepted;
+    return;
+  }
   const auto who = frame.from();
   if (who.system == settings_.as.system) {
     take_own_system(t, who);
@@ -172,6 +176,12 @@ effects core::on_telemetry(const telemetry& m, instant now) {
 effects core::on_progress(const mission_progress& m, instant now) {
   turn t(*this, now);
   progress_ = m;
+  // The start item is used up, whoever started the mission.
+  if (is_running() && noted_start_item_ && !starts_.is_asked() && !is_busy_with_disk()) {
+    noted_start_item_.reset();
+    ++waiting_for_disk_;
+    t.note(start_item_noted{next_ticket_++, std::nullopt, std::nullopt});
+  }
   finish(t);
   return std::move(t.done);
 }
@@ -218,7 +228,9 @@ void core::beat(turn& t) {
 
 // What every event may have made due.
 void core::finish(turn& t) {
-  server_->lock(is_armed_ && is_running());
+  // As long as the executor has not said that it does not, it may be flying the mission.
+  const bool may_be_flown = progress_ ? progress_->state == mavlink::mission_state::active : has_executor_;
+  server_->lock(is_armed_ && may_be_flown);
   if (const auto message = report_.due(current(), t.now.monotonic_ns))
     t.send(io::link::every_peer, *message);
   while (const auto value = params_.due(t.now.monotonic_ns))

@@ -116,7 +116,8 @@ void core::refuse(turn& t, const vehicle_role::order& what, mav_result result, c
 // -- MISSION_START --------------------------------------------------------------------------------
 
 void core::start(turn& t, const vehicle_role::order& what) {
-  const auto repetition = starts_.judge(what, t.now);
+  const auto plan_id = server_->plan(mavlink::mav_mission_type::mission).id;
+  const auto repetition = starts_.judge(what, plan_id, t.now);
   if (repetition == start_ledger::kind::repeated_while_asked)
     return answer(t, what, mav_result::in_progress);
   if (repetition == start_ledger::kind::repeated_after)
@@ -135,7 +136,6 @@ void core::start(turn& t, const vehicle_role::order& what) {
   // Who has chosen the item to begin with, and then starts from "the first", means that one.
   if (decided.first == 0 && noted_start_item_ && *noted_start_item_ <= decided.last)
     decided.first = *noted_start_item_;
-  const auto plan_id = server_->plan(mavlink::mav_mission_type::mission).id;
   t.note(start_noted{starts_.begin(what, decided, plan_id, t.now)});
 }
 

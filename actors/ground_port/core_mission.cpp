@@ -60,7 +60,7 @@ void core::go_on(turn& t, mission_server::reaction next) {
   // To clear what is not there changes nothing that has to be written.
   std::erase_if(next.changes, [&](const mission_server::plan_change& each) {
     return each.kind == mission_server::plan_change_kind::begun_replacing ||
-           (each.kind == mission_server::plan_change_kind::cleared && held_.empty() &&
+           (each.kind == mission_server::plan_change_kind::cleared && waiting_for_disk_ == 0 &&
             shown_[place_of(each.type)].items == 0);
   });
   if (!next.changes.empty()) {

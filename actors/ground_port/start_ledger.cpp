@@ -61,7 +61,7 @@ start_ledger::start_ledger(std::optional<start_record> restored, instant now) : 
   settled_ns_ = now.monotonic_ns - age_of(record_->settled_at_ns);
 }
 
-start_ledger::kind start_ledger::judge(const vehicle_role::order& what, instant now) const {
+start_ledger::kind start_ledger::judge(const vehicle_role::order& what, std::uint32_t plan_id, instant now) const {
   if (!record_)
     return kind::fresh;
   const auto& asked_by = record_->asked.asked_by;
@@ -69,6 +69,10 @@ start_ledger::kind start_ledger::judge(const vehicle_role::order& what, instant 
                        record_->first_item == what.param1 && record_->last_item == what.param2;
   if (is_asked())
     return is_same ? kind::repeated_while_asked : kind::busy;
+  // After a refusal nothing was started: who asks again without counting may have changed what was in the way.
+  const bool was_refused = record_->is_answered && record_->result != number(mav_result::accepted);
+  if (record_->asked.plan_id != plan_id || (was_refused && what.confirmation == 0))
+    return kind::fresh;
   const auto remembered = what.confirmation > 0 ? remembered_ns : repeats_uncounted_ns;
   return is_same && now.monotonic_ns - settled_ns_ < remembered ? kind::repeated_after : kind::fresh;
 }

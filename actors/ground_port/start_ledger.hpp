@@ -2,10 +2,11 @@
 //
 //   (none) ──begin()──> asked ──answer, or silence for answer_patience──> settled ──begin()──> asked ...
 //
-// One at a time. A repetition is the same order from the same station: with a confirmation above 0 as long as the
-// answer is remembered, or once more with 0 shortly after (MAVSDK repeats so). It is never given to the executor again:
-// while it is asked the station hears IN_PROGRESS, then the answer that there was. An answer after the patience was
-// used up corrects what was told. Pure; survives a crash as a start_record. Thread: one at a time.
+// One at a time. A repetition is the same order from the same station for the same plan: with a confirmation above 0 as
+// long as the answer is remembered, or once more with 0 shortly after (MAVSDK repeats so), unless it was refused: then
+// it is a second wish. A repetition is never given to the executor again: while it is asked the station hears
+// IN_PROGRESS, then the answer that there was. An answer after the patience was used up corrects what was told. Pure;
+// survives a crash as a start_record. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,8 @@ public:
 
   start_ledger(std::optional<start_record> restored, io::mavlink::instant now);
 
-  [[nodiscard]] kind judge(const vehicle_role::order& what, io::mavlink::instant now) const;
+  // PLAN_ID: of the mission that is held now.
+  [[nodiscard]] kind judge(const vehicle_role::order& what, std::uint32_t plan_id, io::mavlink::instant now) const;
 
   // Only when `fresh`. The record to make durable; the executor is asked when it is.
   [[nodiscard]] start_record begin(const vehicle_role::order& what, const vehicle_role::start_decision& decided,

@@ -91,10 +91,10 @@ struct start_settled {
   static constexpr auto fields = io::table("ground_port.start_settled", io::field("record", &start_settled::record));
 };
 
-// The mission is not running, and will begin here.
+// The mission is not running, and will begin here. Without an index: the choice is used up.
 struct start_item_noted {
   std::uint64_t ticket = 0; // tells which start_item_settled belongs to it
-  std::uint16_t index = 0;
+  std::optional<std::uint16_t> index;
   std::optional<io::mavlink::command_ack> ack; // none: it was asked for without a command
   static constexpr auto fields =
       io::table("ground_port.start_item_noted", io::field("ticket", &start_item_noted::ticket),
@@ -103,7 +103,7 @@ struct start_item_noted {
 
 struct start_item_settled {
   std::uint64_t ticket = 0;
-  std::uint16_t index = 0;
+  std::optional<std::uint16_t> index;
   std::optional<io::mavlink::command_ack> ack;
   std::int64_t at_ns = 0; // ns since 1970 (UTC)
   static constexpr auto fields =

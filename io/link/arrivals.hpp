@@ -32,6 +32,8 @@ class arrivals {
 public:
   // True: the actor sleeps and has to be woken.
   [[nodiscard]] bool put(peer_id peer, std::span<const std::byte> bytes, bool is_datagram) {
+    if (bytes.empty()) // a datagram can be; it says nothing, and must not take room
+      return false;
     const std::lock_guard guard(mutex_);
     if (waiting_bytes_ + bytes.size() > max_waiting_bytes) {
       dropped_bytes_ += bytes.size();

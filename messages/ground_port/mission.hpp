@@ -13,8 +13,9 @@
 
 namespace godwit::ground_port {
 
-// Becomes MISSION_CURRENT: at 1 Hz, and within 100 ms of a change. Ignored while PLAN_ID is not that of the mission
-// that is held.
+// Becomes MISSION_CURRENT: at 1 Hz, and within 100 ms of a change. The executor tells it once a second as well, for a
+// port that was restarted: until the first word, the mission of an armed vehicle can not be cleared. Ignored while
+// PLAN_ID is not that of the mission that is held.
 struct mission_progress {
   std::uint32_t plan_id = 0;
   std::uint16_t current = 0;

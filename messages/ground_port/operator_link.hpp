@@ -2,7 +2,9 @@
 //
 // Heard means a heartbeat of a station that says that it is one (MAV_TYPE_GCS), and that may be believed where the link
 // is signed. Told once a second, so that a listener also notices when ground_port itself is silent. What the age means
-// (degraded, lost, never seen) is the listener's to decide. Thread: plain values.
+// (degraded, lost, never seen) is the listener's to decide. It has to remember
+// that one was ever heard, and to go on counting: a port that was restarted knows nothing of its earlier life. Thread:
+// plain values.
 #pragma once
 
 #include <cstdint>

@@ -48,6 +48,11 @@ tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments&
     return tl::make_unexpected(in_option("--link", where.error()));
   if (!faults)
     return tl::make_unexpected(in_option("--faults", faults.error()));
+  // "nan" passes every comparison with a range.
+  if (!std::isfinite(given.speed))
+    return tl::make_unexpected(in_option("--speed", "it has to be a number, such as 20"));
+  if (!std::isfinite(given.battery))
+    return tl::make_unexpected(in_option("--battery", "it has to be a number of percent, such as 80"));
   hosted_settings result{.vehicle = {}, .where = *where, .faults = *faults, .refusals = {}};
   result.vehicle.who = *who;
   result.vehicle.home = *home;

@@ -10,6 +10,7 @@ using mavlink::mav_mission_result;
 habits ardupilot(std::int64_t turn_ns) {
   habits result;
   result.asks_with = request_kind::mission_request;
+  result.asks_in_both_ways = false;
   result.asks_again_ns = 1'000 * ns_per_ms;
   result.gives_up_ns = 8'000 * ns_per_ms;
   result.when_giving_up = giving_up::tells;
@@ -49,7 +50,9 @@ habits plain_habits() { return {}; }
 
 habits px4_habits() {
   habits result;
+  result.asks_in_both_ways = false;
   result.asks_again_ns = 260 * ns_per_ms;
+  result.serves_earlier_items = false;
   result.when_out_of_order = out_of_order::ignored;
   result.when_item_is_foreign = foreign_item::ignored;
   result.when_count_comes_again = count_again::asks_again_before_item_1;

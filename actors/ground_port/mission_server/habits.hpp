@@ -61,6 +61,7 @@ struct fence_habits {
 
 struct habits {
   request_kind asks_with = request_kind::mission_request_int;
+  bool asks_in_both_ways = true; // by turns when there is no answer: some stations know only the older request
   std::int64_t asks_again_ns = 1'000 * ns_per_ms;
   std::int64_t gives_up_ns = 5'000 * ns_per_ms; // after the last message of the station
   giving_up when_giving_up = giving_up::silent;
@@ -82,6 +83,7 @@ struct habits {
 
   while_read when_read = while_read::others_wait;
   bool list_ends_a_full_download = false; // of which each item was given, and which was not acknowledged
+  bool serves_earlier_items = true;       // in order, and again what was served; else only the last one again
   bool serves_any_item = false;           // in a download: any item, at any time; else in order, after a request list
   bool tells_count_to_the_lost = false;   // MISSION_COUNT before the refusal of an item that is not there
   bool serves_float_items = true;         // MISSION_ITEM in answer to MISSION_REQUEST; else UNSUPPORTED

@@ -39,6 +39,9 @@ std::int64_t server::next_deadline_ns() const {
 }
 
 void server::put_plan(mav_mission_type type, std::vector<mavlink::mission_item_int> items) {
+  // Who reads it would get the beginning of the one and the rest of the other.
+  if (const auto* download = std::get_if<giving>(&session_); download != nullptr && download->type == type)
+    end_session();
   store_.restore(type, std::move(items));
   finished_.reset();
 }
@@ -63,7 +66,7 @@ void server::on_silence(std::int64_t now_ns) {
     if (now_ns - upload->heard_ns >= vehicle_.gives_up_ns)
       give_up_upload(*upload);
     else if (now_ns - upload->asked_ns >= vehicle_.asks_again_ns)
-      ask(*upload, now_ns);
+      ask_again(*upload, now_ns);
   } else if (const auto* download = std::get_if<giving>(&session_)) {
     if (now_ns - download->heard_ns < vehicle_.gives_up_ns)
       return;

@@ -99,6 +99,7 @@ private:
   [[nodiscard]] std::optional<int> fault_of_the_whole(const receiving& upload) const;
   void give_up_upload(const receiving& upload);
   void ask(receiving& upload, std::int64_t now_ns);
+  void ask_again(receiving& upload, std::int64_t now_ns);
 
   // server_download.cpp
   void take(mavlink::sender from, const mavlink::mission_request_list& m, std::int64_t now_ns);

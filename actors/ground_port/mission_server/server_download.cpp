@@ -57,10 +57,11 @@ std::optional<mavlink::mission_item_int> server::item_for(sender to, std::uint8_
     return std::nullopt;
   }
   if (is_theirs) {
-    const bool is_its_turn = seq == download->next || seq == download->next - 1;
+    const auto earliest = vehicle_.serves_earlier_items ? 0 : download->next - 1;
+    const bool is_its_turn = earliest <= seq && seq <= download->next;
     if (!is_its_turn && !vehicle_.serves_any_item)
       return std::nullopt;
-    download->next = seq + 1;
+    download->next = vehicle_.serves_earlier_items ? std::max(download->next, seq + 1) : seq + 1;
     download->heard_ns = now_ns;
   }
   auto item = items[static_cast<std::size_t>(seq)];

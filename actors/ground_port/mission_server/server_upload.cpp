@@ -211,6 +211,13 @@ void server::give_up_upload(const receiving& upload) {
   end_session();
 }
 
+void server::ask_again(receiving& upload, std::int64_t now_ns) {
+  using enum request_kind;
+  if (vehicle_.asks_in_both_ways)
+    upload.asks_with = upload.asks_with == mission_request ? mission_request_int : mission_request;
+  ask(upload, now_ns);
+}
+
 void server::ask(receiving& upload, std::int64_t now_ns) {
   upload.asked_ns = now_ns;
   const auto ask_with = [&](auto request) {

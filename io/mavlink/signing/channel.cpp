@@ -45,11 +45,11 @@ std::uint64_t damage(const scan_counters& c) { return c.bad_crc + c.unknown_flag
 } // namespace
 
 channel::channel(const signing_settings& signing, signing_time ceiling)
-    : key_(signing.key), security_(signing.security) {
+    : key_(signing.key), security_(signing.security), replays_(signing.replays) {
   if (!key_)
     return;
   signer_.emplace(copy_of(*key_), signing.link, ceiling);
-  verifier_ = verifier(copy_of(*key_), replays_, signing.unsigned_frames);
+  verifier_ = verifier(copy_of(*key_), *replays_, signing.unsigned_frames);
 }
 
 scanner& channel::scanner_of(link::peer_id peer, instant now) {

@@ -44,6 +44,8 @@ struct signing_settings {
   link_id link{};                        // our own number for this link
   unsigned_policy unsigned_frames;       // who may come without a signature all the same
   link_security security = link_security::open;
+  // Outlives a channel that is made anew after a crash: what was replayed before the crash is one after it too.
+  std::shared_ptr<replay_table> replays = std::make_shared<replay_table>();
 };
 
 struct channel_count {
@@ -144,7 +146,7 @@ private:
   std::shared_ptr<const secret_key> key_;
   link_security security_;
   std::optional<signer> signer_;
-  replay_table replays_;
+  std::shared_ptr<replay_table> replays_;
   verifier verifier_; // looks into replays_
   std::string last_rejection_;
   std::map<link::peer_id, peer_entry> peers_;

@@ -15,7 +15,7 @@ void faulty_line::send(way to, std::span<const std::byte> frame, std::int64_t no
   auto& line = of(to);
   ++line.counters.sent;
   if (!line.waiting.empty())
-    on_time(now_ns); // what is due goes first, also when nobody has said so yet
+    deliver_due(to, now_ns); // what is due goes first, also when nobody has said so yet
   if (happens(line.settings.loss)) {
     ++line.counters.lost;
     return;
@@ -48,7 +48,7 @@ void faulty_line::transmit(way to, std::span<const std::byte> frame, std::int64_
   line.waiting.push_back(std::move(entry));
   std::push_heap(line.waiting.begin(), line.waiting.end(), later);
   if (due <= now_ns)
-    on_time(now_ns);
+    deliver_due(to, now_ns);
 }
 
 // When it comes: not before those that were sent before it, unless it is held back; then others overtake it.
@@ -81,17 +81,21 @@ bool faulty_line::damage(std::span<std::byte> frame, double bit_errors) {
 }
 
 void faulty_line::on_time(std::int64_t now_ns) {
-  for (const auto to : {way::in, way::out}) {
-    auto& waiting = of(to).waiting;
-    while (!waiting.empty() && waiting.front().due_ns <= now_ns) {
-      std::pop_heap(waiting.begin(), waiting.end(), later);
-      const auto arrived = std::move(waiting.back());
-      waiting.pop_back();
-      if (is_cut(to, arrived.due_ns))
-        ++of(to).counters.cut;
-      else
-        hand_over(to, arrived.frame, arrived.is_damaged);
-    }
+  deliver_due(way::in, now_ns);
+  deliver_due(way::out, now_ns);
+}
+
+// One way alone: who sends is in the middle of something, and must not be handed what comes the other way.
+void faulty_line::deliver_due(way to, std::int64_t now_ns) {
+  auto& waiting = of(to).waiting;
+  while (!waiting.empty() && waiting.front().due_ns <= now_ns) {
+    std::pop_heap(waiting.begin(), waiting.end(), later);
+    const auto arrived = std::move(waiting.back());
+    waiting.pop_back();
+    if (is_cut(to, arrived.due_ns))
+      ++of(to).counters.cut;
+    else
+      hand_over(to, arrived.frame, arrived.is_damaged);
   }
 }
 

@@ -91,6 +91,7 @@ private:
   [[nodiscard]] std::int64_t due_ns(one_way& line, std::int64_t now_ns);
   // True if a bit was turned.
   bool damage(std::span<std::byte> frame, double bit_errors);
+  void deliver_due(way to, std::int64_t now_ns);
   void transmit(way to, std::span<const std::byte> frame, std::int64_t now_ns);
   void hand_over(way to, std::span<const std::byte> frame, bool is_damaged);
   static bool later(const under_way& a, const under_way& b);

@@ -111,7 +111,8 @@ void vehicle::parts::advance(std::int64_t now_ns) {
 void vehicle::parts::advance_world() {
   power_.advance(now_.world_ns, load());
   const bool is_empty = power_.percent() <= 0;
-  if (is_empty && !state_.is_battery_empty)
+  const bool flies_on = state_.is_armed && state_.mode->kind != mode_kind::land;
+  if (is_empty && (!state_.is_battery_empty || flies_on))
     pilot_->empty_battery();
   state_.is_battery_empty = is_empty;
   for (const auto& each : craft_.advance(now_.world_ns))

@@ -194,6 +194,40 @@ TEST(ground_port_core, a_mission_that_is_flown_is_not_cleared) {
   EXPECT_EQ(port.shown().plans[0].items, 3U);
 }
 
+TEST(ground_port_core, a_mission_is_not_cleared_in_an_armed_vehicle_while_the_executor_has_not_spoken) {
+  desk port;
+  EXPECT_EQ(port.upload(3).type, 0);
+  port.vehicle_says(mavlink::heartbeat{.base_mode = 128});
+  port.say(mavlink::mission_clear_all{});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::denied));
+}
+
+TEST(ground_port_core, a_start_item_is_used_up_when_the_mission_runs_whoever_started_it) {
+  desk port;
+  EXPECT_EQ(port.upload(5).type, 0);
+  port.say(mavlink::mission_set_current{.seq = 3});
+  port.advance(100 * ms);
+  EXPECT_EQ(port.last<mavlink::mission_current>().seq, 3);
+  const auto id = port.last<mavlink::mission_current>().mission_id;
+  port.executor_says(mission_progress{id, 3, mavlink::mission_state::active, mavlink::mission_mode::active});
+  EXPECT_FALSE(port.disk.start_item);
+  port.executor_says(mission_progress{id, 4, mavlink::mission_state::complete, mavlink::mission_mode::active});
+  port.advance(1 * s);
+  EXPECT_EQ(port.last<mavlink::mission_current>().seq, 4);
+  EXPECT_EQ(port.last<mavlink::mission_current>().mission_state, mavlink::number(mavlink::mission_state::complete));
+}
+
+TEST(ground_port_core, a_mission_that_the_executor_replaces_is_not_read_as_a_mixture) {
+  desk port;
+  EXPECT_EQ(port.upload(3).type, 0);
+  port.say(mavlink::mission_request_list{});
+  port.say(mavlink::mission_request_int{.seq = 0});
+  port.executor_says(set_mission{waypoints(4)});
+  port.forget();
+  port.say(mavlink::mission_request_int{.seq = 1});
+  EXPECT_TRUE(port.sent<mavlink::mission_item_int>().empty());
+}
+
 TEST(ground_port_core, a_mission_is_cleared_while_disarmed_or_not_running) {
   desk port;
   port.upload(3);

@@ -139,6 +139,15 @@ TEST(ground_port_as_autopilot, beside_the_autopilot_its_progress_goes_on) {
   EXPECT_EQ(port.last<mavlink::mission_item_reached>().seq, 77);
 }
 
+TEST(ground_port_core, a_radio_that_reports_its_status_says_nothing_of_who_is_there) {
+  desk port;
+  port.say_as_it_is(mavlink::radio_status{}, {255, 190}, 7);
+  port.say_as_it_is(mavlink::radio_status{}, autopilot_id, 7);
+  EXPECT_TRUE(port.shown().stations.empty());
+  EXPECT_FALSE(port.shown().autopilot_heard);
+  EXPECT_EQ(port.count_of("not_accepted"), 2U);
+}
+
 TEST(ground_port_as_autopilot, it_stands_down_when_the_autopilot_itself_is_on_the_port) {
   desk port(in_the_autopilots_place());
   const auto id = port.upload(3).opaque_id;

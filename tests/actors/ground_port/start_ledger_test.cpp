@@ -33,16 +33,16 @@ std::uint8_t result_of(start_verdict verdict) {
 
 TEST(start_ledger, without_a_start_every_order_is_fresh) {
   const start_ledger ledger(std::nullopt, at(0));
-  EXPECT_EQ(ledger.judge(order(), at(0)), kind::fresh);
+  EXPECT_EQ(ledger.judge(order(), 77, at(0)), kind::fresh);
   EXPECT_FALSE(ledger.is_asked());
 }
 
 TEST(start_ledger, while_one_is_asked_its_repetition_is_known_and_all_others_find_it_busy) {
   const asked ledger;
-  EXPECT_EQ(ledger.judge(order(0, 1), at(1 * s)), kind::repeated_while_asked);
-  EXPECT_EQ(ledger.judge(order(), at(1 * s)), kind::repeated_while_asked);
-  EXPECT_EQ(ledger.judge(order(2), at(1 * s)), kind::busy);
-  EXPECT_EQ(ledger.judge(order(0, 0, {254, 190}), at(1 * s)), kind::busy);
+  EXPECT_EQ(ledger.judge(order(0, 1), 77, at(1 * s)), kind::repeated_while_asked);
+  EXPECT_EQ(ledger.judge(order(), 77, at(1 * s)), kind::repeated_while_asked);
+  EXPECT_EQ(ledger.judge(order(2), 77, at(1 * s)), kind::busy);
+  EXPECT_EQ(ledger.judge(order(0, 0, {254, 190}), 77, at(1 * s)), kind::busy);
 }
 
 TEST(start_ledger, the_record_says_what_was_asked_and_until_when_it_may_be_obeyed) {
@@ -67,11 +67,30 @@ TEST(start_ledger, each_verdict_of_the_executor_has_its_result) {
 TEST(start_ledger, a_repetition_is_told_from_a_new_start_by_its_confirmation_and_by_time) {
   asked ledger;
   EXPECT_TRUE(ledger.settle({ledger.record.asked.key, start_verdict::started, ""}, at(1 * s)));
-  EXPECT_EQ(ledger.judge(order(), at(3 * s - 1)), kind::repeated_after);
-  EXPECT_EQ(ledger.judge(order(), at(3 * s)), kind::fresh);
-  EXPECT_EQ(ledger.judge(order(0, 1), at(11 * s - 1)), kind::repeated_after);
-  EXPECT_EQ(ledger.judge(order(0, 1), at(11 * s)), kind::fresh);
-  EXPECT_EQ(ledger.judge(order(1), at(1 * s)), kind::fresh);
+  EXPECT_EQ(ledger.judge(order(), 77, at(3 * s - 1)), kind::repeated_after);
+  EXPECT_EQ(ledger.judge(order(), 77, at(3 * s)), kind::fresh);
+  EXPECT_EQ(ledger.judge(order(0, 1), 77, at(11 * s - 1)), kind::repeated_after);
+  EXPECT_EQ(ledger.judge(order(0, 1), 77, at(11 * s)), kind::fresh);
+  EXPECT_EQ(ledger.judge(order(1), 77, at(1 * s)), kind::fresh);
+}
+
+TEST(start_ledger, a_start_of_another_plan_is_no_repetition) {
+  asked ledger;
+  EXPECT_TRUE(ledger.settle({ledger.record.asked.key, start_verdict::started, ""}, at(1 * s)));
+  EXPECT_EQ(ledger.judge(order(), 78, at(1 * s)), kind::fresh);
+}
+
+TEST(start_ledger, after_a_refusal_only_a_counted_repetition_gets_the_same_answer) {
+  asked ledger;
+  EXPECT_TRUE(ledger.settle({ledger.record.asked.key, start_verdict::disarmed, ""}, at(1 * s)));
+  EXPECT_EQ(ledger.judge(order(), 77, at(1 * s)), kind::fresh);
+  EXPECT_EQ(ledger.judge(order(0, 1), 77, at(1 * s)), kind::repeated_after);
+}
+
+TEST(start_ledger, silence_is_repeated_so_that_a_late_answer_is_no_second_start) {
+  asked ledger;
+  EXPECT_TRUE(ledger.on_time(at(3 * s)));
+  EXPECT_EQ(ledger.judge(order(), 77, at(3 * s)), kind::repeated_after);
 }
 
 TEST(start_ledger, an_answer_to_another_start_is_not_taken_and_one_is_taken_once) {

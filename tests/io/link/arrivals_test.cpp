@@ -34,6 +34,12 @@ TEST(arrivals, a_flood_is_dropped_at_the_bound_and_counted) {
   EXPECT_EQ(queue.dropped_bytes(), (put - taken) * chunk.size());
 }
 
+TEST(arrivals, an_empty_datagram_takes_no_room) {
+  arrivals queue;
+  EXPECT_FALSE(queue.put(1, {}, true));
+  EXPECT_FALSE(queue.take());
+}
+
 TEST(arrivals, of_the_state_of_the_link_only_the_newest_counts) {
   arrivals queue;
   EXPECT_TRUE(queue.put(link_status{link_phase::up, "a", 0}));

@@ -1,5 +1,7 @@
 #include "programs/godwit-sim/vehicle_options.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "programs/godwit-sim/connection_hints.hpp"
@@ -123,6 +125,15 @@ TEST(connection_hints, each_kind_of_link_tells_how_stations_reach_it) {
   EXPECT_NE(all_of("tcpin://127.0.0.1:5760").find("tcpout://127.0.0.1:5760"), std::string::npos);
   EXPECT_NE(all_of("tcp://127.0.0.1:5760").find("tcpin:0.0.0.0:5760"), std::string::npos);
   EXPECT_NE(all_of("serial:///dev/ttyS0:57600").find("57600 baud"), std::string::npos);
+}
+
+TEST(vehicle_options, what_is_no_number_is_refused) {
+  auto given = usual();
+  given.speed = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(read(given));
+  given = usual();
+  given.battery = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(read(given));
 }
 
 } // namespace

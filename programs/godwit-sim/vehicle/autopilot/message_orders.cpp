@@ -48,7 +48,8 @@ mav_result autopilot::request_message(const role::order& what) {
 
 mav_result autopilot::set_message_interval(const role::order& what) {
   const auto message = message_in(what.param1);
-  const bool is_interval = std::isfinite(what.param2) && std::abs(what.param2) < 0x1p62F;
+  const bool is_interval =
+      std::isfinite(what.param2) && std::abs(what.param2) < static_cast<float>(role::message_schedule::max_interval_us);
   const auto interval_us = is_interval ? static_cast<std::int64_t>(what.param2) : -2; // one that is none
   if (message == mavlink::mission_current::message_id && habits().current_is_a_request_away && interval_us >= -1) {
     const auto period_ns = interval_us == 0 ? role::current_report::period_ns : interval_us * 1'000;

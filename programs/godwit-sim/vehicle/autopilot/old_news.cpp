@@ -8,18 +8,20 @@ namespace {
 
 constexpr std::uint16_t no_sequence = 65535;
 
-std::optional<old_news::message> draw(int old_sequence, const io::mavlink::mission_current& now_says,
+std::optional<old_news::message> draw(const old_news::plan_before& old, const io::mavlink::mission_current& now_says,
                                       std::uint64_t choice) {
   auto current = now_says;
   switch (choice % 4) {
   case 0:
-    current.seq = static_cast<std::uint16_t>(old_sequence);
+    current.seq = static_cast<std::uint16_t>(old.current);
     return current;
   case 1:
     current.seq = no_sequence;
     return current;
   case 2:
-    return io::mavlink::mission_item_reached{static_cast<std::uint16_t>(old_sequence)};
+    if (!old.last_reached)
+      return std::nullopt;
+    return io::mavlink::mission_item_reached{static_cast<std::uint16_t>(*old.last_reached)};
   default:
     return std::nullopt;
   }
@@ -27,10 +29,10 @@ std::optional<old_news::message> draw(int old_sequence, const io::mavlink::missi
 
 } // namespace
 
-std::optional<old_news::message> old_news::on_switch(int old_sequence, const io::mavlink::mission_current& now_says,
-                                                     std::mt19937_64& random) {
+std::optional<old_news::message>
+old_news::on_switch(const plan_before& old, const io::mavlink::mission_current& now_says, std::mt19937_64& random) {
   const auto drawn = random();
-  auto news = draw(old_sequence, now_says, drawn);
+  auto news = draw(old, now_says, drawn);
   constexpr std::uint64_t late_bit = 4;
   if ((drawn & late_bit) == 0)
     return news;

@@ -17,9 +17,14 @@ class old_news {
 public:
   using message = std::variant<io::mavlink::mission_current, io::mavlink::mission_item_reached>;
 
-  // OLD_SEQUENCE: the current item of the plan before. NOW_SAYS: what is true of the new one.
+  struct plan_before {
+    int current = 0;
+    std::optional<int> last_reached;
+  };
+
+  // NOW_SAYS: what is true of the new one.
   // The message to send before the acknowledgement, if there is one.
-  [[nodiscard]] std::optional<message> on_switch(int old_sequence, const io::mavlink::mission_current& now_says,
+  [[nodiscard]] std::optional<message> on_switch(const plan_before& old, const io::mavlink::mission_current& now_says,
                                                  std::mt19937_64& random);
   // The one to send behind it.
   [[nodiscard]] std::optional<message> take_late();

@@ -25,8 +25,9 @@ void outlet::end_turn() {
   if (holds_texts_back_)
     return;
   while (!waiting_.empty()) {
-    send_text(waiting_.front());
+    const auto next = std::move(waiting_.front());
     waiting_.pop_front();
+    send_text(next);
   }
 }
 

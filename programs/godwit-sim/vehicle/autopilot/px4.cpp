@@ -102,7 +102,7 @@ void px4::on_battery_empty() {
 
 void px4::on_restart() {
   run().load(held_mission().items);
-  reached_.forget();
+  reached_ = {};
   old_news_ = {};
   heard_station_ns_ = -1;
   preflight_ends_ns_ = never_ns;
@@ -131,7 +131,7 @@ autopilot::answer px4::start_mission(const role::order& what) {
   const bool ends_before_it_begins = what.param2 > 0 && what.param2 < what.param1;
   if (!is_first || ends_before_it_begins)
     return answer::denied;
-  if (!state().is_armed && why_not_arm(false)) {
+  if (!state().has_position || (!state().is_armed && why_not_arm(false))) {
     say_tabbed(mav_severity::critical, "Mission start denied! Resolve system health failures first");
     return answer::temporarily_rejected;
   }
@@ -206,7 +206,7 @@ void px4::on_change(const plans::plan_change& what) {
   if (what.type != mavlink::mav_mission_type::mission)
     return;
   if (what.kind == plans::plan_change_kind::cleared) {
-    reached_.forget();
+    reached_ = {};
     run().load({});
     if (state().is_armed && state().is_in(mode_kind::mission))
       enter(mode_kind::hold);
@@ -225,8 +225,9 @@ void px4::take_plan(const plans::plan_change& what) {
     begin_mission();
   if (!had_plan)
     return;
-  if (const auto news = old_news_.on_switch(old_current, progress(), with().random))
+  if (const auto news = old_news_.on_switch({old_current, reached_.last()}, progress(), with().random))
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
+  reached_ = {};
 }
 
 void px4::end_turn() {
@@ -287,6 +288,8 @@ mavlink::mission_current px4::progress() const {
 autopilot::answer px4::set_mission_current(const role::order&) { return answer::unsupported; } // the message alone
 
 autopilot::answer px4::take_off(const role::order& what) {
+  if (!state().has_position)
+    return answer::temporarily_rejected;
   const auto own = craft().home().altitude_m + default_takeoff_m;
   takeoff_altitude_m_ = std::isfinite(what.z) && what.z != 0 ? altitude_in(what) : own;
   enter(mode_kind::take_off);
@@ -301,6 +304,8 @@ double px4::altitude_in(const role::order& what) const {
 }
 
 autopilot::answer px4::reposition(const role::order& what) {
+  if (!state().has_position)
+    return answer::temporarily_rejected;
   enter(mode_kind::hold);
   if (state().is_armed && craft().is_in_air())
     go_to(place_in(what));

@@ -20,6 +20,8 @@ public:
     next_ns_ = now_ns + period_ns;
   }
   void forget() { left_ = 0; }
+  // Of the plan that is flown; it is not forgotten.
+  [[nodiscard]] std::optional<int> last() const { return sequence_; }
 
   [[nodiscard]] std::int64_t next_ns() const { return left_ > 0 ? next_ns_ : never_ns; }
   // The sequence to tell again, if it is time.
@@ -32,7 +34,7 @@ public:
   }
 
 private:
-  int sequence_ = 0;
+  std::optional<int> sequence_;
   int left_ = 0;
   std::int64_t next_ns_ = 0;
 };

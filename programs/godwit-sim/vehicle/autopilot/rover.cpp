@@ -60,6 +60,11 @@ void rover::on_battery_empty() {
   disarm();
 }
 
+void rover::on_mode_entered(const flight_mode& mode) {
+  if (mode.kind == mode_kind::mission && run().state() == run_state::completed)
+    enter(mode_kind::hold);
+}
+
 void rover::on_restart() {
   start_point_.reset();
   run().load(held_mission().items);
@@ -70,10 +75,11 @@ void rover::on_restart() {
 autopilot::answer rover::start_mission(const role::order& what) {
   const bool has_chosen = what.param1 == 0 && start_point_.has_value();
   const auto first = has_chosen ? static_cast<float>(*start_point_) : what.param1;
+  const std::string_view battery = state().is_battery_empty ? "battery empty" : "";
   const auto decision =
       role::decide_start({first, what.param2}, {.item_count = run().count(),
                                                 .is_transferring = with().plans.is_receiving(),
-                                                .not_ready = std::string(state().has_position ? "" : no_position),
+                                                .not_ready = std::string(state().has_position ? battery : no_position),
                                                 .is_armed = state().is_armed,
                                                 .arms_on_start = arms_on_start_});
   if (decision.result != mav_result::accepted) {

@@ -30,6 +30,7 @@ protected:
   [[nodiscard]] std::optional<refusal> why_not_arm(bool forced) const override;
   [[nodiscard]] std::optional<refusal> why_not_disarm(bool forced) const override;
   answer change_mode(const flight_mode* mode, std::uint32_t number) override;
+  void on_mode_entered(const flight_mode& mode) override;
   void on_disarmed() override;
   void on_position_lost() override;
   void on_battery_empty() override;

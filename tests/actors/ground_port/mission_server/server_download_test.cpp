@@ -140,6 +140,18 @@ TEST(server_download, a_request_out_of_order_is_not_heard) {
   }
 }
 
+TEST(server_download, our_own_server_gives_again_what_it_gave_before_and_px4_only_the_last) {
+  for (const auto& vehicle : {px4_habits(), plain_habits()}) {
+    dialogue with(vehicle);
+    (void)with.upload(5);
+    (void)with.tell(list_of(0));
+    for (const int seq : {0, 1, 2, 3})
+      (void)ask_for(with, seq);
+    EXPECT_EQ(ask_for(with, 1), vehicle.serves_earlier_items ? words{"ITEM_INT 1"} : words());
+    EXPECT_EQ(ask_for(with, 4), words{"ITEM_INT 4"}) << "it goes on where it was";
+  }
+}
+
 TEST(server_download, an_acknowledgement_of_another_type_does_not_close_it) {
   for (const auto& vehicle : {px4_habits(), plain_habits()}) {
     dialogue with(vehicle);

@@ -35,6 +35,13 @@ words times(int count, const std::string& text) { return words(static_cast<std::
 
 // -- Silence
 
+TEST(server_upload, our_own_server_asks_again_in_both_ways_by_turns) {
+  dialogue with(plain_habits());
+  EXPECT_EQ(with.tell(count_of(2)), words{"REQUEST_INT 0"});
+  EXPECT_EQ(with.wait(1 * s), words{"REQUEST 0"});
+  EXPECT_EQ(with.wait(1 * s), words{"REQUEST_INT 0"});
+}
+
 TEST(server_upload, px4_asks_again_every_260_ms_and_stops_after_5_s_without_a_word) {
   dialogue with(px4_habits());
   (void)with.tell(count_of(3));
@@ -253,7 +260,7 @@ TEST(server_upload, our_own_server_asks_for_integers_and_does_not_hear_floats) {
   dialogue with(plain_habits());
   (void)with.tell(count_of(2));
   EXPECT_EQ(with.tell(float_waypoint(0)), words());
-  EXPECT_EQ(with.wait(1 * s), words{"REQUEST_INT 0"});
+  EXPECT_EQ(with.wait(2 * s), (words{"REQUEST 0", "REQUEST_INT 0"}));
 }
 
 // -- Several stations

@@ -241,5 +241,30 @@ RC_GTEST_PROP(faulty_line_property, every_frame_is_accounted_for_and_the_same_se
   RC_ASSERT(first->arrivals == run()->arrivals);
 }
 
+TEST(faulty_line, who_sends_is_not_handed_what_comes_the_other_way) {
+  faulty_line* itself = nullptr;
+  std::int64_t now_ns = 0;
+  int deep = 0;
+  int deepest = 0;
+  // Like a vehicle that answers each frame that comes in, twice.
+  faulty_line line(1, [&](way to, std::span<const std::byte> frame, bool) {
+    if (to == way::out)
+      return;
+    deepest = std::max(deepest, ++deep);
+    itself->send(way::out, frame, now_ns);
+    itself->send(way::out, frame, now_ns);
+    --deep;
+  });
+  itself = &line;
+  line.set(parse_line_faults("delay=10ms").value());
+  const std::array<std::byte, 12> frame{};
+  for (int i = 0; i < 5; ++i)
+    line.send(way::in, frame, 0);
+  line.send(way::out, frame, 0);
+  now_ns = 20 * ms;
+  line.on_time(now_ns);
+  EXPECT_EQ(deepest, 1);
+}
+
 } // namespace
 } // namespace godwit::sim

@@ -12,7 +12,7 @@ TEST(old_news, is_told_before_or_behind_the_acknowledgement_or_not_at_all) {
   std::set<std::string> seen;
   for (int i = 0; i < 200; ++i) {
     old_news news;
-    const auto early = news.on_switch(7, {.seq = 1, .total = 9, .mission_id = 5}, random);
+    const auto early = news.on_switch({7, 6}, {.seq = 1, .total = 9, .mission_id = 5}, random);
     const auto late = news.take_late();
     EXPECT_FALSE(early && late) << "once";
     EXPECT_FALSE(news.take_late());
@@ -25,11 +25,22 @@ TEST(old_news, is_told_before_or_behind_the_acknowledgement_or_not_at_all) {
       EXPECT_EQ(current->mission_id, 5U);
       seen.insert(current->seq == 7 ? "old sequence" : "no sequence");
     } else {
-      EXPECT_EQ(std::get<io::mavlink::mission_item_reached>(*told).seq, 7);
+      EXPECT_EQ(std::get<io::mavlink::mission_item_reached>(*told).seq, 6);
       seen.insert("old item");
     }
   }
   EXPECT_EQ(seen.size(), 6U);
+}
+
+TEST(old_news, never_names_an_item_that_was_not_reached) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 200; ++i) {
+    old_news news;
+    const auto early = news.on_switch({3, std::nullopt}, {.seq = 1, .total = 9, .mission_id = 5}, random);
+    const auto late = news.take_late();
+    EXPECT_FALSE(early && std::holds_alternative<io::mavlink::mission_item_reached>(*early));
+    EXPECT_FALSE(late && std::holds_alternative<io::mavlink::mission_item_reached>(*late));
+  }
 }
 
 } // namespace

@@ -318,6 +318,25 @@ TEST(px4, takes_off_goes_comes_back_and_lands_by_command) {
   EXPECT_LT(between(world.picture().where, world.home()).distance_m, 2);
 }
 
+TEST(px4, flies_no_mission_with_an_empty_battery_or_without_a_position) {
+  for (const bool is_battery : {true, false}) {
+    vehicle_world world(personality::px4);
+    ASSERT_EQ(world.upload(flight_of(3, world.home(), personality::px4)), mav_mission_result::accepted);
+    ASSERT_EQ(world.command(mav_cmd::mission_start), mav_result::accepted);
+    ASSERT_TRUE(world.run_until([&] { return world.picture().in_air; }, 30 * s));
+    world.run_for(5 * s); // high enough that the landing takes longer than the test
+    if (is_battery)
+      world.subject().set_battery(0, world.now_ns());
+    else
+      world.subject().lose_position(true, world.now_ns());
+    world.run_for(1 * s);
+    static_cast<void>(world.command(mav_cmd::mission_start));
+    static_cast<void>(world.command(mav_cmd::do_reposition));
+    world.run_for(1 * s);
+    EXPECT_EQ(world.picture().mode, "AUTO.LAND");
+  }
+}
+
 TEST(px4, lands_where_it_is_when_its_battery_is_empty_or_its_position_lost) {
   for (const bool is_battery : {true, false}) {
     px4_with world(3);

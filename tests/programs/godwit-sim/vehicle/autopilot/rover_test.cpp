@@ -388,6 +388,24 @@ TEST(rover, without_a_position_it_neither_arms_nor_starts_and_a_mission_holds) {
   EXPECT_EQ(world.last<mavlink::gps_raw_int>()->fix_type, 1);
 }
 
+TEST(rover, with_an_empty_battery_starts_no_mission) {
+  vehicle_world world(vehicle_settings{.who = personality::rover, .arms_on_start = true});
+  ASSERT_EQ(world.upload(row_of(2, world.home())), mav_mission_result::accepted);
+  world.subject().set_battery(0, world.now_ns());
+  world.run_for(1 * s);
+  EXPECT_EQ(world.command(mav_cmd::mission_start), mav_result::temporarily_rejected);
+  EXPECT_FALSE(world.picture().armed);
+}
+
+TEST(rover, goes_to_hold_when_auto_is_chosen_after_the_mission_is_completed) {
+  rover_in world(1);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  ASSERT_TRUE(world.run_until([&] { return world.picture().mission_state == "completed"; }, 60 * s));
+  EXPECT_EQ(world.mode(automatic), mav_result::accepted);
+  world.run_for(1 * s);
+  EXPECT_EQ(world.picture().mode, "HOLD");
+}
+
 TEST(rover, an_empty_battery_stops_it) {
   rover_in world(3);
   ASSERT_EQ(world.start(), mav_result::accepted);

@@ -105,8 +105,8 @@ tl::expected<io::link::uri, std::string> link_of(const io::link::uri& where, int
 }
 
 position home_of(const position& first, int number) {
-  const auto column = static_cast<double>(number % vehicles_in_row);
-  const auto row = static_cast<double>(number / vehicles_in_row);
+  const int column = number % vehicles_in_row;
+  const int row = number / vehicles_in_row;
   const auto east = number == 0 ? first : moved(first, {90, column * distance_between_homes_m});
   return row == 0 ? east : moved(east, {0, row * distance_between_homes_m});
 }

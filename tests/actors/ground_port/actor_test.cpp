@@ -18,7 +18,6 @@ using namespace godwit;
 using namespace godwit::ground_port;
 using namespace std::chrono_literals;
 using runtime::crash_point;
-using test::other_station;
 using test::start_command;
 using test::station_id;
 using test::waypoints;
@@ -114,7 +113,7 @@ struct process {
     const auto executor = world.actors().add<stand_in>({.name = "executor"}, patient(), &record);
     if (with_executor)
       others->executor = executor;
-    others->operator_ears.push_back(executor);
+    others->operator_ears.emplace_back(executor);
     world.start();
     world.settle();
     if (line->incoming().put(io::link::link_status{io::link::link_phase::up, "", 0}))

@@ -25,11 +25,6 @@ using mavlink::mav_cmd;
 using mavlink::mav_result;
 using mavlink::mav_severity;
 
-// Older ways to ask for one message.
-constexpr std::uint16_t get_home_position = 410;
-constexpr std::uint16_t request_protocol_version = 519;
-constexpr std::uint16_t request_autopilot_capabilities = 520;
-
 constexpr std::int64_t ns_per_us = 1'000;
 constexpr std::int64_t least_current_interval_us = 100'000; // changes are told at once, whatever is asked for
 
@@ -85,11 +80,11 @@ void core::obey(turn& t, const vehicle_role::order& what, bool is_for_all_system
   }
   case mavlink::number(mav_cmd::request_message):
     return give_message(t, what, message_id_in(what.param1));
-  case get_home_position:
+  case mavlink::number(mav_cmd::get_home_position):
     return give_message(t, what, mavlink::home_position::message_id);
-  case request_protocol_version:
+  case mavlink::number(mav_cmd::request_protocol_version):
     return give_message(t, what, mavlink::protocol_version::message_id);
-  case request_autopilot_capabilities:
+  case mavlink::number(mav_cmd::request_autopilot_capabilities):
     return give_message(t, what, mavlink::autopilot_version::message_id);
   case mavlink::number(mav_cmd::set_message_interval): {
     const auto id = message_id_in(what.param1);

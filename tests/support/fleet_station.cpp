@@ -9,19 +9,19 @@
 #include <sys/socket.h>
 #include <sys/time.h>
 
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::tests {
 namespace {
 
 namespace mavlink = io::mavlink;
+using mavlink::mav_cmd;
+using mavlink::number;
 
 constexpr mavlink::sender identity{255, 190};
 constexpr int receive_bytes = 8 * 1024 * 1024; // some seconds of a thousand vehicles
 constexpr std::chrono::milliseconds again{1'000};
-constexpr std::uint16_t set_mode = 176;
-constexpr std::uint16_t arm_disarm = 400;
-constexpr std::uint16_t mission_start = 300;
 constexpr float guided = 4; // ArduPilot's
 constexpr std::uint16_t items = 3;
 
@@ -96,11 +96,11 @@ void fleet_station::ask(const member& of) {
   case step::upload:
     return send(of, count);
   case step::guided:
-    return command(of, set_mode, 1, guided);
+    return command(of, number(mav_cmd::do_set_mode), 1, guided);
   case step::arm:
-    return command(of, arm_disarm, 1, 0);
+    return command(of, number(mav_cmd::component_arm_disarm), 1, 0);
   case step::start:
-    return command(of, mission_start, 0, 0);
+    return command(of, number(mav_cmd::mission_start), 0, 0);
   case step::done:
     return;
   }
@@ -120,9 +120,9 @@ void fleet_station::heard(member& from, const mavlink::frame_view& frame) {
   if (frame.id() != mavlink::command_ack::message_id)
     return;
   const auto ack = mavlink::decode<mavlink::command_ack>(frame);
-  const bool fits = (ack.command == set_mode && from.now == step::guided) ||
-                    (ack.command == arm_disarm && from.now == step::arm) ||
-                    (ack.command == mission_start && from.now == step::start);
+  const bool fits = (ack.command == number(mav_cmd::do_set_mode) && from.now == step::guided) ||
+                    (ack.command == number(mav_cmd::component_arm_disarm) && from.now == step::arm) ||
+                    (ack.command == number(mav_cmd::mission_start) && from.now == step::start);
   if (fits && ack.result == 0)
     go_on(from);
 }
@@ -160,11 +160,11 @@ void fleet_station::send(const member& to, const M& message) {
                              reinterpret_cast<const sockaddr*>(&address), sizeof address));
 }
 
-void fleet_station::command(const member& to, std::uint16_t number, float first, float second) {
+void fleet_station::command(const member& to, std::uint16_t which, float first, float second) {
   mavlink::command_long message;
   message.target_system = to.who.system;
   message.target_component = 1;
-  message.command = number;
+  message.command = which;
   message.param1 = first;
   message.param2 = second;
   send(to, message);

@@ -53,7 +53,7 @@ private:
   void send_item(const member& to, std::uint16_t seq);
   template <class M>
   void send(const member& to, const M& message);
-  void command(const member& to, std::uint16_t number, float first, float second);
+  void command(const member& to, std::uint16_t which, float first, float second);
 
   io::link::descriptor socket_;
   std::vector<member> fleet_;

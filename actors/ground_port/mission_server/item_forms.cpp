@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/mavlink/frame_meaning.hpp"
+
 namespace godwit::ground_port::mission_server {
 
 namespace {
@@ -11,16 +13,8 @@ using mavlink::mav_cmd;
 using mavlink::mav_frame;
 using mavlink::number;
 
-constexpr double units_per_degree = 1e7;
-constexpr double units_per_metre = 1e4; // of local frames
-
-// In the frame of items without a position x and y are two more parameters, and no lengths.
 double units(std::uint8_t frame) {
-  if (frame == number(mav_frame::mission))
-    return 1;
-  const bool is_global = frame == number(mav_frame::global) || frame == number(mav_frame::global_relative_alt) ||
-                         frame == number(mav_frame::global_int) || frame == number(mav_frame::global_relative_alt_int);
-  return is_global ? units_per_degree : units_per_metre;
+  return mavlink::units_of(mavlink::coordinates_of(frame).value_or(mavlink::coordinate_kind::local));
 }
 
 // The fields that both messages have.

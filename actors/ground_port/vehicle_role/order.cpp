@@ -1,25 +1,14 @@
 #include "actors/ground_port/vehicle_role/order.hpp"
 
+#include "io/mavlink/frame_meaning.hpp"
+
 namespace godwit::ground_port::vehicle_role {
 
 namespace {
 
-// What the integers of COMMAND_INT count: 1e-7 degrees in the global frames, 1e-4 m in the local ones, and a plain
-// number where there is no position.
+// Of a frame that is not known as of a local one: whoever obeys looks at the frame.
 double integer_scale(std::uint8_t frame) {
-  switch (frame) {
-  case 0:  // global
-  case 3:  // global_relative_alt
-  case 5:  // global_int
-  case 6:  // global_relative_alt_int
-  case 10: // global_terrain_alt
-  case 11: // global_terrain_alt_int
-    return 1e7;
-  case 2: // mission
-    return 1;
-  default:
-    return 1e4;
-  }
+  return mavlink::units_of(mavlink::coordinates_of(frame).value_or(mavlink::coordinate_kind::local));
 }
 
 } // namespace

@@ -4,29 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::vehicle_link::transfer {
 
 namespace {
 
-using io::mavlink::mav_frame;
+using io::mavlink::altitude_in;
 using io::mavlink::mission_item_int;
-
-enum class altitude_kind { above_sea, above_home, other };
-
-altitude_kind kind_of(std::uint8_t frame) {
-  switch (static_cast<mav_frame>(frame)) {
-  case mav_frame::global:
-  case mav_frame::global_int:
-    return altitude_kind::above_sea;
-  case mav_frame::global_relative_alt:
-  case mav_frame::global_relative_alt_int:
-    return altitude_kind::above_home;
-  default:
-    return altitude_kind::other;
-  }
-}
 
 bool is_near(std::int32_t a, std::int32_t b) {
   return std::abs(std::int64_t{a} - std::int64_t{b}) <= position_tolerance;
@@ -37,10 +22,10 @@ float known_part(float value) { return std::isnan(value) ? 0.0F : value; }
 
 // The frame of an item without a position says nothing, and vehicles change it.
 bool differs_in_altitude_kind(const mission_item_int& a, const mission_item_int& b) {
-  const auto ours = kind_of(a.frame);
-  const auto theirs = kind_of(b.frame);
+  const auto ours = altitude_in(a.frame);
+  const auto theirs = altitude_in(b.frame);
   const bool has_position = a.x != 0 || a.y != 0;
-  return has_position && ours != theirs && ours != altitude_kind::other && theirs != altitude_kind::other;
+  return has_position && ours && theirs && ours != theirs;
 }
 
 } // namespace

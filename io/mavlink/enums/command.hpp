@@ -43,81 +43,86 @@ enum class mav_cmd : std::uint16_t {
   nav_loiter_turns = 18, // turns, leave tangentially, radius m, exit; position
   nav_loiter_time = 19,  // s, leave tangentially, radius m, exit; position
   nav_return_to_launch = 20,
-  nav_land = 21,                     // abort altitude m, mode, -, yaw; position
-  nav_takeoff = 22,                  // pitch, -, flags, yaw; position
-  nav_continue_and_change_alt = 30,  // 0 neutral, 1 climb, 2 descend; altitude in z
-  nav_loiter_to_alt = 31,            // leave tangentially, radius m, -, exit; position
-  do_orbit = 34,                     // radius m, m/s, yaw behaviour, turns; position
-  nav_roi = 80,                      // mode, item, id; position
-  nav_spline_waypoint = 82,          // hold s; position
-  nav_vtol_takeoff = 84,             // -, transition heading, -, yaw; position
-  nav_vtol_land = 85,                // options, -, approach altitude m, yaw; position
-  nav_guided_enable = 92,            // 1 on, 0 off
-  nav_delay = 93,                    // s, or -1 and a time of day: hour, minute, second
-  nav_payload_place = 94,            // maximal descent m; position
-  nav_last = 95,                     // the upper bound of the NAV commands, not a command
-  condition_delay = 112,             // s
-  condition_change_alt = 113,        // m/s; altitude in z
-  condition_distance = 114,          // m to the next item
-  condition_yaw = 115,               // degrees, degrees/s, direction, 1 relative
-  do_set_mode = 176,                 // base mode, custom mode, custom submode
-  do_jump = 177,                     // item, repetitions
-  do_change_speed = 178,             // 0 air, 1 ground, 2 climb, 3 descent; m/s, -1 keep, -2 default; throttle %
-  do_set_home = 179,                 // 1 where it is, 0 here; position
-  do_set_parameter = 180,            // number, value
-  do_set_relay = 181,                // number, 1 on, 0 off
-  do_repeat_relay = 182,             // number, times, period s
-  do_set_servo = 183,                // number, pulse us
-  do_repeat_servo = 184,             // number, pulse us, times, period s
-  do_change_altitude = 186,          // altitude m, frame
-  do_set_actuator = 187,             // values of six, -1 to 1
-  do_return_path_start = 188,        // the way back begins here; position
-  do_land_start = 189,               // the landing begins here; position
-  do_go_around = 191,                // altitude m
-  do_reposition = 192,               // speed m/s, flags, radius m, yaw; position
-  do_pause_continue = 193,           // 0 pause, 1 continue
-  do_set_reverse = 194,              // 1 backwards, 0 forwards
-  do_set_roi_location = 195,         // gimbal; position
-  do_set_roi_wpnext_offset = 196,    // gimbal; offsets of pitch, roll, yaw
-  do_set_roi_none = 197,             // gimbal
-  do_set_roi_sysid = 198,            // system, gimbal
-  do_control_video = 200,            // camera, transmission, interval s, recording
-  do_set_roi = 201,                  // mode, item, id; position
-  do_digicam_configure = 202,        // settings of a camera
-  do_digicam_control = 203,          // session, zoom, zoom step, focus lock, shoot
-  do_mount_configure = 204,          // mode, what is stabilised
-  do_mount_control = 205,            // pitch, roll, yaw
-  do_set_cam_trigg_dist = 206,       // m between pictures, 0 none; shutter ms, 1 one at once
-  do_fence_enable = 207,             // 0 off, 1 on, 2 floor off
-  do_parachute = 208,                // 0 off, 1 on, 2 release
-  do_inverted_flight = 210,          // 1 inverted
-  do_gripper = 211,                  // number, 0 open, 1 close
-  do_autotune_enable = 212,          // 1 on, axes
-  nav_set_yaw_speed = 213,           // degrees, m/s, 1 relative
-  do_set_cam_trigg_interval = 214,   // ms between pictures, shutter ms
-  do_mount_control_quat = 220,       // quaternion
-  do_guided_limits = 222,            // s, lowest m, highest m, horizontal m
-  do_engine_control = 223,           // 1 start, 0 stop
-  do_set_mission_current = 224,      // item, -1 keep; 1 reset the mission
-  mission_start = 300,               // first item, last item
-  component_arm_disarm = 400,        // 1 arm, 0 disarm; 21196 force
-  set_message_interval = 511,        // message id, interval us: 0 default, -1 off
-  request_message = 512,             // message id
-  set_camera_mode = 530,             // camera, mode
-  set_camera_zoom = 531,             // type, value
-  set_camera_focus = 532,            // type, value
-  set_camera_source = 534,           // camera, primary, secondary
-  jump_tag = 600,                    // number, which do_jump_tag names
-  do_jump_tag = 601,                 // number, repetitions
-  do_gimbal_manager_pitchyaw = 1000, // degrees, degrees/s, flags
-  image_start_capture = 2000,        // camera, interval s, pictures
-  image_stop_capture = 2001,         // camera
-  do_trigger_control = 2003,         // 1 on, 0 off; 1 reset, 1 pause
-  video_start_capture = 2500,        // stream, status Hz
-  video_stop_capture = 2501,         // stream
-  do_vtol_transition = 3000,         // 3 hover, 4 fixed wing
-  condition_gate = 4501,             // geometry; position
-  nav_fence_return_point = 5000,     // position
+  nav_land = 21,                    // abort altitude m, mode, -, yaw; position
+  nav_takeoff = 22,                 // pitch, -, flags, yaw; position
+  nav_continue_and_change_alt = 30, // 0 neutral, 1 climb, 2 descend; altitude in z
+  nav_loiter_to_alt = 31,           // leave tangentially, radius m, -, exit; position
+  do_orbit = 34,                    // radius m, m/s, yaw behaviour, turns; position
+  nav_roi = 80,                     // mode, item, id; position
+  nav_spline_waypoint = 82,         // hold s; position
+  nav_vtol_takeoff = 84,            // -, transition heading, -, yaw; position
+  nav_vtol_land = 85,               // options, -, approach altitude m, yaw; position
+  nav_guided_enable = 92,           // 1 on, 0 off
+  nav_delay = 93,                   // s, or -1 and a time of day: hour, minute, second
+  nav_payload_place = 94,           // maximal descent m; position
+  nav_last = 95,                    // the upper bound of the NAV commands, not a command
+  condition_delay = 112,            // s
+  condition_change_alt = 113,       // m/s; altitude in z
+  condition_distance = 114,         // m to the next item
+  condition_yaw = 115,              // degrees, degrees/s, direction, 1 relative
+  do_set_mode = 176,                // base mode, custom mode, custom submode
+  do_jump = 177,                    // item, repetitions
+  do_change_speed = 178,            // 0 air, 1 ground, 2 climb, 3 descent; m/s, -1 keep, -2 default; throttle %
+  do_set_home = 179,                // 1 where it is, 0 here; position
+  do_set_parameter = 180,           // number, value
+  do_set_relay = 181,               // number, 1 on, 0 off
+  do_repeat_relay = 182,            // number, times, period s
+  do_set_servo = 183,               // number, pulse us
+  do_repeat_servo = 184,            // number, pulse us, times, period s
+  do_change_altitude = 186,         // altitude m, frame
+  do_set_actuator = 187,            // values of six, -1 to 1
+  do_return_path_start = 188,       // the way back begins here; position
+  do_land_start = 189,              // the landing begins here; position
+  do_go_around = 191,               // altitude m
+  do_reposition = 192,              // speed m/s, flags, radius m, yaw; position
+  do_pause_continue = 193,          // 0 pause, 1 continue
+  do_set_reverse = 194,             // 1 backwards, 0 forwards
+  do_set_roi_location = 195,        // gimbal; position
+  do_set_roi_wpnext_offset = 196,   // gimbal; offsets of pitch, roll, yaw
+  do_set_roi_none = 197,            // gimbal
+  do_set_roi_sysid = 198,           // system, gimbal
+  do_control_video = 200,           // camera, transmission, interval s, recording
+  do_set_roi = 201,                 // mode, item, id; position
+  do_digicam_configure = 202,       // settings of a camera
+  do_digicam_control = 203,         // session, zoom, zoom step, focus lock, shoot
+  do_mount_configure = 204,         // mode, what is stabilised
+  do_mount_control = 205,           // pitch, roll, yaw
+  do_set_cam_trigg_dist = 206,      // m between pictures, 0 none; shutter ms, 1 one at once
+  do_fence_enable = 207,            // 0 off, 1 on, 2 floor off
+  do_parachute = 208,               // 0 off, 1 on, 2 release
+  do_inverted_flight = 210,         // 1 inverted
+  do_gripper = 211,                 // number, 0 open, 1 close
+  do_autotune_enable = 212,         // 1 on, axes
+  nav_set_yaw_speed = 213,          // degrees, m/s, 1 relative
+  do_set_cam_trigg_interval = 214,  // ms between pictures, shutter ms
+  do_mount_control_quat = 220,      // quaternion
+  do_guided_limits = 222,           // s, lowest m, highest m, horizontal m
+  do_engine_control = 223,          // 1 start, 0 stop
+  do_set_mission_current = 224,     // item, -1 keep; 1 reset the mission
+  preflight_reboot_shutdown = 246,  // 1 the autopilot starts again, 2 shuts down
+  mission_start = 300,              // first item, last item
+  component_arm_disarm = 400,       // 1 arm, 0 disarm; 21196 force
+  get_home_position = 410,
+  get_message_interval = 510, // message id
+  set_message_interval = 511, // message id, interval us: 0 default, -1 off
+  request_message = 512,      // message id
+  request_protocol_version = 519,
+  request_autopilot_capabilities = 520,
+  set_camera_mode = 530,                     // camera, mode
+  set_camera_zoom = 531,                     // type, value
+  set_camera_focus = 532,                    // type, value
+  set_camera_source = 534,                   // camera, primary, secondary
+  jump_tag = 600,                            // number, which do_jump_tag names
+  do_jump_tag = 601,                         // number, repetitions
+  do_gimbal_manager_pitchyaw = 1000,         // degrees, degrees/s, flags
+  image_start_capture = 2000,                // camera, interval s, pictures
+  image_stop_capture = 2001,                 // camera
+  do_trigger_control = 2003,                 // 1 on, 0 off; 1 reset, 1 pause
+  video_start_capture = 2500,                // stream, status Hz
+  video_stop_capture = 2501,                 // stream
+  do_vtol_transition = 3000,                 // 3 hover, 4 fixed wing
+  condition_gate = 4501,                     // geometry; position
+  nav_fence_return_point = 5000,             // position
   nav_fence_polygon_vertex_inclusion = 5001, // vertices of the polygon; position
   nav_fence_polygon_vertex_exclusion = 5002, // the same
   nav_fence_circle_inclusion = 5003,         // radius m; position
@@ -187,10 +192,15 @@ constexpr auto enum_names(mav_cmd) {
                          {mav_cmd::do_guided_limits, "do_guided_limits"},
                          {mav_cmd::do_engine_control, "do_engine_control"},
                          {mav_cmd::do_set_mission_current, "do_set_mission_current"},
+                         {mav_cmd::preflight_reboot_shutdown, "preflight_reboot_shutdown"},
                          {mav_cmd::mission_start, "mission_start"},
                          {mav_cmd::component_arm_disarm, "component_arm_disarm"},
+                         {mav_cmd::get_home_position, "get_home_position"},
+                         {mav_cmd::get_message_interval, "get_message_interval"},
                          {mav_cmd::set_message_interval, "set_message_interval"},
                          {mav_cmd::request_message, "request_message"},
+                         {mav_cmd::request_protocol_version, "request_protocol_version"},
+                         {mav_cmd::request_autopilot_capabilities, "request_autopilot_capabilities"},
                          {mav_cmd::set_camera_mode, "set_camera_mode"},
                          {mav_cmd::set_camera_zoom, "set_camera_zoom"},
                          {mav_cmd::set_camera_focus, "set_camera_focus"},

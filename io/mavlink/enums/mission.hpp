@@ -94,18 +94,38 @@ constexpr auto enum_names(mission_mode) {
 // Of a position. The two with _int are superseded and mean the same as those without.
 enum class mav_frame : std::uint8_t {
   global = 0,
+  local_ned = 1,
   mission = 2,
   global_relative_alt = 3,
+  local_enu = 4,
   global_int = 5,
   global_relative_alt_int = 6,
+  local_offset_ned = 7,
+  body_ned = 8,
+  body_offset_ned = 9,
+  global_terrain_alt = 10,
+  global_terrain_alt_int = 11,
+  body_frd = 12,
+  local_frd = 20,
+  local_flu = 21,
 };
 
 constexpr auto enum_names(mav_frame) {
   return names<mav_frame>({{mav_frame::global, "global"},
+                           {mav_frame::local_ned, "local_ned"},
                            {mav_frame::mission, "mission"},
                            {mav_frame::global_relative_alt, "global_relative_alt"},
+                           {mav_frame::local_enu, "local_enu"},
                            {mav_frame::global_int, "global_int"},
-                           {mav_frame::global_relative_alt_int, "global_relative_alt_int"}});
+                           {mav_frame::global_relative_alt_int, "global_relative_alt_int"},
+                           {mav_frame::local_offset_ned, "local_offset_ned"},
+                           {mav_frame::body_ned, "body_ned"},
+                           {mav_frame::body_offset_ned, "body_offset_ned"},
+                           {mav_frame::global_terrain_alt, "global_terrain_alt"},
+                           {mav_frame::global_terrain_alt_int, "global_terrain_alt_int"},
+                           {mav_frame::body_frd, "body_frd"},
+                           {mav_frame::local_frd, "local_frd"},
+                           {mav_frame::local_flu, "local_flu"}});
 }
 
 } // namespace godwit::io::mavlink

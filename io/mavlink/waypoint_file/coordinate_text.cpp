@@ -16,13 +16,13 @@ struct form {
 constexpr form form_of(coordinate_kind kind) {
   switch (kind) {
   case coordinate_kind::global:
-    return {7, 10'000'000};
+    return {7, units_of(kind)};
   case coordinate_kind::local:
-    return {4, 10'000};
+    return {4, units_of(kind)};
   case coordinate_kind::none:
     break;
   }
-  return {0, 1};
+  return {0, units_of(kind)};
 }
 
 constexpr std::int32_t degrees_of(axis which) { return which == axis::x ? 90 : 180; }
@@ -39,31 +39,6 @@ bool is_on_earth(axis which, double degrees_e7) {
 }
 
 } // namespace
-
-std::optional<coordinate_kind> coordinates_of(std::uint8_t frame) {
-  switch (frame) {
-  case 0:  // global
-  case 3:  // global_relative_alt
-  case 5:  // global_int
-  case 6:  // global_relative_alt_int
-  case 10: // global_terrain_alt
-  case 11: // global_terrain_alt_int
-    return coordinate_kind::global;
-  case 1:  // local_ned
-  case 4:  // local_enu
-  case 7:  // local_offset_ned
-  case 8:  // body_ned
-  case 9:  // body_offset_ned
-  case 12: // body_frd
-  case 20: // local_frd
-  case 21: // local_flu
-    return coordinate_kind::local;
-  case 2: // mission
-    return coordinate_kind::none;
-  default:
-    return std::nullopt;
-  }
-}
 
 tl::expected<std::int32_t, waypoint_error> read_coordinate(coordinate_kind kind, axis which, std::string_view text) {
   double value = 0;

@@ -1,30 +1,25 @@
 // X and Y of an item: the integers of MISSION_ITEM_INT and the text of a plan file, exact in both directions.
 //
-//   kind      frames                                          text           integer
-//   global    0, 3, 5, 6, 10, 11                              degrees        degrees times 1e7
-//   local     1, 4, 7, 8, 9, 12, 20, 21                       metres         metres times 1e4
-//   none      2 (mission: no position)                        whole number   the same
+//   coordinates   text           integer
+//   global        degrees        degrees times 1e7
+//   local         metres         metres times 1e4
+//   none          whole number   the same
 //
 // An integer is written with all its decimals (7 or 4) and reads back as itself; text with more decimals is rounded to
 // the nearest integer. Errors: code and sentence; line and column are the caller's. Thread: pure. Source: MAVLink's
-// common.xml, MAV_FRAME and MISSION_ITEM_INT.
+// common.xml, MISSION_ITEM_INT.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/waypoint_file/waypoint_error.hpp"
 
 namespace godwit::io::mavlink {
 
-enum class coordinate_kind { global, local, none };
-
 enum class axis { x, y };
-
-// None for a frame that MAVLink does not define, or has withdrawn.
-[[nodiscard]] std::optional<coordinate_kind> coordinates_of(std::uint8_t frame);
 
 [[nodiscard]] tl::expected<std::int32_t, waypoint_error> read_coordinate(coordinate_kind kind, axis which,
                                                                          std::string_view text);

@@ -2,17 +2,9 @@
 
 #include <cmath>
 
+#include "io/mavlink/frame_meaning.hpp"
+
 namespace godwit::sim {
-
-namespace {
-
-// MAV_FRAMEs whose altitude is above mean sea level.
-bool is_above_sea(std::uint8_t frame) {
-  return frame == mavlink::number(mavlink::mav_frame::global) ||
-         frame == mavlink::number(mavlink::mav_frame::global_int);
-}
-
-} // namespace
 
 void autopilot::take(const mavlink::set_mode& m) {
   // It has no answer but the next HEARTBEAT.
@@ -87,7 +79,8 @@ void autopilot::climb_to(double altitude_m) { with_.craft.set_task(task::climb{a
 double autopilot::altitude_in(const role::order& what) const {
   if (!std::isfinite(what.z))
     return craft().where().where.altitude_m;
-  return is_above_sea(what.frame) ? what.z : craft().home().altitude_m + what.z;
+  const bool is_above_sea = mavlink::altitude_in(what.frame) == mavlink::altitude_kind::above_sea;
+  return is_above_sea ? what.z : craft().home().altitude_m + what.z;
 }
 
 position autopilot::place_in(const role::order& what) const {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/command_ids.hpp"
 
 namespace godwit::sim {
 
@@ -34,11 +33,11 @@ autopilot::handler autopilot::handler_for(std::uint16_t command) {
       {number(mav_cmd::component_arm_disarm), &autopilot::arm_or_disarm},
       {number(mav_cmd::set_message_interval), &autopilot::set_message_interval},
       {number(mav_cmd::request_message), &autopilot::request_message},
-      {preflight_reboot_shutdown, &autopilot::restart_or_shut_down},
-      {get_home_position, &autopilot::get_home},
-      {get_message_interval_command, &autopilot::get_message_interval},
-      {request_protocol_version_command, &autopilot::request_protocol_version},
-      {request_autopilot_capabilities, &autopilot::request_capabilities},
+      {number(mav_cmd::preflight_reboot_shutdown), &autopilot::restart_or_shut_down},
+      {number(mav_cmd::get_home_position), &autopilot::get_home},
+      {number(mav_cmd::get_message_interval), &autopilot::get_message_interval},
+      {number(mav_cmd::request_protocol_version), &autopilot::request_protocol_version},
+      {number(mav_cmd::request_autopilot_capabilities), &autopilot::request_capabilities},
   }};
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const row& r) { return r.command == command; });
   return found == rows.end() ? nullptr : found->handle;

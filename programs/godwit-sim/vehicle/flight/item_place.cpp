@@ -5,33 +5,30 @@
 #include <limits>
 #include <optional>
 
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
 
 namespace godwit::sim {
 
-using io::mavlink::mission_item_int;
+namespace mavlink = io::mavlink;
+using mavlink::mission_item_int;
 
 namespace {
 
-constexpr double units_in_a_degree = 1e7;
+constexpr double units_in_a_degree = mavlink::units_of(mavlink::coordinate_kind::global);
 constexpr std::int32_t unset = std::numeric_limits<std::int32_t>::max();
-constexpr std::uint8_t frame_mission = 2;
 
-// What altitudes in FRAME are counted from; nothing: the frame is not known.
+bool has_no_position(std::uint8_t frame) { return frame == mavlink::number(mavlink::mav_frame::mission); }
+
+// What altitudes in FRAME are counted from; nothing: the frame is not known. The ground is as high as home everywhere.
 std::optional<double> origin_of(std::uint8_t frame, double home_m) {
-  switch (frame) {
-  case 0:
-  case 5:
-    return 0;
-  case frame_mission:
-  case 3:
-  case 6:
-  case 10:
-  case 11:
+  if (has_no_position(frame))
     return home_m;
-  default:
+  const auto kind = mavlink::altitude_in(frame);
+  if (!kind)
     return std::nullopt;
-  }
+  return kind == mavlink::altitude_kind::above_sea ? 0 : home_m;
 }
 
 bool may_leave_its_place_out(std::uint16_t command) {
@@ -48,7 +45,7 @@ tl::expected<item_place, std::string> place_of(const mission_item_int& item, con
     return tl::unexpected("frame " + std::to_string(item.frame) + " is not known");
   item_place place{here};
   const bool is_left_out = item.x == 0 && item.y == 0 && may_leave_its_place_out(item.command);
-  place.is_here = is_left_out || item.frame == frame_mission || item.x == unset || item.y == unset;
+  place.is_here = is_left_out || has_no_position(item.frame) || item.x == unset || item.y == unset;
   if (!place.is_here) {
     place.at.latitude_deg = item.x / units_in_a_degree;
     place.at.longitude_deg = item.y / units_in_a_degree;

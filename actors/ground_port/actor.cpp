@@ -100,21 +100,22 @@ void actor::started() {
 
 // What has to be written comes first: each handler gives one event to the journal.
 void actor::drain() {
-  auto& incoming = line_->incoming();
-  if (const auto status = incoming.take_status())
-    carry_out(core_->on_link(*status, now()));
   for (int i = 0; i < max_chunks_per_turn && to_commit_.empty(); ++i) {
-    const auto chunk = incoming.take();
-    if (!chunk) {
-      if (incoming.has_status()) // it came in between, and woke nobody
-        break;
+    const auto next = line_->incoming().take();
+    if (!next) {
       after_turn();
       return;
     }
-    carry_out(core_->on_bytes(chunk->peer, chunk->is_datagram, chunk->bytes, now()));
+    std::visit([this](const auto& what) { take(what); }, *next);
   }
   tell(me(), wake{}); // there may be more; what others say comes first
   after_turn();
+}
+
+void actor::take(const io::link::link_status& what) { carry_out(core_->on_link(what, now())); }
+
+void actor::take(const io::link::arrival& what) {
+  carry_out(core_->on_bytes(what.peer, what.is_datagram, what.bytes, now()));
 }
 
 // -- effects --------------------------------------------------------------------------------------

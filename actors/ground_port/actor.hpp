@@ -52,6 +52,8 @@ private:
   template <class M>
   auto hears();
   void drain();
+  void take(const io::link::link_status& what);
+  void take(const io::link::arrival& what);
   void carry_out(const effects& wanted);
   void carry_out_first(const effects& wanted);
   void carry_out(const transmission& each) { outgoing_.push_back(each); }

@@ -39,6 +39,8 @@ protected:
 private:
   [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
   void drain();
+  void take(const io::link::link_status& what);
+  void take(const io::link::arrival& what);
   void carry_out(const effects& wanted);
   void carry_out(const transmission& each);
   void carry_out(const settled_command& each);

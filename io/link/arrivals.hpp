@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/link/link.hpp"
@@ -51,27 +52,19 @@ public:
     return !std::exchange(awake_, true);
   }
 
-  [[nodiscard]] std::optional<link_status> take_status() {
-    const std::lock_guard guard(mutex_);
-    return std::exchange(status_, std::nullopt);
-  }
-
   // Also when it was taken: what an incarnation that was just born has to know. Nothing: there was none yet.
   [[nodiscard]] std::optional<link_status> newest_status() const {
     const std::lock_guard guard(mutex_);
     return newest_status_;
   }
 
-  [[nodiscard]] bool has_status() const {
+  // A change of the state before the oldest bytes. Nothing: all is taken, and the next put() says to wake the actor.
+  [[nodiscard]] std::optional<std::variant<link_status, arrival>> take() {
     const std::lock_guard guard(mutex_);
-    return status_.has_value();
-  }
-
-  // The oldest. Nothing: all bytes are taken, and the next put() says to wake the actor again, unless has_status().
-  [[nodiscard]] std::optional<arrival> take() {
-    const std::lock_guard guard(mutex_);
+    if (status_)
+      return *std::exchange(status_, std::nullopt);
     if (chunks_.empty()) {
-      awake_ = status_.has_value();
+      awake_ = false;
       return std::nullopt;
     }
     auto result = std::move(chunks_.front());

@@ -74,15 +74,20 @@ void vehicle_session::wait(std::int64_t until_ns, int stop) const {
 vehicle_link::effects vehicle_session::next(std::int64_t until_ns, int stop) {
   wait(std::min(until_ns, core_.next_deadline_ns()), stop);
   vehicle_link::effects told;
-  if (auto status = incoming_.take_status()) {
-    status_ = *status;
-    append(told, carry_out(core_.on_link(*status, now())));
-  }
-  while (const auto chunk = incoming_.take())
-    append(told, carry_out(core_.on_bytes(chunk->peer, chunk->is_datagram, chunk->bytes, now())));
+  while (const auto arrived = incoming_.take())
+    append(told, carry_out(std::visit([this](const auto& what) { return take(what); }, *arrived)));
   if (now().monotonic_ns >= core_.next_deadline_ns())
     append(told, carry_out(core_.on_time(now())));
   return told;
+}
+
+vehicle_link::effects vehicle_session::take(const io::link::link_status& what) {
+  status_ = what;
+  return core_.on_link(what, now());
+}
+
+vehicle_link::effects vehicle_session::take(const io::link::arrival& what) {
+  return core_.on_bytes(what.peer, what.is_datagram, what.bytes, now());
 }
 
 vehicle_link::effects vehicle_session::carry_out(vehicle_link::effects wanted) {

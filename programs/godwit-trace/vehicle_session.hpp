@@ -44,6 +44,8 @@ public:
 private:
   void wait(std::int64_t until_ns, int stop) const;
   void wake() const;
+  [[nodiscard]] vehicle_link::effects take(const io::link::link_status& what);
+  [[nodiscard]] vehicle_link::effects take(const io::link::arrival& what);
 
   vehicle_link::core core_;
   io::link::arrivals incoming_;

@@ -256,7 +256,7 @@ void ardupilot::on_time() {
 std::int64_t ardupilot::next_timer_ns() const { return preflight_ends_ns_; }
 
 mavlink::mission_current ardupilot::progress() const {
-  auto m = progress_of(run(), with().plans, habits());
+  auto m = place_in_mission(run(), with().plans, habits());
   if (is_at_beginning_)
     m.seq = 0;
   m.mission_mode = mavlink::number(state().is_in(mode_kind::mission) ? mavlink::mission_mode::active

@@ -2,7 +2,7 @@
 
 namespace godwit::sim {
 
-mavlink::mission_current progress_of(const mission_run& run, const plans::server& held, const traits& habits) {
+mavlink::mission_current place_in_mission(const mission_run& run, const plans::server& held, const traits& habits) {
   const auto id_of = [&](mavlink::mav_mission_type type) {
     return habits.plan_habits.has_plan_ids ? held.plan(type).id : 0U;
   };
@@ -12,6 +12,22 @@ mavlink::mission_current progress_of(const mission_run& run, const plans::server
           .mission_id = id_of(mavlink::mav_mission_type::mission),
           .fence_id = id_of(mavlink::mav_mission_type::fence),
           .rally_points_id = id_of(mavlink::mav_mission_type::rally)};
+}
+
+mavlink::mission_current progress_of(const mission_run& run, const plans::server& held, const traits& habits,
+                                     bool is_in_mission_mode) {
+  auto m = place_in_mission(run, held, habits);
+  m.mission_mode =
+      mavlink::number(is_in_mission_mode ? mavlink::mission_mode::active : mavlink::mission_mode::suspended);
+  auto how = mavlink::mission_state::not_started;
+  if (run.is_empty())
+    how = mavlink::mission_state::no_mission;
+  else if (run.state() == run_state::completed)
+    how = mavlink::mission_state::complete;
+  else if (run.state() == run_state::running)
+    how = is_in_mission_mode ? mavlink::mission_state::active : mavlink::mission_state::paused;
+  m.mission_state = mavlink::number(how);
+  return m;
 }
 
 } // namespace godwit::sim

@@ -269,18 +269,7 @@ std::int64_t px4::next_timer_ns() const {
 }
 
 mavlink::mission_current px4::progress() const {
-  auto m = progress_of(run(), with().plans, habits());
-  const bool is_in_mission = state().is_in(mode_kind::mission);
-  m.mission_mode = mavlink::number(is_in_mission ? mavlink::mission_mode::active : mavlink::mission_mode::suspended);
-  auto how = mavlink::mission_state::not_started;
-  if (run().is_empty())
-    how = mavlink::mission_state::no_mission;
-  else if (run().state() == run_state::completed)
-    how = mavlink::mission_state::complete;
-  else if (run().state() == run_state::running)
-    how = is_in_mission ? mavlink::mission_state::active : mavlink::mission_state::paused;
-  m.mission_state = mavlink::number(how);
-  return m;
+  return progress_of(run(), with().plans, habits(), state().is_in(mode_kind::mission));
 }
 
 // -- commands ---------------------------------------------------------------------------------------

@@ -142,18 +142,7 @@ void rover::on_happening(const happening& what) {
 }
 
 mavlink::mission_current rover::progress() const {
-  auto m = progress_of(run(), with().plans, habits());
-  m.mission_mode = mavlink::number(state().is_in(mode_kind::mission) ? mavlink::mission_mode::active
-                                                                     : mavlink::mission_mode::suspended);
-  auto how = mavlink::mission_state::not_started;
-  if (run().is_empty())
-    how = mavlink::mission_state::no_mission;
-  else if (run().state() == run_state::completed)
-    how = mavlink::mission_state::complete;
-  else if (run().state() == run_state::running)
-    how = state().is_in(mode_kind::mission) ? mavlink::mission_state::active : mavlink::mission_state::paused;
-  m.mission_state = mavlink::number(how);
-  return m;
+  return progress_of(run(), with().plans, habits(), state().is_in(mode_kind::mission));
 }
 
 // -- commands ---------------------------------------------------------------------------------------

@@ -10,13 +10,19 @@ std::vector<mavlink::mission_item_int> waypoints(int count) {
   return {static_cast<std::size_t>(count), item};
 }
 
-mavlink::mission_current progress_with(personality who, int count) {
-  const auto& habits = traits_of(who);
-  plans::server held(habits.plan_habits, {1, 1});
-  held.put_plan(mavlink::mav_mission_type::mission, waypoints(count));
+struct loaded {
+  loaded(personality who, int count) : habits(traits_of(who)), held(habits.plan_habits, {1, 1}) {
+    held.put_plan(mavlink::mav_mission_type::mission, waypoints(count));
+    run.load(held.plan(mavlink::mav_mission_type::mission).items, habits.plan_habits.home ? 1 : 0);
+  }
+  const traits& habits;
+  plans::server held;
   mission_run run;
-  run.load(held.plan(mavlink::mav_mission_type::mission).items, habits.plan_habits.home ? 1 : 0);
-  return progress_of(run, held, habits);
+};
+
+mavlink::mission_current progress_with(personality who, int count) {
+  const loaded vehicle(who, count);
+  return place_in_mission(vehicle.run, vehicle.held, vehicle.habits);
 }
 
 TEST(mission_progress, counts_all_items_but_home) {
@@ -35,6 +41,17 @@ TEST(mission_progress, names_the_plan_where_plans_have_ids) {
   EXPECT_NE(progress_with(personality::px4, 5).mission_id, 0U);
   EXPECT_EQ(progress_with(personality::ardupilot, 5).mission_id, 0U);
   EXPECT_EQ(progress_with(personality::px4, 5).fence_id, 0U);
+}
+
+TEST(mission_progress, tells_whether_there_is_a_mission_and_whether_its_mode_flies) {
+  const auto told = [](int count, bool is_in_mission_mode) {
+    const loaded vehicle(personality::px4, count);
+    return progress_of(vehicle.run, vehicle.held, vehicle.habits, is_in_mission_mode);
+  };
+  EXPECT_EQ(told(0, true).mission_state, mavlink::number(mavlink::mission_state::no_mission));
+  EXPECT_EQ(told(5, true).mission_state, mavlink::number(mavlink::mission_state::not_started));
+  EXPECT_EQ(told(5, true).mission_mode, mavlink::number(mavlink::mission_mode::active));
+  EXPECT_EQ(told(5, false).mission_mode, mavlink::number(mavlink::mission_mode::suspended));
 }
 
 } // namespace

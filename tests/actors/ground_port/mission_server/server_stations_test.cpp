@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "actors/vehicle_link/transfer/meaning.hpp"
+#include "tests/support/dice.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -33,18 +34,6 @@ constexpr int runs_of_each_if_full = 2'000;
 constexpr mavlink::sender third_station_id{254, 190};
 // The stations give up long before; a vehicle that they leave is idle after its own patience.
 constexpr std::int64_t settled_after_ns = 10'000 * ms;
-
-class dice {
-public:
-  explicit dice(std::uint64_t seed) : random_(seed) {}
-
-  int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  bool one_in(int n) { return between(1, n) == 1; }
-  double up_to(double high) { return std::uniform_real_distribution<>(0, high)(random_); }
-
-private:
-  std::mt19937_64 random_;
-};
 
 line_settings any_line(dice& draw) {
   line_settings result;

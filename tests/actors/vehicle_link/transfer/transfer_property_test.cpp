@@ -7,9 +7,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "actors/vehicle_link/transfer/meaning.hpp"
+#include "tests/support/dice.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -22,19 +22,6 @@ using transfer::holding;
 using transfer::verdict;
 
 constexpr std::int64_t ms = 1'000'000;
-
-// One number, and all that is drawn from it.
-class dice {
-public:
-  explicit dice(std::uint32_t seed) : random_(seed) {}
-
-  int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  bool one_in(int n) { return between(1, n) == 1; }
-  double up_to(double high) { return std::uniform_real_distribution<>(0, high)(random_); }
-
-private:
-  std::mt19937_64 random_;
-};
 
 struct peer {
   mission_server::habits vehicle;

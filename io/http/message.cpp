@@ -1,0 +1,37 @@
+#include "io/http/message.hpp"
+
+#include <algorithm>
+
+namespace godwit::io::http {
+namespace {
+
+// Of ASCII only: the locale of the process must not change what a header is.
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+} // namespace
+
+bool equals_ignoring_case(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string_view response::find(std::string_view name) const {
+  const auto found = std::ranges::find_if(headers, [&](const auto& h) { return equals_ignoring_case(h.name, name); });
+  return found == headers.end() ? std::string_view{} : std::string_view(found->value);
+}
+
+bool may_repeat(const request& asked) { return asked.verb != verb::post || !asked.idempotency_key.empty(); }
+
+std::string_view verb_text(verb value) {
+  switch (value) {
+  case verb::post:
+    return "POST";
+  case verb::put:
+    return "PUT";
+  case verb::remove:
+    return "DELETE";
+  default:
+    return "GET";
+  }
+}
+
+} // namespace godwit::io::http

@@ -1,0 +1,76 @@
+// What is asked of a service, and what it answers.
+//
+// Thread: plain values.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace godwit::io::http {
+
+enum class verb { get, post, put, remove }; // remove: DELETE, which is a macro on some systems
+
+struct header {
+  std::string name;
+  std::string value;
+  bool operator==(const header&) const = default;
+};
+
+// What a sink says to the bytes it was given.
+//   more     the next ones as soon as they come
+//   pause    enough for now: nothing is read until client::resume(), so that the service has to wait. What was read
+//            with these bytes still comes: at most read_piece_bytes.
+//   cancel   nothing more; the request ends as cancelled
+enum class body_flow { more, pause, cancel };
+using body_sink = std::function<body_flow(std::span<const std::byte> bytes)>;
+
+struct request {
+  http::verb verb = http::verb::get;
+  std::string target = "/"; // path and query, below the path of the base URL; percent-encoded by the caller
+  std::string body;
+  std::string content_type = "application/json"; // of the body; not sent without one
+  // Made before the first try and the same in each. Sent as the header Idempotency-Key. Not empty: a second delivery
+  // does no harm, so a POST may be sent again when a kept connection turns out to be dead.
+  std::string idempotency_key;
+  std::string accept = "application/json";
+  // Not empty: a 2xx answer of another type is an error, and nothing of it reaches the sink.
+  std::string expected_content_type;
+  std::vector<header> headers; // further ones; not those that the client writes itself
+
+  // None: what the settings say.
+  std::optional<std::size_t> max_body_bytes; // of the answer
+  std::optional<std::chrono::milliseconds> read_timeout;
+  std::optional<std::chrono::milliseconds> total_timeout;
+
+  // Takes the body of a 2xx answer piece by piece, instead of response::body. Called in the client's thread.
+  body_sink on_body = {};
+};
+
+// The status says what to do; of a page of error the beginning is enough.
+inline constexpr std::size_t max_error_body_bytes = 64 * 1024;
+
+struct response {
+  unsigned status = 0;
+  std::vector<header> headers;  // as they came, without those behind a chunked body
+  std::string body;             // empty when a sink took it
+  std::uint64_t body_bytes = 0; // of the body, wherever it went
+  bool is_cut = false;          // not 2xx, and longer than max_error_body_bytes: the rest was not read
+
+  // The first of that name, in any case; none: empty.
+  [[nodiscard]] std::string_view find(std::string_view name) const;
+  bool operator==(const response&) const = default;
+};
+
+// Twice is as good as once: RFC 9110, 9.2.2, and what carries an idempotency key.
+[[nodiscard]] bool may_repeat(const request& asked);
+[[nodiscard]] std::string_view verb_text(verb value);
+[[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
+
+} // namespace godwit::io::http

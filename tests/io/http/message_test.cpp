@@ -1,0 +1,28 @@
+#include "io/http/message.hpp"
+
+#include <gtest/gtest.h>
+
+namespace godwit::io::http {
+namespace {
+
+TEST(http_message, finds_the_first_header_of_a_name_in_any_case) {
+  response answer;
+  answer.headers = {{"Retry-After", "1"}, {"retry-after", "2"}};
+  EXPECT_EQ(answer.find("RETRY-AFTER"), "1");
+  EXPECT_EQ(answer.find("Retry"), "");
+}
+
+TEST(http_message, may_be_repeated_unless_it_is_a_post_without_a_key) {
+  request asked;
+  for (const auto each : {verb::get, verb::put, verb::remove}) {
+    asked.verb = each;
+    EXPECT_TRUE(may_repeat(asked)) << verb_text(each);
+  }
+  asked.verb = verb::post;
+  EXPECT_FALSE(may_repeat(asked));
+  asked.idempotency_key = "key";
+  EXPECT_TRUE(may_repeat(asked));
+}
+
+} // namespace
+} // namespace godwit::io::http

@@ -1,0 +1,48 @@
+#include "io/http/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+namespace godwit::io::http {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr wall_time now = std::chrono::sys_days(2026y / 11 / 21) + 14h;
+
+response answer_with(std::vector<header> headers) { return {503, std::move(headers), "", 0, false}; }
+
+TEST(http_outcome, says_what_may_be_tried_again) {
+  for (const unsigned status : {200U, 201U, 204U, 299U})
+    EXPECT_EQ(outcome_of(status), outcome::success) << status;
+  for (const unsigned status : {408U, 429U, 500U, 502U, 503U, 504U, 599U})
+    EXPECT_EQ(outcome_of(status), outcome::transient) << status;
+  for (const unsigned status : {304U, 400U, 401U, 403U, 404U, 409U, 410U, 422U, 600U})
+    EXPECT_EQ(outcome_of(status), outcome::permanent) << status;
+}
+
+TEST(http_outcome, takes_the_seconds_of_retry_after) {
+  EXPECT_EQ(retry_after(answer_with({{"retry-after", "120"}}), now), 120s);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "0"}}), now), 0s);
+}
+
+TEST(http_outcome, takes_the_date_of_retry_after_relative_to_the_date_of_the_answer) {
+  const header later{"Retry-After", "Sun, 06 Nov 1994 08:49:37 GMT"};
+  EXPECT_EQ(retry_after(answer_with({later, {"Date", "Sun, 06 Nov 1994 08:49:07 GMT"}}), now), 30s);
+  EXPECT_EQ(retry_after(answer_with({later, {"Date", "Sun, 06 Nov 1994 08:50:00 GMT"}}), now), 0s);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "Sat, 21 Nov 2026 14:00:10 GMT"}}), now), 10s);
+}
+
+TEST(http_outcome, never_waits_longer_than_its_bound) {
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "9999999"}}), now), max_retry_after);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "99999999999999999999999999"}}), now), max_retry_after);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "Fri, 31 Dec 9999 23:59:59 GMT"}}), now), max_retry_after);
+}
+
+TEST(http_outcome, does_not_guess_what_can_not_be_read) {
+  EXPECT_EQ(retry_after(answer_with({}), now), std::nullopt);
+  for (const auto* text : {"", "-1", "1.5", "soon", "+3", " 3"})
+    EXPECT_EQ(retry_after(answer_with({{"Retry-After", text}}), now), std::nullopt) << text;
+}
+
+} // namespace
+} // namespace godwit::io::http

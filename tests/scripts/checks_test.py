@@ -181,6 +181,11 @@ class Json(Tree):
         self.write("tests/data/x.json", '{"a": 1, "a": 2}')
         self.finds("json", 'the key "a" stands twice')
 
+    def test_a_number_that_only_python_knows_is_found(self):
+        self.write("tests/data/x.json", '{"a": NaN}')
+        self.write("tests/data/y.json", '[-Infinity]')
+        self.finds("json", "tests/data/x.json: is not JSON: NaN", "tests/data/y.json: is not JSON: -Infinity")
+
     def test_a_document_that_its_schema_forbids_is_found(self):
         self.write("config/a.json", '{"port": 0}')
         self.write("config/b.json", '{"$schema": "a.schema.json", "port": "x"}')
@@ -198,6 +203,85 @@ class Json(Tree):
         self.write("config/c.json", "{}")
         self.write("config/d.json", '{"$schema": "none.schema.json"}')
         self.finds("json", "config/c.json: has no schema", "config/d.json: names the schema")
+
+    def test_a_reference_to_another_schema_is_followed(self):
+        self.write("config/schemas/port.schema.json", json.dumps(self.SCHEMA))
+        whole = {"$schema": self.SCHEMA["$schema"], "properties": {"http": {"$ref": "schemas/port.schema.json"}}}
+        self.write("config/a.schema.json", json.dumps(whole))
+        self.write("config/a.json", '{"http": {"port": 0}}')
+        self.finds("json", "config/a.json: at http.port: ")
+
+    def test_a_reference_that_leads_nowhere_is_found(self):
+        for reference in ("none.schema.json", "#/definitions/none", "https://example.org/a.schema.json"):
+            whole = {"$schema": self.SCHEMA["$schema"], "properties": {"port": {"$ref": reference}}}
+            self.write("config/a.schema.json", json.dumps(whole))
+            self.finds("json", f'"$ref": "{reference}" leads nowhere')
+
+    def test_an_example_in_a_document_that_its_schema_forbids_is_found(self):
+        self.write("config/schemas/port.schema.json", json.dumps(self.SCHEMA))
+        self.write("docs/a.md", '```json schema=port\n{"port": 1}\n```\n')
+        self.assertIn("1 examples", self.accepts("json"))
+        self.write("docs/b.md", 'text\n```json schema=port\n{"port": 0}\n```\n')
+        self.write("docs/c.md", "```json schema=port\n{,}\n```\n")
+        self.write("docs/d.md", "```json schema=none\n{}\n```\n")
+        self.finds("json", "docs/b.md:2: at port: ", "docs/c.md:1: is not JSON", "docs/d.md:1: names the schema")
+
+
+class Api(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("config/schemas/port.schema.json", json.dumps(Json.SCHEMA))
+        self.body = {"schema": {"$ref": "schemas/port.schema.json"}, "example": {"port": 5}}
+        self.api = {
+            "openapi": "3.1.0",
+            "jsonSchemaDialect": Json.SCHEMA["$schema"],
+            "paths": {
+                "/a/{id}": {
+                    "post": {
+                        "operationId": "post_a",
+                        "parameters": [{"$ref": "#/components/parameters/id"}],
+                        "requestBody": {"content": {"application/json": self.body}},
+                        "responses": {"200": {"$ref": "#/components/responses/done"}},
+                    }
+                }
+            },
+            "components": {
+                "parameters": {"id": {"name": "id", "schema": {"type": "integer"}, "example": 7}},
+                "responses": {"done": {"content": {"application/json": dict(self.body)}}},
+            },
+        }
+
+    def save(self):
+        self.write("config/api.json", json.dumps(self.api))
+
+    def test_a_description_of_an_api_with_valid_examples_is_accepted(self):
+        self.save()
+        self.assertIn("3 examples", self.accepts("json"))
+
+    def test_an_example_that_its_schema_forbids_is_found(self):
+        self.body["example"] = {"port": 0}
+        self.api["components"]["parameters"]["id"]["example"] = "x"
+        self.save()
+        self.finds(
+            "json",
+            "config/api.json: POST /a/{id}, request (application/json): the example is wrong at port: ",
+            "config/api.json: POST /a/{id}, parameter id: the example is wrong at the whole document: ",
+        )
+
+    def test_a_body_without_an_example_is_found(self):
+        del self.api["components"]["responses"]["done"]["content"]["application/json"]["example"]
+        self.save()
+        self.finds("json", "config/api.json: POST /a/{id}, 200 (application/json): has no schema or no example")
+
+    def test_calls_of_the_same_name_are_found(self):
+        self.api["paths"]["/b"] = self.api["paths"]["/a/{id}"]
+        self.save()
+        self.finds("json", "config/api.json: operationId post_a: each call has one, and its own")
+
+    def test_another_dialect_is_found(self):
+        self.api["jsonSchemaDialect"] = "https://json-schema.org/draft/2020-12/schema"
+        self.save()
+        self.finds("json", "config/api.json: a description of an API says")
 
 
 class Docs(Tree):

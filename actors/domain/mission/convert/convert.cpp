@@ -1,0 +1,98 @@
+#include "actors/domain/mission/convert/convert.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "actors/domain/mission/convert/geojson_export.hpp"
+#include "actors/domain/mission/convert/geojson_import.hpp"
+#include "actors/domain/mission/convert/plan_export.hpp"
+#include "actors/domain/mission/convert/plan_import.hpp"
+#include "actors/domain/mission/convert/waypoints_export.hpp"
+#include "actors/domain/mission/convert/waypoints_import.hpp"
+#include "actors/domain/mission/read.hpp"
+#include "actors/domain/mission/write.hpp"
+
+namespace godwit::mission {
+
+namespace {
+
+import_result import_json(std::string_view text, const import_options& options) {
+  auto result = read<document>(text);
+  if (!result)
+    return tl::unexpected(conversion_error{std::move(result.error()), {}});
+  result->mission_id = options.mission_id.value_or(result->mission_id);
+  result->return_point = options.return_point.value_or(result->return_point);
+  return finished(*result, {}, options, text);
+}
+
+exported export_json(const document& mission) {
+  constexpr int indent = 2;
+  return {nlohmann::ordered_json::parse(to_text(mission)).dump(indent) + '\n', {}};
+}
+
+struct format_row {
+  mission_format format;
+  import_result (*import)(std::string_view text, const import_options& options);
+  exported (*write)(const document& mission);
+};
+
+constexpr std::array formats{
+    format_row{mission_format::json, import_json, export_json},
+    format_row{mission_format::plan, import_plan, export_plan},
+    format_row{mission_format::waypoints, import_waypoints, export_waypoints},
+    format_row{mission_format::geojson, import_geojson, export_geojson},
+};
+
+const format_row& row_of(mission_format format) {
+  return *std::ranges::find(formats, format, &format_row::format); // the table has all of them
+}
+
+struct ending_row {
+  std::string_view ending;
+  mission_format format;
+};
+
+constexpr std::array endings{
+    ending_row{".json", mission_format::json},           ending_row{".plan", mission_format::plan},
+    ending_row{".waypoints", mission_format::waypoints}, ending_row{".txt", mission_format::waypoints},
+    ending_row{".geojson", mission_format::geojson},
+};
+
+bool ends_with(std::string_view name, std::string_view ending) {
+  return name.size() >= ending.size() &&
+         std::ranges::equal(name.substr(name.size() - ending.size()), ending, [](char found, char wanted) {
+           return (found >= 'A' && found <= 'Z' ? found - 'A' + 'a' : found) == wanted;
+         });
+}
+
+} // namespace
+
+std::optional<mission_format> format_of_name(std::string_view file_name) {
+  for (const auto& row : endings)
+    if (ends_with(file_name, row.ending))
+      return row.format;
+  return std::nullopt;
+}
+
+import_result import_mission(std::string_view text, mission_format from, const import_options& options) {
+  return row_of(from).import(text, options);
+}
+
+exported export_mission(const document& mission, mission_format to) { return row_of(to).write(mission); }
+
+tl::expected<exported, conversion_error> convert(std::string_view text, mission_format from, mission_format to,
+                                                 const import_options& options) {
+  auto read_in = import_mission(text, from, options);
+  if (!read_in)
+    return tl::unexpected(std::move(read_in.error()));
+  auto result = export_mission(read_in->mission, to);
+  read_in->losses.add(std::move(result.losses));
+  if (!read_in->losses.empty() && !options.allow_partial)
+    return tl::unexpected(lossy(std::move(read_in->losses), text));
+  return exported{std::move(result.text), std::move(read_in->losses)};
+}
+
+} // namespace godwit::mission

@@ -1,0 +1,15 @@
+// A mission as a plan of QGroundControl, in the form that it writes itself; the way back of plan_import.hpp.
+//
+// A survey becomes its survey pattern without lines: the ground station lays them when it opens the file. The return
+// point becomes the planned home position. Losses: what a plan does not know (heights of fences and of the return
+// point). Thread: pure.
+#pragma once
+
+#include "actors/domain/mission/convert/conversion.hpp"
+
+namespace godwit::mission {
+
+// MISSION keeps all rules.
+[[nodiscard]] exported export_plan(const document& mission);
+
+} // namespace godwit::mission

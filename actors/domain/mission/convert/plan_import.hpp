@@ -1,0 +1,32 @@
+// A plan of QGroundControl (`.plan`: fileType Plan, version 1; mission, fence and rally points of version 2) to a
+// mission.
+//
+//   SimpleItem              as item_import.hpp says; seven parameters, or in older files four and a coordinate
+//   survey                  a survey, if it is flown at one height above home over a polygon with lines that do not
+//                           cross; else the lines that the ground station had laid, as waypoints
+//   CorridorScan            the lines that the ground station had laid, as waypoints
+//   fwLandingPattern, vtolLandingPattern
+//                           a waypoint where the approach begins, and a land; the circle down is a loss
+//   StructureScan           left out, as a loss
+//   fence polygons          geofences; circles become polygons, inclusions within the circle and exclusions around it
+//   rally points            left out, as losses: a mission returns to one point
+//   planned home position   the return point
+//
+// Cameras, gimbals and payload are losses each. Speeds and firmware of the file's head only help to read it. Errors: as
+// values; the losses are in the error when it is `lossy`. Thread: pure. Source: QGroundControl's developer guide, "Plan
+// File Format".
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "actors/domain/mission/convert/conversion.hpp"
+
+namespace godwit::mission {
+
+inline constexpr std::size_t max_plan_bytes = 16 * 1024 * 1024;
+inline constexpr std::size_t max_plan_items = 20'000; // with those of the patterns
+
+[[nodiscard]] import_result import_plan(std::string_view text, const import_options& options = {});
+
+} // namespace godwit::mission

@@ -1,0 +1,190 @@
+#include "actors/domain/mission/convert/plan_patterns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "actors/domain/mission/polygon_rules.hpp"
+#include "actors/domain/mission/rules.hpp"
+
+namespace godwit::mission {
+
+namespace {
+
+constexpr const char* left_out = "left out";
+
+void lose(plan_source& source, const plan_node& node, std::string what, std::string why, std::string instead) {
+  source.losses.add({node.item, std::move(what), std::move(why), std::move(instead)});
+}
+
+// The lines that the ground station had laid for the pattern.
+void take_laid_items(plan_source& source, const plan_node& transects, item_importer& importer) {
+  const auto items = source.list(transects, "Items");
+  if (items.empty())
+    lose(source, transects, "the pattern", "the file does not have its lines", left_out);
+  for (const auto& each : items)
+    if (const auto simple = read_simple_item(source, each))
+      importer.take(*simple);
+}
+
+bool is_above_home(plan_source& source, const plan_node& camera) {
+  constexpr std::int64_t above_home = 1;
+  if (camera.has("DistanceMode"))
+    return source.integer(camera, "DistanceMode") == above_home;
+  return source.flag(camera, "DistanceToSurfaceRelative", false);
+}
+
+bool triggers_camera(const plan_node& transects) {
+  if (!transects.has("Items") || !(*transects.value)["Items"].is_array())
+    return false;
+  return std::ranges::any_of((*transects.value)["Items"], [](const nlohmann::json& each) {
+    return each.is_object() && each.contains("command") && each["command"].is_number_integer() &&
+           each["command"] != command::waypoint;
+  });
+}
+
+// What a survey of a mission does not know, although it flies over the same area.
+void lose_survey_details(plan_source& source, const plan_node& node, const plan_node& transects) {
+  if (triggers_camera(transects))
+    lose(source, node, "survey: camera triggers", "a mission has no commands for cameras and gimbals", left_out);
+  if (const auto turn_m = source.number_or(transects, "TurnAroundDistance", 0); turn_m != 0)
+    lose(source, node, "survey: turns " + number_text(turn_m) + " m outside of the area",
+         "the lines of a mission's survey end at its edge", left_out);
+  if (source.flag(transects, "HoverAndCapture", false))
+    lose(source, node, "survey: stop for each picture", "a mission's survey flies on", left_out);
+  if (source.flag(transects, "Refly90Degrees", false))
+    lose(source, node, "survey: flown again across", "a mission's survey has one direction", "flown once");
+  if (source.flag(node, "flyAlternateTransects", false))
+    lose(source, node, "survey: every other line first", "a mission leaves the order to whoever plans the flight",
+         left_out);
+}
+
+// Why this survey can not be one of a mission; empty when it can.
+std::string why_no_survey(plan_source& source, const plan_node& transects, const survey& area,
+                          const plan_node& camera) {
+  if (source.flag(transects, "FollowTerrain", false))
+    return "it follows the terrain";
+  if (!is_above_home(source, camera))
+    return "its height is not above home";
+  if (!(area.line_spacing_m > 0))
+    return "its lines have no distance";
+  if (area.polygon.size() > max_polygon_corners)
+    return "its area has " + std::to_string(area.polygon.size()) + " corners";
+  const auto fault = polygon_fault(area.polygon);
+  return fault ? "its area " + *fault : "";
+}
+
+void import_survey(plan_source& source, const plan_node& node, item_importer& importer) {
+  const auto transects = source.object(node, "TransectStyleComplexItem");
+  const auto camera = source.object(transects, "CameraCalc");
+  const auto angle = std::remainder(source.number_or(node, "angle", 0), 360);
+  survey area;
+  area.polygon = source.corners(node, "polygon");
+  area.altitude_m = source.number(camera, "DistanceToSurface");
+  area.line_spacing_m = source.number(camera, "AdjustedFootprintSide");
+  area.heading_deg = angle < 0 ? angle + 360 : angle;
+  if (*area.heading_deg >= 360) // a tiny negative angle, rounded
+    area.heading_deg = 0;
+  if (const auto why = why_no_survey(source, transects, area, camera); !why.empty()) {
+    lose(source, node, "survey: its area", why, "its lines as waypoints");
+    return take_laid_items(source, transects, importer);
+  }
+  lose_survey_details(source, node, transects);
+  importer.append(std::move(area));
+}
+
+void import_corridor(plan_source& source, const plan_node& node, item_importer& importer) {
+  take_laid_items(source, source.object(node, "TransectStyleComplexItem"), importer);
+}
+
+// Version 1 called the beginning of the approach loiterCoordinate.
+void import_landing(plan_source& source, const plan_node& node, item_importer& importer) {
+  const auto* const approach_key =
+      node.has("landingApproachCoordinate") ? "landingApproachCoordinate" : "loiterCoordinate";
+  const auto approach = source.place(node, approach_key);
+  const auto landing = source.place(node, "landCoordinate");
+  const auto used_frame = source.flag(node, "altitudesAreRelative", true) ? frame::global_relative : frame::global;
+  lose(source, node, "landing pattern: its start mark", "a mission has no marks for landings", left_out);
+  if (source.flag(node, "useLoiterToAlt", true))
+    lose(source, node,
+         "landing pattern: circle of " + number_text(source.number_or(node, "loiterRadius", 0)) + " m down",
+         "no item of a mission changes the height in circles", "a waypoint in its middle");
+  if (source.flag(node, "stopTakingPhotos", false) || source.flag(node, "stopVideoPhotos", false))
+    lose(source, node, "landing pattern: end of pictures", "a mission has no commands for cameras and gimbals",
+         left_out);
+  const auto number = node.item.value_or(0);
+  importer.take({number, command::waypoint, used_frame, {0, 0, 0, not_given, approach[0], approach[1], approach[2]}});
+  importer.take({number, command::land, used_frame, {0, 0, 0, not_given, landing[0], landing[1], landing[2]}});
+}
+
+// Seven of them, or in older files four and the place beside them.
+void read_params(plan_source& source, const plan_node& node, vehicle_item& item) {
+  constexpr std::size_t params_before_place = 4;
+  auto params = source.list(node, "params");
+  if (node.has("coordinate") && params.size() == params_before_place)
+    for (auto& each : source.list(node, "coordinate"))
+      params.push_back(std::move(each));
+  else if (node.has("coordinate"))
+    source.wrong(node, "has a coordinate besides " + std::to_string(params.size()) + " params",
+                 "either 7 params, or 4");
+  if (params.size() != item.params.size())
+    source.wrong(node, "has " + std::to_string(params.size()) + " params", "7, or 4 and a coordinate of 3");
+  for (std::size_t i = 0; i < std::min(params.size(), item.params.size()); ++i) {
+    if (!params[i].value->is_number() && !params[i].value->is_null())
+      source.wrong(params[i], "is of another type", "a number or null");
+    item.params.at(i) = params[i].value->is_number() ? params[i].value->get<double>() : not_given;
+  }
+}
+
+struct pattern_row {
+  std::string_view type; // "complexItemType"
+  std::int64_t first_version;
+  std::int64_t last_version;
+  void (*import)(plan_source& source, const plan_node& node, item_importer& importer);
+};
+
+// The versions are those whose form we know; an older or newer one is left out as a loss.
+constexpr pattern_row patterns[] = {
+    {"survey", 4, 5, import_survey},
+    {"CorridorScan", 2, 3, import_corridor},
+    {"fwLandingPattern", 1, 2, import_landing},
+    {"vtolLandingPattern", 1, 2, import_landing},
+    {"VTOLLandingPattern", 1, 2, import_landing},
+};
+
+} // namespace
+
+std::optional<vehicle_item> read_simple_item(plan_source& source, const plan_node& node) {
+  const auto before = source.problems.size();
+  if (node.has("param1")) {
+    source.wrong(node, "is an item of the first form (param1 to param4)", "params as a list");
+    return std::nullopt;
+  }
+  source.lose_unknown(node, {"AMSLAltAboveTerrain", "Altitude", "AltitudeMode", "autoContinue", "command", "coordinate",
+                             "doJumpId", "frame", "params", "type", "MISSION_ITEM_ID"});
+  vehicle_item result;
+  result.number = node.item.value_or(0);
+  const auto id = source.integer(node, "command");
+  const auto used_frame = source.integer(node, "frame");
+  if (id < 0 || id > std::numeric_limits<std::uint16_t>::max() || used_frame < 0 ||
+      used_frame > std::numeric_limits<std::uint8_t>::max())
+    source.wrong(node, "has a command or frame that MAVLink can not say", {});
+  result.command = static_cast<std::uint16_t>(id);
+  result.frame = static_cast<std::uint8_t>(used_frame);
+  result.autocontinue = source.flag(node, "autoContinue", true);
+  read_params(source, node, result);
+  return source.problems.size() == before ? std::optional(result) : std::nullopt;
+}
+
+void import_pattern(plan_source& source, const plan_node& node, item_importer& importer) {
+  const auto type = source.text(node, "complexItemType");
+  const auto found = std::ranges::find(patterns, std::string_view(type), &pattern_row::type);
+  if (found == std::end(patterns))
+    return lose(source, node, "the pattern " + in_quotes(type), "a mission has no counterpart of it", left_out);
+  const auto version = source.integer(node, "version");
+  if (version < found->first_version || version > found->last_version)
+    return lose(source, node, type + " of version " + std::to_string(version), "its form is not known", left_out);
+  found->import(source, node, importer);
+}
+
+} // namespace godwit::mission

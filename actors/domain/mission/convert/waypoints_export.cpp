@@ -1,0 +1,62 @@
+#include "actors/domain/mission/convert/waypoints_export.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "actors/domain/mission/convert/item_export.hpp"
+#include "io/mavlink/waypoint_file/waypoint_writer.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::mission {
+
+namespace {
+
+using io::mavlink::mission_item_int;
+
+std::int32_t scaled(double degrees) { return static_cast<std::int32_t>(std::lround(degrees * 1e7)); }
+
+// HOME stands in where an item has no place: x and y of a line are whole numbers, which can not be "not given".
+mission_item_int line_of(const vehicle_item& each, const position& home) {
+  mission_item_int line;
+  line.frame = each.frame;
+  line.command = each.command;
+  line.autocontinue = 1;
+  line.param1 = static_cast<float>(each.param(1));
+  line.param2 = static_cast<float>(each.param(2));
+  line.param3 = static_cast<float>(each.param(3));
+  line.param4 = static_cast<float>(each.param(4));
+  line.z = static_cast<float>(each.altitude_m());
+  if (each.frame == frame::mission)
+    return line;
+  line.x = scaled(each.has_place() ? each.latitude() : home.latitude);
+  line.y = scaled(each.has_place() ? each.longitude() : home.longitude);
+  return line;
+}
+
+} // namespace
+
+exported export_waypoints(const document& mission) {
+  exported result;
+  const auto& home = mission.return_point;
+  std::vector<mission_item_int> lines{
+      line_of({0, command::waypoint, frame::global, {0, 0, 0, 0, home.latitude, home.longitude, 0}}, home)};
+  if (home.altitude_m != 0)
+    result.losses.add({{}, "return point: height", "a home position is on the ground", "left out"});
+  add_place_losses(mission.items, result.losses);
+  for (std::size_t i = 0; i < mission.items.size(); ++i) {
+    if (std::holds_alternative<survey>(mission.items[i]))
+      result.losses.add({i, "the survey", "a file of lines has no patterns", "left out"});
+    for (const auto& each : vehicle_items_of(mission.items[i]))
+      lines.push_back(line_of(each, home));
+  }
+  for (std::size_t i = 0; i < mission.geofences.size(); ++i)
+    result.losses.add({{}, "geofence " + std::to_string(i), "a file of lines has no fences", "left out"});
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    lines[i].seq = static_cast<std::uint16_t>(i);
+  auto text = io::mavlink::write_waypoints(lines);
+  GODWIT_ASSERT(text.has_value(), "a mission that keeps the rules can be written as lines");
+  result.text = std::move(*text);
+  return result;
+}
+
+} // namespace godwit::mission

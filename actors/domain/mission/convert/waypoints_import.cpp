@@ -1,0 +1,84 @@
+#include "actors/domain/mission/convert/waypoints_import.hpp"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "actors/domain/mission/convert/item_import.hpp"
+#include "io/mavlink/waypoint_file/coordinate_text.hpp"
+#include "io/mavlink/waypoint_file/format.hpp"
+#include "io/mavlink/waypoint_file/waypoint_reader.hpp"
+
+namespace godwit::mission {
+
+namespace {
+
+using io::mavlink::mission_item_int;
+
+constexpr double units_a_degree = 1e7;
+
+vehicle_item read_item(const mission_item_int& each) {
+  const bool is_on_earth = io::mavlink::coordinates_of(each.frame) == io::mavlink::coordinate_kind::global;
+  const auto scale = is_on_earth ? units_a_degree : 1;
+  return {each.seq,
+          each.command,
+          each.frame,
+          {each.param1, each.param2, each.param3, each.param4, each.x / scale, each.y / scale, each.z},
+          each.autocontinue != 0};
+}
+
+bool is_home(const vehicle_item& first) {
+  const auto none = [&](std::size_t from_1) { return !(std::abs(first.param(from_1)) > 0); };
+  return first.command == command::waypoint && first.has_place() &&
+         (first.frame == frame::global || first.frame == frame::global_int) && none(1) && none(2) && none(3) && none(4);
+}
+
+document_error error_of(const io::mavlink::waypoint_error& found, std::string_view text) {
+  const bool is_too_large = found.code == io::mavlink::waypoint_errc::too_large;
+  const auto place = found.line == 0 ? std::string() : "line " + std::to_string(found.line);
+  const auto column = found.column.empty() ? std::string() : found.column + ": ";
+  return bounded({is_too_large ? document_errc::too_large : document_errc::syntax, {{place, column + found.what, {}}}},
+                 text);
+}
+
+std::optional<position> first_place(std::span<const vehicle_item> items) {
+  for (const auto& each : items)
+    if (each.frame != frame::mission && each.has_place())
+      return position{each.latitude(), each.longitude(), 0};
+  return std::nullopt;
+}
+
+} // namespace
+
+import_result import_waypoints(std::string_view text, const import_options& options) {
+  const auto lines = io::mavlink::read_waypoints(text);
+  if (!lines)
+    return tl::unexpected(conversion_error{error_of(lines.error(), text), {}});
+  std::vector<vehicle_item> all;
+  all.reserve(lines->size());
+  for (const auto& each : *lines)
+    all.push_back(read_item(each));
+  std::span<const vehicle_item> items = all;
+  loss_list losses;
+  import_context context;
+  document mission;
+  mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
+  if (!items.empty() && is_home(items.front())) {
+    const auto& home = items.front();
+    context = {vertex{home.latitude(), home.longitude()}, home.altitude_m(), false};
+    mission.return_point = {home.latitude(), home.longitude(), 0};
+    items = items.subspan(1);
+  } else if (const auto place = first_place(items); place && !options.return_point) {
+    losses.add({{}, "the home position", "the file has none", "the place of the first item"});
+    mission.return_point = *place;
+  }
+  if (options.return_point)
+    mission.return_point = *options.return_point;
+  item_importer importer(context, losses);
+  for (const auto& each : items)
+    importer.take(each);
+  mission.items = std::move(importer.items());
+  return finished(mission, std::move(losses), options, text);
+}
+
+} // namespace godwit::mission

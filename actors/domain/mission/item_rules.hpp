@@ -1,0 +1,24 @@
+// The rules of a list of items, which missions, assignments and tails share; see rules.hpp. Thread: pure.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "actors/domain/mission/error.hpp"
+#include "messages/mission/item.hpp"
+
+namespace godwit::mission {
+
+// Appends to PROBLEMS what is wrong with ITEMS, which stand at POINTER.
+void add_item_problems(std::span<const item> items, const std::string& pointer,
+                       std::vector<document_problem>& problems);
+
+// The same for one polygon.
+void add_polygon_problems(std::span<const vertex> corners, const std::string& pointer,
+                          std::vector<document_problem>& problems);
+
+// The same for the position of a return point.
+void add_position_problems(const position& place, const std::string& pointer, std::vector<document_problem>& problems);
+
+} // namespace godwit::mission

@@ -1,0 +1,47 @@
+// What the service answers that is no mission: what became of a batch, and what went wrong (RFC 9457). Thread: plain
+// values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::mission {
+
+struct receipt {
+  std::uint32_t stored = 0;   // rows that were not there before
+  std::uint32_t repeated = 0; // rows that were there already
+
+  static constexpr auto fields =
+      io::table("mission.receipt", io::field("stored", &receipt::stored), io::field("repeated", &receipt::repeated));
+  friend bool operator==(const receipt&, const receipt&) = default;
+};
+
+struct wrong_place {
+  std::string pointer; // JSON pointer (RFC 6901) into the body that was sent
+  std::string detail;
+
+  static constexpr auto fields = io::table("mission.wrong_place", io::field("pointer", &wrong_place::pointer),
+                                           io::field("detail", &wrong_place::detail));
+  friend bool operator==(const wrong_place&, const wrong_place&) = default;
+};
+
+struct problem {
+  std::optional<std::string> type;
+  std::string title;
+  std::int32_t status = 0; // as the HTTP status
+  std::optional<std::string> detail;
+  std::optional<std::string> instance;
+  std::vector<wrong_place> errors;
+
+  static constexpr auto fields =
+      io::table("mission.problem", io::field("type", &problem::type), io::field("title", &problem::title),
+                io::field("status", &problem::status), io::field("detail", &problem::detail),
+                io::field("instance", &problem::instance), io::field("errors", &problem::errors));
+  friend bool operator==(const problem&, const problem&) = default;
+};
+
+} // namespace godwit::mission

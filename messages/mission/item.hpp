@@ -1,0 +1,116 @@
+// One step of a mission: a variant, whose JSON form is the object of the alternative with its `kind` in it.
+//
+//   {"id": "w1", "kind": "waypoint", "at": {...}, "hold_s": 0, "accept_radius_m": 2}
+//
+// One item becomes none, one or several items on the vehicle. Angles are degrees clockwise from north, altitudes metres
+// above the place of take-off, speeds metres a second: over ground, for fixed wings through the air. What may stand in
+// a field is the business of config/schemas/item.schema.json. Thread: plain values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "messages/mission/place.hpp"
+
+namespace godwit::mission {
+
+// Straight up from where the vehicle stands.
+struct takeoff {
+  std::string id;
+  double altitude_m = 0;
+
+  static constexpr std::string_view kind = "takeoff";
+  static constexpr auto fields =
+      io::table("mission.takeoff", io::field("id", &takeoff::id), io::field("altitude_m", &takeoff::altitude_m));
+  friend bool operator==(const takeoff&, const takeoff&) = default;
+};
+
+struct waypoint {
+  std::string id;
+  position at;
+  double hold_s = 0;               // after arriving
+  double accept_radius_m = 0;      // 0: the vehicle's own
+  std::optional<double> speed_mps; // from this leg on, as a change_speed in front of it
+
+  static constexpr std::string_view kind = "waypoint";
+  static constexpr auto fields =
+      io::table("mission.waypoint", io::field("id", &waypoint::id), io::field("at", &waypoint::at),
+                io::field("hold_s", &waypoint::hold_s), io::field("accept_radius_m", &waypoint::accept_radius_m),
+                io::field("speed_mps", &waypoint::speed_mps));
+  friend bool operator==(const waypoint&, const waypoint&) = default;
+};
+
+// Circle there, or hover, for a while.
+struct loiter {
+  std::string id;
+  position at;
+  double radius_m = 0; // negative: counter-clockwise; 0: the vehicle's own
+  double duration_s = 0;
+
+  static constexpr std::string_view kind = "loiter";
+  static constexpr auto fields =
+      io::table("mission.loiter", io::field("id", &loiter::id), io::field("at", &loiter::at),
+                io::field("radius_m", &loiter::radius_m), io::field("duration_s", &loiter::duration_s));
+  friend bool operator==(const loiter&, const loiter&) = default;
+};
+
+// From here on, until another speed is asked for.
+struct change_speed {
+  std::string id;
+  double mps = 0;
+
+  static constexpr std::string_view kind = "change_speed";
+  static constexpr auto fields =
+      io::table("mission.change_speed", io::field("id", &change_speed::id), io::field("mps", &change_speed::mps));
+  friend bool operator==(const change_speed&, const change_speed&) = default;
+};
+
+// Parallel lines over an area.
+struct survey {
+  std::string id;
+  std::vector<vertex> polygon;
+  double altitude_m = 0;
+  double line_spacing_m = 0;
+  std::optional<double> heading_deg; // of the lines; absent: whoever plans the flight chooses
+
+  static constexpr std::string_view kind = "survey";
+  static constexpr auto fields =
+      io::table("mission.survey", io::field("id", &survey::id), io::field("polygon", &survey::polygon),
+                io::field("altitude_m", &survey::altitude_m), io::field("line_spacing_m", &survey::line_spacing_m),
+                io::field("heading_deg", &survey::heading_deg));
+  friend bool operator==(const survey&, const survey&) = default;
+};
+
+struct land {
+  std::string id;
+  position at;
+
+  static constexpr std::string_view kind = "land";
+  static constexpr auto fields = io::table("mission.land", io::field("id", &land::id), io::field("at", &land::at));
+  friend bool operator==(const land&, const land&) = default;
+};
+
+// To the return point, and land there. Its kind is "return".
+struct return_home {
+  std::string id;
+
+  static constexpr std::string_view kind = "return";
+  static constexpr auto fields = io::table("mission.return", io::field("id", &return_home::id));
+  friend bool operator==(const return_home&, const return_home&) = default;
+};
+
+using item = std::variant<takeoff, waypoint, loiter, change_speed, survey, land, return_home>;
+
+[[nodiscard]] inline const std::string& id_of(const item& each) {
+  return std::visit([](const auto& value) -> const std::string& { return value.id; }, each);
+}
+
+[[nodiscard]] inline std::string_view kind_of(const item& each) {
+  return std::visit([]<class T>(const T&) { return T::kind; }, each);
+}
+
+} // namespace godwit::mission

@@ -1,0 +1,126 @@
+#include "actors/domain/mission/convert/convert.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "actors/domain/mission/write.hpp"
+#include "tests/actors/domain/mission/mission_maker.hpp"
+#include "tests/actors/domain/mission/sample_files.hpp"
+
+namespace godwit::mission {
+namespace {
+
+TEST(convert, the_format_is_known_by_the_ending_of_the_name) {
+  EXPECT_EQ(format_of_name("a/b.plan"), mission_format::plan);
+  EXPECT_EQ(format_of_name("b.geojson"), mission_format::geojson);
+  EXPECT_EQ(format_of_name("b.json"), mission_format::json);
+  EXPECT_EQ(format_of_name("b.waypoints"), mission_format::waypoints);
+  EXPECT_EQ(format_of_name("B.PLAN"), mission_format::plan);
+  EXPECT_EQ(format_of_name("b.kml"), std::nullopt);
+  EXPECT_EQ(format_of_name("plan"), std::nullopt);
+}
+
+TEST(convert, a_plan_goes_through_our_format_and_back_without_a_change) {
+  const auto ours = convert(sample_file("survey.plan"), mission_format::plan, mission_format::json);
+  ASSERT_TRUE(ours.has_value()) << ours.error().message();
+  const auto plan = convert(ours->text, mission_format::json, mission_format::plan);
+  ASSERT_TRUE(plan.has_value()) << plan.error().message();
+  const auto id = import_mission(ours->text, mission_format::json)->mission.mission_id;
+  const auto again = convert(plan->text, mission_format::plan, mission_format::json, {false, id, {}});
+  ASSERT_TRUE(again.has_value()) << again.error().message();
+  EXPECT_EQ(again->text, ours->text);
+}
+
+TEST(convert, what_is_lost_on_either_way_is_an_error_unless_it_is_allowed) {
+  const auto refused = convert(sample_file("every_kind.json"), mission_format::json, mission_format::waypoints);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().message(), "the document can only be taken over in part: 3 losses\n"
+                                       "item 3: the survey; a file of lines has no patterns; instead: left out\n"
+                                       "geofence 0; a file of lines has no fences; instead: left out\n"
+                                       "geofence 1; a file of lines has no fences; instead: left out");
+  const auto allowed =
+      convert(sample_file("ardupilot.plan"), mission_format::plan, mission_format::waypoints, {true, {}, {}});
+  ASSERT_TRUE(allowed.has_value());
+  EXPECT_EQ(allowed->losses.all.size(), 5U);
+}
+
+TEST(convert, heights_of_fences_have_no_place_in_a_plan) {
+  const auto refused = convert(sample_file("every_kind.json"), mission_format::json, mission_format::plan);
+  EXPECT_EQ(refused.error().losses.message(),
+            "geofence 0: floor and ceiling; the fences of a plan have no heights; instead: left out");
+}
+
+TEST(convert, latitude_0_and_longitude_0_can_not_be_said_to_a_vehicle) {
+  document mission;
+  mission.items = {waypoint{"w", {0, 0, 20}, 0, 0, {}}, land{"l", {0, 1, 0}}};
+  const auto expected = "item 0: NAV_WAYPOINT: place 0/0; vehicles take it for no place; instead: written all the same";
+  EXPECT_EQ(export_mission(mission, mission_format::plan).losses.message(), expected);
+  EXPECT_EQ(export_mission(mission, mission_format::waypoints).losses.message(), expected);
+}
+
+TEST(convert, the_list_of_losses_is_bounded_and_says_that_there_are_more) {
+  loss_list losses;
+  for (std::size_t i = 0; i < max_losses + 5; ++i)
+    losses.add({i, "a", "b", "c"});
+  EXPECT_EQ(losses.all.size(), max_losses);
+  EXPECT_TRUE(losses.message().ends_with("and 5 further losses"));
+}
+
+// What a plan can say: no heights of fences and of home, a speed as an item of its own, a survey with a heading, no
+// change of ids.
+document plan_like(document mission) {
+  mission.return_point.altitude_m = 0;
+  mission.revision = 1;
+  for (auto& each : mission.geofences) {
+    each.floor_m.reset();
+    each.ceiling_m.reset();
+  }
+  for (auto& each : mission.items) {
+    if (auto* point = std::get_if<waypoint>(&each))
+      point->speed_mps.reset();
+    if (auto* area = std::get_if<survey>(&each))
+      area->heading_deg = area->heading_deg.value_or(0);
+  }
+  return mission;
+}
+
+RC_GTEST_PROP(convert_property, a_mission_that_a_plan_can_say_comes_back_from_it, ()) {
+  const auto mission = plan_like(mission_maker(*rc::gen::arbitrary<std::uint64_t>()).mission());
+  const auto plan = export_mission(mission, mission_format::plan);
+  RC_ASSERT(plan.losses.empty());
+  const auto again = import_mission(plan.text, mission_format::plan, {false, mission.mission_id, {}});
+  if (!again)
+    RC_FAIL(again.error().message());
+  auto expected = mission;
+  for (auto& each : expected.items) // an angle may change its last digit on its way
+    if (auto* area = std::get_if<survey>(&each)) {
+      const auto& found =
+          std::get<survey>(again->mission.items.at(static_cast<std::size_t>(&each - expected.items.data())));
+      RC_ASSERT(std::abs(*found.heading_deg - *area->heading_deg) < 1e-9);
+      area->heading_deg = found.heading_deg;
+    }
+  RC_ASSERT(again->mission == expected);
+}
+
+RC_GTEST_PROP(convert_property, our_format_comes_back_digit_for_digit, ()) {
+  const auto mission = mission_maker(*rc::gen::arbitrary<std::uint64_t>()).mission();
+  const auto text = export_mission(mission, mission_format::json).text;
+  RC_ASSERT(import_mission(text, mission_format::json).value().mission == mission);
+}
+
+RC_GTEST_PROP(convert_property, a_damaged_file_never_crashes_an_importer, ()) {
+  constexpr mission_format formats[] = {mission_format::json, mission_format::plan, mission_format::waypoints,
+                                        mission_format::geojson};
+  const auto mission = mission_maker(*rc::gen::arbitrary<std::uint64_t>()).mission(4);
+  for (const auto format : formats) {
+    auto text = export_mission(mission, format).text;
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
+      text[*rc::gen::inRange<std::size_t>(0, text.size())] = *rc::gen::arbitrary<char>();
+    const auto result = import_mission(text, format, {true, {}, {}});
+    if (!result)
+      RC_ASSERT(!result.error().message().empty());
+  }
+}
+
+} // namespace
+} // namespace godwit::mission

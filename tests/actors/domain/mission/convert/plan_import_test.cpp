@@ -1,0 +1,262 @@
+#include "actors/domain/mission/convert/plan_import.hpp"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "actors/domain/mission/rules.hpp"
+#include "tests/actors/domain/mission/sample_files.hpp"
+
+namespace godwit::mission {
+namespace {
+
+document whole(const std::string& name) {
+  const auto result = import_plan(sample_file(name));
+  EXPECT_TRUE(result.has_value()) << result.error().message();
+  return result ? result->mission : document{};
+}
+
+// What is taken when losses are allowed; that they are not allowed by default is looked at on the way.
+imported partial(const std::string& name) {
+  const auto refused = import_plan(sample_file(name));
+  EXPECT_FALSE(refused.has_value()) << name;
+  EXPECT_TRUE(!refused && refused.error().error.code == document_errc::lossy) << name;
+  const auto result = import_plan(sample_file(name), {true, {}, {}});
+  EXPECT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_TRUE(!refused && result && refused.error().losses.all == result->losses.all) << name;
+  return result ? *result : imported{};
+}
+
+conversion_error refused(const std::string& name) {
+  const auto result = import_plan(sample_file(name), {true, {}, {}});
+  return result ? conversion_error{} : result.error();
+}
+
+std::string kinds(const document& mission) {
+  std::string text;
+  for (const auto& each : mission.items)
+    text += (text.empty() ? "" : " ") + std::string(kind_of(each));
+  return text;
+}
+
+TEST(plan_import, a_simple_plan_is_taken_whole) {
+  const auto mission = whole("simple.plan");
+  EXPECT_EQ(kinds(mission), "takeoff change_speed waypoint waypoint loiter waypoint return");
+  EXPECT_EQ(mission.return_point, (position{47.3977419, 8.5455938, 0}));
+  EXPECT_EQ(std::get<takeoff>(mission.items[0]).altitude_m, 50);
+  EXPECT_EQ(std::get<waypoint>(mission.items[3]), (waypoint{"item-4", {47.3991, 8.5472, 60}, 5, 3, {}}));
+  EXPECT_EQ(std::get<loiter>(mission.items[4]), (loiter{"item-5", {47.3987, 8.5481, 55}, 25, 30}));
+}
+
+TEST(plan_import, the_same_file_always_gets_the_same_id_unless_one_is_given) {
+  const auto text = sample_file("simple.plan");
+  EXPECT_EQ(import_plan(text)->mission.mission_id, import_plan(text)->mission.mission_id);
+  EXPECT_NE(import_plan(text)->mission.mission_id, import_plan(text + ' ')->mission.mission_id);
+  const std::string id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  EXPECT_EQ(import_plan(text, {false, id, {}})->mission.mission_id, id);
+  EXPECT_EQ(import_plan(text, {false, "x", {}}).error().error.code, document_errc::wrong_form);
+}
+
+TEST(plan_import, null_is_not_given_and_a_landing_without_a_place_is_where_the_item_before_it_was) {
+  const auto mission = whole("null_params.plan");
+  EXPECT_EQ(kinds(mission), "takeoff waypoint land");
+  EXPECT_EQ(std::get<land>(mission.items[2]).at, (position{47.3985, 8.5465, 0}));
+}
+
+TEST(plan_import, four_params_and_a_coordinate_are_seven_params_and_old_fences_without_content_are_no_loss) {
+  const auto result = partial("section.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff waypoint waypoint waypoint");
+  EXPECT_EQ(std::get<waypoint>(result.mission.items[2]), (waypoint{"item-3", {47.3989, 8.5487, 20}, 0, 0, {}}));
+  EXPECT_EQ(result.losses.message(),
+            "item 3: DO_MOUNT_CONTROL: the item; a mission has no commands for cameras and gimbals; instead: left out");
+}
+
+TEST(plan_import, an_old_fence_with_something_in_it_is_a_loss) {
+  auto plan = nlohmann::json::parse(sample_file("simple.plan"));
+  plan["geoFence"] = {{"version", 1}, {"polygon", {{47.1, 8.1}, {47.2, 8.1}, {47.2, 8.2}}}};
+  EXPECT_EQ(import_plan(plan.dump()).error().losses.message(),
+            "fence of version 1; its form is not known; instead: left out");
+}
+
+TEST(plan_import, a_plan_that_is_only_a_fence_is_no_mission) {
+  auto plan = nlohmann::json::parse(sample_file("fence.plan"));
+  plan["mission"]["items"] = nlohmann::json::array();
+  EXPECT_EQ(import_plan(plan.dump()).error().message(),
+            "/items is a list of 0; allowed: a list of at least 1 of at most 10000 entries");
+}
+
+TEST(plan_import, a_survey_at_one_height_becomes_a_survey) {
+  const auto mission = whole("survey.plan");
+  ASSERT_EQ(kinds(mission), "takeoff survey return");
+  const auto& area = std::get<survey>(mission.items[1]);
+  EXPECT_EQ(area.polygon.size(), 4U);
+  EXPECT_EQ(area.altitude_m, 50);
+  EXPECT_EQ(area.line_spacing_m, 25);
+  EXPECT_EQ(area.heading_deg, 30);
+}
+
+TEST(plan_import, camera_triggers_and_turns_of_a_survey_are_losses) {
+  const auto result = partial("survey_camera.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff survey return");
+  EXPECT_EQ(std::get<survey>(result.mission.items[1]).heading_deg, 315);
+  EXPECT_EQ(result.losses.message(),
+            "item 1: survey: camera triggers; a mission has no commands for cameras and gimbals; instead: left out\n"
+            "item 1: survey: turns 10 m outside of the area; the lines of a mission's survey end at its edge; instead: "
+            "left out\n"
+            "item 1: survey: every other line first; a mission leaves the order to whoever plans the flight; instead: "
+            "left out");
+}
+
+TEST(plan_import, a_survey_that_can_not_be_one_becomes_the_lines_that_were_laid) {
+  const auto result = partial("survey_crossing.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff waypoint waypoint waypoint waypoint return");
+  EXPECT_EQ(
+      result.losses.message(),
+      "item 1: survey: its area; its area has edges 0 and 2 that cross or touch; instead: its lines as waypoints");
+}
+
+TEST(plan_import, heights_above_terrain_are_not_guessed) {
+  const auto result = partial("survey_terrain.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff waypoint return");
+  EXPECT_EQ(result.losses.all.size(), 5U);
+  EXPECT_EQ(result.losses.all.at(1).message(),
+            "item 1: NAV_WAYPOINT: altitude in frame 10; a mission counts from the place of take-off; instead: left "
+            "out");
+}
+
+TEST(plan_import, a_corridor_becomes_its_lines) {
+  EXPECT_EQ(kinds(whole("corridor.plan")), "takeoff waypoint waypoint waypoint waypoint return");
+}
+
+TEST(plan_import, a_structure_scan_is_left_out) {
+  const auto result = partial("structure.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff return");
+  EXPECT_EQ(result.losses.message(),
+            "item 1: the pattern \"StructureScan\"; a mission has no counterpart of it; instead: left out");
+}
+
+TEST(plan_import, a_landing_pattern_becomes_approach_and_landing) {
+  const auto result = partial("landing_pattern.plan");
+  ASSERT_EQ(kinds(result.mission), "takeoff waypoint waypoint land");
+  EXPECT_EQ(std::get<waypoint>(result.mission.items[2]).at, (position{47.3979, 8.5520, 40}));
+  EXPECT_EQ(std::get<land>(result.mission.items[3]).at, (position{47.3979, 8.5460, 0}));
+  EXPECT_EQ(result.losses.message(),
+            "item 0: NAV_TAKEOFF: pitch of 15; a take-off of a mission goes straight up; instead: left out\n"
+            "item 0: NAV_TAKEOFF: climb towards a place away from home; a take-off of a mission goes straight up; "
+            "instead: straight up\n"
+            "item 2: landing pattern: its start mark; a mission has no marks for landings; instead: left out\n"
+            "item 2: landing pattern: circle of 75 m down; no item of a mission changes the height in circles; "
+            "instead: a waypoint in its middle\n"
+            "item 2: landing pattern: end of pictures; a mission has no commands for cameras and gimbals; instead: "
+            "left out");
+  EXPECT_EQ(kinds(partial("vtol_landing.plan").mission), "takeoff waypoint waypoint land");
+}
+
+TEST(plan_import, what_ardupilot_plans_hold_beyond_a_mission_is_listed_item_by_item) {
+  const auto result = partial("ardupilot.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff waypoint waypoint waypoint return");
+  EXPECT_EQ(result.losses.message(),
+            "item 0: NAV_TAKEOFF: pitch of 15; a take-off of a mission goes straight up; instead: left out\n"
+            "item 1: DO_MOUNT_CONTROL: the item; a mission has no commands for cameras and gimbals; instead: left out\n"
+            "item 3: DO_SET_ROI_LOCATION: the item; a mission has no commands for cameras and gimbals; instead: left "
+            "out\n"
+            "item 5: DO_SET_CAM_TRIGG_DIST: the item; a mission has no commands for cameras and gimbals; instead: left "
+            "out\n"
+            "item 7: DO_JUMP: the item; the items of a mission are flown once, in order; instead: left out");
+}
+
+TEST(plan_import, a_yaw_of_0_is_north_for_px4_and_none_for_ardupilot) {
+  auto plan = nlohmann::json::parse(sample_file("simple.plan"));
+  plan["mission"]["items"][2]["params"][3] = 0;
+  EXPECT_FALSE(import_plan(plan.dump()).has_value());
+  plan["mission"]["firmwareType"] = 3;
+  EXPECT_TRUE(import_plan(plan.dump()).has_value());
+}
+
+TEST(plan_import, fences_of_polygons_are_taken_whole) {
+  const auto mission = whole("fence.plan");
+  ASSERT_EQ(mission.geofences.size(), 2U);
+  EXPECT_EQ(mission.geofences[0].kind, fence_kind::inclusion);
+  EXPECT_EQ(mission.geofences[1].kind, fence_kind::exclusion);
+  EXPECT_EQ(mission.geofences[1].vertices[2], (vertex{47.3995, 8.5510}));
+}
+
+TEST(plan_import, circles_breach_points_and_rally_points_are_losses) {
+  const auto result = partial("fence_rally.plan");
+  ASSERT_EQ(result.mission.geofences.size(), 2U);
+  EXPECT_EQ(result.mission.geofences[1].vertices.size(), 32U);
+  EXPECT_EQ(result.losses.message(),
+            "fence: point to return to after a breach; a mission returns to one point; instead: left out\n"
+            "fence: circle of 80 m; a mission's fences are polygons; instead: a polygon with 32 corners around it\n"
+            "rally point 0; a mission returns to one point; instead: left out\n"
+            "rally point 1; a mission returns to one point; instead: left out");
+}
+
+TEST(plan_import, altitudes_above_sea_level_are_turned_into_heights_only_when_losses_are_allowed) {
+  const auto result = partial("every_frame.plan");
+  EXPECT_EQ(kinds(result.mission), "takeoff waypoint waypoint waypoint waypoint return");
+  EXPECT_NEAR(std::get<waypoint>(result.mission.items[1]).at.altitude_m, 50, 1e-6);
+  EXPECT_EQ(result.losses.all.size(), 13U); // of 15 frames, 3 and 6 are ours
+}
+
+TEST(plan_import, properties_that_are_not_known_are_losses) {
+  EXPECT_EQ(partial("unknown_properties.plan").losses.message(),
+            "property \"/weather\"; the importer does not know it; instead: left out\n"
+            "item 1: property \"/mission/items/1/terrainMargin\"; the importer does not know it; instead: left out");
+}
+
+TEST(plan_import, another_version_is_refused_with_the_version_that_is_known) {
+  EXPECT_EQ(refused("other_version.plan").message(), "/version is 2; allowed: 1");
+  EXPECT_EQ(refused("other_mission_version.plan").message(), "/mission/version is 1; allowed: 2");
+  EXPECT_EQ(refused("old_items.plan").message(),
+            "/mission/items/1 is an item of the first form (param1 to param4); allowed: params as a list");
+  EXPECT_EQ(refused("old_mission_file.json").message(),
+            "the document is a mission file of an older QGroundControl; allowed: a plan: open it there and save it "
+            "again");
+}
+
+TEST(plan_import, broken_plans_are_refused_with_each_place) {
+  EXPECT_EQ(refused("no_plan.plan").message(), "/fileType is not \"Plan\"; allowed: a plan of QGroundControl");
+  EXPECT_EQ(refused("cut_off.plan").error.code, document_errc::syntax);
+  EXPECT_EQ(refused("no_items.plan").message(),
+            "/items is a list of 0; allowed: a list of at least 1 of at most 10000 entries");
+  EXPECT_EQ(refused("off_earth.plan").message(), "/items/1/at/latitude is 95; allowed: a number from -90 up to 90");
+  EXPECT_EQ(refused("wrong_types.plan").message(),
+            "/mission/plannedHomePosition is no place; allowed: [latitude, longitude] or [latitude, longitude, "
+            "altitude]\n"
+            "/mission/items/0/command is of another type; allowed: a whole number up to 65535\n"
+            "/mission/items/1 has 3 params; allowed: 7, or 4 and a coordinate of 3\n"
+            "/mission/items/2 has the type \"Item\"; allowed: \"SimpleItem\" or \"ComplexItem\"\n"
+            "/mission/items/3/params/2 is of another type; allowed: a number or null");
+}
+
+TEST(plan_import, every_sample_is_taken_or_refused_with_a_reason) {
+  std::size_t samples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(GODWIT_TEST_DATA) + "/missions")) {
+    if (entry.path().extension() != ".plan")
+      continue;
+    ++samples;
+    const auto result = import_plan(sample_file(entry.path().filename()), {true, {}, {}});
+    if (result)
+      EXPECT_TRUE(broken_rules(result->mission).empty()) << entry.path();
+    else
+      EXPECT_FALSE(result.error().message().empty()) << entry.path();
+  }
+  EXPECT_GE(samples, 20U);
+}
+
+TEST(plan_import, lists_are_bounded) {
+  auto plan = nlohmann::json::parse(sample_file("simple.plan"));
+  plan["mission"]["items"] = nlohmann::json::array();
+  for (int i = 0; i <= 20'000; ++i)
+    plan["mission"]["items"].push_back(i);
+  EXPECT_EQ(import_plan(plan.dump()).error().message(), "/mission/items is a list of 20001; allowed: up to 20000");
+}
+
+TEST(plan_import, nesting_is_bounded_however_deep_it_is) {
+  EXPECT_FALSE(import_plan(R"({"fileType":)" + std::string(500'000, '[')).has_value());
+}
+
+} // namespace
+} // namespace godwit::mission

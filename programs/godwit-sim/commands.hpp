@@ -6,7 +6,8 @@
 namespace godwit::sim {
 
 [[nodiscard]] command add_vehicle_command(CLI::App& to);
+[[nodiscard]] command add_missions_command(CLI::App& to);
 
-inline constexpr add_command all_commands[] = {add_vehicle_command};
+inline constexpr add_command all_commands[] = {add_vehicle_command, add_missions_command};
 
 } // namespace godwit::sim

@@ -1,0 +1,48 @@
+#include "programs/godwit-sim/missions/assignment_table.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "actors/domain/mission/write.hpp"
+#include "io/fields/json_value.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::sim::missions {
+
+using io::sqlite::statement;
+
+void add_assignment(service_file& file, const std::string& mission_id, const mission::assignment& what) {
+  file.run("INSERT INTO assignments(assignment_id, mission_id, revision, text) VALUES (?1, ?2, ?3, ?4)",
+           what.assignment_id, mission_id, what.revision, mission::to_text(what));
+  file.run("UPDATE missions SET last_revision = ?2 WHERE mission_id = ?1", mission_id, what.revision);
+}
+
+std::optional<assignment_row> find_assignment(service_file& file, const std::string& mission_id,
+                                              const std::string& assignment_id) {
+  return file.first_row(
+      "SELECT text, outcome FROM assignments WHERE mission_id = ?1 AND assignment_id = ?2",
+      [](const statement& row) {
+        assignment_row found;
+        const auto json = nlohmann::json::parse(row.text(0), nullptr, false);
+        GODWIT_ASSERT(io::read_json(json, found.what).has_value(), "the assignment in the file is one");
+        if (!row.is_null(1))
+          found.outcome = io::value_of<mission::assignment_outcome>(row.text(1));
+        return found;
+      },
+      mission_id, assignment_id);
+}
+
+void set_outcome(service_file& file, const std::string& assignment_id, mission::assignment_outcome outcome) {
+  file.run("UPDATE assignments SET outcome = ?2 WHERE assignment_id = ?1", assignment_id, io::name_of(outcome));
+}
+
+std::string assignments_after(service_file& file, const std::string& mission_id, std::int64_t after) {
+  std::string list;
+  file.each_row(
+      "SELECT text FROM assignments WHERE mission_id = ?1 AND revision > ?2 AND outcome IS NOT 'rejected' "
+      "ORDER BY revision LIMIT ?3",
+      [&](const statement& row) { list.append(list.empty() ? "" : ",").append(row.text(0)); }, mission_id, after,
+      max_assignments_in_answer);
+  return list.empty() ? list : R"({"assignments":[)" + list + "]}";
+}
+
+} // namespace godwit::sim::missions

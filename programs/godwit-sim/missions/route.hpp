@@ -1,0 +1,47 @@
+// Which call of the contract a request is, and what its target says.
+//
+// Errors: a status and a sentence: 404 for a path that there is not, 405 with what is allowed there, 400 for a query
+// that the call does not know. Thread: pure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "programs/godwit-sim/missions/endpoint.hpp"
+
+namespace godwit::sim::missions {
+
+inline constexpr std::size_t max_target_bytes = 2048; // ids and a `next` of 1,024 characters
+inline constexpr std::uint64_t default_page_rows = 1000;
+inline constexpr std::uint64_t max_page_rows = 2000;
+inline constexpr std::uint64_t default_wait_s = 30;
+inline constexpr std::uint64_t max_wait_s = 60;
+
+struct route {
+  endpoint where = endpoint::none;
+  std::string path; // without the query
+  std::string mission_id;
+  std::string assignment_id; // of post_response
+  std::string next;          // of pages; empty: the first one
+  std::uint64_t limit = default_page_rows;
+  std::int64_t after = 0; // revision; of get_assignments
+  std::uint64_t wait_s = default_wait_s;
+};
+
+struct route_error {
+  unsigned status = 404;
+  std::string sentence;
+  std::string allow; // with 405: "GET, POST"
+  endpoint where = endpoint::none;
+};
+
+[[nodiscard]] tl::expected<route, route_error> route_of(std::string_view verb, std::string_view target);
+
+// What the body of a request may have, as far as its verb and path say: more is a 413.
+[[nodiscard]] std::size_t max_body_bytes(std::string_view verb, std::string_view target);
+
+} // namespace godwit::sim::missions

@@ -1,0 +1,33 @@
+// What vehicles deliver, and how its rows are called apart. Thread: values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::sim::missions {
+
+enum class row_kind {
+  observation,  // observation_id
+  ignored_item, // ignored_id
+  progress,     // report_no
+  change,       // an insert or a tail: its idempotency key
+  response,     // to an assignment: assignment_id
+};
+
+constexpr auto enum_names(row_kind) {
+  return io::names<row_kind>({{row_kind::observation, "observation"},
+                              {row_kind::ignored_item, "ignored_item"},
+                              {row_kind::progress, "progress"},
+                              {row_kind::change, "change"},
+                              {row_kind::response, "response"}});
+}
+
+struct stored_row {
+  std::string id;
+  std::string text;             // JSON
+  std::uint64_t deliveries = 1; // in requests with different keys; the row itself is there once
+};
+
+} // namespace godwit::sim::missions

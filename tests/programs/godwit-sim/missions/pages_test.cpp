@@ -1,0 +1,111 @@
+#include "programs/godwit-sim/missions/pages.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "actors/domain/mission/read.hpp"
+#include "actors/domain/mission/write.hpp"
+#include "programs/godwit-sim/missions/desk.hpp"
+#include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
+
+namespace godwit::sim::missions {
+namespace {
+
+std::vector<mission::map_object> objects(std::uint64_t first, std::uint64_t last) {
+  std::vector<mission::map_object> all;
+  for (auto number = first; number <= last; ++number)
+    all.push_back(map_object(number));
+  return all;
+}
+
+mission::map_object_page page_of(judged_service& service, const std::string& query) {
+  const auto given = service.ask(get("/mapobjects" + query));
+  EXPECT_EQ(given.status, 200U) << given.body;
+  return mission::read<mission::map_object_page>(given.body).value_or(mission::map_object_page{});
+}
+
+TEST(missions_pages, a_place_reads_back_and_what_is_none_is_refused) {
+  const page_place place{3, 1000, 100'000};
+  EXPECT_EQ(parse_page_place(text_of(place)), place);
+  for (const auto* text : {"", "1", "1-2", "1-2-", "1-2-3-4", "a-2-3", "1--2-3", " 1-2-3", "99999999999999999999-1-2"})
+    EXPECT_FALSE(parse_page_place(text)) << text;
+}
+
+void expect_each_once(judged_service& service, std::size_t limit, std::size_t count) {
+  std::set<std::string> seen;
+  std::size_t rows = 0;
+  const auto query = "?limit=" + std::to_string(limit);
+  auto page = page_of(service, query);
+  for (;;) {
+    EXPECT_LE(page.map_objects.size(), limit);
+    rows += page.map_objects.size();
+    for (const auto& each : page.map_objects)
+      seen.insert(each.object_id);
+    if (!page.next)
+      break;
+    page = page_of(service, query + "&next=" + *page.next);
+  }
+  EXPECT_EQ(rows, count);
+  EXPECT_EQ(seen.size(), count);
+}
+
+TEST(missions_pages, all_pages_together_have_each_object_once) {
+  judged_service service;
+  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 3)));
+  for (const auto limit : {1U, 2U, 3U, 4U})
+    expect_each_once(service, limit, 3);
+  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 2500)));
+  for (const auto limit : {999U, 1000U, 2000U})
+    expect_each_once(service, limit, 2500);
+}
+
+TEST(missions_pages, a_page_has_a_thousand_rows_unless_asked_otherwise_and_an_empty_map_is_one_page) {
+  judged_service service;
+  EXPECT_EQ(page_of(service, ""), (mission::map_object_page{"1.0.0", {}, {}}));
+  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 1001)));
+  EXPECT_EQ(page_of(service, "").map_objects.size(), 1000U);
+}
+
+TEST(missions_pages, what_comes_while_somebody_pulls_is_not_in_his_pages) {
+  judged_service service;
+  std::vector<mission::ignored_item> items;
+  for (std::uint64_t number = 1; number <= 10; ++number)
+    items.push_back(ignored_item(number));
+  ASSERT_TRUE(desk::add_ignored_items(service.file(), mission_id, items));
+  const auto first = mission::read<mission::ignored_item_page>(service.ask(get("/mapobjects/ignored?limit=6")).body);
+  const mission::ignored_item_batch batch{uuid(50), {ignored_item(11)}};
+  EXPECT_EQ(service.ask(post("/mapobjects/ignored", mission::to_text(batch))).status, 200U);
+  service.restart();
+  const auto second = mission::read<mission::ignored_item_page>(
+      service.ask(get("/mapobjects/ignored?limit=6&next=" + first->next.value())).body);
+  EXPECT_EQ(second->ignored_items.size(), 4U);
+  EXPECT_FALSE(second->next);
+  const auto all = mission::read<mission::ignored_item_page>(service.ask(get("/mapobjects/ignored")).body);
+  EXPECT_EQ(all->ignored_items.size(), 11U);
+}
+
+TEST(missions_pages, a_next_that_is_not_known_any_more_is_400) {
+  judged_service service;
+  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 20)));
+  const auto old = page_of(service, "?limit=10").next.value();
+  EXPECT_EQ(page_of(service, "?limit=10&next=" + old).map_objects.size(), 10U);
+  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(5, 30)));
+  for (const auto& next : {old, std::string("nonsense"), std::string("0-0-999999"), std::string(1025, '1')})
+    EXPECT_EQ(service.ask(get("/mapobjects?next=" + next)).status, 400U) << next;
+}
+
+TEST(missions_pages, a_page_has_no_more_bytes_than_a_vehicle_takes) {
+  judged_service service;
+  auto wide = objects(1, 2000);
+  for (auto& each : wide)
+    each.class_group = std::string(64, '"') + std::string(900, 'x'); // longer than any schema allows
+  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, wide));
+  const auto row = find_mission(service.file(), mission_id).value();
+  const auto body = page(service.file(), row, page_kind::map_objects, {}, 2000);
+  EXPECT_LE(body->size(), mission::max_page_bytes);
+  EXPECT_NE(body->find("\"next\""), std::string::npos);
+}
+
+} // namespace
+} // namespace godwit::sim::missions

@@ -18,8 +18,8 @@ namespace godwit::io::http {
 
 inline constexpr std::size_t max_target_bytes = 4 * 1024;
 inline constexpr std::size_t max_request_head_bytes = 16 * 1024; // besides the token
-// Requests that wait hold their bodies in memory, so a long list is sent in parts.
-inline constexpr std::size_t max_request_body_bytes = 2 * 1024 * 1024;
+// Requests that wait hold their bodies in memory, so a long list is sent in parts; the longest mission fits.
+inline constexpr std::size_t max_request_body_bytes = 16 * 1024 * 1024;
 
 [[nodiscard]] result<void> check_request(const request& asked, const destination& to);
 

@@ -52,6 +52,10 @@ void statement::reset() {
 
 std::int64_t statement::integer(int column) const { return sqlite3_column_int64(handle_.get(), column); }
 
+double statement::real(int column) const { return sqlite3_column_double(handle_.get(), column); }
+
+bool statement::is_null(int column) const { return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL; }
+
 std::string statement::text(int column) const {
   const auto* data = reinterpret_cast<const char*>(sqlite3_column_text(handle_.get(), column));
   if (data == nullptr)

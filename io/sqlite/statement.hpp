@@ -43,7 +43,9 @@ public:
   void reset();
 
   [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] bool is_null(int column) const;
   [[nodiscard]] int parameter_count() const;
   [[nodiscard]] bool changes_data() const; // false for queries and for BEGIN, COMMIT and the like
   [[nodiscard]] std::string sql() const;

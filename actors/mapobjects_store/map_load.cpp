@@ -1,0 +1,150 @@
+#include "actors/mapobjects_store/map_load.hpp"
+
+#include <algorithm>
+
+#include "actors/domain/geo/hilbert.hpp"
+#include "actors/mapobjects_store/input_check.hpp"
+#include "actors/mapobjects_store/object_table.hpp"
+#include "messages/mapobjects_store/delivery.hpp"
+
+namespace godwit::mapobjects_store {
+
+namespace {
+
+map_result<std::int64_t> number_from(sql& q, const char* text) {
+  auto number = q.first(text, [](sql::row& row) { return row.integer(0); });
+  if (!number)
+    return tl::unexpected(std::move(number.error()));
+  return number->value_or(0);
+}
+
+// Everything up to this number has been delivered, or never will be.
+constexpr const char* delivered_observations =
+    "SELECT coalesce(min(number) - 1, (SELECT max(number) FROM observation), 0) FROM "
+    "(SELECT min(number) AS number FROM observation WHERE delivery = 'pending' "
+    "UNION ALL SELECT min(number) FROM observation WHERE batch IS NOT NULL)";
+constexpr const char* delivered_ignored_items =
+    "SELECT coalesce(min(number) - 1, (SELECT max(number) FROM ignored_item), 0) FROM "
+    "(SELECT min(number) AS number FROM ignored_item WHERE delivery = 'pending' "
+    "UNION ALL SELECT min(number) FROM ignored_item WHERE batch IS NOT NULL)";
+constexpr const char* next_object = "SELECT coalesce(max(number), 0) + 1 FROM loaded_object";
+
+map_result<void> put_object(map_tables& t, const map_object& object) {
+  if (auto sound = check(object); !sound)
+    return sound;
+  if (object.mission_id != t.load.mission_id)
+    return refused("object " + object.id + " is not of the mission that is loaded");
+  if (t.load.objects.size() >= max_load_objects)
+    return refused("a load has at most " + std::to_string(max_load_objects) + " objects");
+  const auto number = t.load.first_object + static_cast<std::int64_t>(t.load.objects.size());
+  t.load.objects.push_back({.id = bits_of(object.id),
+                            .number = number,
+                            .latitude_deg = object.position.latitude_deg,
+                            .longitude_deg = object.position.longitude_deg,
+                            .on_curve = geo::hilbert_place(point_of(object.position))});
+  return add_loaded(t.q, object, number);
+}
+
+map_result<void> put_ignored(map_tables& t, const ignored_item& given) {
+  const auto item = checked(given);
+  if (!item)
+    return tl::unexpected(item.error());
+  const auto twice = t.q.first(
+      "SELECT 1 FROM ignored_item WHERE generation = ? AND id = ?", [](sql::row&) { return true; }, t.load.generation,
+      item->id);
+  if (!twice)
+    return tl::unexpected(twice.error());
+  if (*twice)
+    return refused("ignored item " + item->id + " comes twice");
+  ++t.load.ignored_items;
+  return t.q.run("INSERT INTO ignored_item(id, generation, mission_id, mgrs_cell, class_group, since_ns, delivery) "
+                 "VALUES (?, ?, ?, ?, ?, ?, ?)",
+                 item->id, t.load.generation, item->mission_id, item->mgrs_cell, item->class_group, item->since_ns,
+                 delivery_state::delivered);
+}
+
+} // namespace
+
+map_result<std::int64_t> begin(map_tables& t, const begin_load& asked) {
+  if (auto sound = check_id(asked.mission_id, "mission_id"); !sound)
+    return tl::unexpected(std::move(sound.error()));
+  const auto observations = number_from(t.q, delivered_observations);
+  if (!observations)
+    return observations;
+  const auto ignored_items = number_from(t.q, delivered_ignored_items);
+  if (!ignored_items)
+    return ignored_items;
+  const auto first_object = number_from(t.q, next_object);
+  if (!first_object)
+    return first_object;
+  t.load.give_up();
+  t.load.generation = ++t.map.last_generation;
+  t.load.mission_id = asked.mission_id;
+  t.load.observation = *observations;
+  t.load.ignored_item = *ignored_items;
+  t.load.first_object = *first_object;
+  return save_map_row(t.q, t.map).map([&] { return t.load.generation; });
+}
+
+map_result<void> check_under_way(const map_tables& t, std::int64_t load) {
+  if (load == 0 || load != t.load.generation)
+    return tl::unexpected(
+        map_error{map_errc::load_given_up, "load " + std::to_string(load) + " is not under way", "Begin a new one"});
+  return {};
+}
+
+map_result<void> page_stage::check(map_tables& t) const {
+  const auto rows = page_.objects.size() + page_.ignored.size();
+  if (rows > max_page_rows)
+    return refused("a page has " + std::to_string(rows) + " rows, " + std::to_string(max_page_rows) + " are possible");
+  if (page_.number > t.load.next_page)
+    return refused("page " + std::to_string(page_.number) + " came, the next one is " +
+                   std::to_string(t.load.next_page));
+  return {};
+}
+
+// To what is committed of this page: the turn before this one may have been rolled back.
+void page_stage::go_back(load_progress& load) {
+  if (load_ == nullptr) {
+    load_ = &load;
+    objects_before_ = load.objects.size();
+    ignored_before_ = load.ignored_items;
+  }
+  const auto objects = std::min(next_row_, page_.objects.size());
+  load.objects.resize(objects_before_ + objects);
+  load.ignored_items = ignored_before_ + static_cast<std::int64_t>(next_row_ - objects);
+  staged_row_ = next_row_;
+}
+
+map_result<void> page_stage::put(map_tables& t, std::size_t row) {
+  const auto objects = page_.objects.size();
+  return row < objects ? put_object(t, page_.objects[row]) : put_ignored(t, page_.ignored[row - objects]);
+}
+
+map_result<bool> page_stage::stage(map_tables& t, turn& now) {
+  if (auto under_way = check_under_way(t, page_.load); !under_way)
+    return tl::unexpected(std::move(under_way.error()));
+  if (page_.number < t.load.next_page && load_ == nullptr)
+    return true;
+  if (auto possible = check(t); !possible)
+    return tl::unexpected(std::move(possible.error()));
+  go_back(t.load);
+  t.load.next_page = page_.number + 1; // the same again after a rollback
+  const auto rows = page_.objects.size() + page_.ignored.size();
+  while (staged_row_ < rows) {
+    if (auto done = put(t, staged_row_); !done)
+      return tl::unexpected(std::move(done.error()));
+    ++staged_row_;
+    if (now.over_after_row())
+      break;
+  }
+  return staged_row_ == rows;
+}
+
+void page_stage::finish(const map_result<void>& result) {
+  if (!result && load_ != nullptr && load_->generation == page_.load)
+    load_->give_up();
+  done_(result);
+}
+
+} // namespace godwit::mapobjects_store

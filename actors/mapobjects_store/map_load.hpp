@@ -1,0 +1,52 @@
+// A load replaces the map: pages are put beside what is shown, and the last step (load_finish.hpp) changes one row.
+// Until then everybody sees the old map, whole. One load at a time; a new one gives up the older one, whose rows are
+// then garbage.
+//
+// What this vehicle saw and has not delivered stays on the map across a load; so does what was delivered after the load
+// began, because its pages may not have it yet. Thread: the one of the database.
+#pragma once
+
+#include <functional>
+
+#include "actors/mapobjects_store/staged_work.hpp"
+#include "messages/mapobjects_store/load.hpp"
+
+namespace godwit::mapobjects_store {
+
+// Rows in one page; more is refused. Bounds the memory of a load beside that of its places.
+inline constexpr std::size_t max_page_rows = 5000;
+
+// The number of the load.
+[[nodiscard]] map_result<std::int64_t> begin(map_tables& t, const begin_load& asked);
+
+// A load that was given up, or never was, has no pages and no end.
+[[nodiscard]] map_result<void> check_under_way(const map_tables& t, std::int64_t load);
+
+// Puts a page beside the map, in turns. One that was put before is passed over, one that is not the next is refused. A
+// page that fails ends the load: the caller begins anew.
+class page_stage final : public staged_work {
+public:
+  using callback = std::function<void(const map_result<void>&)>;
+
+  page_stage(load_page page, callback done) : page_(std::move(page)), done_(std::move(done)) {}
+
+  [[nodiscard]] map_result<bool> stage(map_tables& t, turn& now) override;
+  void committed() override { next_row_ = staged_row_; }
+  [[nodiscard]] bool must_be_synced() const override { return false; } // a load does not outlive the process
+  void finish(const map_result<void>& result) override;
+
+private:
+  [[nodiscard]] map_result<void> check(map_tables& t) const;
+  void go_back(load_progress& load);
+  [[nodiscard]] map_result<void> put(map_tables& t, std::size_t row);
+
+  load_page page_;
+  callback done_;
+  load_progress* load_ = nullptr;  // once begun
+  std::size_t objects_before_ = 0; // in the load, without this page
+  std::int64_t ignored_before_ = 0;
+  std::size_t next_row_ = 0; // objects first, then ignored items; of those committed
+  std::size_t staged_row_ = 0;
+};
+
+} // namespace godwit::mapobjects_store

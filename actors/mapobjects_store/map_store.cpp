@@ -1,0 +1,142 @@
+#include "actors/mapobjects_store/map_store.hpp"
+
+#include <sqlite3.h>
+
+#include "actors/mapobjects_store/input_check.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::mapobjects_store {
+
+namespace {
+
+map_error lock_error(const std::string& path, const runtime::journal_error& error) {
+  if (error.code == runtime::journal_errc::locked)
+    return {map_errc::locked, "another process writes " + path + " (" + error.what + ")", "End it first"};
+  return {map_errc::disk, path + " can not be locked (" + error.what + ")", error.remedy};
+}
+
+} // namespace
+
+commit_is commit_of(const staged_work& next_turn) {
+  return next_turn.must_be_synced() ? commit_is::synced : commit_is::synced_later;
+}
+
+map_store::map_store(const map_store_options& options, runtime::lock_file lock, io::sqlite::database db)
+    : options_(options), lock_(std::move(lock)), db_(std::move(db)), log_(db_),
+      q_(db_), tables_{q_, map_, load_, options_.rules} {}
+
+map_result<std::unique_ptr<map_store>> map_store::open(const map_store_options& options) {
+  if (auto folder = make_folder_of(options.file.path); !folder)
+    return tl::unexpected(std::move(folder.error()));
+  auto lock = runtime::lock_file::acquire(options.file.path);
+  if (!lock)
+    return tl::unexpected(lock_error(options.file.path, lock.error()));
+  auto db = open_map_for_writing(options.file);
+  if (!db)
+    return tl::unexpected(std::move(db.error()));
+  std::unique_ptr<map_store> made(new map_store(options, std::move(*lock), std::move(*db)));
+  auto map = load_map_row(made->q_);
+  if (!map)
+    return tl::unexpected(std::move(map.error()));
+  made->map_ = std::move(*map);
+  return made;
+}
+
+map_store::~map_store() {
+  roll_back();
+  q_.close();
+  log_.close();
+}
+
+map_result<void> map_store::begin(commit_is how) {
+  GODWIT_ASSERT(!open_, "map: one transaction at a time");
+  if (how != commits_) {
+    const auto set = db_.exec(how == commit_is::synced ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
+    if (!set)
+      return tl::unexpected(from_sqlite(set.error(), "setting when to sync"));
+    commits_ = how;
+  }
+  auto begun = io::sqlite::transaction::begin(db_);
+  if (!begun)
+    return tl::unexpected(from_sqlite(begun.error(), "beginning a transaction"));
+  open_.emplace(std::move(*begun));
+  return {};
+}
+
+map_result<void> map_store::apply(const change& work) {
+  GODWIT_ASSERT(open_ && !spoilt_, "map: a change needs a transaction that can be committed");
+  const auto before = sqlite3_total_changes64(db_.handle());
+  auto done = work(tables_);
+  if (done)
+    return done;
+  spoilt_ = !is_refusal(done.error().code) || sqlite3_total_changes64(db_.handle()) != before;
+  return done;
+}
+
+map_result<bool> map_store::apply(staged_work& work, turn& now) {
+  bool finished = false;
+  auto done = apply([&](map_tables& t) -> map_result<void> {
+    auto staged = work.stage(t, now);
+    if (!staged)
+      return tl::unexpected(std::move(staged.error()));
+    finished = *staged;
+    return {};
+  });
+  if (!done)
+    return tl::unexpected(std::move(done.error()));
+  return finished;
+}
+
+map_result<void> map_store::commit() {
+  GODWIT_ASSERT(open_ && !spoilt_, "map: a commit needs a transaction in which nothing went wrong");
+  if (auto done = open_->commit(); !done) {
+    auto error = from_sqlite(done.error(), "committing");
+    roll_back();
+    return tl::unexpected(std::move(error));
+  }
+  open_.reset();
+  return {};
+}
+
+void map_store::roll_back() {
+  spoilt_ = false;
+  if (!open_)
+    return;
+  open_->rollback();
+  open_.reset();
+  if (auto map = load_map_row(q_))
+    map_ = std::move(*map);
+}
+
+map_result<void> map_store::run(staged_work& work) {
+  for (;;) {
+    turn now;
+    bool finished = false;
+    auto done = begin(commit_of(work)).and_then([&] { return apply(work, now); }).and_then([&](bool last) {
+      finished = last;
+      return commit();
+    });
+    if (!done)
+      roll_back();
+    else
+      work.committed();
+    if (!done || finished) {
+      work.finish(done);
+      return done;
+    }
+  }
+}
+
+map_result<std::unique_ptr<pass_review>> map_store::review(const pass_end& pass, pass_review::callback done) const {
+  if (auto sound = check(pass); !sound)
+    return tl::unexpected(std::move(sound.error()));
+  auto reader = open_map_for_reading(options_.file.path, options_.file.vfs);
+  if (!reader)
+    return tl::unexpected(std::move(reader.error()));
+  auto in_view = view_cursor::open(std::move(*reader), pass);
+  if (!in_view)
+    return tl::unexpected(std::move(in_view.error()));
+  return std::make_unique<pass_review>(pass, std::move(*in_view), std::move(done));
+}
+
+} // namespace godwit::mapobjects_store

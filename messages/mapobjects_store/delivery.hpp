@@ -1,0 +1,131 @@
+// What is owed to the missions service, handed over in batches. Thread: plain values.
+//
+// Who delivers makes a key (a UUID) for a batch and keeps it, asks for the rows with take_batch, tells the service
+// under that same key, and says batch_delivered when the service has answered. Whoever crashed in between finds its
+// keys with get_batches and asks again: a key that is not delivered has the same rows in the same order for ever,
+// because the service refuses a known key with another body. So nothing is lost, and nothing counts twice.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "messages/mapobjects_store/answer.hpp"
+#include "messages/mapobjects_store/observation.hpp"
+
+namespace godwit::mapobjects_store {
+
+// Each has an endpoint, and so a queue, of its own.
+enum class destination { observations, ignored_items };
+
+constexpr auto enum_names(destination) {
+  return io::names<destination>(
+      {{destination::observations, "observations"}, {destination::ignored_items, "ignored_items"}});
+}
+
+// Of a row.
+//
+//               take_batch          batch_delivered
+//   [pending] ─────────────> [taken] ─────────────> [delivered]
+//     ^    │                    │                        ^
+//     │    └── the mission ─────┤                        │ batch_delivered
+//     │        is gone          v                        │
+//     └─ requeue_mission ── [orphaned] ──────────────────┘
+//        (without a batch)
+enum class delivery_state { pending, taken, delivered, orphaned };
+
+constexpr auto enum_names(delivery_state) {
+  return io::names<delivery_state>({{delivery_state::pending, "pending"},
+                                    {delivery_state::taken, "taken"},
+                                    {delivery_state::delivered, "delivered"},
+                                    {delivery_state::orphaned, "orphaned"}});
+}
+
+// Answered with a batch. A key that is not known yet takes the oldest pending rows of the mission; where there are none
+// the batch is empty and the key stays unknown. Busy: max_open_batches are taken.
+struct take_batch {
+  std::string key; // UUID, made by the asker
+  std::string mission_id;
+  destination to = destination::observations;
+  std::uint32_t limit = 0; // of a new batch, at most 1000; a known one is given whole
+  static constexpr auto fields = io::table("mapobjects_store.take_batch", io::field("key", &take_batch::key),
+                                           io::field("mission_id", &take_batch::mission_id),
+                                           io::field("to", &take_batch::to), io::field("limit", &take_batch::limit));
+};
+
+struct batch {
+  std::string key;
+  std::string mission_id;
+  destination to = destination::observations;
+  std::vector<observation> observations; // in the order in which they were made; empty for ignored items
+  std::vector<ignored_item> ignored_items;
+  std::uint64_t pending_left = 0; // of this mission and destination, behind this batch
+  map_failure failure = map_failure::none;
+  std::string error;
+  static constexpr auto fields =
+      io::table("mapobjects_store.batch", io::field("key", &batch::key), io::field("mission_id", &batch::mission_id),
+                io::field("to", &batch::to), io::field("observations", &batch::observations),
+                io::field("ignored_items", &batch::ignored_items), io::field("pending_left", &batch::pending_left),
+                io::field("failure", &batch::failure), io::field("error", &batch::error));
+};
+
+// Answered with open_batches: what was taken and not delivered, by whichever asker.
+struct get_batches {
+  static constexpr auto fields = io::table("mapobjects_store.get_batches");
+};
+
+struct open_batch {
+  std::string key;
+  std::string mission_id;
+  destination to = destination::observations;
+  std::uint64_t rows = 0;
+  bool orphaned = false; // the mission is gone; the batch is delivered only when a person says so
+  static constexpr auto fields =
+      io::table("mapobjects_store.open_batch", io::field("key", &open_batch::key),
+                io::field("mission_id", &open_batch::mission_id), io::field("to", &open_batch::to),
+                io::field("rows", &open_batch::rows), io::field("orphaned", &open_batch::orphaned));
+};
+
+struct open_batches {
+  std::vector<open_batch> batches; // oldest first
+  map_failure failure = map_failure::none;
+  std::string error;
+  static constexpr auto fields =
+      io::table("mapobjects_store.open_batches", io::field("batches", &open_batches::batches),
+                io::field("failure", &open_batches::failure), io::field("error", &open_batches::error));
+};
+
+// Answered with map_answer. The rows of the batch leave the queue, and the orphans too. A key that is not known (any
+// more) is a repetition.
+struct batch_delivered {
+  std::string key;
+  static constexpr auto fields = io::table("mapobjects_store.batch_delivered", io::field("key", &batch_delivered::key));
+};
+
+// Answered with owed_list.
+struct get_owed {
+  static constexpr auto fields = io::table("mapobjects_store.get_owed");
+};
+
+// What waits for one mission: rows that are neither delivered nor orphaned, and the orphans.
+struct owed {
+  std::string mission_id;
+  destination to = destination::observations;
+  std::uint64_t pending = 0;
+  std::uint64_t taken = 0;
+  std::uint64_t orphaned = 0;
+  static constexpr auto fields = io::table("mapobjects_store.owed", io::field("mission_id", &owed::mission_id),
+                                           io::field("to", &owed::to), io::field("pending", &owed::pending),
+                                           io::field("taken", &owed::taken), io::field("orphaned", &owed::orphaned));
+};
+
+struct owed_list {
+  std::vector<owed> missions; // one for each mission and destination that has something
+  map_failure failure = map_failure::none;
+  std::string error;
+  static constexpr auto fields =
+      io::table("mapobjects_store.owed_list", io::field("missions", &owed_list::missions),
+                io::field("failure", &owed_list::failure), io::field("error", &owed_list::error));
+};
+
+} // namespace godwit::mapobjects_store

@@ -1,0 +1,41 @@
+// How the map is. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "messages/mapobjects_store/answer.hpp"
+#include "messages/mapobjects_store/sync_state.hpp"
+
+namespace godwit::mapobjects_store {
+
+// Answered with map_status.
+struct get_map {
+  static constexpr auto fields = io::table("mapobjects_store.get_map");
+};
+
+struct map_status {
+  std::string mission_id; // chosen; empty = none
+  sync_state sync = sync_state::fresh_boot;
+  std::string pulled_mission_id; // what the last load was for; empty = there was none
+  std::int64_t pulled_ns = 0;    // when it was complete, since 1970 (UTC)
+  std::uint64_t objects = 0;     // of the last load
+  std::uint64_t ignored_items = 0;
+  std::uint64_t seen_here = 0; // objects that this vehicle has found or moved since
+  std::int64_t loading = 0;    // number of the load that is under way; 0 = none
+  std::uint64_t pending = 0;   // rows owed, of all missions together
+  std::uint64_t taken = 0;
+  std::uint64_t orphaned = 0;
+  map_failure failure = map_failure::none;
+  std::string error;
+  static constexpr auto fields =
+      io::table("mapobjects_store.map_status", io::field("mission_id", &map_status::mission_id),
+                io::field("sync", &map_status::sync), io::field("pulled_mission_id", &map_status::pulled_mission_id),
+                io::field("pulled_ns", &map_status::pulled_ns), io::field("objects", &map_status::objects),
+                io::field("ignored_items", &map_status::ignored_items), io::field("seen_here", &map_status::seen_here),
+                io::field("loading", &map_status::loading), io::field("pending", &map_status::pending),
+                io::field("taken", &map_status::taken), io::field("orphaned", &map_status::orphaned),
+                io::field("failure", &map_status::failure), io::field("error", &map_status::error));
+};
+
+} // namespace godwit::mapobjects_store

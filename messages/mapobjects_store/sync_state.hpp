@@ -1,0 +1,26 @@
+// How far the map can be relied on. Thread: plain values.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::mapobjects_store {
+
+//                            pull finished
+//   [fresh_boot] ────────────────────────────────────> [synced]
+//     ^      │                                          ^     │ pull failed
+//     │      ├─ pull failed, no copy of this mission ─> [failed]   (also from synced and the others)
+//     │      └─ pull failed, a copy is there ─────────> [degraded] ── operator acknowledges ──> [cached_fallback]
+//     └── another mission is chosen, or this one is deleted: from every state
+enum class sync_state { fresh_boot, synced, cached_fallback, degraded, failed };
+
+constexpr auto enum_names(sync_state) {
+  return io::names<sync_state>({{sync_state::fresh_boot, "fresh_boot"},
+                                {sync_state::synced, "synced"},
+                                {sync_state::cached_fallback, "cached_fallback"},
+                                {sync_state::degraded, "degraded"},
+                                {sync_state::failed, "failed"}});
+}
+
+enum class sync_event { mission_chosen, pull_finished, pull_failed, fallback_acknowledged, mission_deleted };
+
+} // namespace godwit::mapobjects_store

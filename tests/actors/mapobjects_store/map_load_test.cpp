@@ -1,0 +1,126 @@
+#include "actors/mapobjects_store/map_load.hpp"
+
+#include "tests/actors/mapobjects_store/map_fixture.hpp"
+
+namespace godwit::mapobjects_store {
+namespace {
+
+using namespace godwit::tests;
+
+using map_load = tests::map_test;
+
+TEST_F(map_load, until_its_last_step_everybody_sees_the_old_map) {
+  load({object(1, place(0))});
+  const auto number = begin_load();
+  ASSERT_TRUE(add_page({.load = number, .objects = {object(2, place(100))}, .ignored = {}}));
+  EXPECT_EQ(shown(), std::vector{uuid(1)});
+  EXPECT_EQ(kind(seen(10, place(100))), observation_kind::found);
+  ASSERT_TRUE(finish(number, 1));
+  EXPECT_EQ(shown(), (std::vector{uuid(2), uuid(10)}));
+}
+
+TEST_F(map_load, what_was_seen_here_and_not_delivered_stays) {
+  load({object(1, place(0)), object(2, place(100))});
+  record(seen(10, place(200)));
+  record(seen(11, place(20))); // moves the first one
+  load({object(1, place(0)), object(2, place(100))});
+  EXPECT_EQ(shown(), (std::vector{uuid(1), uuid(2), uuid(10)}));
+  EXPECT_EQ(kind(seen(12, place(20))), observation_kind::existing);
+}
+
+TEST_F(map_load, what_was_delivered_before_it_began_is_the_services_business) {
+  record(seen(10, place(0)));
+  deliver_all();
+  load({});
+  EXPECT_TRUE(shown().empty());
+}
+
+TEST_F(map_load, what_was_delivered_while_it_ran_stays_until_the_next_one) {
+  record(seen(10, place(0)));
+  take(901);
+  const auto number = begin_load();
+  delivered(901);
+  ASSERT_TRUE(finish(number, 0));
+  EXPECT_EQ(shown(), std::vector{uuid(10)});
+  load({});
+  EXPECT_TRUE(shown().empty());
+}
+
+TEST_F(map_load, a_new_one_gives_up_the_older_one) {
+  const auto first = begin_load();
+  const auto second = begin_load();
+  const auto late = add_page({.load = first, .objects = {object(1, place(0))}, .ignored = {}});
+  EXPECT_EQ(late.error().code, map_errc::load_given_up);
+  EXPECT_EQ(finish(first, 0).error().code, map_errc::load_given_up);
+  EXPECT_TRUE(finish(second, 0));
+}
+
+TEST_F(map_load, one_that_is_not_complete_is_refused_and_the_old_map_stays) {
+  load({object(1, place(0))});
+  const auto number = begin_load();
+  ASSERT_TRUE(add_page({.load = number, .objects = {object(2, place(100))}, .ignored = {}}));
+  EXPECT_FALSE(finish(number, 2));
+  EXPECT_EQ(shown(), std::vector{uuid(1)});
+}
+
+TEST_F(map_load, an_unsound_object_ends_the_load_and_is_named) {
+  const auto number = begin_load();
+  auto nowhere = object(3, place(0));
+  nowhere.position.longitude_deg = 200;
+  const auto unsound = add_page({.load = number, .objects = {object(2, place(0)), nowhere}, .ignored = {}});
+  ASSERT_FALSE(unsound);
+  EXPECT_EQ(unsound.error().code, map_errc::refused);
+  EXPECT_NE(unsound.error().what.find(uuid(3)), std::string::npos);
+  EXPECT_EQ(finish(number, 0).error().code, map_errc::load_given_up);
+}
+
+TEST_F(map_load, an_object_of_another_mission_is_refused) {
+  EXPECT_FALSE(add_page({.load = begin_load(), .objects = {object(1, place(0), mission_b)}, .ignored = {}}));
+}
+
+TEST_F(map_load, an_ignored_item_that_comes_twice_ends_the_load_and_is_named) {
+  const ignored_item item{uuid(70), mission_a, "33UXP04", "vehicle", 1};
+  const auto twice = add_page({.load = begin_load(), .objects = {}, .ignored = {item, item}});
+  ASSERT_FALSE(twice);
+  EXPECT_NE(twice.error().what.find(uuid(70)), std::string::npos);
+}
+
+TEST_F(map_load, a_page_that_comes_again_is_passed_over_and_one_too_early_is_refused) {
+  const auto number = begin_load();
+  const load_page first{.load = number, .number = 0, .objects = {object(1, place(0))}, .ignored = {}};
+  EXPECT_FALSE(add_page({.load = number, .number = 1, .objects = {object(2, place(100))}, .ignored = {}}));
+  EXPECT_TRUE(add_page(first));
+  EXPECT_TRUE(add_page(first));
+  EXPECT_TRUE(add_page({.load = number, .number = 1, .objects = {object(2, place(100))}, .ignored = {}}));
+  EXPECT_TRUE(finish(number, 2));
+}
+
+TEST_F(map_load, a_page_larger_than_its_bound_is_refused) {
+  load_page page{.load = begin_load(), .objects = {}, .ignored = {}};
+  page.objects.resize(max_page_rows + 1, object(1, place(0)));
+  EXPECT_EQ(add_page(page).error().code, map_errc::refused);
+}
+
+TEST_F(map_load, a_page_takes_several_turns_and_comes_whole) {
+  load_page page{.load = begin_load(), .objects = {}, .ignored = {}};
+  for (std::uint64_t i = 0; i < max_chunk_rows + 500; ++i)
+    page.objects.push_back(object(i, place(static_cast<double>(i))));
+  ASSERT_TRUE(add_page(page));
+  ASSERT_TRUE(finish(page.load, max_chunk_rows + 500));
+  EXPECT_EQ(shown().size(), max_chunk_rows + 500);
+}
+
+TEST_F(map_load, after_a_crash_in_the_middle_the_old_map_is_shown_and_the_next_load_works) {
+  load({object(1, place(0))});
+  const auto number = begin_load();
+  ASSERT_TRUE(add_page({.load = number, .objects = {object(2, place(100))}, .ignored = {}}));
+  close();
+  open();
+  EXPECT_EQ(finish(number, 1).error().code, map_errc::load_given_up);
+  EXPECT_EQ(shown(), std::vector{uuid(1)});
+  load({object(3, place(0))});
+  EXPECT_EQ(shown(), std::vector{uuid(3)});
+}
+
+} // namespace
+} // namespace godwit::mapobjects_store

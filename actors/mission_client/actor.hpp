@@ -1,0 +1,80 @@
+// mission_client as an actor: everything between godwit and the missions service.
+//
+// The durable decisions are in core.hpp, what is to be done next in planner.hpp. This shell takes what others say and
+// the answers of the service, gives one event after the other to the journal, and carries out the planner's wishes:
+// calls to the service through its port, questions to the map store. Calls of an incarnation that died are forgotten;
+// the next one makes them again under the same keys. Thread: as cell.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "actors/mission_client/clock_watch.hpp"
+#include "actors/mission_client/core.hpp"
+#include "actors/mission_client/planner.hpp"
+#include "actors/mission_client/service_port.hpp"
+#include "actors/mission_client/settings.hpp"
+#include "messages/mapobjects_store/handle.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "runtime/persistent_cell.hpp"
+
+namespace godwit::mission_client {
+
+// The map store writes 100,000 objects within this; later the same is asked again.
+inline constexpr std::chrono::seconds store_patience{30};
+// Rows in the journal's table of deliveries that are there only to be looked at.
+inline constexpr std::int64_t max_settled_rows_shown = 1'000;
+
+// Whom it speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not changed
+// after the actors were started.
+struct neighbours {
+  listener_handle listener; // the one who flies
+  mapobjects_store::client_handle map;
+};
+
+class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+public:
+  // CONFIGURED has no objection_to. SEED: another one for each process, for keys that nobody else makes.
+  actor(runtime::actor_config& config, runtime::birth born, settings configured, std::shared_ptr<service_port> service,
+        std::shared_ptr<const neighbours> others, std::uint64_t seed)
+      : persistent_cell(config, std::move(born)), settings_(configured), service_(std::move(service)),
+        others_(std::move(others)), seed_(seed) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+  void let_out(const durable_core::effect& each) override;
+  bool stage(const durable_core::effect& each, runtime::journal_write& write) override;
+
+private:
+  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  template <class M>
+  auto hears();
+  void turn();
+  void take_answers();
+  void carry_out(wishes wanted);
+  void ask_store(ticket number, const store_question& asked);
+  void end_turn();
+  void set_timer();
+  void post_health();
+  [[nodiscard]] service_status status() const;
+
+  settings settings_;
+  std::shared_ptr<service_port> service_;
+  std::shared_ptr<const neighbours> others_;
+  std::uint64_t seed_;
+  std::optional<planner> planner_;
+  clock_watch clock_;
+  std::map<std::uint64_t, ticket> calls_;     // under way, by the port's number; bounded by the planner
+  std::deque<durable_core::event> to_commit_; // at most a few for each thing that is under way
+  std::optional<condition> posted_;
+  std::uint64_t timer_number_ = 0;
+  std::int64_t timer_due_ns_ = never_ns; // never: no timer is under way
+  std::uint64_t stray_answers_ = 0;      // to calls that nobody waits for any more
+};
+
+} // namespace godwit::mission_client

@@ -1,0 +1,34 @@
+// The calls of docs/missions-service.md, one function each. Thread: pure.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/service_port.hpp"
+#include "actors/mission_client/settings.hpp"
+#include "messages/mapobjects_store/types.hpp"
+
+namespace godwit::mission_client {
+
+// At most so many reports go out together.
+inline constexpr std::size_t reports_per_call = 100;
+
+[[nodiscard]] service_call get_mission(const settings& by, const std::string& mission_id);
+// The long poll.
+[[nodiscard]] service_call get_assignments(const settings& by, const std::string& mission_id, std::int32_t after);
+// NEXT is what the last page said; empty: the first.
+[[nodiscard]] service_call get_page(const settings& by, const std::string& mission_id, destination what,
+                                    const std::string& next);
+
+// ROWS are one cut of a progress lane; the key follows from theirs.
+[[nodiscard]] service_call post_progress(const settings& by, const std::vector<const outbox_row*>& rows);
+// A response, a waypoint or a tail.
+[[nodiscard]] service_call post_row(const settings& by, const outbox_row& row);
+[[nodiscard]] service_call post_batch(const settings& by, const mapobjects_store::batch& rows);
+
+// For a query (RFC 3986, 2.1): all but the unreserved characters.
+[[nodiscard]] std::string percent_encoded(const std::string& text);
+
+} // namespace godwit::mission_client

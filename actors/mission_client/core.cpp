@@ -1,0 +1,185 @@
+#include "actors/mission_client/core.hpp"
+
+#include <algorithm>
+
+#include "actors/mission_client/turn.hpp"
+
+namespace godwit::mission_client {
+
+namespace {
+
+void take(turn& t, const begin_mission& m) {
+  auto& s = t.s;
+  if (s.mission_id == m.mission_id && s.now != phase::idle && s.now != phase::refused)
+    return;
+  s.now = phase::delivering_earlier;
+  s.mission_id = m.mission_id;
+  s.revision = 0;
+  s.pull = pull_state::not_started;
+  s.looks_up = false;
+  s.assignments.clear();
+  note_of(s, m.mission_id).is_deleted = false; // whether it still is, the service will say
+  for (auto& each : s.rows)
+    if (each.state == row_state::pending && each.mission_id != m.mission_id)
+      each.next_try_ns = t.now_ns; // somebody waits for it now
+}
+
+void take(turn& t, const earlier_delivered&) {
+  if (t.s.now == phase::delivering_earlier)
+    t.s.now = phase::fetching;
+}
+
+void take(turn& t, const mission_fetched& m) {
+  auto& s = t.s;
+  if (s.now != phase::fetching || s.mission_id != m.document.mission_id)
+    return;
+  s.now = phase::pulling;
+  s.pull = pull_state::in_flight;
+  s.revision = m.document.revision;
+  s.schema_version = m.document.schema_version;
+  s.last_fetch_ns = t.now_ns;
+  t.tell(mission_loaded{load_cause::fetched, m.document});
+}
+
+void take(turn& t, const fetch_failed& m) {
+  auto& s = t.s;
+  if (s.now != phase::fetching || s.mission_id != m.refusal.mission_id)
+    return;
+  s.now = phase::refused;
+  t.tell(m.refusal);
+}
+
+void take(turn& t, const pull_map& m) {
+  auto& s = t.s;
+  const bool has_failed = s.pull == pull_state::failed || s.pull == pull_state::cached_fallback;
+  if (s.now != phase::ready || s.mission_id != m.mission_id || !has_failed)
+    return;
+  s.now = phase::pulling;
+  s.pull = pull_state::in_flight;
+}
+
+void take(turn& t, const pull_ended& m) {
+  auto& s = t.s;
+  if (s.now != phase::pulling || s.mission_id != m.result.mission_id)
+    return;
+  s.now = phase::ready;
+  s.pull = m.result.state;
+  t.tell(m.result);
+}
+
+// Of a mission that is deleted nothing can be delivered.
+void begin_push(mission_note& note) {
+  note.is_pushing = true;
+  note.seen_done = note.is_deleted;
+  note.ignored_done = note.is_deleted;
+}
+
+// Said again it looks again: something may have been seen since.
+void take(turn& t, const push_map& m) {
+  auto& note = note_of(t.s, m.mission_id);
+  begin_push(note);
+  note.was_asked = true;
+}
+
+void take(turn& t, const owed_found& m) {
+  for (const auto& each : m.mission_ids)
+    if (auto& note = note_of(t.s, each); !note.is_pushing)
+      begin_push(note);
+}
+
+void take(turn& t, const mission_looked_up& m) {
+  auto& s = t.s;
+  if (s.mission_id != m.mission_id)
+    return;
+  s.looks_up = false;
+  if (!m.document)
+    return;
+  s.schema_version = m.document->schema_version;
+  s.last_fetch_ns = t.now_ns;
+  if (s.revision == 0 || m.document->revision <= s.revision)
+    return;
+  s.revision = m.document->revision;
+  t.tell(mission_loaded{load_cause::looked_up, *m.document});
+}
+
+void take(turn& t, const assignments_seen& m) {
+  auto& s = t.s;
+  if (s.mission_id != m.mission_id)
+    return;
+  for (const auto& each : m.assignments) {
+    const bool is_known = std::ranges::any_of(
+        s.assignments, [&](const open_assignment& known) { return known.what.assignment_id == each.assignment_id; });
+    if (is_known)
+      continue;
+    if (s.assignments.size() >= max_open_assignments) {
+      const auto settled = std::ranges::find_if(s.assignments, &open_assignment::is_responded);
+      if (settled == s.assignments.end())
+        return;
+      s.assignments.erase(settled);
+    }
+    s.assignments.push_back({each, false});
+    t.tell(assignment_arrived{m.mission_id, each});
+  }
+}
+
+// What waits for this mission is kept; the vehicle flies on with what it has.
+void take(turn& t, const mission_gone& m) {
+  auto& s = t.s;
+  const std::string reason = "the service has deleted this mission";
+  const bool was_known = is_deleted(s, m.mission_id);
+  for (const auto& key : keys_where(s, [&](const outbox_row& each) {
+         return each.mission_id == m.mission_id && each.state == row_state::pending;
+       }))
+    give_up(t, key, row_state::orphaned, reason);
+  auto& note = note_of(s, m.mission_id);
+  note.is_deleted = note.seen_done = note.ignored_done = true;
+  if (s.mission_id == m.mission_id) {
+    s.looks_up = false;
+    if (s.now == phase::fetching) {
+      s.now = phase::refused;
+      t.tell(mission_refused{m.mission_id, refusal::deleted, reason, {}});
+    } else if (s.now == phase::pulling) {
+      s.now = phase::ready;
+      s.pull = pull_state::failed;
+      t.tell(map_pulled{m.mission_id, s.pull, 0, 0, reason});
+    }
+  }
+  if (was_known)
+    return;
+  add_errand(s, errand_kind::delete_mission, m.mission_id, reason);
+  t.tell(mission_deleted{m.mission_id});
+}
+
+void take(turn& t, const errand_done& m) {
+  const auto found = std::ranges::find_if(t.s.errands, [&](const errand& each) {
+    return each.kind == m.what.kind && each.mission_id == m.what.mission_id;
+  });
+  if (found != t.s.errands.end())
+    t.s.errands.erase(found);
+}
+
+} // namespace
+
+std::vector<effect> durable_core::handle(state& s, const event& happened, std::int64_t now_ns) {
+  turn t{s, now_ns};
+  const auto first_order = s.next_order;
+  const auto settled_before = s.settled_rows;
+  std::visit([&](const auto& m) { take(t, m); }, happened);
+  settle(t);
+  const bool frees_lanes = std::holds_alternative<retry_outbox>(happened);
+  if (s.next_order != first_order || frees_lanes)
+    t.tell(on_disk{s.next_order, frees_lanes});
+  if (s.settled_rows / settled_rows_per_pruning != settled_before / settled_rows_per_pruning)
+    t.tell(table_pruned{});
+  return std::move(t.done);
+}
+
+std::vector<effect> durable_core::resume(const state& s, std::int64_t) {
+  std::vector<effect> result;
+  for (const auto& each : s.assignments)
+    if (!each.is_responded)
+      result.emplace_back(assignment_arrived{s.mission_id, each.what});
+  return result;
+}
+
+} // namespace godwit::mission_client

@@ -1,0 +1,267 @@
+// How rows come into the outbox, wait there, and leave it.
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "actors/domain/mission/write.hpp"
+#include "actors/mission_client/retry_policy.hpp"
+#include "actors/mission_client/turn.hpp"
+
+namespace godwit::mission_client {
+
+namespace {
+
+void remember(state& s, const std::string& key) {
+  if (s.settled_keys.size() >= max_settled_keys)
+    s.settled_keys.erase(s.settled_keys.begin());
+  s.settled_keys.push_back(key);
+}
+
+// The service has the outcome: the assignment is not open any more.
+void close_assignment(state& s, const outbox_row& row) {
+  if (row.to == destination::assignment_response)
+    std::erase_if(s.assignments, [&](const open_assignment& each) { return each.what.assignment_id == row.subject; });
+}
+
+// ROWS leave the outbox; what is removed at once moves what stays only once.
+void remove_rows(turn& t, const std::vector<std::string>& keys, noted_as how) {
+  const std::unordered_set<std::string_view> leaving(keys.begin(), keys.end());
+  std::erase_if(t.s.rows, [&](const outbox_row& each) {
+    if (!leaving.contains(each.key))
+      return false;
+    ++t.s.settled_rows;
+    if (each.to != destination::progress) // a report is known by its number
+      remember(t.s, each.key);
+    close_assignment(t.s, each);
+    t.tell(row_noted{each, how});
+    return true;
+  });
+}
+
+void expire_or_wait(turn& t, const std::vector<outbox_row*>& failed, std::int64_t retry_after_ns) {
+  const auto& head = *failed.front();
+  const auto pause = is_change(head.to) ? change_pause_ns(head.tries, head.key, retry_after_ns)
+                                        : pause_ns(head.tries, head.key, retry_after_ns);
+  if (is_change(head.to) || !has_expired(head.first_failure_ns, t.now_ns)) {
+    for (auto* each : failed) {
+      each->next_try_ns = t.now_ns + pause;
+      t.tell(row_noted{*each, noted_as::waiting});
+    }
+    return;
+  }
+  const auto reason = "not delivered within 24 h of the first failure; the last one: " + head.last_error;
+  const auto to = head.to;
+  const auto mission_id = head.mission_id;
+  if (is_map(to))
+    note_of(t.s, mission_id).set_done(to, true);
+  // What is behind it in order could only be refused.
+  for (const auto& key : keys_where(t.s, [&](const outbox_row& each) {
+         return each.state == row_state::pending && each.to == to && each.mission_id == mission_id;
+       }))
+    give_up(t, key, row_state::expired, reason);
+}
+
+void take_change(turn& t, const std::string& mission_id, destination to, const std::string& key, std::string body) {
+  if (is_repetition(t.s, key))
+    return;
+  if (is_deleted(t.s, mission_id)) {
+    remember(t.s, key);
+    t.tell(change_outcome{key, change_verdict::refused, "the service has deleted this mission"});
+  } else if (!add_row(t, {.key = key, .to = to, .mission_id = mission_id, .body = std::move(body)}, outbox_reserve)) {
+    remember(t.s, key);
+    t.tell(change_outcome{key, change_verdict::refused, "too much waits for the missions service"});
+  }
+}
+
+} // namespace
+
+bool is_repetition(const state& s, const std::string& key) {
+  return find_row(s.rows, key) != nullptr || std::ranges::find(s.settled_keys, key) != s.settled_keys.end();
+}
+
+bool add_row(turn& t, outbox_row row, std::size_t reserve) {
+  auto& s = t.s;
+  if (s.rows.size() >= max_outbox_rows + reserve) {
+    ++s.refused_rows;
+    return false;
+  }
+  row.order = s.next_order++;
+  row.created_ns = t.now_ns;
+  row.next_try_ns = t.now_ns;
+  s.rows.push_back(std::move(row));
+  t.tell(row_noted{s.rows.back(), noted_as::waiting});
+  return true;
+}
+
+void remove_row(turn& t, const std::string& key, noted_as how) { remove_rows(t, {key}, how); }
+
+void give_up(turn& t, const std::string& key, row_state as, const std::string& reason) {
+  auto* row = find_row(t.s.rows, key);
+  if (row == nullptr)
+    return;
+  row->last_error = reason.substr(0, max_error_text);
+  if (is_change(row->to)) {
+    t.tell(change_outcome{key, change_verdict::refused, reason});
+    remove_row(t, key, noted_as::dropped);
+    return;
+  }
+  row->state = as;
+  t.tell(row_noted{*row, noted_as::waiting});
+}
+
+void take(turn& t, const report_progress& m) {
+  auto& note = note_of(t.s, m.report.mission_id);
+  if (m.report.report_no <= note.last_report_no || find_row(t.s.rows, m.key) != nullptr)
+    return;
+  if (!add_row(t,
+               {.key = m.key,
+                .to = destination::progress,
+                .mission_id = m.report.mission_id,
+                .body = mission::to_text(m.report)},
+               0))
+    return;
+  note.last_report_no = m.report.report_no;
+  if (note.is_deleted)
+    give_up(t, m.key, row_state::orphaned, "the service has deleted this mission");
+}
+
+void take(turn& t, const respond_to_assignment& m) {
+  auto& s = t.s;
+  const auto& key = m.response.idempotency_key;
+  if (is_repetition(s, key) || !add_row(t,
+                                        {.key = key,
+                                         .to = destination::assignment_response,
+                                         .mission_id = m.mission_id,
+                                         .subject = m.assignment_id,
+                                         .body = mission::to_text(m.response)},
+                                        outbox_reserve))
+    return;
+  for (auto& each : s.assignments) {
+    if (each.what.assignment_id != m.assignment_id || s.mission_id != m.mission_id)
+      continue;
+    each.is_responded = true;
+    if (m.response.outcome == mission::assignment_outcome::accepted)
+      s.revision = std::max(s.revision, each.what.revision);
+  }
+  if (is_deleted(s, m.mission_id))
+    give_up(t, key, row_state::orphaned, "the service has deleted this mission");
+}
+
+void take(turn& t, const insert_waypoint& m) {
+  take_change(t, m.mission_id, destination::waypoint, m.insert.idempotency_key, mission::to_text(m.insert));
+}
+
+void take(turn& t, const replace_tail& m) {
+  take_change(t, m.mission_id, destination::tail, m.tail.idempotency_key, mission::to_text(m.tail));
+}
+
+void take(turn& t, const batch_planned& m) {
+  if (!is_repetition(t.s, m.key))
+    (void)add_row(t, {.key = m.key, .to = m.to, .mission_id = m.mission_id}, outbox_reserve);
+}
+
+void take(turn& t, const batch_empty& m) {
+  if (const auto* row = find_row(t.s.rows, m.key); row != nullptr) {
+    note_of(t.s, row->mission_id).set_done(row->to, true);
+    remove_row(t, m.key, noted_as::delivered);
+  }
+}
+
+void take(turn& t, const rows_delivered& m) { remove_rows(t, m.keys, noted_as::delivered); }
+
+void take(turn& t, const rows_failed& m) {
+  std::vector<outbox_row*> failed;
+  for (const auto& key : m.keys) {
+    auto* row = find_row(t.s.rows, key);
+    if (row == nullptr || row->state != row_state::pending)
+      continue;
+    ++row->tries;
+    row->last_error = m.error.substr(0, max_error_text);
+    if (row->first_failure_ns == 0 || row->first_failure_ns > t.now_ns)
+      row->first_failure_ns = t.now_ns;
+    failed.push_back(row);
+  }
+  if (!failed.empty())
+    expire_or_wait(t, failed, m.retry_after_ns);
+}
+
+void take(turn& t, const rows_refused& m) {
+  for (const auto& key : m.keys) {
+    const auto* row = find_row(t.s.rows, key);
+    if (row == nullptr)
+      continue;
+    if (is_map(row->to) && m.ends_lane) {
+      note_of(t.s, row->mission_id).set_done(row->to, true);
+      add_errand(t.s, errand_kind::orphan_mission, row->mission_id, m.reason);
+    }
+    give_up(t, key, row_state::orphaned, m.reason);
+  }
+}
+
+void take(turn& t, const change_done& m) {
+  auto& s = t.s;
+  if (find_row(s.rows, m.key) == nullptr)
+    return;
+  remove_row(t, m.key, noted_as::delivered);
+  if (s.mission_id == m.document.mission_id && m.document.revision > s.revision) {
+    s.revision = m.document.revision;
+    s.schema_version = m.document.schema_version;
+    t.tell(mission_loaded{load_cause::changed, m.document});
+  }
+  t.tell(change_outcome{m.key, change_verdict::done, {}});
+}
+
+void take(turn& t, const change_failed& m) {
+  auto* row = find_row(t.s.rows, m.key);
+  if (row == nullptr)
+    return;
+  row->last_error = m.reason.substr(0, max_error_text);
+  if (m.verdict != change_verdict::refused && row->mission_id == t.s.mission_id)
+    t.s.looks_up = true;
+  remove_row(t, m.key, noted_as::dropped);
+  t.tell(change_outcome{m.key, m.verdict, m.reason});
+}
+
+void take(turn& t, const retry_outbox& m) {
+  retry_answer answer;
+  if (m.key.empty()) {
+    add_errand(t.s, errand_kind::requeue_mission, {}, {});
+    for (auto& note : t.s.missions)
+      note.is_deleted = false; // whether it still is, the service will say
+  }
+  for (auto& each : t.s.rows) {
+    if (!m.key.empty() && each.key != m.key)
+      continue;
+    each.next_try_ns = t.now_ns;
+    if (std::exchange(each.state, row_state::pending) == row_state::pending) {
+      ++answer.tried_now;
+    } else {
+      ++answer.queued;
+      each.tries = 0;
+      each.first_failure_ns = 0;
+      auto& note = note_of(t.s, each.mission_id);
+      note.is_deleted = false;
+      if (is_map(each.to)) {
+        note.is_pushing = true;
+        note.set_done(each.to, false);
+        add_errand(t.s, errand_kind::requeue_mission, each.mission_id, {});
+      }
+    }
+    t.tell(row_noted{each, noted_as::waiting});
+  }
+  if (answer.tried_now + answer.queued == 0)
+    answer.error = m.key.empty() ? "nothing waits in the outbox" : "no row of the outbox has the key " + m.key;
+  t.tell(answer);
+}
+
+void take(turn& t, const clock_jumped& m) {
+  for (auto& each : t.s.rows) {
+    each.next_try_ns += m.by_ns;
+    if (each.first_failure_ns != 0)
+      each.first_failure_ns += m.by_ns;
+    if (is_change(each.to))
+      each.created_ns += m.by_ns;
+  }
+}
+
+} // namespace godwit::mission_client

@@ -1,0 +1,119 @@
+#include "actors/mission_client/fetching.hpp"
+
+#include "actors/domain/mission/read.hpp"
+#include "actors/mission_client/calls.hpp"
+#include "actors/mission_client/judgement.hpp"
+
+namespace godwit::mission_client {
+
+namespace {
+
+constexpr const char* fetch_kind = "fetching the mission";
+constexpr const char* look_up_kind = "looking up the mission";
+
+} // namespace
+
+tl::expected<mission::document, unusable_mission> mission_in(const service_answer& answer, const std::string& id) {
+  auto result = mission::read<mission::document>(answer.body);
+  if (!result)
+    return tl::unexpected(
+        unusable_mission{"what the service sent is no mission: " + result.error().message(), result.error().sample});
+  if (result->mission_id != id)
+    return tl::unexpected(unusable_mission{"the service sent mission " + result->mission_id + " instead of " + id,
+                                           answer.body.substr(0, mission::max_document_sample)});
+  return std::move(*result);
+}
+
+// -- at the begin ---------------------------------------------------------------------------------
+
+void fetching::plan(desk& d) {
+  if (d.s.now != phase::fetching)
+    attempt_.forget(d);
+  else if (attempt_.may_start(d))
+    attempt_.waiting = d.call(*this, get_mission(d.set, d.s.mission_id));
+}
+
+void fetching::on_answer(desk& d, ticket number, const service_answer& answer) {
+  if (!attempt_.ends_with(number))
+    return;
+  const auto verdict = judge(answer);
+  if (verdict == judgement::success) {
+    auto mission = mission_in(answer, d.s.mission_id);
+    if (!mission)
+      return refuse(d, refusal::invalid, mission.error().reason, mission.error().sample);
+    d.went_well(fetch_kind);
+    return d.happened(mission_fetched{std::move(*mission)});
+  }
+  const auto why = sentence_of(answer);
+  switch (verdict) {
+  case judgement::gone:
+    d.count_fetch_error();
+    return d.happened(mission_gone{d.s.mission_id});
+  case judgement::not_allowed:
+    return refuse(d, refusal::not_allowed, why);
+  case judgement::not_found:
+    return refuse(d, refusal::not_found, why);
+  case judgement::misconfigured:
+    return refuse(d, refusal::misconfigured, why);
+  case judgement::transient:
+    break;
+  default:
+    return refuse(d, refusal::invalid, why, answer.body.substr(0, mission::max_document_sample));
+  }
+  attempt_.fail(d, d.s.mission_id, answer.retry_after_ns);
+  if (attempt_.failed >= static_cast<std::uint32_t>(d.set.max_tries))
+    return refuse(d, refusal::unreachable, "after " + std::to_string(attempt_.failed) + " tries: " + why);
+  d.count_fetch_error();
+  d.went_wrong(fetch_kind, why);
+}
+
+void fetching::refuse(desk& d, refusal why, std::string reason, std::string sample) {
+  d.count_fetch_error();
+  d.went_wrong(fetch_kind, reason);
+  d.happened(fetch_failed{{d.s.mission_id, why, std::move(reason), std::move(sample)}});
+}
+
+// -- after a change -------------------------------------------------------------------------------
+
+void looking_up::plan(desk& d) {
+  if (!d.s.looks_up || mission_id_ != d.s.mission_id) {
+    attempt_.forget(d);
+    d.went_well(look_up_kind);
+    is_blocked_ = false;
+    mission_id_ = d.s.mission_id;
+  }
+  if (d.s.looks_up && !is_blocked_ && attempt_.may_start(d))
+    attempt_.waiting = d.call(*this, get_mission(d.set, mission_id_));
+}
+
+void looking_up::on_answer(desk& d, ticket number, const service_answer& answer) {
+  if (!attempt_.ends_with(number))
+    return;
+  switch (judge(answer)) {
+  case judgement::success:
+    if (auto mission = mission_in(answer, mission_id_); mission) {
+      d.happened(mission_looked_up{mission_id_, std::move(*mission), {}});
+    } else {
+      d.count_fetch_error();
+      d.happened(mission_looked_up{mission_id_, {}, mission.error().reason});
+    }
+    return;
+  case judgement::gone:
+    return d.happened(mission_gone{mission_id_});
+  case judgement::not_found:
+  case judgement::wrong:
+  case judgement::conflict:
+    d.count_fetch_error();
+    return d.happened(mission_looked_up{mission_id_, {}, sentence_of(answer)});
+  case judgement::not_allowed:
+    is_blocked_ = true;
+    break;
+  default:
+    break;
+  }
+  attempt_.fail_without_end(d, mission_id_, answer.retry_after_ns);
+  d.count_fetch_error();
+  d.went_wrong(look_up_kind, sentence_of(answer));
+}
+
+} // namespace godwit::mission_client

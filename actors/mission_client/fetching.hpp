@@ -1,0 +1,49 @@
+// Fetches the mission: at its begin, where it is refused after a few tries, and when the fate of a change is not known,
+// where there is no hurry and no end.
+//
+// Nothing that is not a valid mission of this id and of our major version comes further than this. Thread: one at a
+// time.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "actors/mission_client/desk.hpp"
+
+namespace godwit::mission_client {
+
+struct unusable_mission {
+  std::string reason; // sentence for people
+  std::string sample; // the beginning of what came
+};
+
+// A mission in the answer of a service. ID is the one that was asked for.
+[[nodiscard]] tl::expected<mission::document, unusable_mission> mission_in(const service_answer& answer,
+                                                                           const std::string& id);
+
+class fetching final : public part {
+public:
+  void plan(desk& d) override;
+  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+
+private:
+  void refuse(desk& d, refusal why, std::string reason, std::string sample = {});
+
+  attempt attempt_;
+};
+
+class looking_up final : public part {
+public:
+  void plan(desk& d) override;
+  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+  void free() { is_blocked_ = false; }
+  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
+
+private:
+  attempt attempt_;
+  std::string mission_id_;
+  bool is_blocked_ = false; // not allowed
+};
+
+} // namespace godwit::mission_client

@@ -1,0 +1,65 @@
+// What has to be done next is a function of the durable state: this finds it, and makes events of the answers.
+//
+//   state, time ──> plan() ──> calls to the service, questions to the map store, events, when to wake up
+//   answers ──────> on_answer(), on_store() ──> events for the durable core, further calls
+//
+// It holds only what may be forgotten: what is under way, and how often it failed in this life. Give it the events that
+// it wished for before it plans again. Thread: one at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "actors/mission_client/deliveries.hpp"
+#include "actors/mission_client/desk.hpp"
+#include "actors/mission_client/earlier.hpp"
+#include "actors/mission_client/fetching.hpp"
+#include "actors/mission_client/polling.hpp"
+#include "actors/mission_client/pulling.hpp"
+
+namespace godwit::mission_client {
+
+enum class wellness { well, impaired, bad };
+
+// For the health board.
+struct condition {
+  wellness how = wellness::well;
+  std::string reason;
+  bool operator==(const condition&) const = default;
+};
+
+class planner {
+public:
+  // SEED: another one in each life, so that no key is made twice.
+  planner(settings configured, std::uint64_t seed) : settings_(configured), random_(seed) {}
+
+  [[nodiscard]] wishes plan(const state& s, instant now);
+  [[nodiscard]] wishes on_answer(const state& s, instant now, ticket number, const service_answer& answer);
+  [[nodiscard]] wishes on_store(const state& s, instant now, ticket number, const store_answer& answer);
+  void on_disk(const mission_client::on_disk& news);
+
+  // Monotonic; of the last plan().
+  [[nodiscard]] std::int64_t wake_ns() const { return wake_ns_; }
+  [[nodiscard]] service_status status(const state& s) const;
+  [[nodiscard]] condition health(const state& s) const;
+
+private:
+  [[nodiscard]] part* take_waiting(ticket number);
+  [[nodiscard]] std::string last_error() const;
+
+  settings settings_;
+  runtime::random_source random_;
+  ledger book_;
+  deliveries deliveries_;
+  earlier earlier_{deliveries_};
+  errands errands_{earlier_};
+  fetching fetching_;
+  looking_up looking_up_;
+  pulling pulling_;
+  polling polling_;
+  std::int64_t wake_ns_ = never_ns;
+  connection_state connection_ = connection_state::unknown;
+};
+
+} // namespace godwit::mission_client

@@ -1,0 +1,69 @@
+#include "actors/mission_client/polling.hpp"
+
+#include <algorithm>
+
+#include "actors/domain/mission/read.hpp"
+#include "actors/mission_client/calls.hpp"
+#include "actors/mission_client/judgement.hpp"
+
+namespace godwit::mission_client {
+
+namespace {
+
+constexpr const char* kind = "asking for assignments";
+
+// The newest revision that the one who flies knows of, as its own or as an assignment's.
+std::int32_t newest_known(const state& s) {
+  auto result = s.revision;
+  for (const auto& each : s.assignments)
+    result = std::max(result, each.what.revision);
+  return result;
+}
+
+bool is_new(const state& s, const mission::assignment& seen) {
+  return std::ranges::none_of(
+      s.assignments, [&](const open_assignment& each) { return each.what.assignment_id == seen.assignment_id; });
+}
+
+} // namespace
+
+void polling::plan(desk& d) {
+  if (d.s.now != phase::ready || is_deleted(d.s, d.s.mission_id) || mission_id_ != d.s.mission_id) {
+    attempt_.forget(d);
+    d.went_well(kind);
+    is_blocked_ = false;
+    mission_id_ = d.s.mission_id;
+  }
+  if (d.s.now != phase::ready || is_deleted(d.s, mission_id_) || is_blocked_ || !attempt_.may_start(d))
+    return;
+  started_ns_ = d.now.monotonic_ns;
+  attempt_.waiting = d.call(*this, get_assignments(d.set, mission_id_, newest_known(d.s)));
+}
+
+void polling::on_answer(desk& d, ticket number, const service_answer& answer) {
+  if (!attempt_.ends_with(number))
+    return;
+  const auto verdict = judge(answer);
+  auto why = verdict == judgement::success ? std::string() : sentence_of(answer);
+  if (verdict == judgement::success) {
+    auto list = mission::read<mission::assignment_list>(answer.body);
+    if (list) {
+      attempt_.succeed();
+      d.went_well(kind);
+      std::erase_if(list->assignments, [&](const mission::assignment& each) { return !is_new(d.s, each); });
+      if (list->assignments.empty())
+        attempt_.not_before_ns = started_ns_ + least_poll_period_ns;
+      else
+        d.happened(assignments_seen{mission_id_, std::move(list->assignments)});
+      return;
+    }
+    why = "what the service sent is no list of assignments: " + list.error().message();
+  }
+  if (verdict == judgement::gone)
+    return d.happened(mission_gone{mission_id_});
+  is_blocked_ = verdict == judgement::not_allowed;
+  attempt_.fail_without_end(d, mission_id_, answer.retry_after_ns);
+  d.went_wrong(kind, why.substr(0, max_error_text));
+}
+
+} // namespace godwit::mission_client

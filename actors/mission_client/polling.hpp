@@ -1,0 +1,28 @@
+// Asks for assignments, one long poll after the other, while a mission is loaded.
+//
+// What has been told to the one who flies is not asked for again until it is settled; after a rejection the service
+// makes a new assignment, which has a higher revision. Thread: one at a time.
+#pragma once
+
+#include "actors/mission_client/desk.hpp"
+
+namespace godwit::mission_client {
+
+// A service that answers at once with nothing new, against the contract, is not asked more often than this.
+inline constexpr std::int64_t least_poll_period_ns = second_ns;
+
+class polling final : public part {
+public:
+  void plan(desk& d) override;
+  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+  void free() { is_blocked_ = false; }
+  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
+
+private:
+  attempt attempt_;
+  std::string mission_id_;
+  std::int64_t started_ns_ = 0;
+  bool is_blocked_ = false; // not allowed
+};
+
+} // namespace godwit::mission_client

@@ -1,0 +1,198 @@
+#include "actors/mission_client/pulling.hpp"
+
+#include <utility>
+
+#include "actors/domain/mission/read.hpp"
+#include "actors/mission_client/calls.hpp"
+#include "actors/mission_client/judgement.hpp"
+#include "actors/mission_client/map_rows.hpp"
+
+namespace godwit::mission_client {
+
+namespace {
+
+constexpr const char* kind = "pulling the map";
+
+std::string with_sample(const std::string& what, const std::string& sample) {
+  return "what the service sent is no page of the map: " + what + "; it began with: " + sample;
+}
+
+} // namespace
+
+void pulling::plan(desk& d) {
+  if (d.s.now != phase::pulling || mission_id_ != d.s.mission_id) {
+    attempt_.forget(d);
+    mission_id_ = d.s.mission_id;
+    stage_ = stage::choosing;
+    loads_ = 0;
+    page_ = {};
+    return d.s.now == phase::pulling ? plan(d) : void();
+  }
+  if (!attempt_.may_start(d))
+    return;
+  attempt_.waiting =
+      stage_ == stage::asking ? d.call(*this, get_page(d.set, mission_id_, what_, next_)) : d.ask(*this, question(d));
+}
+
+store_question pulling::question(const desk& d) const {
+  switch (stage_) {
+  case stage::choosing:
+    return store::choose_mission{mission_id_};
+  case stage::beginning:
+    return store::begin_load{mission_id_};
+  case stage::storing:
+    return page_;
+  case stage::finishing:
+    return store::finish_load{load_, objects_, ignored_, d.now.wall_ns};
+  case stage::failing:
+    return store::pull_failed{mission_id_};
+  default:
+    return store::get_map{};
+  }
+}
+
+// -- the service ----------------------------------------------------------------------------------
+
+void pulling::on_answer(desk& d, ticket number, const service_answer& answer) {
+  if (!attempt_.ends_with(number))
+    return;
+  const auto verdict = judge(answer);
+  if (verdict == judgement::success)
+    return take_page(d, answer);
+  d.count_fetch_error();
+  auto why = sentence_of(answer);
+  d.went_wrong(kind, why);
+  if (verdict == judgement::gone)
+    return d.happened(mission_gone{mission_id_});
+  if (verdict == judgement::wrong && answer.status == 400 && !next_.empty())
+    return begin_anew(why);
+  if (verdict != judgement::transient)
+    return give_up(std::move(why));
+  attempt_.fail(d, mission_id_, answer.retry_after_ns);
+  if (attempt_.failed >= static_cast<std::uint32_t>(d.set.max_tries))
+    give_up("after " + std::to_string(attempt_.failed) + " tries: " + why);
+}
+
+tl::expected<store::load_page, std::string> pulling::page_in(const service_answer& answer,
+                                                             std::optional<std::string>& next) const {
+  store::load_page result{load_, pages_, {}, {}};
+  const auto read_as = [&]<class Page>(std::type_identity<Page>, auto rows_of,
+                                       auto& into) -> tl::expected<void, std::string> {
+    const auto page = mission::read<Page>(answer.body);
+    if (!page)
+      return tl::unexpected(with_sample(page.error().message(), page.error().sample));
+    auto rows = rows_of(*page, mission_id_);
+    if (!rows)
+      return tl::unexpected(with_sample(rows.error(), answer.body.substr(0, mission::max_document_sample)));
+    into = std::move(*rows);
+    next = page->next;
+    return {};
+  };
+  const auto read =
+      what_ == destination::observations
+          ? read_as(std::type_identity<mission::map_object_page>{}, objects_of, result.objects)
+          : read_as(
+                std::type_identity<mission::ignored_item_page>{},
+                [](const auto& page, const auto& id) { return ignored_items_of(page, id); }, result.ignored);
+  if (!read)
+    return tl::unexpected(read.error());
+  return result;
+}
+
+void pulling::take_page(desk& d, const service_answer& answer) {
+  auto page = page_in(answer, next_after_page_);
+  if (!page || pages_ >= max_pages) {
+    d.count_fetch_error();
+    return give_up(page ? "the service's map has no end" : page.error());
+  }
+  page_ = std::move(*page);
+  go_to(stage::storing);
+}
+
+// -- the store ------------------------------------------------------------------------------------
+
+void pulling::on_store(desk& d, ticket number, const store_answer& answer) {
+  if (!attempt_.ends_with(number))
+    return;
+  switch (failure_of(answer)) {
+  case store::map_failure::none:
+    break;
+  case store::map_failure::load_given_up:
+    return begin_anew(sentence_of(answer));
+  case store::map_failure::busy:
+    attempt_.fail(d, mission_id_);
+    if (attempt_.failed < static_cast<std::uint32_t>(d.set.max_tries))
+      return;
+    [[fallthrough]];
+  default:
+    if (stage_ == stage::failing || stage_ == stage::looking)
+      return end(d, pull_state::failed);
+    return give_up(sentence_of(answer));
+  }
+  if (const auto* begun = std::get_if<store::load_answer>(&answer); begun != nullptr && stage_ == stage::beginning)
+    load_ = begun->load;
+  if (const auto* map = std::get_if<store::map_status>(&answer); map != nullptr && stage_ == stage::looking) {
+    const bool has_copy = map->mission_id == mission_id_ &&
+                          (map->sync == store::sync_state::degraded || map->sync == store::sync_state::cached_fallback);
+    return end(d, has_copy ? pull_state::cached_fallback : pull_state::failed);
+  }
+  go_on(d);
+}
+
+void pulling::go_on(desk& d) {
+  switch (stage_) {
+  case stage::choosing:
+    return go_to(stage::beginning);
+  case stage::beginning:
+    what_ = destination::observations;
+    next_.clear();
+    pages_ = objects_ = ignored_ = 0;
+    return go_to(stage::asking);
+  case stage::storing:
+    ++pages_;
+    objects_ += static_cast<std::int64_t>(page_.objects.size());
+    ignored_ += static_cast<std::int64_t>(page_.ignored.size());
+    page_ = {};
+    next_ = next_after_page_.value_or("");
+    if (next_after_page_)
+      return go_to(stage::asking);
+    go_to(what_ == destination::observations ? stage::asking : stage::finishing);
+    what_ = destination::ignored_items;
+    return;
+  case stage::failing:
+    return go_to(stage::looking);
+  default:
+    return end(d, pull_state::synced);
+  }
+}
+
+void pulling::go_to(stage next) {
+  stage_ = next;
+  attempt_.succeed();
+}
+
+void pulling::begin_anew(const std::string& why) {
+  page_ = {};
+  if (++loads_ >= max_loads)
+    return give_up("the load began anew " + std::to_string(loads_ - 1) + " times; the last time: " + why);
+  go_to(stage::beginning);
+}
+
+void pulling::give_up(std::string why) {
+  reason_ = std::move(why);
+  page_ = {};
+  go_to(stage::failing);
+}
+
+void pulling::end(desk& d, pull_state result) {
+  const auto mission_id = std::exchange(mission_id_, {}); // the next pull begins at the beginning
+  if (result == pull_state::synced)
+    d.went_well(kind);
+  else
+    d.went_wrong(kind, reason_);
+  const bool has_map = result == pull_state::synced;
+  d.happened(pull_ended{{mission_id, result, has_map ? static_cast<std::uint64_t>(objects_) : 0,
+                         has_map ? static_cast<std::uint64_t>(ignored_) : 0, has_map ? std::string() : reason_}});
+}
+
+} // namespace godwit::mission_client

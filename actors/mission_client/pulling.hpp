@@ -1,0 +1,59 @@
+// Pulls the map: from the service page by page into a load of the map store, which becomes the map when it is whole.
+//
+//   choose the mission ─> begin a load ─> page of objects ─> ... ─> page of ignored items ─> ... ─> finish
+//                              ^                │
+//                              └── a `next` that is not known any more, or a load that was given up (a few times)
+//   failed: the store is told, and says whether it has a copy from before
+//
+// The load begins before the first page is asked for: what is delivered in between may be missing in the pages, and
+// the store has to know. A page is in the store before the next one is asked for, so that one page is in memory.
+// Thread: one at a time.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "actors/mission_client/desk.hpp"
+
+namespace godwit::mission_client {
+
+// A load is begun anew at most so often.
+inline constexpr int max_loads = 4;
+// Without a bound a service that always gives a `next` would be asked for ever: 20 million objects.
+inline constexpr std::int64_t max_pages = 10'000;
+
+class pulling final : public part {
+public:
+  void plan(desk& d) override;
+  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+  void on_store(desk& d, ticket number, const store_answer& answer) override;
+
+private:
+  enum class stage { choosing, beginning, asking, storing, finishing, failing, looking };
+
+  [[nodiscard]] store_question question(const desk& d) const;
+  void take_page(desk& d, const service_answer& answer);
+  [[nodiscard]] tl::expected<store::load_page, std::string> page_in(const service_answer& answer,
+                                                                    std::optional<std::string>& next) const;
+  void go_to(stage next);
+  void begin_anew(const std::string& why);
+  void give_up(std::string why);
+  void go_on(desk& d);
+  void end(desk& d, pull_state result);
+
+  attempt attempt_;
+  stage stage_ = stage::choosing;
+  std::string mission_id_;
+  std::string reason_; // why it fails
+  int loads_ = 0;
+  std::int64_t load_ = 0;                        // the store's number
+  destination what_ = destination::observations; // which pages; observations stands for the objects
+  std::string next_;
+  std::int64_t pages_ = 0;
+  std::int64_t objects_ = 0;
+  std::int64_t ignored_ = 0;
+  store::load_page page_; // until the store has it
+  std::optional<std::string> next_after_page_;
+};
+
+} // namespace godwit::mission_client

@@ -1,0 +1,123 @@
+// What of mission_client must survive a crash: which mission, how far with it, and what is owed to the service.
+//
+//          begin_mission            earlier_delivered             mission_fetched           pull_ended
+//   [idle] ─────────────> [delivering_earlier] ─────────> [fetching] ─────────> [pulling] ───────────> [ready]
+//                               ^                              │ fetch_failed,      ^                     │
+//                               │ begin_mission                v mission_gone       └──── pull_map ───────┘
+//                               └───────────────────────── [refused]                   (after a pull that failed)
+//
+// begin_mission for another mission leads to delivering_earlier from everywhere. What is owed is delivered in every
+// phase. Thread: plain values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "actors/mission_client/outbox.hpp"
+#include "io/fields/field_table.hpp"
+#include "messages/mission_client/types.hpp"
+
+namespace godwit::mission_client {
+
+enum class phase { idle, delivering_earlier, fetching, pulling, ready, refused };
+
+constexpr auto enum_names(phase) {
+  return io::names<phase>({{phase::idle, "idle"},
+                           {phase::delivering_earlier, "delivering_earlier"},
+                           {phase::fetching, "fetching"},
+                           {phase::pulling, "pulling"},
+                           {phase::ready, "ready"},
+                           {phase::refused, "refused"}});
+}
+
+// Missions of which something is known; the oldest with nothing owed is forgotten.
+inline constexpr std::size_t max_mission_notes = 64;
+// Assignments that nobody has responded to. The service gives further ones again when these are settled.
+inline constexpr std::size_t max_open_assignments = 16;
+// Keys of what was settled last, so that a repetition is known as such.
+inline constexpr std::size_t max_settled_keys = 256;
+// One for each mission and kind.
+inline constexpr std::size_t max_errands = 2 * max_mission_notes;
+
+struct mission_note {
+  std::string mission_id;
+  bool is_deleted = false;
+  bool is_pushing = false;   // what the map store owes for it is being delivered
+  bool was_asked = false;    // by push_map: somebody waits for mission_settled
+  bool seen_done = false;    // of its observations the store has no more, or they can not be delivered
+  bool ignored_done = false; // the same of its ignored items
+  std::uint32_t last_report_no = 0;
+  static constexpr auto fields =
+      io::table("mission_client.mission_note", io::field("mission_id", &mission_note::mission_id),
+                io::field("is_deleted", &mission_note::is_deleted), io::field("is_pushing", &mission_note::is_pushing),
+                io::field("was_asked", &mission_note::was_asked), io::field("seen_done", &mission_note::seen_done),
+                io::field("ignored_done", &mission_note::ignored_done),
+                io::field("last_report_no", &mission_note::last_report_no));
+
+  [[nodiscard]] bool is_done(destination to) const {
+    return to == destination::observations ? seen_done : ignored_done;
+  }
+  void set_done(destination to, bool done) { (to == destination::observations ? seen_done : ignored_done) = done; }
+};
+
+struct open_assignment {
+  mission::assignment what;
+  bool is_responded = false; // and the response is not delivered yet
+  static constexpr auto fields = io::table("mission_client.open_assignment", io::field("what", &open_assignment::what),
+                                           io::field("is_responded", &open_assignment::is_responded));
+};
+
+// What the map store has to be told, until it has confirmed it.
+enum class errand_kind { delete_mission, orphan_mission, requeue_mission };
+
+constexpr auto enum_names(errand_kind) {
+  return io::names<errand_kind>({{errand_kind::delete_mission, "delete_mission"},
+                                 {errand_kind::orphan_mission, "orphan_mission"},
+                                 {errand_kind::requeue_mission, "requeue_mission"}});
+}
+
+struct errand {
+  errand_kind kind = errand_kind::delete_mission;
+  std::string mission_id; // empty, to queue again: all
+  std::string reason;
+  static constexpr auto fields =
+      io::table("mission_client.errand", io::field("kind", &errand::kind), io::field("mission_id", &errand::mission_id),
+                io::field("reason", &errand::reason));
+};
+
+struct state {
+  phase now = phase::idle;
+  std::string mission_id;
+  std::int32_t revision = 0;      // 0: nothing is loaded
+  std::string schema_version;     // of the last mission that the service sent
+  std::int64_t last_fetch_ns = 0; // 0: never
+  pull_state pull = pull_state::not_started;
+  bool looks_up = false; // the fate of a change is not known: the mission has to be fetched
+  std::vector<mission_note> missions;
+  std::vector<outbox_row> rows;             // in the order in which they came
+  std::vector<open_assignment> assignments; // of mission_id, oldest first
+  std::vector<errand> errands;              // oldest first
+  std::vector<std::string> settled_keys;    // oldest first
+  std::uint64_t next_order = 1;
+  std::uint64_t settled_rows = 0;
+  std::uint64_t refused_rows = 0; // for which there was no room
+  static constexpr int version = 1;
+  static constexpr auto fields = io::table(
+      "mission_client.state", io::field("now", &state::now), io::field("mission_id", &state::mission_id),
+      io::field("revision", &state::revision), io::field("schema_version", &state::schema_version),
+      io::field("last_fetch_ns", &state::last_fetch_ns), io::field("pull", &state::pull),
+      io::field("looks_up", &state::looks_up), io::field("missions", &state::missions), io::field("rows", &state::rows),
+      io::field("assignments", &state::assignments), io::field("errands", &state::errands),
+      io::field("settled_keys", &state::settled_keys), io::field("next_order", &state::next_order),
+      io::field("settled_rows", &state::settled_rows), io::field("refused_rows", &state::refused_rows));
+};
+
+[[nodiscard]] const mission_note* find_note(const state& s, std::string_view mission_id);
+[[nodiscard]] inline bool is_deleted(const state& s, std::string_view mission_id) {
+  const auto* note = find_note(s, mission_id);
+  return note != nullptr && note->is_deleted;
+}
+
+} // namespace godwit::mission_client

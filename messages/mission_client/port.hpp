@@ -1,0 +1,22 @@
+// What the service's thread and the timers say to mission_client: nothing that anybody else needs. Thread: plain
+// values.
+#pragma once
+
+#include <cstdint>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::mission_client {
+
+// An answer of the service has come; it waits in the port, not in the mailbox.
+struct wake {
+  static constexpr auto fields = io::table("mission_client.wake");
+};
+
+// Something may be due. One that was overtaken by a newer timer has an old number.
+struct timer {
+  std::uint64_t number = 0;
+  static constexpr auto fields = io::table("mission_client.timer", io::field("number", &timer::number));
+};
+
+} // namespace godwit::mission_client

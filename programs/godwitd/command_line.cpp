@@ -1,0 +1,114 @@
+#include "programs/godwitd/command_line.hpp"
+
+#include <cstdio>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "programs/godwitd/console.hpp"
+#include "programs/godwitd/option_table.hpp"
+
+namespace godwit::daemon {
+namespace {
+
+using runtime::exit_code;
+
+constexpr const char* about =
+    "The onboard daemon. In this form it fetches a mission, pulls its map, takes sightings from a file, and delivers "
+    "what is owed to the missions service, also over crashes. It does not fly: it sends the vehicle nothing but its "
+    "heartbeat and which telemetry it wants.";
+
+constexpr const char* examples =
+    R"(Each option with a value is also a variable of the environment: --token-file is GODWIT_TOKEN_FILE. The command line
+stands above the environment, that above the file of --config.
+
+Examples:
+  godwitd --service https://missions.example.org --token-file token --vehicle udpin://0.0.0.0:14550 \
+          --mission-id 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42
+  godwitd --config godwit.json --sightings seen.ndjson --once
+  godwitd --mission survey.plan --vehicle serial:///dev/ttyAMA0:921600
+  godwitd --outbox --journal godwit.db
+  godwitd ctl status
+  godwitd ctl outbox-retry
+  godwitd convert survey.plan survey.json
+
+Exit codes: 0 done, 1 it could not be done, 2 a mistake on the command line or in the configuration, 70 and 71 start it
+again.)";
+
+constexpr const char* convert_examples = R"(Formats, by the ending: .json (godwit), .plan (QGroundControl),
+.waypoints and .txt (QGC WPL 110), .geojson.
+
+Examples:
+  godwitd convert survey.plan survey.json
+  godwitd convert survey.json survey.geojson
+  godwitd convert old.waypoints mission.json --allow-partial
+
+Exit codes: 0 converted, 1 nothing was written: the file can not be read, is no mission, or something of it can not be
+carried over; 2 an ending that means no format.)";
+
+void add_options(CLI::App& app, invocation& to) {
+  for (const auto& row : option_rows) {
+    const auto flag = "--" + std::string(row.name);
+    const auto name = std::string(row.name);
+    if (row.kind == option_kind::flag)
+      app.add_flag_callback(
+          flag, [&to, name] { to.options[name] = "true"; }, std::string(row.help));
+    else
+      app.add_option_function<std::string>(
+             flag, [&to, name](const std::string& text) { to.options[name] = text; }, std::string(row.help))
+          ->type_name(std::string(row.type_name));
+  }
+  app.add_flag("--fly", to.fly, "Not there yet: an error that says so");
+  app.add_flag_callback(
+      "--outbox", [&to] { to.what = task::list_outbox; },
+      "Lists what is owed to the service, also beside a running godwitd, and ends");
+  app.add_flag("--json", to.json, "Lists and answers as JSON");
+  app.set_version_flag("--version", std::string("godwitd ") + GODWIT_VERSION);
+}
+
+void add_control(CLI::App& app, invocation& to) {
+  auto* const ctl = app.add_subcommand("ctl", "Talks to a running godwitd over its control socket.");
+  ctl->require_subcommand(1);
+  ctl->fallthrough();
+  auto* const status = ctl->add_subcommand("status", "How far it is: mission, map, deliveries, vehicle.");
+  status->fallthrough();
+  status->callback([&to] { to.what = task::ask_status; });
+  auto* const retry = ctl->add_subcommand(
+      "outbox-retry", "Tries what is pending now, and queues again what was orphaned or has expired.");
+  retry->fallthrough();
+  retry->add_option("ID", to.outbox_key, "The key of one row (all)");
+  retry->callback([&to] { to.what = task::retry_outbox; });
+}
+
+void add_convert(CLI::App& app, invocation& to) {
+  auto* const convert = app.add_subcommand("convert", "Turns a mission from one file format into another.");
+  convert->fallthrough();
+  convert->add_option("IN", to.files.in, "The mission that is there")->required();
+  convert->add_option("OUT", to.files.out, "Where to write it; a file that is there is replaced")->required();
+  convert->footer(convert_examples);
+  convert->callback([&to] { to.what = task::convert; });
+}
+
+} // namespace
+
+tl::expected<invocation, exit_code> read_command_line(int argc, const char* const* argv) {
+  invocation result;
+  CLI::App app{about, "godwitd"};
+  app.footer(examples);
+  add_options(app, result);
+  add_control(app, result);
+  add_convert(app, result);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      return tl::make_unexpected(exit_code::ok);
+    }
+    say(std::string(error.what()) + "; godwitd --help shows what there is");
+    return tl::make_unexpected(exit_code::usage);
+  }
+  return result;
+}
+
+} // namespace godwit::daemon

@@ -1,0 +1,31 @@
+// The command line of godwitd, read.
+//
+// Errors: exit code 2 with a sentence and the help on stderr; --help and --version end with 0. Thread: one.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "programs/godwitd/configuration.hpp"
+#include "programs/godwitd/convert_command.hpp"
+#include "runtime/process.hpp"
+
+namespace godwit::daemon {
+
+enum class task { run, list_outbox, convert, ask_status, retry_outbox };
+
+struct invocation {
+  task what = task::run;
+  given_texts options;     // by the names of option_table.hpp
+  bool json = false;       // answers for programs
+  bool fly = false;        // asked for, and not there
+  convert_arguments files; // convert
+  std::string outbox_key;  // retry_outbox; empty: all
+  [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
+};
+
+// Or with what the program ends at once.
+[[nodiscard]] tl::expected<invocation, runtime::exit_code> read_command_line(int argc, const char* const* argv);
+
+} // namespace godwit::daemon

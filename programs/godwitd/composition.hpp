@@ -1,0 +1,85 @@
+// All of godwitd's parts, made in one place and joined there. What they are: daemon.hpp.
+//
+// Errors: sentences for people, with what to do. Thread: one owner.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "actors/mapobjects_store/map_port.hpp"
+#include "actors/mission_client/actor.hpp"
+#include "actors/mission_client/http_service.hpp"
+#include "actors/vehicle_link/link_port.hpp"
+#include "actors/vehicle_link/listeners.hpp"
+#include "io/mavlink/signing/channel.hpp"
+#include "messages/mission/document.hpp"
+#include "programs/godwit-sim/line_printer.hpp"
+#include "programs/godwitd/control/desk.hpp"
+#include "programs/godwitd/control/server.hpp"
+#include "programs/godwitd/ground_run/actor.hpp"
+#include "programs/godwitd/run_end.hpp"
+#include "programs/godwitd/settings.hpp"
+#include "programs/godwitd/sightings/sighting_feed.hpp"
+
+namespace godwit::daemon {
+
+class composition {
+public:
+  // Opens files, and starts nothing. PRINTER outlives it.
+  [[nodiscard]] static tl::expected<std::unique_ptr<composition>, std::string> make(daemon_settings wanted,
+                                                                                    sim::line_printer& printer);
+  composition(const composition&) = delete;
+  composition& operator=(const composition&) = delete;
+  ~composition() = default;
+
+  // Starts the actors and joins them to the world. After an error: close().
+  [[nodiscard]] tl::expected<void, std::string> open();
+
+  // In order; returns CODE.
+  [[nodiscard]] int close(runtime::exit_code code);
+
+  [[nodiscard]] runtime::process& host() { return *host_; }
+  // None without a service.
+  [[nodiscard]] const mission_client::own_handle& client() const { return client_; }
+  [[nodiscard]] const std::string& mission_id() const { return wanted_.mission_id; }
+  [[nodiscard]] std::optional<run_end::outcome> end_of_run() const { return end_.get(); }
+
+private:
+  composition(daemon_settings wanted, sim::line_printer& printer) : wanted_(std::move(wanted)), printer_(printer) {}
+
+  [[nodiscard]] tl::expected<void, std::string> open_files();
+  [[nodiscard]] tl::expected<void, std::string> load_mission();
+  void add_actors();
+  void open_vehicle();
+  void open_feed();
+  [[nodiscard]] tl::expected<void, std::string> open_map();
+  [[nodiscard]] tl::expected<void, std::string> open_control();
+  [[nodiscard]] ground_run::run_world world_of_run();
+  [[nodiscard]] ground_run::settings settings_of_run() const;
+  void announce(const ground_run::announce& said);
+
+  daemon_settings wanted_;
+  sim::line_printer& printer_;
+  run_end end_;
+  io::mavlink::signing_settings signing_;
+
+  std::shared_ptr<sighting_feed> feed_;                   // none without sightings
+  std::shared_ptr<mission_client::http_service> service_; // none without a service
+  std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
+  std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
+  std::shared_ptr<control::answer_box> control_answers_;
+
+  std::unique_ptr<runtime::process> host_;
+  vehicle_link::own_handle vehicle_;
+  mapobjects_store::own_handle store_;
+  mission_client::own_handle client_;
+  ground_run::own_handle run_;
+  control::desk_handle desk_;
+
+  std::unique_ptr<control::server> control_;
+};
+
+} // namespace godwit::daemon

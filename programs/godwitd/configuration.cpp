@@ -1,0 +1,98 @@
+#include "programs/godwitd/configuration.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include "programs/godwitd/option_table.hpp"
+#include "runtime/config/config.hpp"
+#include "runtime/config/schema.hpp"
+#include "runtime/config/suggest.hpp"
+
+namespace godwit::daemon {
+namespace {
+
+constexpr std::string_view variable_prefix = "GODWIT_";
+
+tl::expected<void, std::string> check_known(const given_texts& environment) {
+  std::vector<std::string> known;
+  for (const auto& row : option_rows)
+    known.push_back(variable_of(row));
+  for (const auto& [name, text] : environment) {
+    if (std::find(known.begin(), known.end(), name) != known.end())
+      continue;
+    const auto near = runtime::nearest_word(name, known);
+    return tl::make_unexpected("the variable " + name + " of the environment means nothing to godwitd" +
+                               (near ? "; did you mean " + *near + "?" : ": take it out"));
+  }
+  return {};
+}
+
+nlohmann::json value_of_text(const option_row& row, const std::string& text) {
+  if (row.kind == option_kind::flag && (text == "true" || text == "1"))
+    return true;
+  if (row.kind == option_kind::flag && (text == "false" || text == "0"))
+    return false;
+  return text;
+}
+
+// NAME is what people typed. A value that the schema does not allow is the only thing that can be wrong with DOCUMENT.
+tl::expected<void, std::string> put(nlohmann::json& document, const nlohmann::json& schema, const option_row& row,
+                                    const std::string& name, const std::string& text) {
+  document[nlohmann::json::json_pointer(std::string(row.place))] = value_of_text(row, text);
+  const auto problems = runtime::violations(document, schema);
+  if (problems.empty())
+    return {};
+  return tl::make_unexpected(name + " " + problems.front().what + "; allowed: " + problems.front().allowed);
+}
+
+// The text given for OPTION, the stronger place first.
+const std::string* config_file(const given_texts& command_line, const given_texts& environment) {
+  const auto given = command_line.find(config_option);
+  if (given != command_line.end())
+    return &given->second;
+  const auto named = environment.find(variable_of(*find_option(config_option)));
+  return named == environment.end() ? nullptr : &named->second;
+}
+
+} // namespace
+
+tl::expected<nlohmann::json, std::string> effective_configuration(const given_texts& command_line,
+                                                                  const given_texts& environment) {
+  if (auto known = check_known(environment); !known)
+    return tl::make_unexpected(std::move(known.error()));
+  const auto* const file = config_file(command_line, environment);
+  auto document = file == nullptr ? runtime::load_config("{}", "defaults", runtime::godwit_schema())
+                                  : runtime::load_config_file(*file, runtime::godwit_schema());
+  if (!document)
+    return tl::make_unexpected(document.error().message());
+  const auto schema = nlohmann::json::parse(runtime::godwit_schema());
+  for (const auto& row : option_rows) {
+    if (row.place.empty())
+      continue;
+    tl::expected<void, std::string> taken;
+    if (const auto given = command_line.find(row.name); given != command_line.end())
+      taken = put(*document, schema, row, "--" + given->first, given->second);
+    else if (const auto named = environment.find(variable_of(row)); named != environment.end())
+      taken = put(*document, schema, row, named->first, named->second);
+    if (!taken)
+      return tl::make_unexpected(std::move(taken.error()));
+  }
+  return *std::move(document);
+}
+
+given_texts godwit_variables() {
+  given_texts result;
+  for (char** each = environ; *each != nullptr; ++each) {
+    const std::string_view entry = *each;
+    const auto end = entry.find('=');
+    if (entry.starts_with(variable_prefix) && end != std::string_view::npos)
+      result.emplace(entry.substr(0, end), entry.substr(end + 1));
+  }
+  return result;
+}
+
+} // namespace godwit::daemon

@@ -1,0 +1,78 @@
+#include "programs/godwitd/control/desk.hpp"
+
+#include "io/fields/json_text.hpp"
+
+namespace godwit::control {
+
+using nlohmann::json;
+using runtime::ask_error;
+
+desk::behavior_type desk::handlers() {
+  return {on<control_request>([this](const control_request& m) { take(m); })};
+}
+
+void desk::take(const control_request& asked) {
+  switch (asked.what) {
+  case request_kind::status:
+    collect_status(asked.ticket);
+    return;
+  case request_kind::outbox_retry:
+    retry(asked);
+    return;
+  }
+}
+
+void desk::collect_status(std::uint64_t ticket) {
+  collecting_[ticket] = {{{"ok", true}}, others_.client ? 4 : 3};
+  collect(ticket, "run", others_.run, ground_run::get_run{});
+  collect(ticket, "map", others_.store, mapobjects_store::get_map{});
+  collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});
+  if (others_.client)
+    collect(ticket, "service", others_.client, mission_client::get_service{});
+}
+
+template <class Handle, class Question>
+void desk::collect(std::uint64_t ticket, const char* part, const Handle& who, Question question) {
+  ask(
+      who, answer_timeout, question,
+      [this, ticket, part](const auto& answer) { put(ticket, part, json::parse(io::to_json(answer))); },
+      [this, ticket, part](const ask_error& why) {
+        put(ticket, part, {{"error", "there is no answer: " + why.what}});
+      });
+}
+
+void desk::put(std::uint64_t ticket, const char* part, json what) {
+  const auto found = collecting_.find(ticket);
+  if (found == collecting_.end())
+    return;
+  found->second.document[part] = std::move(what);
+  if (--found->second.missing != 0)
+    return;
+  answer_with(ticket, found->second.document);
+  collecting_.erase(found);
+}
+
+void desk::retry(const control_request& asked) {
+  if (!others_.client) {
+    answer_with(asked.ticket, {{"ok", false},
+                               {"error", "this godwitd has its mission from a file: it owes nothing to "
+                                         "a service"}});
+    return;
+  }
+  ask(
+      others_.client, answer_timeout, mission_client::retry_outbox{asked.key},
+      [this, ticket = asked.ticket](const mission_client::retry_answer& answer) {
+        auto document = json::parse(io::to_json(answer));
+        document["ok"] = answer.error.empty();
+        answer_with(ticket, document);
+      },
+      [this, ticket = asked.ticket](const ask_error& why) {
+        answer_with(ticket, {{"ok", false}, {"error", "mission_client does not answer: " + why.what + "; ask again"}});
+      });
+}
+
+void desk::answer_with(std::uint64_t ticket, const json& document) {
+  answers_->put({ticket, document.dump(-1, ' ', false, json::error_handler_t::replace)});
+}
+
+} // namespace godwit::control

@@ -1,0 +1,65 @@
+// The control desk: asks the actors what somebody at the control socket wants to know or to have done, and answers when
+// all of them have, or have not.
+//
+// The socket's thread can tell actors but not ask them; this actor can. An actor that does not answer in time is in the
+// answer as an error; whoever waits gets one in any case, but for a crash of the desk: then the socket's own time-out
+// says so. Errors: in the answers. Thread: as cell.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "messages/mapobjects_store/handle.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "messages/vehicle_link/handle.hpp"
+#include "programs/godwitd/control/answer_box.hpp"
+#include "programs/godwitd/control/messages.hpp"
+#include "programs/godwitd/ground_run/handle.hpp"
+#include "runtime/cell.hpp"
+
+namespace godwit::control {
+
+using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
+using desk_handle = runtime::mailbox<runtime::tells<control_request>>;
+
+struct neighbours {
+  mission_client::operator_handle client; // none without a service
+  mapobjects_store::operator_handle store;
+  vehicle_handle vehicle;
+  ground_run::status_handle run;
+};
+
+class desk final : public runtime::cell<desk_handle> {
+public:
+  static constexpr std::chrono::seconds answer_timeout{3}; // below that of the socket
+
+  desk(runtime::actor_config& config, runtime::birth born, neighbours others, std::shared_ptr<answer_box> answers)
+      : cell(config, std::move(born)), others_(std::move(others)), answers_(std::move(answers)) {}
+
+protected:
+  behavior_type handlers() override;
+
+private:
+  struct half_answer {
+    nlohmann::json document;
+    int missing = 0;
+  };
+
+  void take(const control_request& asked);
+  void collect_status(std::uint64_t ticket);
+  void retry(const control_request& asked);
+  template <class Handle, class Question>
+  void collect(std::uint64_t ticket, const char* part, const Handle& who, Question question);
+  void put(std::uint64_t ticket, const char* part, nlohmann::json what);
+  void answer_with(std::uint64_t ticket, const nlohmann::json& document);
+
+  neighbours others_;
+  std::shared_ptr<answer_box> answers_;
+  std::map<std::uint64_t, half_answer> collecting_; // by ticket: at most one for each client of the socket
+};
+
+} // namespace godwit::control

@@ -1,0 +1,21 @@
+// A line of the control socket: {"do": "status"}, {"do": "outbox_retry", "key": "..."}, {"do": "start"}.
+//
+// Errors: a sentence. Thread: pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "programs/godwitd/control/messages.hpp"
+
+namespace godwit::control {
+
+// Without a ticket.
+[[nodiscard]] tl::expected<control_request, std::string> read_request(std::string_view line);
+
+// {"ok":false,"error":"..."}
+[[nodiscard]] std::string refusal_line(const std::string& sentence);
+
+} // namespace godwit::control

@@ -1,0 +1,190 @@
+#include "programs/godwitd/ground_run/actor.hpp"
+
+#include <variant>
+
+#include "actors/mapobjects_store/uuid.hpp"
+#include "programs/godwitd/ground_run/sentences.hpp"
+
+namespace godwit::ground_run {
+
+using mapobjects_store::map_failure;
+using runtime::ask_error;
+
+actor::behavior_type actor::handlers() {
+  return {on<mission_client::mission_loaded>([this](const mission_client::mission_loaded& m) {
+            loaded_ns_ = now_ns();
+            carry_out(core_.on_loaded(m));
+          }),
+          on<mission_client::mission_refused>(
+              [this](const mission_client::mission_refused& m) { carry_out(core_.on_refused(m)); }),
+          on<mission_client::map_pulled>([this](const mission_client::map_pulled& m) {
+            std::optional<double> pull_s;
+            if (loaded_ns_)
+              pull_s = static_cast<double>(now_ns() - *loaded_ns_) * 1e-9;
+            carry_out(core_.on_pulled(m, pull_s));
+          }),
+          on<mission_client::change_outcome>(
+              [this](const mission_client::change_outcome& m) { carry_out(announce{sentence_of(m)}); }),
+          on<mission_client::assignment_arrived>([this](const mission_client::assignment_arrived& m) { turn_down(m); }),
+          on<mission_client::mission_deleted>(
+              [this](const mission_client::mission_deleted& m) { carry_out(core_.on_deleted(m)); }),
+          on<mission_client::mission_settled>(
+              [this](const mission_client::mission_settled& m) { carry_out(core_.on_settled(m)); }),
+          on<vehicle_link::connection_changed>([this](const vehicle_link::connection_changed& m) {
+            has_news_of_vehicle_ = true;
+            carry_out(announce{sentence_of(m)});
+          }),
+          on<woken>([this](const woken&) { flow(); }),
+          on<tick>([this](const tick&) { look_again(); }),
+          on<retry_due>([this](const retry_due&) { carry_out(core_.on_retry()); }),
+          on<get_run>([this](const get_run&) {
+            return run_status{mission_id_, core_.now(), feed_ ? feed_->counts() : sighting_counts{}};
+          })};
+}
+
+void actor::started() {
+  if (feed_)
+    feed_->take_back_all();
+  carry_out(core_.on_start());
+  tell_after(tick_period, me(), tick{});
+}
+
+void actor::carry_out(const steps& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+}
+
+void actor::carry_out(const begin_fetch&) { tell(others_->client, mission_client::begin_mission{mission_id_}); }
+
+void actor::carry_out(const choose&) {
+  ask(
+      others_->store, answer_timeout, mapobjects_store::choose_mission{mission_id_},
+      [this](const mapobjects_store::map_answer& answer) {
+        if (answer.failure == map_failure::none)
+          carry_out(core_.on_chosen());
+        else if (answer.failure != map_failure::busy)
+          carry_out(core_.on_map_broken(answer.error));
+      },
+      [](const ask_error&) {}); // asked again with the next tick
+}
+
+void actor::carry_out(const look&) {
+  ask(
+      others_->client, answer_timeout, mission_client::get_service{},
+      [this](const mission_client::service_status& now) { carry_out(core_.on_status(now)); }, [](const ask_error&) {});
+}
+
+void actor::carry_out(const see&) {
+  is_seeing_ = true;
+  flow();
+}
+
+void actor::carry_out(const push&) { tell(others_->client, mission_client::push_map{mission_id_}); }
+
+void actor::carry_out(const count_owed&) {
+  wants_owed_ = true;
+  ask(
+      others_->store, answer_timeout, mapobjects_store::get_owed{},
+      [this](const mapobjects_store::owed_list& left) {
+        if (left.failure != map_failure::none)
+          return;
+        wants_owed_ = false;
+        carry_out(core_.on_owed(left));
+      },
+      [](const ask_error&) {});
+}
+
+void actor::carry_out(const begin_later&) { tell_after(retry_after, me(), retry_due{}); }
+
+// What an answer did not settle is asked again, once a second.
+void actor::look_again() {
+  const auto now = core_.now();
+  if (now == phase::loading || now == phase::pulling)
+    carry_out(has_service_ ? steps{look{}} : steps{choose{}});
+  if (wants_owed_)
+    carry_out(count_owed{});
+  if (!has_news_of_vehicle_)
+    look_at_vehicle();
+  is_resting_ = false;
+  flow();
+  tell_after(tick_period, me(), tick{});
+}
+
+// A link that could never be opened does not change, and so nobody is told of it.
+void actor::look_at_vehicle() {
+  ask(
+      others_->vehicle, answer_timeout, vehicle_link::get_connection{},
+      [this](const vehicle_link::connection& now) {
+        if (has_news_of_vehicle_ || now.reason.empty())
+          return;
+        has_news_of_vehicle_ = true;
+        carry_out(announce{sentence_of(vehicle_link::connection_changed{now.phase, now.reason}), true});
+      },
+      [](const ask_error&) {});
+}
+
+void actor::flow() {
+  if (!is_seeing_)
+    return;
+  while (!is_resting_ && under_way_ < max_under_way) {
+    const auto each = feed_->take();
+    if (!each)
+      break;
+    record(*each);
+  }
+  if (!feed_->is_over())
+    return;
+  is_seeing_ = false;
+  carry_out(core_.on_sightings_over(feed_->counts()));
+}
+
+void actor::record(const daemon::sighting_feed::numbered& each) {
+  ++under_way_;
+  ask(
+      others_->store, answer_timeout, each.seen,
+      [this, number = each.number](const mapobjects_store::sighting_answer& answer) {
+        --under_way_;
+        answered(number, answer);
+        flow();
+      },
+      [this, number = each.number](const ask_error&) {
+        --under_way_;
+        feed_->take_back(number);
+        is_resting_ = true;
+      });
+}
+
+void actor::answered(std::uint64_t number, const mapobjects_store::sighting_answer& answer) {
+  switch (answer.failure) {
+  case map_failure::none:
+    feed_->settle(number, true);
+    return;
+  case map_failure::busy:
+    feed_->take_back(number);
+    is_resting_ = true;
+    return;
+  case map_failure::broken:
+    is_seeing_ = false;
+    carry_out(core_.on_map_broken(answer.error));
+    return;
+  default:
+    feed_->settle(number, false);
+    if (feed_->counts().refused <= max_told_refusals)
+      carry_out(announce{"a sighting is refused: " + answer.error, true});
+  }
+}
+
+// There is no plan on the vehicle that could be changed. The key follows from the assignment, so that turning it down
+// twice is one answer.
+void actor::turn_down(const mission_client::assignment_arrived& wish) {
+  const std::string reason = "this vehicle does not fly missions yet";
+  mission::assignment_response response;
+  response.idempotency_key = mapobjects_store::derived_uuid(wish.assignment.assignment_id, wish.mission_id);
+  response.outcome = mission::assignment_outcome::rejected;
+  response.reason = reason;
+  tell(others_->client,
+       mission_client::respond_to_assignment{wish.mission_id, wish.assignment.assignment_id, std::move(response)});
+  carry_out(announce{"assignment " + wish.assignment.assignment_id + " is turned down: " + reason});
+}
+
+} // namespace godwit::ground_run

@@ -1,0 +1,88 @@
+// The run on the ground as an actor: stands in the place of what flies the mission, listens to mission_client, and
+// feeds the sightings to the map store.
+//
+// The course is core.hpp's. A sighting is asked again, under the same id, until the store has answered it; those under
+// way are bounded. Nothing of it is durable: see core.hpp. Errors: told to people, or the end of the run. Thread: as
+// cell.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "messages/mapobjects_store/handle.hpp"
+#include "programs/godwitd/ground_run/handle.hpp"
+#include "programs/godwitd/sightings/sighting_feed.hpp"
+#include "runtime/cell.hpp"
+
+namespace godwit::ground_run {
+
+using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
+
+// Filled in while the process is composed, before the actors start.
+struct neighbours {
+  vehicle_handle vehicle;
+  mission_client::flight_handle client; // none without a service
+  mapobjects_store::handle store;
+};
+
+// The world outside of the actors. Both may be called by any thread and do not block.
+struct run_world {
+  std::function<void(const announce& said)> tell_people;
+  std::function<void(const finish& how)> end;
+};
+
+class actor final : public runtime::cell<own_handle> {
+public:
+  // More would wait in the store's queue and not in the file.
+  static constexpr std::size_t max_under_way = 128;
+  static constexpr std::chrono::seconds tick_period{1};
+  static constexpr std::chrono::seconds answer_timeout{10};
+  // Of sightings that the store refuses so many are told one by one; all are counted.
+  static constexpr std::uint64_t max_told_refusals = 10;
+
+  // FEED: null without sightings.
+  actor(runtime::actor_config& config, runtime::birth born, settings wanted, std::shared_ptr<const neighbours> others,
+        std::shared_ptr<daemon::sighting_feed> feed, run_world world)
+      : cell(config, std::move(born)), mission_id_(wanted.mission_id), has_service_(wanted.has_service),
+        core_(std::move(wanted)), others_(std::move(others)), feed_(std::move(feed)), world_(std::move(world)) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+
+private:
+  void carry_out(const steps& wanted);
+  void carry_out(const begin_fetch&);
+  void carry_out(const choose&);
+  void carry_out(const look&);
+  void carry_out(const see&);
+  void carry_out(const push&);
+  void carry_out(const count_owed&);
+  void carry_out(const begin_later&);
+  void carry_out(const announce& said) { world_.tell_people(said); }
+  void carry_out(const finish& how) { world_.end(how); }
+
+  void flow();
+  void record(const daemon::sighting_feed::numbered& each);
+  void answered(std::uint64_t number, const mapobjects_store::sighting_answer& answer);
+  void look_again();
+  void look_at_vehicle();
+  void turn_down(const mission_client::assignment_arrived& wish);
+
+  std::string mission_id_;
+  bool has_service_;
+  core core_;
+  std::shared_ptr<const neighbours> others_;
+  std::shared_ptr<daemon::sighting_feed> feed_;
+  run_world world_;
+  std::optional<std::int64_t> loaded_ns_; // in this run
+  std::size_t under_way_ = 0;
+  bool is_seeing_ = false;
+  bool is_resting_ = false; // the store was busy: until the next tick
+  bool wants_owed_ = false; // the store did not say what is left
+  bool has_news_of_vehicle_ = false;
+};
+
+} // namespace godwit::ground_run

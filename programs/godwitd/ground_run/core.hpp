@@ -1,0 +1,88 @@
+// The course of a run on the ground: load the mission, pull its map, take sightings, deliver. Nothing flies here: this
+// stands in the place of what flies the mission.
+//
+//              loaded            map pulled, or not        sightings over        settled, nothing owed
+//   [loading] ───────> [pulling] ────────────────> [seeing] ────────────> [pushing] ──────────────────> [over]
+//     │  ^                                            │                      │  ^
+//     │  └─ after a minute ─┐                         │ without a service    │  └─ something owed
+//     └── refused ──> [refused]                       └──────────────────────┼──────────────────────> [over]
+//
+// It remembers nothing over a restart and needs nothing: what it begins is said again by every run and counts once, and
+// how far mission_client is can be asked. A word that belongs to an earlier state is passed over; so `settled` of an
+// earlier run does not end this one, and after the right one the store is asked whether all is gone. What a push does
+// not move, because the mission was deleted for instance, is not pushed for ever: it is kept, and said.
+//
+// Thread: one. Pure: no clock, no I/O.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "messages/mapobjects_store/delivery.hpp"
+#include "messages/mission_client/types.hpp"
+#include "programs/godwitd/ground_run/steps.hpp"
+#include "programs/godwitd/sightings/sighting_counts.hpp"
+
+namespace godwit::ground_run {
+
+// Without the network at the start nobody has to come back to the vehicle: the fetch begins anew.
+inline constexpr std::chrono::seconds retry_after{60};
+
+struct settings {
+  std::string mission_id;
+  bool has_service = true;
+  bool has_sightings = false;
+  bool once = false; // ends when all is delivered; else only when it is told to
+};
+
+using daemon::sighting_counts;
+
+enum class phase { loading, refused, pulling, seeing, pushing, over };
+
+constexpr auto enum_names(phase) {
+  return io::names<phase>({{phase::loading, "loading"},
+                           {phase::refused, "refused"},
+                           {phase::pulling, "pulling"},
+                           {phase::seeing, "seeing"},
+                           {phase::pushing, "pushing"},
+                           {phase::over, "over"}});
+}
+
+class core {
+public:
+  explicit core(settings wanted) : wanted_(std::move(wanted)) {}
+
+  [[nodiscard]] steps on_start();
+  [[nodiscard]] steps on_chosen();
+  [[nodiscard]] steps on_loaded(const mission_client::mission_loaded& news);
+  [[nodiscard]] steps on_refused(const mission_client::mission_refused& news);
+  [[nodiscard]] steps on_retry();
+  // PULL_S: how long it took; none: it began in an earlier run.
+  [[nodiscard]] steps on_pulled(const mission_client::map_pulled& news, std::optional<double> pull_s);
+  [[nodiscard]] steps on_status(const mission_client::service_status& now);
+  [[nodiscard]] steps on_sightings_over(const sighting_counts& counts);
+  [[nodiscard]] steps on_settled(const mission_client::mission_settled& news);
+  [[nodiscard]] steps on_owed(const mapobjects_store::owed_list& left);
+  [[nodiscard]] steps on_deleted(const mission_client::mission_deleted& news);
+  // The map can not be written any more.
+  [[nodiscard]] steps on_map_broken(const std::string& why);
+
+  [[nodiscard]] phase now() const { return phase_; }
+
+private:
+  [[nodiscard]] bool is_mine(const std::string& mission_id) const { return mission_id == wanted_.mission_id; }
+  [[nodiscard]] steps go_on_seeing();
+  [[nodiscard]] steps end(finish how);
+  [[nodiscard]] steps settled();
+
+  settings wanted_;
+  phase phase_ = phase::loading;
+  sighting_counts sightings_;
+  mission_client::mission_settled settled_;
+  std::uint64_t left_on_map_ = 0; // rows that the store still has for the mission, by its last answer
+};
+
+} // namespace godwit::ground_run

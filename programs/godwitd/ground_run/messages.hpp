@@ -1,0 +1,37 @@
+// What is said to the run on the ground by its own helpers and by who wants to know how far it is. Thread: plain
+// values.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+#include "programs/godwitd/ground_run/core.hpp"
+
+namespace godwit::ground_run {
+
+// The feed has sightings again, or has ended.
+struct woken {
+  static constexpr auto fields = io::table("ground_run.woken");
+};
+
+// Time to look at what was not answered.
+struct tick {
+  static constexpr auto fields = io::table("ground_run.tick");
+};
+
+struct retry_due {
+  static constexpr auto fields = io::table("ground_run.retry_due");
+};
+
+struct get_run {
+  static constexpr auto fields = io::table("ground_run.get_run");
+};
+
+struct run_status {
+  std::string mission_id;
+  ground_run::phase phase = ground_run::phase::loading;
+  sighting_counts sightings;
+  static constexpr auto fields =
+      io::table("ground_run.run_status", io::field("mission_id", &run_status::mission_id),
+                io::field("phase", &run_status::phase), io::field("sightings", &run_status::sightings));
+};
+
+} // namespace godwit::ground_run

@@ -1,0 +1,89 @@
+#include "programs/godwitd/program.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include "programs/godwitd/command_line.hpp"
+#include "programs/godwitd/configuration.hpp"
+#include "programs/godwitd/console.hpp"
+#include "programs/godwitd/control/client.hpp"
+#include "programs/godwitd/outbox_listing.hpp"
+#include "programs/godwitd/settings.hpp"
+#include "programs/godwitd/status_text.hpp"
+
+namespace godwit::daemon {
+namespace {
+
+using runtime::exit_code;
+using json = nlohmann::json;
+
+exit_code fail(exit_code code, const std::string& sentence) {
+  say(sentence);
+  return code;
+}
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+exit_code list_outbox(const json& configuration, bool as_json) {
+  const auto listing = read_outbox(journal_path(configuration));
+  if (!listing)
+    return fail(exit_code::failed, listing.error());
+  const auto now_ns =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  print(as_json ? json_of(*listing, now_ns).dump(2) + "\n" : table_of(*listing, now_ns));
+  return exit_code::ok;
+}
+
+exit_code ask_running(const json& configuration, const json& question, bool as_json,
+                      std::string (*text)(const json& answer)) {
+  const auto answer = control::ask_daemon(control_path(configuration), question);
+  if (!answer)
+    return fail(exit_code::failed, answer.error());
+  const bool is_done = answer->value("ok", false);
+  if (as_json)
+    print(answer->dump() + "\n");
+  else if (is_done)
+    print(text(*answer) + "\n");
+  else
+    say(answer->value("error", std::string("refused")));
+  return is_done ? exit_code::ok : exit_code::failed;
+}
+
+exit_code run_configured(const invocation& asked, const add_more& more) {
+  const auto configuration = effective_configuration(asked.options, godwit_variables());
+  if (!configuration)
+    return fail(exit_code::usage, configuration.error());
+  switch (asked.what) {
+  case task::list_outbox:
+    return list_outbox(*configuration, asked.json);
+  case task::ask_status:
+    return ask_running(*configuration, {{"do", "status"}}, asked.json, status_text);
+  case task::retry_outbox:
+    return ask_running(*configuration, {{"do", "outbox_retry"}, {"key", asked.outbox_key}}, asked.json, retry_text);
+  default:
+    break;
+  }
+  auto settings = settings_from(*configuration);
+  if (!settings)
+    return fail(exit_code::usage, settings.error());
+  return run_daemon(*std::move(settings), more);
+}
+
+} // namespace
+
+int run_program(int argc, const char* const* argv, const add_more& more) {
+  std::signal(SIGPIPE, SIG_IGN);
+  const auto asked = read_command_line(argc, argv);
+  if (!asked)
+    return static_cast<int>(asked.error());
+  if (asked->fly)
+    return static_cast<int>(fail(
+        exit_code::usage, "--fly: godwitd does not fly missions yet; it fetches them, keeps the map and delivers"));
+  if (asked->what == task::convert)
+    return static_cast<int>(run_convert(asked->files, asked->has("allow-partial")));
+  return static_cast<int>(run_configured(*asked, more));
+}
+
+} // namespace godwit::daemon

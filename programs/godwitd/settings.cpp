@@ -1,0 +1,128 @@
+#include "programs/godwitd/settings.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "actors/domain/mission/convert/convert.hpp"
+#include "actors/mapobjects_store/uuid.hpp"
+#include "programs/godwitd/option_table.hpp"
+
+namespace godwit::daemon {
+namespace {
+
+using json = nlohmann::json;
+using checked = tl::expected<void, std::string>;
+
+std::string text(const json& section, const char* key) { return section.at(key).get<std::string>(); }
+
+std::chrono::milliseconds ms(const json& value) { return std::chrono::milliseconds(value.get<std::int64_t>()); }
+
+tl::unexpected<std::string> wrong(std::string_view option, const std::string& sentence) {
+  return tl::make_unexpected(all_names_of(option) + ": " + sentence);
+}
+
+// The path at PLACE, or ENDING instead of the journal's.
+std::string beside_journal(const json& configuration, const char* section, const char* ending) {
+  auto given = text(configuration.at(section), "path");
+  return given.empty() ? std::filesystem::path(journal_path(configuration)).replace_extension(ending).string() : given;
+}
+
+io::http::settings http_settings(const json& service) {
+  io::http::settings result;
+  result.base_url = text(service, "url");
+  result.ca_file = text(service, "ca_file");
+  result.certificate_file = text(service, "certificate_file");
+  result.key_file = text(service, "key_file");
+  result.proxy = text(service, "proxy");
+  result.token_file = text(service, "token_file");
+  result.connect_timeout = ms(service.at("connect_timeout_ms"));
+  result.read_timeout = ms(service.at("read_timeout_ms"));
+  result.total_timeout = ms(service.at("total_timeout_ms"));
+  return result;
+}
+
+checked read_source(const json& configuration, daemon_settings& to) {
+  const auto& mission = configuration.at("mission");
+  to.mission_id = text(mission, "id");
+  to.mission_file = text(mission, "file");
+  to.allow_partial = mission.at("allow_partial").get<bool>();
+  const auto service = http_settings(configuration.at("service"));
+  if (!to.mission_file.empty()) {
+    if (!service.base_url.empty() || !to.mission_id.empty())
+      return wrong("mission", "a mission comes from a file or from a service, not from both: leave this out, or "
+                              "--service and --mission-id");
+    if (!mission::format_of_name(to.mission_file))
+      return wrong("mission", to.mission_file + " has none of the endings .json, .plan, .waypoints, .txt, .geojson");
+    return {};
+  }
+  if (service.base_url.empty())
+    return wrong("service", "is missing: name the missions service, or a file with --mission");
+  if (!mapobjects_store::is_uuid(to.mission_id))
+    return wrong("mission-id", (to.mission_id.empty() ? "is missing" : "is \"" + to.mission_id + "\"") +
+                                   "; it is a UUID in small letters, such as 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42");
+  if (const auto known = io::http::checked(service); !known)
+    return wrong("service", known.error().message());
+  to.service = service;
+  return {};
+}
+
+void read_delivery(const json& configuration, daemon_settings& to) {
+  const auto& delivery = configuration.at("delivery");
+  const auto& service = configuration.at("service");
+  to.client.max_tries = delivery.at("max_tries").get<int>();
+  to.client.poll_wait = std::chrono::seconds(delivery.at("poll_wait_s").get<std::int64_t>());
+  to.client.page_limit = delivery.at("page_rows").get<std::uint32_t>();
+  to.client.batch_limit = delivery.at("batch_rows").get<std::uint32_t>();
+  to.client.call_timeout = ms(service.at("read_timeout_ms"));
+  to.client.total_timeout = ms(service.at("total_timeout_ms"));
+}
+
+checked read_vehicle(const json& vehicle, daemon_settings& to) {
+  const auto where = text(vehicle, "uri");
+  if (where.empty())
+    return wrong("vehicle", "is missing: name the link to the autopilot, such as udpin://0.0.0.0:14550 or "
+                            "serial:///dev/ttyAMA0:921600");
+  auto parsed = io::link::parse_uri(where);
+  if (!parsed)
+    return wrong("vehicle", parsed.error());
+  to.vehicle = *std::move(parsed);
+  to.vehicle_system = vehicle.at("system").get<std::uint8_t>();
+  to.signing_key_file = text(vehicle, "key_file");
+  return {};
+}
+
+void read_map(const json& configuration, daemon_settings& to) {
+  const auto& map = configuration.at("map");
+  to.map.store.file.path = map_path(configuration);
+  to.map.store.rules.match_within_m = map.at("match_within_m").get<double>();
+  to.map.store.rules.moved_above_m = map.at("moved_above_m").get<double>();
+}
+
+} // namespace
+
+std::string journal_path(const json& configuration) { return text(configuration.at("journal"), "path"); }
+
+std::string map_path(const json& configuration) { return beside_journal(configuration, "map", ".map.db"); }
+
+std::string control_path(const json& configuration) { return beside_journal(configuration, "control", ".control"); }
+
+tl::expected<daemon_settings, std::string> settings_from(const json& configuration) {
+  daemon_settings result;
+  result.process = runtime::options_from(configuration);
+  result.process.trace->program = "godwitd";
+  if (auto source = read_source(configuration, result); !source)
+    return tl::make_unexpected(std::move(source.error()));
+  if (auto vehicle = read_vehicle(configuration.at("vehicle"), result); !vehicle)
+    return tl::make_unexpected(std::move(vehicle.error()));
+  read_map(configuration, result);
+  read_delivery(configuration, result);
+  if (const auto objection = mission_client::objection_to(result.client))
+    return tl::make_unexpected(*objection);
+  result.control_path = control_path(configuration);
+  result.sightings_file = text(configuration.at("sightings"), "file");
+  result.once = configuration.at("sightings").at("once").get<bool>();
+  return result;
+}
+
+} // namespace godwit::daemon

@@ -1,0 +1,44 @@
+// What godwitd is to do, read from its configuration.
+//
+// Errors: a sentence that names the option, its variable and its place in the file. Thread: pure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "actors/mapobjects_store/map_writer.hpp"
+#include "actors/mission_client/settings.hpp"
+#include "io/http/settings.hpp"
+#include "io/link/uri.hpp"
+#include "runtime/process.hpp"
+
+namespace godwit::daemon {
+
+struct daemon_settings {
+  runtime::process_options process;
+  std::optional<io::http::settings> service; // none: the mission comes from mission_file
+  mission_client::settings client;           // how it is asked
+  std::string mission_id;                    // with a service; else as the file says
+  std::string mission_file;                  // without
+  bool allow_partial = false;
+  io::link::uri vehicle;
+  std::uint8_t vehicle_system = 0;
+  std::string signing_key_file; // empty: nothing is signed
+  mapobjects_store::map_writer_options map;
+  std::string control_path;
+  std::string sightings_file; // "-": standard input; empty: none
+  bool once = false;
+};
+
+// CONFIGURATION is complete and valid by its schema.
+[[nodiscard]] tl::expected<daemon_settings, std::string> settings_from(const nlohmann::json& configuration);
+
+[[nodiscard]] std::string journal_path(const nlohmann::json& configuration);
+[[nodiscard]] std::string map_path(const nlohmann::json& configuration);
+[[nodiscard]] std::string control_path(const nlohmann::json& configuration);
+
+} // namespace godwit::daemon

@@ -1,0 +1,19 @@
+// What became of the sightings of a run. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::daemon {
+
+struct sighting_counts {
+  std::uint64_t recorded = 0;   // answered by the map store, those that it had already included
+  std::uint64_t refused = 0;    // by the map store
+  std::uint64_t unreadable = 0; // lines that are no sightings
+  static constexpr auto fields =
+      io::table("godwitd.sighting_counts", io::field("recorded", &sighting_counts::recorded),
+                io::field("refused", &sighting_counts::refused), io::field("unreadable", &sighting_counts::unreadable));
+};
+
+} // namespace godwit::daemon

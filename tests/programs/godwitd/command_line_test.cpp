@@ -1,0 +1,61 @@
+#include "programs/godwitd/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::daemon;
+
+tl::expected<invocation, runtime::exit_code> read(std::vector<const char*> words) {
+  words.insert(words.begin(), "godwitd");
+  return read_command_line(static_cast<int>(words.size()), words.data());
+}
+
+TEST(command_line, options_are_taken_by_their_names) {
+  const auto asked = read({"--service", "https://example.org", "--once"});
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->what, task::run);
+  EXPECT_EQ(asked->options, (given_texts{{"once", "true"}, {"service", "https://example.org"}}));
+}
+
+TEST(command_line, options_may_stand_behind_a_command) {
+  const auto asked = read({"ctl", "status", "--control", "socket", "--json"});
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->what, task::ask_status);
+  EXPECT_EQ(asked->options.at("control"), "socket");
+  EXPECT_TRUE(asked->json);
+}
+
+TEST(command_line, a_retry_is_of_all_rows_or_of_one) {
+  EXPECT_EQ(read({"ctl", "outbox-retry"})->outbox_key, "");
+  const auto one = read({"ctl", "outbox-retry", "key"});
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->what, task::retry_outbox);
+  EXPECT_EQ(one->outbox_key, "key");
+}
+
+TEST(command_line, a_conversion_has_two_files) {
+  const auto asked = read({"convert", "a.plan", "b.json", "--allow-partial"});
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->what, task::convert);
+  EXPECT_EQ(asked->files.in, "a.plan");
+  EXPECT_EQ(asked->files.out, "b.json");
+  EXPECT_TRUE(asked->has("allow-partial"));
+  EXPECT_EQ(read({"convert", "a.plan"}).error(), runtime::exit_code::usage);
+}
+
+TEST(command_line, a_mistake_is_usage_and_help_is_not) {
+  EXPECT_EQ(read({"--servce", "x"}).error(), runtime::exit_code::usage);
+  EXPECT_EQ(read({"fly"}).error(), runtime::exit_code::usage);
+  EXPECT_EQ(read({"ctl"}).error(), runtime::exit_code::usage);
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(read({"--help"}).error(), runtime::exit_code::ok);
+  const auto help = testing::internal::GetCapturedStdout();
+  EXPECT_NE(help.find("--token-file"), std::string::npos);
+  EXPECT_NE(help.find("Examples"), std::string::npos);
+}
+
+} // namespace

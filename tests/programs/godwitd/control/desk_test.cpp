@@ -1,0 +1,118 @@
+// The control desk: who answers it, who does not.
+#include "programs/godwitd/control/desk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/eventfd.h>
+
+#include "runtime/simulation/simulation.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::control;
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+// Answers all that the desk asks, or nothing at all.
+using everybody_handle = runtime::mailbox<runtime::asks<mission_client::retry_outbox, mission_client::retry_answer>,
+                                          runtime::asks<mission_client::get_service, mission_client::service_status>,
+                                          runtime::asks<vehicle_link::get_connection, vehicle_link::connection>,
+                                          runtime::asks<ground_run::get_run, ground_run::run_status>>;
+
+class everybody final : public runtime::cell<everybody_handle> {
+public:
+  everybody(runtime::actor_config& config, runtime::birth born, bool answers)
+      : cell(config, std::move(born)), answers_(answers) {}
+
+private:
+  template <class Q, class F>
+  auto late(F make) {
+    using answer = std::invoke_result_t<F, const Q&>;
+    return on_deferred<Q, answer>([this, make](const Q& question, std::uint64_t request) {
+      if (answers_)
+        answer_later(request, make(question));
+    });
+  }
+
+protected:
+  behavior_type handlers() override {
+    return {late<mission_client::retry_outbox>([](const auto& m) {
+              return mission_client::retry_answer{2, 1, m.key};
+            }),
+            late<mission_client::get_service>([](const auto&) { return mission_client::service_status{}; }),
+            late<vehicle_link::get_connection>([](const auto&) { return vehicle_link::connection{}; }),
+            late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; })};
+  }
+
+private:
+  bool answers_;
+};
+
+class map_stand_in final : public runtime::cell<mapobjects_store::operator_handle> {
+public:
+  using cell::cell;
+
+protected:
+  behavior_type handlers() override {
+    namespace ms = mapobjects_store;
+    return {on<ms::operator_verdict>([](const ms::operator_verdict&) { return ms::verdict_answer{}; }),
+            on<ms::acknowledge_fallback>([](const ms::acknowledge_fallback&) { return ms::map_answer{}; }),
+            on<ms::requeue_mission>([](const ms::requeue_mission&) { return ms::moved_rows{}; }),
+            on<ms::get_owed>([](const ms::get_owed&) { return ms::owed_list{}; }),
+            on<ms::get_map>([](const ms::get_map&) { return ms::map_status{}; })};
+  }
+};
+
+struct process {
+  explicit process(bool answers, bool has_service = true) : world(disk, 1) {
+    const auto all = world.actors().add<everybody>({.name = "everybody"}, {}, answers);
+    neighbours others;
+    others.store = world.actors().add<map_stand_in>({.name = "map"}, {});
+    others.vehicle = all;
+    others.run = all;
+    if (has_service)
+      others.client = all;
+    who = world.actors().add<desk>({.name = "control_desk"}, {}, others, box);
+    world.start();
+    world.settle();
+  }
+  json ask(control_request asked) {
+    asked.ticket = 7;
+    world.tell(who, std::move(asked));
+    world.advance(4s);
+    const auto answers = box->take();
+    EXPECT_EQ(answers.size(), 1U);
+    return answers.size() == 1 && answers.front().ticket == 7 ? json::parse(answers.front().line) : json();
+  }
+  std::shared_ptr<answer_box> box =
+      std::make_shared<answer_box>(io::link::descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)));
+  runtime::simulated_disk disk;
+  runtime::simulation world;
+  desk_handle who;
+};
+
+TEST(control_desk, a_status_is_the_word_of_all_parts) {
+  const auto answer = process(true).ask({});
+  for (const auto* part : {"run", "map", "vehicle", "service"})
+    EXPECT_TRUE(answer.contains(part)) << part;
+  EXPECT_EQ(answer.at("ok"), true);
+  EXPECT_FALSE(process(true, false).ask({}).contains("service"));
+}
+
+TEST(control_desk, a_part_that_does_not_answer_holds_up_nobody_and_is_said) {
+  const auto answer = process(false).ask({});
+  EXPECT_EQ(answer.at("map").at("sync"), "fresh_boot");
+  EXPECT_TRUE(answer.at("vehicle").contains("error"));
+}
+
+TEST(control_desk, a_retry_is_mission_clients_answer) {
+  const auto all = process(true).ask({0, request_kind::outbox_retry, ""});
+  EXPECT_EQ(all.at("ok"), true);
+  EXPECT_EQ(all.at("tried_now"), 2);
+  EXPECT_EQ(process(true).ask({0, request_kind::outbox_retry, "no such row"}).at("ok"), false);
+  EXPECT_EQ(process(false).ask({0, request_kind::outbox_retry, ""}).at("ok"), false);
+  EXPECT_EQ(process(true, false).ask({0, request_kind::outbox_retry, ""}).at("ok"), false);
+}
+
+} // namespace

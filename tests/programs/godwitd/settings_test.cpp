@@ -1,0 +1,64 @@
+#include "programs/godwitd/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "programs/godwitd/configuration.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::daemon;
+
+const std::string id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+
+tl::expected<daemon_settings, std::string> settings(given_texts options) {
+  return settings_from(effective_configuration(options, {}).value());
+}
+
+given_texts usual() {
+  return {{"service", "https://example.org"}, {"mission-id", id}, {"vehicle", "udpin://127.0.0.1:14550"}};
+}
+
+// What stands first in the error of the usual options with these instead.
+void expect_blames(const std::string& option, given_texts instead) {
+  auto options = usual();
+  for (auto& [name, text] : instead)
+    options[name] = text;
+  const auto wrong = settings(options);
+  ASSERT_FALSE(wrong) << option;
+  EXPECT_TRUE(wrong.error().starts_with("--" + option + " (")) << wrong.error();
+}
+
+TEST(daemon_settings, files_lie_beside_the_journal) {
+  auto options = usual();
+  options["journal"] = "/var/lib/godwit/flight.db";
+  const auto all = settings(options);
+  ASSERT_TRUE(all) << all.error();
+  EXPECT_EQ(all->map.store.file.path, "/var/lib/godwit/flight.map.db");
+  EXPECT_EQ(all->control_path, "/var/lib/godwit/flight.control");
+}
+
+TEST(daemon_settings, what_is_wrong_is_blamed_on_its_option) {
+  expect_blames("vehicle", {{"vehicle", ""}});
+  expect_blames("vehicle", {{"vehicle", "serial:ttyUSB0"}});
+  expect_blames("mission-id", {{"mission-id", ""}});
+  expect_blames("mission-id", {{"mission-id", "survey 7"}});
+  expect_blames("service", {{"service", ""}});
+  expect_blames("service", {{"service", "htps://example.org"}});
+  expect_blames("mission", {{"mission", "survey.plan"}});
+}
+
+TEST(daemon_settings, a_token_does_not_go_to_another_computer_in_clear) {
+  expect_blames("service", {{"service", "http://example.org"}, {"token-file", "token"}});
+}
+
+TEST(daemon_settings, a_mission_from_a_file_needs_no_service) {
+  const auto all = settings({{"mission", "survey.plan"}, {"vehicle", "udpin://127.0.0.1:14550"}});
+  ASSERT_TRUE(all) << all.error();
+  EXPECT_FALSE(all->service);
+  const auto wrong = settings({{"mission", "survey.kml"}, {"vehicle", "udpin://127.0.0.1:14550"}});
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().find(".geojson"), std::string::npos);
+}
+
+} // namespace

@@ -1,0 +1,27 @@
+#include "programs/godwitd/status_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace godwit::daemon;
+using nlohmann::json;
+
+TEST(status_text, each_part_is_a_line_and_a_part_without_an_answer_says_why) {
+  const json answer{
+      {"ok", true},
+      {"run", {{"mission_id", "7d1c"}, {"phase", "seeing"}, {"sightings", {{"recorded", 5}, {"refused", 1}}}}},
+      {"service", {{"connection", "unreachable"}, {"revision", 2}, {"pull", "synced"}, {"last_error", "no route"}}},
+      {"vehicle", {{"error", "there is no answer: timeout"}}}};
+  EXPECT_EQ(
+      status_text(answer),
+      "run      mission 7d1c: seeing; sightings: 5 recorded, 1 refused, 0 unreadable\n"
+      "service  unreachable, mission revision 2, map synced; outbox: 0 pending, 0 orphaned, 0 expired (no route)\n"
+      "vehicle  there is no answer: timeout");
+}
+
+TEST(status_text, a_retry_tells_how_many_rows_it_found) {
+  EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
+}
+
+} // namespace

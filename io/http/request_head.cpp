@@ -84,7 +84,7 @@ result<void> check_request(const request& asked, const destination& to) {
   if (asked.body.size() > max_request_body_bytes)
     return refused("the body has " + std::to_string(asked.body.size()) + " bytes, and may have " +
                    std::to_string(max_request_body_bytes) + ": send it in parts");
-  if (const auto checked_headers = check_headers(asked); !checked_headers)
+  if (auto checked_headers = check_headers(asked); !checked_headers)
     return checked_headers;
   if (size_of_head(asked, to, {}) > max_request_head_bytes)
     return refused("the headers of the request have more than " + std::to_string(max_request_head_bytes) + " bytes");

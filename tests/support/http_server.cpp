@@ -224,7 +224,7 @@ private:
   std::thread acceptor_thread_;
 };
 
-http_server::http_server(handler answer, http_server_options options)
+http_server::http_server(handler answer, const http_server_options& options)
     : running_(std::make_unique<running>(std::move(answer), options)) {}
 http_server::~http_server() = default;
 

@@ -49,7 +49,7 @@ class http_server {
 public:
   using handler = std::function<void(http_peer& peer, const http_request& asked)>;
 
-  explicit http_server(handler answer, http_server_options options = {});
+  explicit http_server(handler answer, const http_server_options& options = {});
   ~http_server();
   http_server(const http_server&) = delete;
   http_server& operator=(const http_server&) = delete;

@@ -16,7 +16,7 @@ http_fixture::http_fixture() {
 http_fixture::~http_fixture() { fs::remove_all(folder_); }
 
 std::string http_fixture::store(const std::string& name, std::string_view content, mode_t mode) const {
-  const auto file = (folder_ / name).string();
+  auto file = (folder_ / name).string();
   std::ofstream(file, std::ios::binary) << content;
   EXPECT_EQ(::chmod(file.c_str(), mode), 0);
   return file;

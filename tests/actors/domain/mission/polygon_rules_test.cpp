@@ -56,7 +56,8 @@ RC_GTEST_PROP(polygon_rules_property, the_verdict_depends_neither_on_the_first_c
     std::swap(polygon.front(), polygon.at(polygon.size() / 2));
   const bool is_polygon = !polygon_fault(polygon);
   auto turned = polygon;
-  std::ranges::rotate(turned, turned.begin() + maker.whole(0, static_cast<int>(turned.size()) - 1));
+  const auto first = turned.begin() + maker.whole(0, static_cast<int>(turned.size()) - 1);
+  std::rotate(turned.begin(), first, turned.end());
   RC_ASSERT(!polygon_fault(turned) == is_polygon);
   std::ranges::reverse(turned);
   RC_ASSERT(!polygon_fault(turned) == is_polygon);

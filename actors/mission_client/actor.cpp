@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "actors/mission_client/keys.hpp"
+#include "io/fields/json_text.hpp"
 
 namespace godwit::mission_client {
 
@@ -30,11 +31,21 @@ runtime::delivery_state state_of(const row_noted& noted) {
   return noted.row.state == row_state::expired ? runtime::delivery_state::expired : runtime::delivery_state::pending;
 }
 
+std::string body_for_people(const outbox_row& row) {
+  std::string text = R"({"mission_id":)";
+  io::append_json_string(text, row.mission_id);
+  if (!row.subject.empty())
+    io::append_json_string(text += R"(,"assignment_id":)", row.subject);
+  if (!row.body.empty())
+    text += R"(,"posted":)" + row.body;
+  return text + "}";
+}
+
 runtime::outbox_row table_row(const row_noted& noted) {
   const auto& row = noted.row;
   return {.idempotency_key = row.key,
           .destination = std::string(io::name_of(row.to)),
-          .body = row.body.empty() ? R"({"batch":")" + row.key + "\"}" : row.body,
+          .body = body_for_people(row),
           .created_ns = row.created_ns,
           .state = state_of(noted),
           .tries = row.tries,

@@ -79,6 +79,8 @@ void take(turn& t, const push_map& m) {
   auto& note = note_of(t.s, m.mission_id);
   begin_push(note);
   note.was_asked = true;
+  if (note.is_deleted) // what was seen since is kept aside, too
+    add_errand(t.s, errand_kind::orphan_mission, m.mission_id, std::string(mission_is_deleted));
 }
 
 void take(turn& t, const owed_found& m) {
@@ -125,7 +127,7 @@ void take(turn& t, const assignments_seen& m) {
 // What waits for this mission is kept; the vehicle flies on with what it has.
 void take(turn& t, const mission_gone& m) {
   auto& s = t.s;
-  const std::string reason = "the service has deleted this mission";
+  const std::string reason(mission_is_deleted);
   const bool was_known = is_deleted(s, m.mission_id);
   for (const auto& key : keys_where(s, [&](const outbox_row& each) {
          return each.mission_id == m.mission_id && each.state == row_state::pending;

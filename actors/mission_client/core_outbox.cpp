@@ -66,7 +66,7 @@ void take_change(turn& t, const std::string& mission_id, destination to, const s
     return;
   if (is_deleted(t.s, mission_id)) {
     remember(t.s, key);
-    t.tell(change_outcome{key, change_verdict::refused, "the service has deleted this mission"});
+    t.tell(change_outcome{key, change_verdict::refused, std::string(mission_is_deleted)});
   } else if (!add_row(t, {.key = key, .to = to, .mission_id = mission_id, .body = std::move(body)}, outbox_reserve)) {
     remember(t.s, key);
     t.tell(change_outcome{key, change_verdict::refused, "too much waits for the missions service"});
@@ -122,7 +122,7 @@ void take(turn& t, const report_progress& m) {
     return;
   note.last_report_no = m.report.report_no;
   if (note.is_deleted)
-    give_up(t, m.key, row_state::orphaned, "the service has deleted this mission");
+    give_up(t, m.key, row_state::orphaned, std::string(mission_is_deleted));
 }
 
 void take(turn& t, const respond_to_assignment& m) {
@@ -144,7 +144,7 @@ void take(turn& t, const respond_to_assignment& m) {
       s.revision = std::max(s.revision, each.what.revision);
   }
   if (is_deleted(s, m.mission_id))
-    give_up(t, key, row_state::orphaned, "the service has deleted this mission");
+    give_up(t, key, row_state::orphaned, std::string(mission_is_deleted));
 }
 
 void take(turn& t, const insert_waypoint& m) {

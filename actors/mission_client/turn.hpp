@@ -10,6 +10,9 @@
 
 namespace godwit::mission_client {
 
+// Why rows of a mission are kept and not tried any more.
+inline constexpr std::string_view mission_is_deleted = "the service has deleted this mission";
+
 struct turn {
   state& s;
   std::int64_t now_ns;

@@ -240,6 +240,16 @@ TEST(mission_client_core, a_push_that_is_asked_for_again_looks_again_for_what_wa
   EXPECT_FALSE(find_note(s, mission_a)->seen_done);
 }
 
+TEST(mission_client_core, what_was_seen_after_a_mission_was_deleted_is_kept_aside_by_the_store) {
+  auto s = ready();
+  (void)durable_core::handle(s, mission_gone{mission_a}, 10);
+  (void)durable_core::handle(s, errand_done{s.errands.at(0)}, 11);
+  const auto settled = only<mission_settled>(durable_core::handle(s, push_map{mission_a}, 12));
+  EXPECT_EQ(settled.size(), 1U);
+  ASSERT_EQ(s.errands.size(), 1U);
+  EXPECT_EQ(s.errands[0].kind, errand_kind::orphan_mission);
+}
+
 TEST(mission_client_core, notes_of_missions_are_bounded_and_the_one_that_is_owed_something_stays) {
   auto s = ready();
   (void)durable_core::handle(s, report(1, "owed"), 10);

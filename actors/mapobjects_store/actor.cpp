@@ -103,7 +103,12 @@ actor::behavior_type actor::handlers() {
               [](owed_list& answer, const std::vector<owed>& found) { answer.missions = found; }),
           on_change<get_map, map_status>([](map_tables& t, const get_map&) { return summary(t); }, whole_answer),
           on<wake>([this](const wake&) { give_answers(); }),
-          on<look>([this](const look&) { look_at_map(); })};
+          on<look>([this](const look& due) {
+            if (due.incarnation != incarnation())
+              return;
+            give_answers(); // also when a wake was refused
+            look_at_map();
+          })};
 }
 
 // What the incarnation before this one left in the box is answered to nobody, and the box is empty again.
@@ -143,7 +148,7 @@ void actor::look_at_map() {
       looked_at_.reset(); // there is no room now; the next look asks again
   }
   post_health();
-  tell_after(look_period, me(), look{});
+  tell_after(look_period, me(), look{incarnation()});
 }
 
 void actor::post_health() {

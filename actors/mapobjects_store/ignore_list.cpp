@@ -31,7 +31,7 @@ map_result<bool> is_ignored(map_tables& t, const geo_position& at, const std::st
   const auto cells = geo::mgrs_cells(point_of(at));
   auto found = t.q.first(
       "SELECT 1 FROM ignored_item WHERE mgrs_cell IN (?1, ?2, ?3, ?4, ?5) AND class_group = ?6 "
-      "AND (generation = ?7 OR generation = 0 AND number > ?8)",
+      "AND (generation = ?7 OR generation = 0 AND (number > ?8 OR delivery != 'delivered'))",
       [](sql::row&) { return true; }, cells[0], cells[1], cells[2], cells[3], cells[4], class_group,
       t.map.shown_generation(), t.map.pulled_ignored_item);
   if (!found)

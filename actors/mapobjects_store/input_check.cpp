@@ -1,7 +1,5 @@
 #include "actors/mapobjects_store/input_check.hpp"
 
-#include <cmath>
-
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/mgrs.hpp"
 #include "actors/mapobjects_store/uuid.hpp"
@@ -11,6 +9,10 @@ namespace godwit::mapobjects_store {
 namespace {
 
 using checked_input = map_result<void>;
+
+// What the missions service takes: a row that it refuses would take its whole batch along.
+constexpr double min_altitude_m = -1'000;
+constexpr double max_altitude_m = 20'000;
 
 // Input is repeated in errors up to this length.
 constexpr std::size_t max_quoted_bytes = 80;
@@ -23,6 +25,8 @@ checked_input check_class_group(const std::string& group) {
   if (group.empty() || group.size() > max_class_group_bytes)
     return refused("class_group " + quoted(group) + " does not have 1 to " + std::to_string(max_class_group_bytes) +
                    " bytes");
+  if (group.find('\0') != std::string::npos)
+    return refused("class_group has a character that no text of a document can have: U+0000");
   return {};
 }
 
@@ -30,8 +34,8 @@ checked_input check_position(const geo_position& at, const std::string& field) {
   if (!geo::is_valid(point_of(at)))
     return refused(field + " is not on the globe: latitude " + std::to_string(at.latitude_deg) + ", longitude " +
                    std::to_string(at.longitude_deg));
-  if (at.altitude_m && !std::isfinite(*at.altitude_m))
-    return refused(field + " has an altitude that is not a number");
+  if (at.altitude_m && !(*at.altitude_m >= min_altitude_m && *at.altitude_m <= max_altitude_m)) // nor not a number
+    return refused(field + " has an altitude that is not from -1000 to 20000 m: " + std::to_string(*at.altitude_m));
   return {};
 }
 

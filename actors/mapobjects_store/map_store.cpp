@@ -38,7 +38,8 @@ map_result<std::unique_ptr<map_store>> map_store::open(const map_store_options& 
   auto map = load_map_row(made->q_);
   if (!map)
     return tl::unexpected(std::move(map.error()));
-  made->map_ = std::move(*map);
+  made->map_ = *map;
+  made->committed_ = std::move(*map);
   return made;
 }
 
@@ -95,6 +96,7 @@ map_result<void> map_store::commit() {
     return tl::unexpected(std::move(error));
   }
   open_.reset();
+  committed_ = map_;
   return {};
 }
 
@@ -104,8 +106,7 @@ void map_store::roll_back() {
     return;
   open_->rollback();
   open_.reset();
-  if (auto map = load_map_row(q_))
-    map_ = std::move(*map);
+  map_ = committed_; // a disk that fails may not give it
 }
 
 map_result<void> map_store::run(staged_work& work) {

@@ -72,7 +72,8 @@ private:
   io::sqlite::database db_;
   log_keeper log_;
   sql q_;
-  map_row map_;
+  map_row map_;       // as it will be when the transaction commits
+  map_row committed_; // as it is in the file
   load_progress load_;
   map_tables tables_;
   std::optional<io::sqlite::transaction> open_;

@@ -38,7 +38,9 @@ map_result<std::int64_t> add_observation(sql& q, const observation& what) {
 
 map_result<bool> was_seen(sql& q, const std::string& object_id, std::int64_t since_ns) {
   auto found = q.first(
-      "SELECT 1 FROM observation WHERE object_id = ? AND at_ns >= ? AND kind != 'removed_candidate'",
+      "SELECT 1 FROM observation WHERE object_id = ?1 AND at_ns >= ?2 AND kind != 'removed_candidate' "
+      "UNION ALL SELECT 1 FROM orphaned_observation WHERE object_id = ?1 AND at_ns >= ?2 "
+      "AND kind != 'removed_candidate'",
       [](sql::row&) { return true; }, object_id, since_ns);
   if (!found)
     return tl::unexpected(std::move(found.error()));

@@ -64,6 +64,7 @@ CREATE TABLE orphaned_observation(
   class_group TEXT NOT NULL, latitude_deg REAL NOT NULL, longitude_deg REAL NOT NULL, altitude_m REAL,
   at_ns INTEGER NOT NULL, confidence REAL NOT NULL, batch INTEGER, orphaned_ns INTEGER NOT NULL, reason TEXT NOT NULL);
 CREATE INDEX orphaned_observation_batch ON orphaned_observation(batch);
+CREATE INDEX orphaned_observation_of_object ON orphaned_observation(object_id, at_ns);
 CREATE TABLE orphaned_ignored_item(
   number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, mission_id TEXT NOT NULL, mgrs_cell TEXT NOT NULL,
   class_group TEXT NOT NULL, since_ns INTEGER NOT NULL, batch INTEGER, orphaned_ns INTEGER NOT NULL,

@@ -128,7 +128,10 @@ write_loop::group_outcome write_loop::try_group(std::size_t size) {
   }
   store_->roll_back();
   disk_failed(done.error());
-  return group_outcome::disk_error;
+  if (is_of_the_disk(done))
+    return group_outcome::disk_error;
+  group_results_.assign(size, done); // a damaged file: no later try is better, and all have to hear it
+  return group_outcome::committed;
 }
 
 void write_loop::finish_group(std::size_t size) {

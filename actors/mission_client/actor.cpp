@@ -144,7 +144,7 @@ void actor::carry_out(wishes wanted) {
 }
 
 void actor::ask_store(ticket number, const store_question& asked) {
-  const auto then = [this, number](store_answer answer) {
+  const auto then = [this, number](const store_answer& answer) {
     carry_out(planner_->on_store(current_state(), now(), number, answer));
     if (to_commit_.empty())
       tell(me(), wake{});

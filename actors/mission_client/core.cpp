@@ -35,6 +35,7 @@ void take(turn& t, const mission_fetched& m) {
     return;
   s.now = phase::pulling;
   s.pull = pull_state::in_flight;
+  note_of(s, s.mission_id).is_deleted = false;
   s.revision = m.document.revision;
   s.schema_version = m.document.schema_version;
   s.last_fetch_ns = t.now_ns;
@@ -129,10 +130,12 @@ void take(turn& t, const mission_gone& m) {
   auto& s = t.s;
   const std::string reason(mission_is_deleted);
   const bool was_known = is_deleted(s, m.mission_id);
-  for (const auto& key : keys_where(s, [&](const outbox_row& each) {
-         return each.mission_id == m.mission_id && each.state == row_state::pending;
-       }))
-    give_up(t, key, row_state::orphaned, reason);
+  give_up_all(t,
+              keys_where(s,
+                         [&](const outbox_row& each) {
+                           return each.mission_id == m.mission_id && each.state == row_state::pending;
+                         }),
+              row_state::orphaned, reason);
   auto& note = note_of(s, m.mission_id);
   note.is_deleted = note.seen_done = note.ignored_done = true;
   if (s.mission_id == m.mission_id) {

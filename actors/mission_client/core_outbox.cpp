@@ -54,11 +54,14 @@ void expire_or_wait(turn& t, const std::vector<outbox_row*>& failed, std::int64_
   const auto mission_id = head.mission_id;
   if (is_map(to))
     note_of(t.s, mission_id).set_done(to, true);
-  // What is behind it in order could only be refused.
-  for (const auto& key : keys_where(t.s, [&](const outbox_row& each) {
-         return each.state == row_state::pending && each.to == to && each.mission_id == mission_id;
-       }))
-    give_up(t, key, row_state::expired, reason);
+  // Reports go in order: what is behind this one could only be refused.
+  give_up_all(t,
+              keys_where(t.s,
+                         [&](const outbox_row& each) {
+                           return each.state == row_state::pending && each.to == to && each.mission_id == mission_id &&
+                                  (to == destination::progress || has_expired(each.first_failure_ns, t.now_ns));
+                         }),
+              row_state::expired, reason);
 }
 
 void take_change(turn& t, const std::string& mission_id, destination to, const std::string& key, std::string body) {
@@ -95,18 +98,27 @@ bool add_row(turn& t, outbox_row row, std::size_t reserve) {
 
 void remove_row(turn& t, const std::string& key, noted_as how) { remove_rows(t, {key}, how); }
 
-void give_up(turn& t, const std::string& key, row_state as, const std::string& reason) {
-  auto* row = find_row(t.s.rows, key);
-  if (row == nullptr)
-    return;
-  row->last_error = reason.substr(0, max_error_text);
-  if (is_change(row->to)) {
-    t.tell(change_outcome{key, change_verdict::refused, reason});
-    remove_row(t, key, noted_as::dropped);
-    return;
+void give_up_all(turn& t, const std::vector<std::string>& keys, row_state as, const std::string& reason) {
+  const std::unordered_set<std::string_view> given_up(keys.begin(), keys.end());
+  std::vector<std::string> changes;
+  for (auto& each : t.s.rows) {
+    if (!given_up.contains(each.key))
+      continue;
+    each.last_error = cut_error(reason);
+    if (is_change(each.to)) {
+      t.tell(change_outcome{each.key, change_verdict::refused, reason});
+      changes.push_back(each.key);
+    } else {
+      each.state = as;
+      t.tell(row_noted{each, noted_as::waiting});
+    }
   }
-  row->state = as;
-  t.tell(row_noted{*row, noted_as::waiting});
+  if (!changes.empty())
+    remove_rows(t, changes, noted_as::dropped);
+}
+
+void give_up(turn& t, const std::string& key, row_state as, const std::string& reason) {
+  give_up_all(t, {key}, as, reason);
 }
 
 void take(turn& t, const report_progress& m) {
@@ -176,7 +188,7 @@ void take(turn& t, const rows_failed& m) {
     if (row == nullptr || row->state != row_state::pending)
       continue;
     ++row->tries;
-    row->last_error = m.error.substr(0, max_error_text);
+    row->last_error = cut_error(m.error);
     if (row->first_failure_ns == 0 || row->first_failure_ns > t.now_ns)
       row->first_failure_ns = t.now_ns;
     failed.push_back(row);
@@ -186,16 +198,21 @@ void take(turn& t, const rows_failed& m) {
 }
 
 void take(turn& t, const rows_refused& m) {
-  for (const auto& key : m.keys) {
-    const auto* row = find_row(t.s.rows, key);
-    if (row == nullptr)
-      continue;
-    if (is_map(row->to) && m.ends_lane) {
-      note_of(t.s, row->mission_id).set_done(row->to, true);
-      add_errand(t.s, errand_kind::orphan_mission, row->mission_id, m.reason);
-    }
-    give_up(t, key, row_state::orphaned, m.reason);
-  }
+  const auto* head = m.keys.empty() ? nullptr : find_row(t.s.rows, m.keys.front());
+  if (head == nullptr)
+    return;
+  const auto to = head->to;
+  const auto mission_id = head->mission_id;
+  give_up_all(t, m.keys, row_state::orphaned, m.reason);
+  if (!is_map(to))
+    return;
+  const auto refused = std::ranges::count_if(t.s.rows, [&](const outbox_row& each) {
+    return each.state == row_state::orphaned && each.to == to && each.mission_id == mission_id;
+  });
+  if (!m.ends_lane && refused < max_refused_batches)
+    return;
+  note_of(t.s, mission_id).set_done(to, true);
+  add_errand(t.s, errand_kind::orphan_mission, mission_id, m.reason);
 }
 
 void take(turn& t, const change_done& m) {
@@ -215,7 +232,7 @@ void take(turn& t, const change_failed& m) {
   auto* row = find_row(t.s.rows, m.key);
   if (row == nullptr)
     return;
-  row->last_error = m.reason.substr(0, max_error_text);
+  row->last_error = cut_error(m.reason);
   if (m.verdict != change_verdict::refused && row->mission_id == t.s.mission_id)
     t.s.looks_up = true;
   remove_row(t, m.key, noted_as::dropped);
@@ -249,8 +266,8 @@ void take(turn& t, const retry_outbox& m) {
     }
     t.tell(row_noted{each, noted_as::waiting});
   }
-  if (answer.tried_now + answer.queued == 0)
-    answer.error = m.key.empty() ? "nothing waits in the outbox" : "no row of the outbox has the key " + m.key;
+  if (!m.key.empty() && answer.tried_now + answer.queued == 0)
+    answer.error = "no row of the outbox has the key " + m.key;
   t.tell(answer);
 }
 

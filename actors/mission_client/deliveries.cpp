@@ -187,7 +187,7 @@ void deliveries::take_receipt(desk& d, const lane_id& id, lane& l, const service
 void deliveries::fail(desk& d, const lane_id& id, lane& l, const std::string& why, const service_answer& answer) {
   ++l.failed;
   d.went_wrong(kind_of(id.first), why);
-  d.happened(rows_failed{l.keys, why.substr(0, max_error_text), answer.retry_after_ns.value_or(0)});
+  d.happened(rows_failed{l.keys, cut_error(why), answer.retry_after_ns.value_or(0)});
 }
 
 // -- answers of the map store ---------------------------------------------------------------------

@@ -27,18 +27,22 @@ tl::expected<mission::document, unusable_mission> mission_in(const service_answe
 // -- at the begin ---------------------------------------------------------------------------------
 
 void fetching::plan(desk& d) {
-  if (d.s.now != phase::fetching)
+  if (d.s.now != phase::fetching || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
-  else if (attempt_.may_start(d))
-    attempt_.waiting = d.call(*this, get_mission(d.set, d.s.mission_id));
+    mission_id_ = d.s.mission_id;
+  }
+  if (d.s.now == phase::fetching && attempt_.may_start(d))
+    attempt_.waiting = d.call(*this, get_mission(d.set, mission_id_));
 }
 
 void fetching::on_answer(desk& d, ticket number, const service_answer& answer) {
   if (!attempt_.ends_with(number))
     return;
+  if (d.s.now != phase::fetching || mission_id_ != d.s.mission_id) // another mission was begun meanwhile
+    return;
   const auto verdict = judge(answer);
   if (verdict == judgement::success) {
-    auto mission = mission_in(answer, d.s.mission_id);
+    auto mission = mission_in(answer, mission_id_);
     if (!mission)
       return refuse(d, refusal::invalid, mission.error().reason, mission.error().sample);
     d.went_well(fetch_kind);

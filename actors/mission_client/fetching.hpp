@@ -31,6 +31,7 @@ private:
   void refuse(desk& d, refusal why, std::string reason, std::string sample = {});
 
   attempt attempt_;
+  std::string mission_id_; // that was asked for
 };
 
 class looking_up final : public part {

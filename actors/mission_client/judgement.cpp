@@ -61,7 +61,7 @@ judgement judge(const service_answer& answer) {
 }
 
 std::string sentence_of(const service_answer& answer) {
-  return (answer.how == ending::answered ? sentence_of_problem(answer) : answer.error).substr(0, max_error_text);
+  return cut_error(answer.how == ending::answered ? sentence_of_problem(answer) : answer.error);
 }
 
 } // namespace godwit::mission_client

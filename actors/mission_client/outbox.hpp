@@ -78,6 +78,8 @@ inline constexpr std::size_t max_outbox_rows = 20'000;
 inline constexpr std::size_t outbox_reserve = 500;
 // What is kept of an error.
 inline constexpr std::size_t max_error_text = 512;
+// TEXT with at most so many bytes, and no character cut in two.
+[[nodiscard]] std::string cut_error(std::string_view text);
 
 struct outbox_counts {
   std::uint32_t pending = 0;

@@ -76,7 +76,7 @@ condition planner::health(const state& s) const {
     return {wellness::bad, "the mission is refused" + (why.empty() ? "" : ": " + why)};
   if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked())
     return {wellness::bad, "the missions service does not allow it: " + why};
-  if (s.refused_rows != 0)
+  if (s.refused_rows != 0 && is_full(s.rows))
     return {wellness::bad, "the outbox is full: " + std::to_string(s.refused_rows) + " reports were not taken"};
   const auto counts = count_rows(s.rows);
   std::string reason = why;

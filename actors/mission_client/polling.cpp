@@ -25,6 +25,12 @@ bool is_new(const state& s, const mission::assignment& seen) {
       s.assignments, [&](const open_assignment& each) { return each.what.assignment_id == seen.assignment_id; });
 }
 
+// What is open has to be responded to first; the service keeps the others.
+bool has_no_room(const state& s) {
+  const auto open = std::ranges::count(s.assignments, false, &open_assignment::is_responded);
+  return static_cast<std::size_t>(open) >= max_open_assignments;
+}
+
 } // namespace
 
 void polling::plan(desk& d) {
@@ -34,7 +40,8 @@ void polling::plan(desk& d) {
     is_blocked_ = false;
     mission_id_ = d.s.mission_id;
   }
-  if (d.s.now != phase::ready || is_deleted(d.s, mission_id_) || is_blocked_ || !attempt_.may_start(d))
+  if (d.s.now != phase::ready || is_deleted(d.s, mission_id_) || is_blocked_ || has_no_room(d.s) ||
+      !attempt_.may_start(d))
     return;
   started_ns_ = d.now.monotonic_ns;
   attempt_.waiting = d.call(*this, get_assignments(d.set, mission_id_, newest_known(d.s)));
@@ -49,11 +56,10 @@ void polling::on_answer(desk& d, ticket number, const service_answer& answer) {
     auto list = mission::read<mission::assignment_list>(answer.body);
     if (list) {
       attempt_.succeed();
+      attempt_.not_before_ns = started_ns_ + least_poll_period_ns;
       d.went_well(kind);
       std::erase_if(list->assignments, [&](const mission::assignment& each) { return !is_new(d.s, each); });
-      if (list->assignments.empty())
-        attempt_.not_before_ns = started_ns_ + least_poll_period_ns;
-      else
+      if (!list->assignments.empty())
         d.happened(assignments_seen{mission_id_, std::move(list->assignments)});
       return;
     }
@@ -63,7 +69,7 @@ void polling::on_answer(desk& d, ticket number, const service_answer& answer) {
     return d.happened(mission_gone{mission_id_});
   is_blocked_ = verdict == judgement::not_allowed;
   attempt_.fail_without_end(d, mission_id_, answer.retry_after_ns);
-  d.went_wrong(kind, why.substr(0, max_error_text));
+  d.went_wrong(kind, cut_error(why));
 }
 
 } // namespace godwit::mission_client

@@ -13,6 +13,10 @@ namespace godwit::mission_client {
 // Why rows of a mission are kept and not tried any more.
 inline constexpr std::string_view mission_is_deleted = "the service has deleted this mission";
 
+// After so many batches of one kind that the service would not have, the rest is kept in the store for a person to look
+// at, who sees the reason.
+inline constexpr std::ptrdiff_t max_refused_batches = 8;
+
 struct turn {
   state& s;
   std::int64_t now_ns;
@@ -39,6 +43,7 @@ void settle(turn& t);
 void remove_row(turn& t, const std::string& key, noted_as how);
 // Kept, and not tried any more. A change fails instead. ROW is then gone.
 void give_up(turn& t, const std::string& key, row_state as, const std::string& reason);
+void give_up_all(turn& t, const std::vector<std::string>& keys, row_state as, const std::string& reason);
 // Keys of the rows for which MATCHES(row).
 template <class Matches>
 [[nodiscard]] std::vector<std::string> keys_where(const state& s, Matches matches) {

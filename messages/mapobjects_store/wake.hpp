@@ -1,6 +1,8 @@
 // What the actor is told by its own helpers. Thread: plain values.
 #pragma once
 
+#include <cstdint>
+
 #include "io/fields/field_table.hpp"
 
 namespace godwit::mapobjects_store {
@@ -12,7 +14,8 @@ struct wake {
 
 // Time to look at how the map is.
 struct look {
-  static constexpr auto fields = io::table("mapobjects_store.look");
+  std::uint64_t incarnation = 0; // that wanted it; those before have no time to keep any more
+  static constexpr auto fields = io::table("mapobjects_store.look", io::field("incarnation", &look::incarnation));
 };
 
 } // namespace godwit::mapobjects_store

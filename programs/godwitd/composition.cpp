@@ -134,10 +134,10 @@ checked composition::open() {
     return opened;
   if (auto opened = open_control(); !opened)
     return opened;
+  if (service_) // before the first call can be answered
+    service_->attach(host_->actors().make_gateway("missions_service"), client_);
   host_->actors().start();
   open_vehicle();
-  if (service_)
-    service_->attach(host_->actors().make_gateway("missions_service"), client_);
   open_feed();
   return {};
 }

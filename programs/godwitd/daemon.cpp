@@ -20,6 +20,10 @@ exit_code run_daemon(daemon_settings wanted, const add_more& more) {
   if (more)
     more(**made);
   auto& actors = (*made)->host().actors();
+  const struct before_they_go { // also a signal in the last moment must find them
+    stop_watch& stops;
+    ~before_they_go() { stops.end(); }
+  } guard{stops};
   stops.start([&actors](const std::string& name) { actors.request_exit({runtime::exit_cause::requested, name}); });
   if (const auto opened = (*made)->open(); !opened) {
     say(opened.error());

@@ -15,7 +15,9 @@ using runtime::delivery_state;
 
 constexpr const char* owed_rows =
     "SELECT idempotency_key, destination, body, created_ns, state, tries, last_error, next_try_ns, first_failure_ns "
-    "FROM outbox WHERE actor = 'mission_client' AND state <> 'delivered' ORDER BY created_ns, idempotency_key LIMIT ";
+    "FROM outbox WHERE actor = 'mission_client' AND state <> 'delivered' "
+    "AND NOT (state <> 'pending' AND destination IN ('waypoint', 'tail')) " // a change that failed is over
+    "ORDER BY created_ns, idempotency_key LIMIT ";
 
 std::string_view word_of(delivery_state state) {
   switch (state) {

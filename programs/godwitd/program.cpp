@@ -32,7 +32,8 @@ exit_code list_outbox(const json& configuration, bool as_json) {
     return fail(exit_code::failed, listing.error());
   const auto now_ns =
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
-  print(as_json ? json_of(*listing, now_ns).dump(2) + "\n" : table_of(*listing, now_ns));
+  print(as_json ? json_of(*listing, now_ns).dump(2, ' ', false, json::error_handler_t::replace) + "\n"
+                : table_of(*listing, now_ns));
   return exit_code::ok;
 }
 
@@ -43,7 +44,7 @@ exit_code ask_running(const json& configuration, const json& question, bool as_j
     return fail(exit_code::failed, answer.error());
   const bool is_done = answer->value("ok", false);
   if (as_json)
-    print(answer->dump() + "\n");
+    print(answer->dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
   else if (is_done)
     print(text(*answer) + "\n");
   else

@@ -33,7 +33,9 @@ stop_watch::stop_watch() : stop_(::eventfd(0, EFD_CLOEXEC)) {
     throw std::system_error(errno, std::generic_category(), "signalfd");
 }
 
-stop_watch::~stop_watch() {
+stop_watch::~stop_watch() { end(); }
+
+void stop_watch::end() {
   const std::uint64_t one = 1;
   (void)!::write(stop_.number(), &one, sizeof one);
   if (thread_.joinable())

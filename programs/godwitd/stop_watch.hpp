@@ -25,6 +25,8 @@ public:
 
   // NAME: "SIGTERM" or "SIGINT".
   void start(std::function<void(const std::string& name)> on_stop);
+  // From now on nothing is called. Before what the callback uses goes.
+  void end();
 
 private:
   void run(const std::function<void(const std::string& name)>& on_stop) const;

@@ -48,7 +48,8 @@ tl::expected<nlohmann::json, std::string> ask_daemon(const std::string& path, co
   if (::connect(socket.number(), reinterpret_cast<const sockaddr*>(&*address), sizeof *address) != 0)
     return tl::make_unexpected("no godwitd answers at " + path + " (" + std::strerror(errno) +
                                "): does it run, and is it the one with this journal? --control names its socket");
-  const auto line = question.dump() + "\n"; // a line fits into the socket's buffer
+  const auto line = question.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                    "\n"; // a line fits into the socket's buffer
   if (::send(socket.number(), line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size()))
     return tl::make_unexpected("the godwitd at " + path + " ended before it was asked");
   const auto answer = read_line(socket.number(), path);

@@ -42,7 +42,7 @@ map_result<bool> garbage_collection::stage(map_tables& t, turn& now) {
   static constexpr step steps[] = {&garbage_collection::loaded_objects, &garbage_collection::loaded_places,
                                    &garbage_collection::seen_objects, &garbage_collection::ignored_items,
                                    &garbage_collection::observations};
-  const auto clean = (this->*steps[staged_.table])(t, now);
+  auto clean = (this->*steps[staged_.table])(t, now);
   if (!clean)
     return clean;
   if (*clean)

@@ -100,7 +100,7 @@ checked_input check(const operator_verdict& input) {
 }
 
 checked_input check(const pass_end& input) {
-  const auto sound = check_id(input.id, "id")
+  auto sound = check_id(input.id, "id")
                          .and_then([&] { return check_id(input.mission_id, "mission_id"); })
                          .and_then([&] { return check_share(input.confidence, "confidence"); })
                          .and_then([&] { return check_bounds(input); });

@@ -68,13 +68,13 @@ map_result<void> put_ignored(map_tables& t, const ignored_item& given) {
 map_result<std::int64_t> begin(map_tables& t, const begin_load& asked) {
   if (auto sound = check_id(asked.mission_id, "mission_id"); !sound)
     return tl::unexpected(std::move(sound.error()));
-  const auto observations = number_from(t.q, delivered_observations);
+  auto observations = number_from(t.q, delivered_observations);
   if (!observations)
     return observations;
-  const auto ignored_items = number_from(t.q, delivered_ignored_items);
+  auto ignored_items = number_from(t.q, delivered_ignored_items);
   if (!ignored_items)
     return ignored_items;
-  const auto first_object = number_from(t.q, next_object);
+  auto first_object = number_from(t.q, next_object);
   if (!first_object)
     return first_object;
   t.load.give_up();

@@ -16,7 +16,7 @@ std::string head_of(const delivery& from, bool is_last) {
   if (what.status != no_content)
     head += "Content-Length: " + std::to_string(what.body.size() + from.padding) + "\r\n";
   for (const auto& [name, value] : what.headers)
-    head += name + ": " + value + "\r\n";
+    head.append(name).append(": ").append(value).append("\r\n");
   head += is_last ? "Connection: close\r\n\r\n" : "\r\n";
   return head;
 }

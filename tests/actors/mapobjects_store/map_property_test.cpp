@@ -397,7 +397,7 @@ RC_GTEST_PROP(map_property, the_order_in_which_objects_came_on_the_map_does_not_
   one.load(objects);
   other.load(other_order);
   for (int i = -5; i <= 5; ++i) {
-    const auto id = static_cast<std::uint64_t>(1000 + i);
+    const auto id = std::uint64_t{1000} + static_cast<std::uint64_t>(i);
     const geo_position at{0.00005 * i, 16, {}};
     RC_ASSERT(io::equal(one.record(seen(id, at)), other.record(seen(id, at))));
   }

@@ -23,7 +23,7 @@ struct missions_options : ::testing::Test {
   }
 
   [[nodiscard]] std::string write(const std::string& name, const std::string& text, mode_t mode = 0600) const {
-    const auto file = folder.file(name);
+    auto file = folder.file(name);
     std::ofstream(file) << text;
     ::chmod(file.c_str(), mode);
     return file;

@@ -101,9 +101,9 @@ checked_input check(const operator_verdict& input) {
 
 checked_input check(const pass_end& input) {
   auto sound = check_id(input.id, "id")
-                         .and_then([&] { return check_id(input.mission_id, "mission_id"); })
-                         .and_then([&] { return check_share(input.confidence, "confidence"); })
-                         .and_then([&] { return check_bounds(input); });
+                   .and_then([&] { return check_id(input.mission_id, "mission_id"); })
+                   .and_then([&] { return check_share(input.confidence, "confidence"); })
+                   .and_then([&] { return check_bounds(input); });
   if (!sound)
     return sound;
   for (const auto& each : input.class_groups)

@@ -25,7 +25,7 @@ public:
     while (said().find(text) == std::string::npos) {
       const auto left = end - std::chrono::steady_clock::now();
       const auto before = said().size();
-      if (left <= left.zero())
+      if (left <= std::chrono::nanoseconds::zero())
         return false;
       running_.wait_for_words(std::chrono::ceil<std::chrono::microseconds>(left));
       if (said().size() == before)

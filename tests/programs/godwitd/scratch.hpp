@@ -29,7 +29,7 @@ public:
 
   // The path of the new file; mode 0600, as secrets need it.
   std::string write(const std::string& name, const std::string& text) const {
-    const auto path = file(name);
+    auto path = file(name);
     std::ofstream(path, std::ios::binary) << text;
     std::filesystem::permissions(path, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     return path;

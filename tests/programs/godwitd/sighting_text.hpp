@@ -17,10 +17,12 @@ namespace godwit::test {
   std::string result;
   for (int number = first; number < first + count; ++number) {
     std::array<char, 256> text{};
+    const int row = number / 100;
+    const int column = number % 100;
     std::snprintf(text.data(), text.size(),
                   R"({"id": "%s", "class_group": "vehicle", "latitude": %.6f, "longitude": %.6f, "confidence": 0.9, )"
                   R"("at": "2026-05-04T10:15:%02dZ"})",
-                  sighting_id(number).c_str(), 47.39 + number / 100 * 0.002, 8.54 + number % 100 * 0.002, number % 60);
+                  sighting_id(number).c_str(), 47.39 + row * 0.002, 8.54 + column * 0.002, number % 60);
     result += text.data();
     result += '\n';
   }

@@ -11,7 +11,7 @@ using namespace godwit::daemon;
 
 const std::string id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
 
-tl::expected<daemon_settings, std::string> settings(given_texts options) {
+tl::expected<daemon_settings, std::string> settings(const given_texts& options) {
   return settings_from(effective_configuration(options, {}).value());
 }
 
@@ -20,9 +20,9 @@ given_texts usual() {
 }
 
 // What stands first in the error of the usual options with these instead.
-void expect_blames(const std::string& option, given_texts instead) {
+void expect_blames(const std::string& option, const given_texts& instead) {
   auto options = usual();
-  for (auto& [name, text] : instead)
+  for (const auto& [name, text] : instead)
     options[name] = text;
   const auto wrong = settings(options);
   ASSERT_FALSE(wrong) << option;

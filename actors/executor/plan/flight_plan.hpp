@@ -1,0 +1,54 @@
+// What is uploaded to a vehicle for a mission or the rest of it, and the way that it will fly. Thread: plain values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "actors/executor/progress/plan_map.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+#include "messages/mission/place.hpp"
+
+namespace godwit::executor::plan {
+
+inline constexpr std::size_t max_plan_items = 5'000; // of the vehicle: some minutes of upload on a slow radio
+
+enum class leg_kind {
+  climb, // from the ground, and so below the floor of a fence
+  cruise,
+  circle, // one chord of a polygon around a circle
+  descent // to the ground
+};
+
+// A straight piece of the way. Metres above the place that the mission counts from.
+struct leg {
+  leg_kind kind = leg_kind::cruise;
+  mission::position from;
+  mission::position to;
+  std::uint32_t item_index = 0; // of the mission: for which it is flown
+};
+
+// A survey in a plan: two vehicle items for each line, its beginning and its end.
+struct planned_survey {
+  std::uint32_t item_index = 0;   // in the mission
+  std::uint32_t lines_before = 0; // flown by an earlier plan, and left out
+  std::uint16_t first_line_sequence = 0;
+  std::uint16_t line_count = 0; // in this plan
+};
+
+struct flight_plan {
+  std::vector<io::mavlink::mission_item_int> items; // from sequence 0 on, home included where the vehicle keeps it
+  progress::plan_map map;
+  std::optional<std::uint16_t> landing_sequence; // of DO_LAND_START
+  std::vector<planned_survey> surveys;
+  std::vector<leg> legs;
+  mission::position ends_at;
+  bool ends_on_ground = false; // nothing more is flown without a take-off
+};
+
+// How many lines of the survey are behind a vehicle that is on its way to SEQUENCE, those of earlier plans included. A
+// line that was begun counts as not flown: who goes on flies it again from its beginning.
+[[nodiscard]] std::uint32_t lines_done_at(const planned_survey& survey, std::uint16_t sequence);
+
+} // namespace godwit::executor::plan

@@ -1,0 +1,79 @@
+// One plan while it is being written: its vehicle items, which item of the mission they belong to, and the way.
+//
+// A speed that was asked for in an earlier part of the mission is owed: it is said again in front of the first item
+// that flies on, because vehicles forget it when a plan is replaced or they land. Take-offs come before it. Thread: one
+// owner.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "actors/executor/plan/flight_plan.hpp"
+#include "actors/executor/plan/setting.hpp"
+#include "messages/mission/place.hpp"
+
+namespace godwit::executor::plan {
+
+class plan_writer {
+public:
+  // START: where the vehicle is then; SPEED: what is owed.
+  plan_writer(const plan_setting& setting, const mission::position& start, bool is_under_way,
+              std::optional<double> speed_mps);
+
+  // What follows belongs to this item of the mission.
+  void begin_item(const std::string& id, std::uint32_t index);
+
+  void set_speed(double mps);
+  void add_take_off(const io::mavlink::mission_item_int& item);
+  void add_nav(const io::mavlink::mission_item_int& item);
+  void mark_landing();
+  // Behind it come its lines.
+  void begin_survey(std::uint32_t lines_before);
+  void end_survey();
+
+  void climb_to(double altitude_m);
+  void cruise_to(const mission::position& to);
+  void circle(double radius_m);
+  // Ends the flight; an altitude above the vehicle's own ends it too.
+  void descend_to(const mission::position& to);
+  // It stands: a rover at the end of its way.
+  void stop() { ends_on_ground_ = true; }
+
+  [[nodiscard]] const mission::position& here() const { return here_; }
+  [[nodiscard]] const mission::position& start() const { return start_; }
+  [[nodiscard]] bool began_under_way() const { return began_under_way_; }
+  [[nodiscard]] bool is_in_air() const { return is_in_air_; }
+  [[nodiscard]] bool has_moved() const { return navs_ > 0; }
+  // The last of these was a place in the air, from which a fixed wing can come down.
+  [[nodiscard]] bool comes_from_a_place() const { return comes_from_a_place_; }
+  [[nodiscard]] bool ends_on_ground() const { return ends_on_ground_; }
+  [[nodiscard]] std::optional<double> speed_mps() const { return speed_mps_; }
+  [[nodiscard]] std::size_t size() const { return plan_.items.size(); }
+
+  // Items of the mission that follow the end of the plan and have nothing to fly.
+  void take_over(const progress::plan_map& idle);
+  // Only of a plan that moves the vehicle.
+  [[nodiscard]] flight_plan finished() const;
+  [[nodiscard]] const progress::plan_map& map() const { return plan_.map; }
+
+private:
+  void append(const io::mavlink::mission_item_int& item);
+  void go(leg_kind kind, const mission::position& to);
+  void pay_speed();
+
+  const plan_setting& setting_;
+  mission::position start_;
+  mission::position here_;
+  bool began_under_way_;
+  bool is_in_air_;
+  bool comes_from_a_place_ = false;
+  bool ends_on_ground_ = false;
+  bool owes_speed_;
+  std::optional<double> speed_mps_;
+  std::size_t navs_ = 0;
+  flight_plan plan_;
+};
+
+} // namespace godwit::executor::plan

@@ -1,0 +1,47 @@
+// What a plan depends on besides the mission: the kind of vehicle, its autopilot, where it is and where its home is.
+// Degrees (WGS 84), metres. Thread: plain values.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/enums/vehicle.hpp"
+#include "messages/mission/place.hpp"
+
+namespace godwit::executor::plan {
+
+enum class vehicle_class { multirotor, fixed_wing, rover };
+
+constexpr auto enum_names(vehicle_class) {
+  return io::names<vehicle_class>({{vehicle_class::multirotor, "multirotor"},
+                                   {vehicle_class::fixed_wing, "fixed_wing"},
+                                   {vehicle_class::rover, "rover"}});
+}
+
+// Where the autopilot returns to, and what it counts altitudes from. PX4 and ArduPilot move it to where they arm.
+struct vehicle_home {
+  double latitude = 0;
+  double longitude = 0;
+  double above_sea_m = 0;
+  // Above the place that the mission counts altitudes from, which is where it first took off. Another one after a
+  // landing on a hill: whoever plans the flight from there says how high the hill is.
+  double above_mission_zero_m = 0;
+};
+
+struct plan_setting {
+  vehicle_class vehicle = vehicle_class::multirotor;
+  // PX4 and ArduPilot are treated as they are, all others by the MAVLink text.
+  io::mavlink::mav_autopilot autopilot = io::mavlink::mav_autopilot::px4;
+  vehicle_home home;
+  mission::position start;   // where the vehicle is when the first plan begins; altitude as in the mission
+  bool is_under_way = false; // it flies, or is a rover that has begun to drive; else it stands, and home moves to there
+
+  // Of the vehicle's own circles, where an item leaves the radius to it. PX4 has 80 m (NAV_LOITER_RAD), ArduPilot 60 m
+  // (WP_LOITER_RAD), if nobody changed it. Decides what is looked at when circles are compared with fences.
+  double own_loiter_radius_m = 80;
+  // To which the vehicle climbs first when it returns, if it is lower (PX4: RTL_RETURN_ALT; ArduPilot: RTL_ALT).
+  double return_altitude_m = 0;
+  // A fixed wing's way down begins with DO_LAND_START, so that a failsafe finds it. An ArduPilot plane then does not
+  // arm unless its RTL_AUTOLAND is set: not to be had without asking.
+  bool marks_landings = false;
+};
+
+} // namespace godwit::executor::plan

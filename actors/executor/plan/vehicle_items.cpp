@@ -1,0 +1,112 @@
+#include "actors/executor/plan/vehicle_items.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "io/mavlink/frame_meaning.hpp"
+
+namespace godwit::executor::plan {
+
+namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::mav_frame;
+using io::mavlink::number;
+
+using four_params = std::array<double, 4>;
+
+constexpr double keep_throttle = -1;
+constexpr double air_speed = 0;
+constexpr double ground_speed = 1;
+
+std::int32_t scaled(double degrees) {
+  return static_cast<std::int32_t>(std::lround(degrees * io::mavlink::units_of(io::mavlink::coordinate_kind::global)));
+}
+
+mission_item_int item_of(mav_cmd command, mav_frame frame, const four_params& params) {
+  mission_item_int item;
+  item.command = number(command);
+  item.frame = number(frame);
+  item.autocontinue = 1;
+  item.param1 = static_cast<float>(params[0]);
+  item.param2 = static_cast<float>(params[1]);
+  item.param3 = static_cast<float>(params[2]);
+  item.param4 = static_cast<float>(params[3]);
+  return item;
+}
+
+mission_item_int placed_item(mav_cmd command, const four_params& params, const mission::position& at,
+                             const plan_setting& setting) {
+  auto item = item_of(command, mav_frame::global_relative_alt, params);
+  item.x = scaled(at.latitude);
+  item.y = scaled(at.longitude);
+  item.z = static_cast<float>(at.altitude_m - setting.home.above_mission_zero_m);
+  return item;
+}
+
+mission_item_int bare_item(mav_cmd command, const four_params& params) {
+  return item_of(command, mav_frame::mission, params);
+}
+
+double any_yaw(const plan_setting& setting) {
+  return is_ardupilot(setting) ? 0 : std::numeric_limits<double>::quiet_NaN();
+}
+
+double waiting_s(double asked_s, const plan_setting& setting) {
+  return is_ardupilot(setting) ? std::ceil(asked_s) : asked_s;
+}
+
+} // namespace
+
+bool is_ardupilot(const plan_setting& setting) {
+  return setting.autopilot == io::mavlink::mav_autopilot::ardupilotmega;
+}
+
+bool keeps_home_as_item(const plan_setting& setting) { return is_ardupilot(setting); }
+
+double longest_wait_s(const plan_setting& setting) {
+  return is_ardupilot(setting) ? std::numeric_limits<std::uint16_t>::max() : std::numeric_limits<double>::infinity();
+}
+
+mission_item_int home_item(const plan_setting& setting) {
+  auto item = item_of(mav_cmd::nav_waypoint, mav_frame::global, {});
+  item.x = scaled(setting.home.latitude);
+  item.y = scaled(setting.home.longitude);
+  item.z = static_cast<float>(setting.home.above_sea_m);
+  return item;
+}
+
+mission_item_int takeoff_item(const mission::position& towards, const plan_setting& setting) {
+  return placed_item(mav_cmd::nav_takeoff, {0, 0, 0, any_yaw(setting)}, towards, setting);
+}
+
+mission_item_int waypoint_item(const mission::position& at, double hold_s, double accept_radius_m,
+                               const plan_setting& setting) {
+  return placed_item(mav_cmd::nav_waypoint, {waiting_s(hold_s, setting), accept_radius_m, 0, any_yaw(setting)}, at,
+                     setting);
+}
+
+mission_item_int loiter_item(const mission::position& at, double duration_s, double radius_m,
+                             const plan_setting& setting) {
+  return placed_item(mav_cmd::nav_loiter_time, {waiting_s(duration_s, setting), 0, radius_m, 0}, at, setting);
+}
+
+mission_item_int land_item(const mission::position& at, const plan_setting& setting) {
+  return placed_item(mav_cmd::nav_land, {0, 0, 0, any_yaw(setting)}, at, setting);
+}
+
+mission_item_int return_item() { return bare_item(mav_cmd::nav_return_to_launch, {}); }
+
+mission_item_int speed_item(double mps, const plan_setting& setting) {
+  const double kind = setting.vehicle == vehicle_class::fixed_wing ? air_speed : ground_speed;
+  return bare_item(mav_cmd::do_change_speed, {kind, mps, keep_throttle, 0});
+}
+
+mission_item_int landing_start_item() { return bare_item(mav_cmd::do_land_start, {}); }
+
+bool is_nav(const mission_item_int& item) { return item.command <= number(mav_cmd::nav_last); }
+
+bool is_nowhere(const mission::position& at) { return scaled(at.latitude) == 0 && scaled(at.longitude) == 0; }
+
+} // namespace godwit::executor::plan

@@ -1,0 +1,42 @@
+// The items of a plan in the words of the vehicle (MISSION_ITEM_INT).
+//
+// Positions are in frame 3, metres above the vehicle's home; commands without a position in frame 2. What is not given
+// is NaN where MAVLink has it so, and 0 for ArduPilot, which refuses items with NaN. ArduPilot keeps waiting times as
+// whole seconds in 16 bits: they are rounded up, so that nobody waits less than was asked for. Thread: pure. Source:
+// MAVLink's common.xml, MAV_CMD; ArduPilot's AP_Mission, mavlink_int_to_mission_cmd.
+#pragma once
+
+#include <cstdint>
+
+#include "actors/executor/plan/setting.hpp"
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+#include "messages/mission/place.hpp"
+
+namespace godwit::executor::plan {
+
+using io::mavlink::mission_item_int;
+
+[[nodiscard]] bool is_ardupilot(const plan_setting& setting);
+// The plan begins with home, which has sequence 0 and is not flown to.
+[[nodiscard]] bool keeps_home_as_item(const plan_setting& setting);
+[[nodiscard]] double longest_wait_s(const plan_setting& setting);
+
+[[nodiscard]] mission_item_int home_item(const plan_setting& setting);
+[[nodiscard]] mission_item_int takeoff_item(const mission::position& towards, const plan_setting& setting);
+[[nodiscard]] mission_item_int waypoint_item(const mission::position& at, double hold_s, double accept_radius_m,
+                                             const plan_setting& setting);
+[[nodiscard]] mission_item_int loiter_item(const mission::position& at, double duration_s, double radius_m,
+                                           const plan_setting& setting);
+[[nodiscard]] mission_item_int land_item(const mission::position& at, const plan_setting& setting);
+[[nodiscard]] mission_item_int return_item();
+[[nodiscard]] mission_item_int speed_item(double mps, const plan_setting& setting);
+[[nodiscard]] mission_item_int landing_start_item();
+
+// It moves the vehicle.
+[[nodiscard]] bool is_nav(const mission_item_int& item);
+
+// Vehicles take latitude and longitude 0 for "here".
+[[nodiscard]] bool is_nowhere(const mission::position& at);
+
+} // namespace godwit::executor::plan

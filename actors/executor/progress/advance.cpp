@@ -1,0 +1,178 @@
+#include "actors/executor/progress/advance.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/assert.hpp"
+
+namespace godwit::executor::progress {
+
+namespace {
+
+using mission::progress_kind;
+
+bool is_waiting(const generation_state& g) { return g.moved_to || g.complete_upto; }
+
+// The item where the vehicle was last is not settled, and a REACHED of it may still come.
+bool awaits_reached(const followed_plan& plan) {
+  const auto& g = plan.generation;
+  const auto position = position_at(plan.map, g.current);
+  return position && *position >= g.settled && done_sequence(plan.map.items[*position]) == g.current;
+}
+
+void note_settled(followed_plan& plan) { plan.ever_settled = std::max(plan.ever_settled, plan.generation.settled); }
+
+// The next item, as KIND. One without vehicle items is skipped whatever happens, and that is worth saying once.
+void settle_next(turn& t, progress_kind kind, bool is_inferred) {
+  auto& plan = *t.s.plan;
+  const auto& item = plan.map.items[plan.generation.settled];
+  if (item.sequence_count > 0)
+    report_item(t, kind, item, is_inferred);
+  else if (plan.generation.settled >= plan.ever_settled)
+    report_item(t, progress_kind::skipped, item, false);
+  ++plan.generation.settled;
+  note_settled(plan);
+}
+
+// By a vehicle that begins at START. What has no vehicle items stands at its beginning, and is not behind it.
+bool is_jumped_over(const mapped_item& item, std::uint16_t start) {
+  return item.sequence_count == 0 ? item.first_sequence < start : is_passed(item, start);
+}
+
+void settle_passed(turn& t, std::uint16_t sequence) {
+  const auto& plan = *t.s.plan;
+  while (plan.generation.settled < plan.map.items.size() &&
+         is_passed(plan.map.items[plan.generation.settled], sequence))
+    settle_next(t, progress_kind::reached, true);
+}
+
+void report_completion(turn& t, bool is_inferred) {
+  auto& open = *t.s.mission;
+  if (!t.s.plan->map.ends_mission || open.completed_revision == open.revision)
+    return;
+  open.completed_revision = open.revision;
+  report_mission(t, progress_kind::complete, is_inferred);
+  tell(t, news_kind::mission_complete);
+}
+
+// What stands behind the last movement takes no time.
+void finish_if_done(turn& t, bool is_inferred) {
+  auto& plan = *t.s.plan;
+  if (plan.generation.is_finished || plan.generation.settled < items_to_finish(plan.map))
+    return;
+  while (plan.generation.settled < plan.map.items.size())
+    settle_next(t, progress_kind::reached, true);
+  plan.generation.is_finished = true;
+  tell(t, news_kind::plan_done);
+  report_completion(t, is_inferred);
+}
+
+void adopt_move(turn& t) {
+  auto& g = t.s.plan->generation;
+  g.current = *std::exchange(g.moved_to, std::nullopt);
+  settle_passed(t, g.current);
+  finish_if_done(t, true);
+  begin(t);
+}
+
+// Items behind UPTO were not flown: the vehicle was told to end earlier.
+void adopt_complete(turn& t) {
+  auto& plan = *t.s.plan;
+  const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);
+  settle_passed(t, static_cast<std::uint16_t>(upto + 1));
+  finish_if_done(t, true);
+  while (plan.generation.settled < plan.map.items.size())
+    settle_next(t, progress_kind::skipped, true);
+  finish_if_done(t, true);
+}
+
+void wait_if_new(turn& t, bool was_waiting) {
+  if (!was_waiting)
+    t.s.plan->generation.waiting_since_ns = t.now_ns;
+}
+
+} // namespace
+
+void move_on(turn& t, std::uint16_t sequence) {
+  auto& g = t.s.plan->generation;
+  if (g.moved_to)
+    adopt_move(t);
+  GODWIT_ASSERT(sequence > g.current, "a generation goes forward");
+  const bool was_waiting = is_waiting(g);
+  g.moved_to = sequence;
+  if (awaits_reached(*t.s.plan))
+    wait_if_new(t, was_waiting);
+  else
+    adopt_move(t);
+}
+
+void arrive(turn& t, std::uint16_t sequence) {
+  auto& plan = *t.s.plan;
+  auto& g = plan.generation;
+  settle_passed(t, sequence);
+  const auto position = position_at(plan.map, sequence);
+  if (position && *position == g.settled && done_sequence(plan.map.items[*position]) == sequence) {
+    settle_next(t, progress_kind::reached, false);
+    finish_if_done(t, false);
+  }
+  if (g.moved_to)
+    adopt_move(t);
+  if (g.complete_upto && sequence >= *g.complete_upto)
+    adopt_complete(t);
+}
+
+void note_complete(turn& t, std::uint16_t sequence) {
+  auto& plan = *t.s.plan;
+  auto& g = plan.generation;
+  if (g.is_finished || g.complete_upto)
+    return;
+  const bool was_waiting = is_waiting(g);
+  const bool is_put_back = sequence < g.moved_to.value_or(g.current); // ArduPilot, when it disarms
+  g.complete_upto = is_put_back ? static_cast<std::uint16_t>(end_sequence(plan.map) - 1) : sequence;
+  if (g.moved_to || awaits_reached(plan))
+    wait_if_new(t, was_waiting);
+  else
+    adopt_complete(t);
+}
+
+void catch_up(turn& t) {
+  if (!t.s.plan)
+    return;
+  if (t.s.plan->generation.moved_to)
+    adopt_move(t);
+  if (t.s.plan->generation.complete_upto)
+    adopt_complete(t);
+}
+
+void begin(turn& t) {
+  auto& plan = *t.s.plan;
+  auto& g = plan.generation;
+  const auto position = position_at(plan.map, g.current);
+  if (!g.is_active || !position)
+    return;
+  settle_passed(t, g.current);
+  if (*position < g.settled || g.started_position == position || !plan.map.items[*position].first_nav_sequence)
+    return;
+  g.started_position = position;
+  report_item(t, progress_kind::started, plan.map.items[*position], false);
+}
+
+void open_generation(turn& t, std::uint16_t start, const std::vector<mapped_item>& left_out) {
+  auto& plan = *t.s.plan;
+  plan.generation = {.number = ++t.s.last_generation,
+                     .start_sequence = start,
+                     .opened_at_ns = t.now_ns,
+                     .moved_to = {},
+                     .complete_upto = {},
+                     .started_position = {}};
+  for (const auto& each : left_out)
+    report_item(t, progress_kind::skipped, each, false);
+  auto& settled = plan.generation.settled;
+  for (; settled < plan.map.items.size() && is_jumped_over(plan.map.items[settled], start); ++settled)
+    if (settled >= plan.ever_settled)
+      report_item(t, progress_kind::skipped, plan.map.items[settled], false);
+  note_settled(plan);
+  tell(t, news_kind::generation_opened);
+}
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,36 @@
+#include "actors/executor/progress/core.hpp"
+
+#include "actors/executor/progress/follow.hpp"
+#include "actors/executor/progress/open_mission.hpp"
+#include "actors/executor/progress/start.hpp"
+#include "actors/executor/progress/turn.hpp"
+#include "actors/executor/progress/upload.hpp"
+
+namespace godwit::executor::progress {
+
+effects handle(state& s, const event& happened, std::int64_t now_ns) {
+  effects result;
+  turn t{s, result, now_ns};
+  std::visit([&](const auto& each) { take(t, each); }, happened);
+  return result;
+}
+
+effects resume(const state& s) {
+  effects result;
+  if (s.upload)
+    result.emplace_back(look_at_vehicle{});
+  if (s.start)
+    result.emplace_back(settle_start{s.start->sequence});
+  return result;
+}
+
+bool matters(const state& s, const event& happened, std::int64_t now_ns) {
+  auto after = s;
+  return !handle(after, happened, now_ns).empty() || !io::equal(after, s);
+}
+
+std::optional<mission::progress_report> last_progress(const state& s) {
+  return s.mission ? s.mission->last_report : std::nullopt;
+}
+
+} // namespace godwit::executor::progress

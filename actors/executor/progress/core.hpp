@@ -1,0 +1,36 @@
+// How far a mission got, told truthfully: the part of the executor's decisions that turns what the vehicle says into
+// progress reports.
+//
+//   auto effects = handle(state, current_told{message}, now_ns); // commit both, then let the effects out
+//
+// Pure: the same state, event and time give the same effects. The caller makes the new state durable together with the
+// effects before it lets them out, so that a crash in between loses and doubles nothing. Thread: one at a time.
+//
+// Rules, each with a test of its own name: a report has the number behind the one before, in each mission; no report is
+// of a generation before the newest; within a generation the index of the items never goes back; `complete` comes once
+// for each revision; nothing counts in a generation that is not armed, and nothing while paused.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "actors/executor/progress/effects.hpp"
+#include "actors/executor/progress/events.hpp"
+#include "actors/executor/progress/state.hpp"
+#include "messages/mission/progress.hpp"
+
+namespace godwit::executor::progress {
+
+[[nodiscard]] effects handle(state& s, const event& happened, std::int64_t now_ns);
+
+// What a new incarnation has to look at before anything else. May be asked for more than once.
+[[nodiscard]] effects resume(const state& s);
+
+// False: handling it would change nothing, so that it need not be written down. A vehicle says most things many times.
+// Takes as long as a copy of the state.
+[[nodiscard]] bool matters(const state& s, const event& happened, std::int64_t now_ns);
+
+// Of the open mission.
+[[nodiscard]] std::optional<mission::progress_report> last_progress(const state& s);
+
+} // namespace godwit::executor::progress

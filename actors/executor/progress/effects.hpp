@@ -1,0 +1,79 @@
+// What comes of an event: reports to the missions service, the answer to an assignment, what the executor has to look
+// at, and news for it. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "messages/mission/change.hpp"
+#include "messages/mission/progress.hpp"
+
+namespace godwit::executor::progress {
+
+struct assignment_answered {
+  std::string mission_id;
+  std::string assignment_id;
+  mission::assignment_response response;
+  static constexpr auto fields =
+      io::table("executor.progress_assignment_answered", io::field("mission_id", &assignment_answered::mission_id),
+                io::field("assignment_id", &assignment_answered::assignment_id),
+                io::field("response", &assignment_answered::response));
+};
+
+// An upload may or may not have come to the vehicle: wait until no transfer is under way, ask for its plan id, and tell
+// vehicle_looked_at.
+struct look_at_vehicle {
+  static constexpr auto fields = io::table("executor.progress_look_at_vehicle");
+};
+
+// The plan id does not settle it: read the plan back, compare it by meaning, and tell plan_read_back.
+struct read_plan_back {
+  static constexpr auto fields = io::table("executor.progress_read_plan_back");
+};
+
+// A command may or may not have come to the vehicle: look where it is, and tell start_ended.
+struct settle_start {
+  std::uint16_t sequence = 0;
+  static constexpr auto fields =
+      io::table("executor.progress_settle_start", io::field("sequence", &settle_start::sequence));
+};
+
+enum class news_kind {
+  generation_opened, // a plan or a start was accepted; nothing counts yet
+  armed,             // the vehicle is seen at the start: from now on it counts
+  not_at_start,      // the vehicle has our plan and is elsewhere in it: nothing counts, a set-current is needed
+  plan_done,         // the last item of the plan that moves the vehicle is done
+  mission_complete,  // and no further plan follows
+  upload_failed,     // the plan before stays in force
+  foreign_plan,      // paused: the vehicle holds a plan that is not ours
+  vehicle_restarted  // paused: what the vehicle flew is lost
+};
+
+constexpr auto enum_names(news_kind) {
+  return io::names<news_kind>({{news_kind::generation_opened, "generation_opened"},
+                               {news_kind::armed, "armed"},
+                               {news_kind::not_at_start, "not_at_start"},
+                               {news_kind::plan_done, "plan_done"},
+                               {news_kind::mission_complete, "mission_complete"},
+                               {news_kind::upload_failed, "upload_failed"},
+                               {news_kind::foreign_plan, "foreign_plan"},
+                               {news_kind::vehicle_restarted, "vehicle_restarted"}});
+}
+
+struct news {
+  news_kind kind = news_kind::generation_opened;
+  std::uint32_t generation = 0;
+  std::string reason; // sentence for people; empty when all is well
+  static constexpr auto fields =
+      io::table("executor.progress_news", io::field("kind", &news::kind), io::field("generation", &news::generation),
+                io::field("reason", &news::reason));
+};
+
+using effect =
+    std::variant<mission::progress_report, assignment_answered, look_at_vehicle, read_plan_back, settle_start, news>;
+using effects = std::vector<effect>;
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,145 @@
+// All that changes the progress of a mission: what the executor decides and learns, and what the vehicle says.
+//
+// The intents are told before the vehicle is: an intent that is on the disk is what a restart has to settle. At most
+// one intent is under way at a time. Events from the vehicle are told as they come, late and repeated ones too. Thread:
+// plain values. Source: MISSION_CURRENT (42), MISSION_ITEM_REACHED (46), MISSION_ACK (47).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "actors/executor/progress/plan_map.hpp"
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/messages/mission.hpp"
+
+namespace godwit::executor::progress {
+
+// -- the executor decides ---------------------------------------------------------------------------
+
+// From now on it is this mission. Again for the one that is open: nothing changes. No intent may be under way.
+struct mission_opened {
+  std::string mission_id; // UUID
+  std::int32_t revision = 1;
+  static constexpr auto fields =
+      io::table("executor.progress_mission_opened", io::field("mission_id", &mission_opened::mission_id),
+                io::field("revision", &mission_opened::revision));
+};
+
+// The service's assignment that a plan carries out, and the key of the answer, made before its first try.
+struct assignment_key {
+  std::string assignment_id;
+  std::string idempotency_key;
+  static constexpr auto fields =
+      io::table("executor.progress_assignment_key", io::field("assignment_id", &assignment_key::assignment_id),
+                io::field("idempotency_key", &assignment_key::idempotency_key));
+  friend bool operator==(const assignment_key&, const assignment_key&) = default;
+};
+
+// A plan for the open mission is about to go to the vehicle: told before MISSION_COUNT. A vehicle without plan ids is
+// held by then, since MISSION_COUNT cuts the mission that it flies.
+struct upload_intended {
+  std::int32_t revision = 1;
+  plan_map map;
+  std::optional<std::uint32_t> id_before; // what the vehicle holds now; absent: nothing, or it keeps no ids
+  std::optional<assignment_key> assignment;
+  static constexpr auto fields =
+      io::table("executor.progress_upload_intended", io::field("revision", &upload_intended::revision),
+                io::field("map", &upload_intended::map), io::field("id_before", &upload_intended::id_before),
+                io::field("assignment", &upload_intended::assignment));
+};
+
+// A MISSION_START or a set-current is about to go to the vehicle, which will begin there.
+struct start_intended {
+  std::uint16_t sequence = 0;
+  static constexpr auto fields =
+      io::table("executor.progress_start_intended", io::field("sequence", &start_intended::sequence));
+};
+
+// The mission ends here.
+struct mission_aborted {
+  static constexpr auto fields = io::table("executor.progress_mission_aborted");
+};
+
+// -- the executor learns ----------------------------------------------------------------------------
+
+enum class upload_verdict {
+  accepted,  // with a proof: the vehicle holds the plan
+  unchanged, // the vehicle holds what it held before
+  other,     // the vehicle was looked at, and holds neither
+  unknown    // it has to be looked at
+};
+
+constexpr auto enum_names(upload_verdict) {
+  return io::names<upload_verdict>({{upload_verdict::accepted, "accepted"},
+                                    {upload_verdict::unchanged, "unchanged"},
+                                    {upload_verdict::other, "other"},
+                                    {upload_verdict::unknown, "unknown"}});
+}
+
+struct upload_ended {
+  upload_verdict verdict = upload_verdict::unknown;
+  std::optional<std::uint32_t> plan_id; // the vehicle's for the new plan, where it keeps one
+  std::string reason;                   // sentence for people; empty when accepted
+  static constexpr auto fields =
+      io::table("executor.progress_upload_ended", io::field("verdict", &upload_ended::verdict),
+                io::field("plan_id", &upload_ended::plan_id), io::field("reason", &upload_ended::reason));
+};
+
+// The answer to look_at_vehicle. Told when no transfer is under way any more: one that goes on would make it untrue.
+struct vehicle_looked_at {
+  std::optional<std::uint32_t> plan_id; // absent: none, or it keeps no ids
+  static constexpr auto fields =
+      io::table("executor.progress_vehicle_looked_at", io::field("plan_id", &vehicle_looked_at::plan_id));
+};
+
+enum class read_back_match {
+  pending, // what was to be uploaded, by meaning
+  before,  // what the vehicle held before
+  other
+};
+
+constexpr auto enum_names(read_back_match) {
+  return io::names<read_back_match>(
+      {{read_back_match::pending, "pending"}, {read_back_match::before, "before"}, {read_back_match::other, "other"}});
+}
+
+// The answer to read_plan_back.
+struct plan_read_back {
+  read_back_match match = read_back_match::other;
+  static constexpr auto fields =
+      io::table("executor.progress_plan_read_back", io::field("match", &plan_read_back::match));
+};
+
+// What became of the command: whether the vehicle has begun where start_intended said.
+struct start_ended {
+  bool is_accepted = false;
+  static constexpr auto fields =
+      io::table("executor.progress_start_ended", io::field("is_accepted", &start_ended::is_accepted));
+};
+
+// -- the vehicle says -------------------------------------------------------------------------------
+
+struct current_told {
+  io::mavlink::mission_current message;
+  static constexpr auto fields =
+      io::table("executor.progress_current_told", io::field("message", &current_told::message));
+};
+
+struct reached_told {
+  std::uint16_t sequence = 0;
+  static constexpr auto fields =
+      io::table("executor.progress_reached_told", io::field("sequence", &reached_told::sequence));
+};
+
+// Its clock since boot went back.
+struct vehicle_rebooted {
+  static constexpr auto fields = io::table("executor.progress_vehicle_rebooted");
+};
+
+using event =
+    std::variant<mission_opened, upload_intended, start_intended, mission_aborted, upload_ended, vehicle_looked_at,
+                 plan_read_back, start_ended, current_told, reached_told, vehicle_rebooted>;
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,165 @@
+#include "actors/executor/progress/follow.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "actors/executor/progress/advance.hpp"
+#include "actors/executor/progress/patience.hpp"
+#include "actors/executor/progress/standing.hpp"
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::executor::progress {
+
+namespace {
+
+using io::mavlink::mission_current;
+
+bool is_settling(const turn& t) { return !is_over(t.s.plan->generation.opened_at_ns, t.now_ns, settling_ns); }
+
+void hold(turn& t, const mission_current& message) {
+  auto& held = t.s.held;
+  if (std::any_of(held.begin(), held.end(), [&](const auto& each) { return io::equal(each, message); }))
+    return;
+  if (held.size() < max_held)
+    held.push_back(message);
+  else
+    ++t.s.dropped_held;
+}
+
+// Armed from now on, if this is the start.
+void try_to_arm(turn& t, const mission_current& message) {
+  auto& plan = *t.s.plan;
+  auto& g = plan.generation;
+  if (is_start(plan.map, g.start_sequence, message.seq)) {
+    g.is_armed = true;
+    g.current = message.seq;
+    if (!plan.vehicle_plan_id && message.mission_id != 0)
+      plan.vehicle_plan_id = message.mission_id;
+    tell(t, news_kind::armed);
+  } else if (!g.is_not_at_start_told && !is_settling(t) && !t.s.start && has_sequence(plan.map, message.seq)) {
+    g.is_not_at_start_told = true;
+    tell(t, news_kind::not_at_start,
+         "the vehicle is at item " + std::to_string(message.seq) + " of the plan and not at its start, item " +
+             std::to_string(g.start_sequence));
+  }
+}
+
+void note_mission_state(generation_state& g, const mission_current& message) {
+  using io::mavlink::mission_state;
+  g.is_active = message.mission_state == io::mavlink::number(mission_state::active);
+  g.was_incomplete = g.was_incomplete || (message.mission_state != io::mavlink::number(mission_state::unknown) &&
+                                          message.mission_state != io::mavlink::number(mission_state::complete));
+}
+
+void follow_armed(turn& t, const mission_current& message) {
+  using io::mavlink::mission_state;
+  auto& plan = *t.s.plan;
+  auto& g = plan.generation;
+  const bool is_in_plan = has_sequence(plan.map, message.seq);
+  if (is_settling(t) && !is_start(plan.map, g.start_sequence, message.seq))
+    return;
+  note_mission_state(g, message);
+  if (is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
+    catch_up(t);
+  if (is_in_plan && message.seq > g.moved_to.value_or(g.current))
+    move_on(t, message.seq);
+  if (g.was_incomplete && !is_settling(t) && message.mission_state == io::mavlink::number(mission_state::complete))
+    note_complete(t, message.seq);
+  if (!g.moved_to)
+    begin(t);
+}
+
+void follow(turn& t, const mission_current& message) {
+  if (!t.s.plan || t.s.paused)
+    return;
+  const auto& plan = *t.s.plan;
+  const auto whose = standing_of(message, plan);
+  if (whose == standing::other && !is_settling(t))
+    pause(t, pause_reason::foreign_plan);
+  if (whose != standing::ours || message.seq >= end_sequence(plan.map))
+    return;
+  if (!plan.generation.is_armed)
+    try_to_arm(t, message);
+  if (plan.generation.is_armed)
+    follow_armed(t, message);
+}
+
+void arrive_if_it_counts(turn& t, std::uint16_t sequence) {
+  if (!t.s.plan || t.s.paused || !t.s.plan->generation.is_armed || is_settling(t))
+    return;
+  const auto& g = t.s.plan->generation;
+  if (sequence >= g.current && sequence <= g.moved_to.value_or(g.current))
+    arrive(t, sequence);
+}
+
+void follow_during_upload(turn& t, const mission_current& message) {
+  if (may_be_uploaded(message, *t.s.upload)) {
+    t.s.upload->unconfirmed_reached.reset();
+    hold(t, message);
+    return;
+  }
+  if (message.mission_id == 0)
+    return; // without ids: held in place; with ids: it does not say of which plan
+  if (const auto reached = std::exchange(t.s.upload->unconfirmed_reached, std::nullopt))
+    arrive_if_it_counts(t, *reached);
+  follow(t, message);
+}
+
+// What may be seen of a start before its answer comes: all but what can only be the progress before it.
+bool may_be_started(const turn& t, const mission_current& message) {
+  if (!t.s.start || !t.s.plan)
+    return false;
+  const auto& g = t.s.plan->generation;
+  const auto target = t.s.start->sequence;
+  const auto place = g.moved_to.value_or(g.current);
+  if (!g.is_armed)
+    return true;
+  if (target > place)
+    return message.seq >= target;
+  return message.seq < place || (message.seq == place && target == place);
+}
+
+} // namespace
+
+void take(turn& t, const current_told& what) {
+  if (t.s.upload)
+    follow_during_upload(t, what.message);
+  else if (may_be_started(t, what.message))
+    hold(t, what.message);
+  else
+    follow(t, what.message);
+}
+
+void take(turn& t, const reached_told& what) {
+  const bool has_ids = t.s.plan && t.s.plan->vehicle_plan_id;
+  if (!t.s.upload || !has_ids)
+    arrive_if_it_counts(t, what.sequence);
+  else if (t.s.held.empty())
+    t.s.upload->unconfirmed_reached = what.sequence;
+}
+
+void take(turn& t, const vehicle_rebooted&) {
+  t.s.held.clear();
+  if (t.s.upload)
+    t.s.upload->unconfirmed_reached.reset();
+  if (t.s.plan && (!t.s.paused || t.s.paused == pause_reason::vehicle_restarted))
+    pause(t, pause_reason::vehicle_restarted);
+}
+
+void release_held(turn& t) {
+  for (const auto& each : std::exchange(t.s.held, {}))
+    follow(t, each);
+}
+
+void pause(turn& t, pause_reason why) {
+  catch_up(t);
+  if (t.s.plan)
+    t.s.plan->generation.is_armed = false;
+  t.s.paused = why;
+  if (why == pause_reason::foreign_plan)
+    tell(t, news_kind::foreign_plan, "the vehicle holds a plan that was not uploaded by this computer");
+  else if (why == pause_reason::vehicle_restarted)
+    tell(t, news_kind::vehicle_restarted, "the autopilot has started again: the mission has to be started anew");
+}
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,34 @@
+// What the vehicle says of its mission, and what of it counts.
+//
+//   MISSION_CURRENT                       within settling_ns of the opening    later
+//   of our plan, at the start             arms                                 arms
+//   of our plan, ahead of where it was    nothing                              armed: moves on; else not_at_start
+//   of our plan, behind where it was      nothing                              nothing: it is late
+//   sequence not in the plan              nothing                              nothing
+//   of another plan, or of none           nothing                              paused: foreign plan
+//
+//   MISSION_ITEM_REACHED                  nothing                              armed: of the item where it is or that
+//   it
+//                                                                              has just left, once
+//
+// While an upload is under way, a vehicle with plan ids goes on with the old plan: MISSION_CURRENT with another id is
+// held until the upload is settled, and a REACHED waits until the old id is seen again. A vehicle without them is held
+// in place: its MISSION_CURRENT means nothing then, a REACHED is of what it flew before. While a start is under way,
+// MISSION_CURRENT that may come of it is held. Thread: one at a time.
+#pragma once
+
+#include "actors/executor/progress/turn.hpp"
+
+namespace godwit::executor::progress {
+
+void take(turn& t, const current_told& what);
+void take(turn& t, const reached_told& what);
+void take(turn& t, const vehicle_rebooted& what);
+
+// No intent is under way any more: what was held is looked at.
+void release_held(turn& t);
+
+// Nothing counts until the next generation.
+void pause(turn& t, pause_reason why);
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,14 @@
+// Which mission the reports are about, and its end before its time. A mission that was open before goes on with its
+// numbers when it is opened again. Thread: one at a time.
+#pragma once
+
+#include "actors/executor/progress/turn.hpp"
+
+namespace godwit::executor::progress {
+
+void take(turn& t, const mission_opened& what);
+
+// Reported once until the mission is started anew, and not at all when it is complete.
+void take(turn& t, const mission_aborted& what);
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,84 @@
+// Which item of the mission each item on the vehicle belongs to.
+//
+//   vehicle sequence   0        1        2        3        4        5
+//   command            TAKEOFF  SPEED    WAYPOINT WAYPOINT WAYPOINT RETURN
+//   mission item       t        └─ w1 ──────┘     └─ survey ──┘     home
+//
+// A mission item becomes none, one or several vehicle items; a plan may be a part of a mission, and its indices are
+// those of the mission. Sequences are as the vehicle counts: PX4 from 0, ArduPilot from 1, because its 0 is home. A
+// map comes from our own planner; whoever takes one asserts is_sound(). Thread: plain values, pure functions. Source:
+// MISSION_CURRENT (42), MISSION_ITEM_REACHED (46).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor::progress {
+
+struct mapped_item {
+  std::string item_id;
+  std::uint32_t item_index = 0;     // in the mission's items, from 0 on
+  std::uint16_t first_sequence = 0; // without vehicle items: that of what follows it
+  std::uint16_t sequence_count = 0; // 0: the vehicle has nothing to do for it
+  // The first and the last of its vehicle items that move the vehicle (NAV commands). Absent: it moves nothing.
+  std::optional<std::uint16_t> first_nav_sequence;
+  std::optional<std::uint16_t> last_nav_sequence;
+
+  static constexpr auto fields = io::table("executor.progress_mapped_item", io::field("item_id", &mapped_item::item_id),
+                                           io::field("item_index", &mapped_item::item_index),
+                                           io::field("first_sequence", &mapped_item::first_sequence),
+                                           io::field("sequence_count", &mapped_item::sequence_count),
+                                           io::field("first_nav_sequence", &mapped_item::first_nav_sequence),
+                                           io::field("last_nav_sequence", &mapped_item::last_nav_sequence));
+  friend bool operator==(const mapped_item&, const mapped_item&) = default;
+};
+
+struct plan_map {
+  std::uint16_t first_sequence = 0; // 1 where item 0 is home
+  std::uint16_t total = 0;          // items on the vehicle as MISSION_CURRENT.total counts them: without home
+  std::uint16_t start_sequence = 0; // where the vehicle begins
+  bool ends_mission = false;        // no further plan of this mission follows
+  std::vector<mapped_item> items;   // in the order of the mission
+
+  static constexpr auto fields =
+      io::table("executor.progress_plan_map", io::field("first_sequence", &plan_map::first_sequence),
+                io::field("total", &plan_map::total), io::field("start_sequence", &plan_map::start_sequence),
+                io::field("ends_mission", &plan_map::ends_mission), io::field("items", &plan_map::items));
+  friend bool operator==(const plan_map&, const plan_map&) = default;
+};
+
+inline constexpr std::size_t max_mapped_items = 10'000; // as many as a mission may have
+
+// MISSION_CURRENT says this number where there is no item, or no plan.
+inline constexpr std::uint16_t no_sequence = 65535;
+
+// Items in the order of the mission, none twice; sequences in the same order, none twice, all on the vehicle; the start
+// is on the vehicle. Vehicle items that belong to no item of the mission are allowed.
+[[nodiscard]] bool is_sound(const plan_map& map);
+
+// One behind the last sequence.
+[[nodiscard]] std::uint16_t end_sequence(const plan_map& map);
+[[nodiscard]] bool has_sequence(const plan_map& map, std::uint16_t sequence);
+
+// The position in `items` of the one that SEQUENCE belongs to.
+[[nodiscard]] std::optional<std::uint32_t> position_at(const plan_map& map, std::uint16_t sequence);
+
+// The sequence with which ITEM is done: its last one that moves the vehicle, or its last one. It has at least one.
+[[nodiscard]] std::uint16_t done_sequence(const mapped_item& item);
+
+// A vehicle that is at SEQUENCE has ITEM behind it.
+[[nodiscard]] bool is_passed(const mapped_item& item, std::uint16_t sequence);
+
+// A vehicle that begins at START is first seen there, or at the first item behind it that moves it: what stands before
+// that takes no time. Inside of an item of several movements only START itself counts.
+[[nodiscard]] bool is_start(const plan_map& map, std::uint16_t start, std::uint16_t sequence);
+
+// So many items from the front have to be done until the plan is: all up to the last one that moves the vehicle.
+[[nodiscard]] std::uint32_t items_to_finish(const plan_map& map);
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,30 @@
+#include "actors/executor/progress/start.hpp"
+
+#include <utility>
+
+#include "actors/executor/progress/advance.hpp"
+#include "actors/executor/progress/follow.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::executor::progress {
+
+void take(turn& t, const start_intended& what) {
+  GODWIT_ASSERT(t.s.plan && has_sequence(t.s.plan->map, what.sequence), "a start is at an item of the plan");
+  GODWIT_ASSERT(!t.s.upload && !t.s.start, "one intent at a time");
+  t.s.held.clear();
+  t.s.start = what;
+}
+
+void take(turn& t, const start_ended& what) {
+  if (!t.s.start)
+    return;
+  const auto start = *std::exchange(t.s.start, std::nullopt);
+  if (what.is_accepted && t.s.paused != pause_reason::foreign_plan) {
+    catch_up(t);
+    t.s.paused.reset();
+    open_generation(t, start.sequence);
+  }
+  release_held(t);
+}
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,13 @@
+// A MISSION_START or set-current, from the intent to its answer. Accepted, it opens a new generation of the plan that
+// is there; items that it jumps over are skipped. A vehicle that restarted or was aborted counts again from then on; a
+// foreign plan does not become ours by it. Thread: one at a time.
+#pragma once
+
+#include "actors/executor/progress/turn.hpp"
+
+namespace godwit::executor::progress {
+
+void take(turn& t, const start_intended& what);
+void take(turn& t, const start_ended& what);
+
+} // namespace godwit::executor::progress

@@ -1,0 +1,134 @@
+// What of the progress must survive a crash: everything that a decision depends on.
+//
+//                     upload accepted, or          MISSION_CURRENT: our plan,
+//                     start accepted               the expected sequence
+//        no plan ─────────────────────> opened ───────────────────────> armed ──> finished
+//                                        ^  ^                             │ │        │
+//                                        │  └── next upload or start ─────┘ │        │
+//                                        └──────────────────────────────────┼────────┘
+//                                        ^                                  v
+//                                        └── next upload or start ─────── paused (foreign plan, vehicle restarted,
+//                                                                                 aborted)
+//
+// A generation is what one accepted upload or start begins. Progress counts in an armed generation only; all that is
+// told before it is armed, or after the next one is opened, changes nothing. Sequences are the vehicle's, positions
+// those in the items of the map, times nanoseconds since 1970 (UTC). Thread: plain values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/executor/progress/events.hpp"
+#include "actors/executor/progress/plan_map.hpp"
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/messages/mission.hpp"
+#include "messages/mission/progress.hpp"
+
+namespace godwit::executor::progress {
+
+// One mission, also when others were flown in between.
+struct mission_record {
+  std::string mission_id;
+  std::int32_t revision = 1;                           // of the plan that is followed
+  std::uint32_t report_no = 0;                         // of the last report
+  std::optional<mission::progress_report> last_report; // what the answer to an assignment tells
+  std::optional<std::int32_t> completed_revision;      // complete is reported once for each
+  static constexpr auto fields =
+      io::table("executor.progress_mission_record", io::field("mission_id", &mission_record::mission_id),
+                io::field("revision", &mission_record::revision), io::field("report_no", &mission_record::report_no),
+                io::field("last_report", &mission_record::last_report),
+                io::field("completed_revision", &mission_record::completed_revision));
+};
+
+struct generation_state {
+  std::uint32_t number = 0;
+  std::uint16_t start_sequence = 0;
+  std::int64_t opened_at_ns = 0;
+  bool is_armed = false;
+  bool is_active = false;            // the vehicle said last that it flies it
+  bool was_incomplete = false;       // the vehicle has said so: a MISSION_STATE complete is not the old plan's
+  bool is_finished = false;          // all items that move the vehicle are done
+  bool is_not_at_start_told = false; // once is enough
+  std::uint16_t current = 0;         // of an armed one: where the vehicle is
+  // What waits a moment for the MISSION_ITEM_REACHED of the item just left: the vehicle has moved on to here, or has
+  // completed the mission with all up to here flown.
+  std::optional<std::uint16_t> moved_to;
+  std::optional<std::uint16_t> complete_upto;
+  std::int64_t waiting_since_ns = 0;
+  std::uint32_t settled = 0;                     // so many items from the front are done or skipped
+  std::optional<std::uint32_t> started_position; // the last item that was reported as started
+  static constexpr auto fields = io::table(
+      "executor.progress_generation_state", io::field("number", &generation_state::number),
+      io::field("start_sequence", &generation_state::start_sequence),
+      io::field("opened_at_ns", &generation_state::opened_at_ns), io::field("is_armed", &generation_state::is_armed),
+      io::field("is_active", &generation_state::is_active),
+      io::field("was_incomplete", &generation_state::was_incomplete),
+      io::field("is_finished", &generation_state::is_finished),
+      io::field("is_not_at_start_told", &generation_state::is_not_at_start_told),
+      io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
+      io::field("complete_upto", &generation_state::complete_upto),
+      io::field("waiting_since_ns", &generation_state::waiting_since_ns),
+      io::field("settled", &generation_state::settled),
+      io::field("started_position", &generation_state::started_position));
+};
+
+struct followed_plan {
+  plan_map map;
+  std::optional<std::uint32_t> vehicle_plan_id; // absent: the vehicle keeps none, or has not told it yet
+  std::optional<std::uint32_t> id_before;       // of the plan that was replaced
+  std::uint32_t ever_settled = 0;               // the most that any generation of this plan has settled
+  generation_state generation;
+  static constexpr auto fields = io::table(
+      "executor.progress_followed_plan", io::field("map", &followed_plan::map),
+      io::field("vehicle_plan_id", &followed_plan::vehicle_plan_id), io::field("id_before", &followed_plan::id_before),
+      io::field("ever_settled", &followed_plan::ever_settled), io::field("generation", &followed_plan::generation));
+};
+
+struct pending_upload {
+  std::uint32_t generation = 0; // the one that it will open
+  upload_intended intent;
+  std::optional<std::uint32_t> id_seen; // by the look that was to settle it
+  // REACHED does not say of which plan. It counts when the next MISSION_CURRENT still has the old id.
+  std::optional<std::uint16_t> unconfirmed_reached;
+  static constexpr auto fields =
+      io::table("executor.progress_pending_upload", io::field("generation", &pending_upload::generation),
+                io::field("intent", &pending_upload::intent), io::field("id_seen", &pending_upload::id_seen),
+                io::field("unconfirmed_reached", &pending_upload::unconfirmed_reached));
+};
+
+enum class pause_reason { foreign_plan, vehicle_restarted, aborted };
+
+constexpr auto enum_names(pause_reason) {
+  return io::names<pause_reason>({{pause_reason::foreign_plan, "foreign_plan"},
+                                  {pause_reason::vehicle_restarted, "vehicle_restarted"},
+                                  {pause_reason::aborted, "aborted"}});
+}
+
+inline constexpr std::size_t max_held = 8;           // a new one is dropped then: the vehicle repeats itself
+inline constexpr std::size_t max_past_missions = 32; // the oldest is forgotten; flown again, it counts from 1
+
+struct state {
+  std::optional<mission_record> mission;
+  std::vector<mission_record> past_missions; // oldest first
+  std::uint32_t last_generation = 0;
+  std::optional<followed_plan> plan;
+  std::optional<pending_upload> upload;
+  std::optional<start_intended> start;
+  // MISSION_CURRENT that may be of the plan or start under way, and is looked at when that is settled. None twice.
+  std::vector<io::mavlink::mission_current> held;
+  std::uint64_t dropped_held = 0; // for which there was no room
+  std::optional<pause_reason> paused;
+
+  static constexpr int version = 1;
+  static constexpr auto fields =
+      io::table("executor.progress_state", io::field("mission", &state::mission),
+                io::field("past_missions", &state::past_missions),
+                io::field("last_generation", &state::last_generation), io::field("plan", &state::plan),
+                io::field("upload", &state::upload), io::field("start", &state::start), io::field("held", &state::held),
+                io::field("dropped_held", &state::dropped_held), io::field("paused", &state::paused));
+};
+
+} // namespace godwit::executor::progress

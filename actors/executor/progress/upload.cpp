@@ -1,0 +1,94 @@
+#include "actors/executor/progress/upload.hpp"
+
+#include <utility>
+
+#include "actors/executor/progress/cut_over.hpp"
+#include "actors/executor/progress/follow.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::executor::progress {
+
+namespace {
+
+constexpr const char* another_plan = "the vehicle holds another plan";
+
+void answer_rejected(turn& t, const assignment_key& key, const std::string& reason) {
+  t.out.emplace_back(assignment_answered{.mission_id = t.s.mission->mission_id,
+                                         .assignment_id = key.assignment_id,
+                                         .response = {.idempotency_key = key.idempotency_key,
+                                                      .outcome = mission::assignment_outcome::rejected,
+                                                      .reason = reason,
+                                                      .last_progress = t.s.mission->last_report,
+                                                      .generation = t.s.last_generation}});
+}
+
+// The vehicle has never left the old plan, so what it said meanwhile was of that one; a MISSION_CURRENT with another id
+// comes again if it is true.
+void fail(turn& t, const std::string& reason) {
+  const auto upload = *std::exchange(t.s.upload, std::nullopt);
+  t.s.held.clear();
+  if (upload.unconfirmed_reached)
+    take(t, reached_told{*upload.unconfirmed_reached});
+  if (upload.intent.assignment)
+    answer_rejected(t, *upload.intent.assignment, reason);
+  tell(t, news_kind::upload_failed, reason);
+}
+
+void fail_with_other(turn& t, const std::string& reason) {
+  t.s.upload->unconfirmed_reached.reset();
+  fail(t, reason);
+  pause(t, pause_reason::foreign_plan);
+}
+
+} // namespace
+
+void take(turn& t, const upload_intended& what) {
+  GODWIT_ASSERT(t.s.mission, "a plan is uploaded for an open mission");
+  GODWIT_ASSERT(!t.s.upload && !t.s.start, "one intent at a time");
+  GODWIT_ASSERT(is_sound(what.map), "a plan that is uploaded has a sound map");
+  t.s.held.clear();
+  t.s.upload =
+      pending_upload{.generation = t.s.last_generation + 1, .intent = what, .id_seen = {}, .unconfirmed_reached = {}};
+  if (what.id_before == 0U)
+    t.s.upload->intent.id_before.reset();
+}
+
+void take(turn& t, const upload_ended& what) {
+  if (!t.s.upload)
+    return;
+  switch (what.verdict) {
+  case upload_verdict::accepted:
+    return cut_over(t, what.plan_id);
+  case upload_verdict::unchanged:
+    return fail(t, what.reason);
+  case upload_verdict::other:
+    return fail_with_other(t, what.reason.empty() ? another_plan : what.reason);
+  case upload_verdict::unknown:
+    t.out.emplace_back(look_at_vehicle{});
+  }
+}
+
+void take(turn& t, const vehicle_looked_at& what) {
+  if (!t.s.upload)
+    return;
+  t.s.upload->id_seen = what.plan_id == 0U ? std::nullopt : what.plan_id;
+  if (t.s.upload->id_seen && t.s.upload->id_seen == t.s.upload->intent.id_before)
+    fail(t, "the plan did not come to the vehicle");
+  else
+    t.out.emplace_back(read_plan_back{});
+}
+
+void take(turn& t, const plan_read_back& what) {
+  if (!t.s.upload)
+    return;
+  switch (what.match) {
+  case read_back_match::pending:
+    return cut_over(t, t.s.upload->id_seen);
+  case read_back_match::before:
+    return fail(t, "the plan did not come to the vehicle");
+  case read_back_match::other:
+    return fail_with_other(t, another_plan);
+  }
+}
+
+} // namespace godwit::executor::progress

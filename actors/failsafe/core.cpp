@@ -1,0 +1,294 @@
+#include "actors/failsafe/core.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "actors/failsafe/sentences.hpp"
+
+namespace godwit::failsafe {
+
+using io::mavlink::mav_severity;
+
+namespace {
+
+// PX4 says so for a moment when a plan has just been replaced.
+constexpr std::uint16_t no_sequence = 65535;
+
+// That a station was once heard belongs to the flight. After one, it is heard anew or it is not there.
+link_memory memory_for(const standing& restored) { return restored.in_flight ? restored.link : link_memory{}; }
+
+} // namespace
+
+core::core(const settings& configured, const state& restored, instant now)
+    : settings_(configured), flight_(restored.now.in_flight, configured.moving_mps), pilot_(restored.now.pilot, now),
+      battery_(configured.battery_critical_percent, configured.battery_low_percent),
+      link_(configured, memory_for(restored.now), now), overrides_(restored.now.overridden, now),
+      latches_(restored.now.latches), reaction_(restored.now.reacts, restored.now.last_number, now.monotonic_ns),
+      limits_(restored.limits), kept_(restored.now) {
+  if (auto judge = fence_judge::build(limits_.geofences))
+    fences_.set(std::move(*judge));
+  else
+    limits_refused_ = true;
+}
+
+// -- what is heard --------------------------------------------------------------------------------
+
+void core::take(const event& heard, instant now) {
+  std::visit([&](const auto& what) { take_one(what, now); }, heard);
+}
+
+void core::take_one(const heartbeat& what, instant now) {
+  newest_ = what;
+  heartbeat_ns_ = now.monotonic_ns;
+  flight_.on_heartbeat(what.what, what.armed, now.monotonic_ns);
+}
+
+void core::take_one(const landed& what, instant) { flight_.on_landed(what.how); }
+
+void core::take_one(const position& what, instant now) {
+  fences_.on_position(what, now.monotonic_ns);
+  flight_.on_speed(std::hypot(what.north_mps, what.east_mps));
+}
+
+void core::take_one(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }
+
+void core::take_one(const mission_current& what, instant now) {
+  if (what.sequence == no_sequence)
+    return;
+  sequence_ = what.sequence;
+  sequence_ns_ = now.monotonic_ns;
+}
+
+void core::take_one(const command_settled& what, instant) { reaction_.on_settled(what); }
+
+void core::take_one(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
+
+void core::take_one(const override_rule& what, instant) {
+  if (wanted_overrides_.size() < max_waiting_overrides)
+    wanted_overrides_.push_back(what);
+}
+
+void core::take_one(const hand_back&, instant) { told_hand_back_ = true; }
+
+void core::take_one(const flight_limits& what, instant) { new_limits_ = what; }
+
+void core::take_one(const expect_mode& what, instant now) {
+  pilot_.expect(what.kind, what.lasts_ms == 0 ? std::nullopt : std::optional(what.lasts_ms), now);
+}
+
+void core::take_one(const taken_over&, instant) { told_taken_over_ = true; }
+
+void core::take_one(const following& what, instant) { link_.on_following(what.on); }
+
+// -- the tick -------------------------------------------------------------------------------------
+
+effects core::tick(instant now) {
+  effects out;
+  take_limits(out);
+  const auto seen = look(now);
+  follow_flight(seen);
+  hear_words(seen, now, out);
+  watch_pilot(seen, now, out);
+  judge_rules(seen, out);
+  drive(seen, now, out);
+  warn_of_link(seen, out);
+  warn_of_fence(seen, now, out);
+  tell_health(seen, out);
+  keep(seen.flight.in_flight, out);
+  return out;
+}
+
+void core::take_limits(effects& out) {
+  if (!new_limits_)
+    return;
+  auto wanted = std::exchange(new_limits_, std::nullopt);
+  auto judge = fence_judge::build(wanted->geofences);
+  limits_refused_ = !judge;
+  if (judge) {
+    fences_.set(std::move(*judge));
+    has_new_limits_ = *wanted != limits_;
+    limits_ = std::move(*wanted);
+    sequence_.reset(); // it may be that of the plan before
+    sequence_ns_ = 0;
+    out.emplace_back(limits_answer{true, {}});
+  } else {
+    out.emplace_back(limits_answer{false, judge.error()});
+  }
+}
+
+core::view core::look(instant now) {
+  view seen;
+  seen.flight = flight_.evaluate(now.monotonic_ns);
+  if (seen.flight.begins)
+    fences_.begin_flight();
+  seen.battery = battery_.judge(now.monotonic_ns);
+  seen.fences = fences_.evaluate(now.monotonic_ns, seen.flight.near_ground);
+  seen.link = link_.evaluate(now);
+  return seen;
+}
+
+void core::follow_flight(const view& seen) {
+  if (!seen.flight.ends)
+    return;
+  latches_.release_all();
+  reaction_.drop();
+}
+
+// Of two contrary words in one tick, that a pilot has the vehicle counts. On the ground nobody takes over: a word that
+// comes so late is about a flight that has ended.
+void core::hear_words(const view& seen, instant now, effects& out) {
+  const bool taken = std::exchange(told_taken_over_, false);
+  const bool handed_back = std::exchange(told_hand_back_, false) && !taken;
+  if (taken && !pilot_.is_taken_over() && (seen.flight.in_flight || !seen.flight.link_up)) {
+    pilot_.take_over();
+    out.emplace_back(warning{mav_severity::notice, "a pilot has the vehicle; the failsafes only warn"});
+  }
+  if (handed_back) {
+    pilot_.hand_back();
+    latches_.release_all();
+    reaction_.drop();
+  }
+  overrides_.expire(now);
+  auto wanted = std::exchange(wanted_overrides_, {});
+  std::sort(wanted.begin(), wanted.end(), [](const override_rule& a, const override_rule& b) {
+    return std::tie(a.until_ns, a.key) < std::tie(b.until_ns, b.key);
+  });
+  for (const auto& each : wanted) {
+    const auto done = overrides_.take(each, now);
+    out.emplace_back(override_answer{each.key, done.has_value(), done ? std::string() : done.error()});
+    if (done)
+      lift(each.scope, out);
+  }
+}
+
+// What else had wanted the same has to say so again.
+void core::lift(rule scope, effects& out) {
+  latches_.release(scope);
+  const auto& current = reaction_.current();
+  if (!current || current->why != scope)
+    return;
+  out.emplace_back(lifted{current->why, current->what});
+  reaction_.drop();
+  latches_.release_all();
+}
+
+void core::watch_pilot(const view& seen, instant now, effects& out) {
+  if (!seen.flight.link_up)
+    return;
+  const bool before = pilot_.is_taken_over();
+  const auto& current = reaction_.current();
+  pilot_.evaluate(seen.flight, newest_.mode, current ? std::optional(current->what) : std::nullopt, now);
+  if (before || !pilot_.is_taken_over())
+    return;
+  out.emplace_back(pilot_seen{newest_.mode});
+  out.emplace_back(warning{mav_severity::notice, "the mode was changed by somebody else; the failsafes only warn"});
+}
+
+// -- the rules ------------------------------------------------------------------------------------
+
+bool core::has_cause(rule each, const view& seen) const {
+  if (!seen.flight.may_act || overrides_.holds(each))
+    return false;
+  switch (each) {
+  case rule::battery_critical:
+    return seen.battery.critical;
+  case rule::fence:
+    return seen.fences.finding == fence_finding::breached;
+  case rule::battery_low:
+    return seen.battery.low;
+  case rule::operator_link:
+    break;
+  }
+  return seen.link == link_phase::lost;
+}
+
+bool core::leaves_it_to_pilot() const { return pilot_.is_taken_over() && !settings_.failsafe_in_manual; }
+
+void core::judge_rules(const view& seen, effects& out) {
+  for (const auto each : rules) {
+    const auto what = action_for(each, newest_.what, limits_.land_start.has_value());
+    if (what && !latches_.holds(each) && has_cause(each, seen))
+      act(each, *what, seen, out);
+  }
+}
+
+void core::act(rule why, action what, const view& seen, effects& out) {
+  const auto cause = cause_of(why, seen.battery, seen.fences);
+  const auto& current = reaction_.current();
+  if (leaves_it_to_pilot()) {
+    latches_.set(why, latch_kind::left_to_pilot);
+    out.emplace_back(warning{mav_severity::critical, cause + "; a pilot has the vehicle, nothing is sent"});
+    return;
+  }
+  if (current && is_higher(current->why, why)) {
+    latches_.set(why, latch_kind::covered);
+    out.emplace_back(warning{mav_severity::warning, cause + "; something worse is being acted on"});
+    return;
+  }
+  latches_.set(why, latch_kind::acted);
+  if (current && current->what == what)
+    reaction_.raise(why);
+  else
+    reaction_.begin(why, what);
+  out.emplace_back(acts{why, what});
+  out.emplace_back(warning{mav_severity::critical, cause + ": " + deed_of(what)});
+}
+
+// A command that was sent may show in a heartbeat after another has taken its place.
+void core::drive(const view& seen, instant now, effects& out) {
+  const bool may_send = seen.flight.link_up && seen.flight.may_act && !leaves_it_to_pilot();
+  const bool on_landing = limits_.land_start && sequence_ && *sequence_ >= *limits_.land_start;
+  const auto step =
+      reaction_.drive({newest_.mode.kind, heartbeat_ns_, may_send, on_landing, sequence_ns_}, now.monotonic_ns);
+  if (step.send) {
+    for (const auto kind : modes_of(step.send->what))
+      pilot_.expect(kind, command_answer_ms + obedience_ms, now);
+    out.insert(out.begin(), *step.send); // before anything else
+  }
+  if (step.fails_first)
+    out.emplace_back(warning{mav_severity::alert, "what the failsafe wants does not get through; it tries on"});
+  if (step.disobeyed)
+    out.emplace_back(warning{mav_severity::alert, "the vehicle accepted what the failsafe wants and does not do it"});
+}
+
+// -- what is said ---------------------------------------------------------------------------------
+
+void core::warn_of_link(const view& seen, effects& out) {
+  const auto is_silent = [](link_phase phase) { return phase == link_phase::degraded || phase == link_phase::lost; };
+  const auto before = std::exchange(said_link_, seen.link);
+  if (is_silent(seen.link) && !is_silent(before))
+    out.emplace_back(warning{mav_severity::warning, "the operator's ground station is silent"});
+  else if (seen.link == link_phase::ok && is_silent(before))
+    out.emplace_back(warning{mav_severity::notice, "the operator's ground station is heard again"});
+}
+
+void core::warn_of_fence(const view& seen, instant now, effects& out) {
+  if (!seen.flight.may_act || !seen.fences.ahead)
+    return;
+  const auto before = std::exchange(fence_ahead_ns_, now.monotonic_ns);
+  if (!before || now.monotonic_ns - *before >= fence_warning_quiet_ms * ns_per_ms)
+    out.emplace_back(warning{mav_severity::warning, "a fence is near: in 2 s " + seen.fences.ahead->sentence()});
+}
+
+void core::tell_health(const view& seen, effects& out) {
+  auto how = judge_health({seen.flight, newest_.what, seen.battery, seen.fences.finding, seen.link,
+                           pilot_.is_taken_over(), limits_refused_, reaction_.current(), reaction_.is_failing()});
+  if (how == health_)
+    return;
+  health_ = std::move(how);
+  out.emplace_back(health_);
+}
+
+void core::keep(bool in_flight, effects& out) {
+  standing now{in_flight,        latches_.all(),  reaction_.current(), reaction_.last_number(),
+               overrides_.all(), pilot_.memory(), link_.memory()};
+  if (now == kept_ && !has_new_limits_)
+    return;
+  kept_ = std::move(now);
+  out.emplace_back(remember{{kept_, has_new_limits_ ? std::optional(limits_) : std::nullopt}});
+  has_new_limits_ = false;
+}
+
+} // namespace godwit::failsafe

@@ -1,0 +1,130 @@
+// Every decision of the failsafes, at a tick of 100 ms.
+//
+//   heartbeat, landed, position ──> flight_watch: is it in the air? ──┐
+//   heartbeat, expect_mode ───────> pilot_watch: who flies? ──────────┤
+//   position, flight_limits ──────> fence_watch ──────────┐           │
+//   battery ──────────────────────> battery_filter ───────┼─> rules ──┼─> latch_table ─> reaction_driver ─> command
+//   operator_heard, following ────> link_ladder ──────────┘           │
+//   override_rule, hand_back ─────> overrides ────────────────────────┘
+//
+// A rule acts on an edge, once, latched, and only in the air (a rover: moving). The cause of an edge is that the rule's
+// condition holds, no override stands against it, and the vehicle is in the air; so a condition that began on the
+// ground acts at take-off. A lower rule never cancels a higher one. While a pilot has the vehicle the failsafes warn.
+// They act while the mission is paused as well; they do not know whether it is.
+//
+// take() only keeps what it is told; all decisions are made by tick(), in one order, from what is known then. A tick
+// may come at any time: a shell ticks as soon as an operator or the executor has said something that must not be lost
+// in a crash, and else every tick_ms. What must survive is given out as `remember`. A failsafe that starts again begins
+// with that, acts on nothing before it has heard the vehicle, and does not do again what the record or the vehicle's
+// mode shows as done. Thread: one at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/failsafe/battery_filter.hpp"
+#include "actors/failsafe/effects.hpp"
+#include "actors/failsafe/events.hpp"
+#include "actors/failsafe/fence_watch.hpp"
+#include "actors/failsafe/flight_watch.hpp"
+#include "actors/failsafe/health.hpp"
+#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/latch_table.hpp"
+#include "actors/failsafe/link_ladder.hpp"
+#include "actors/failsafe/overrides.hpp"
+#include "actors/failsafe/pilot_watch.hpp"
+#include "actors/failsafe/reaction_driver.hpp"
+#include "actors/failsafe/settings.hpp"
+#include "actors/failsafe/state.hpp"
+
+namespace godwit::failsafe {
+
+// Along a fence the prediction flickers. It is near again when it was not for so long.
+inline constexpr std::int64_t fence_warning_quiet_ms = 5'000;
+
+// Overrides between two ticks. More are dropped: who gets no answer asks again.
+inline constexpr std::size_t max_waiting_overrides = 8;
+
+class core {
+public:
+  core(const settings& configured, const state& restored, instant now);
+
+  void take(const event& heard, instant now);
+  [[nodiscard]] effects tick(instant now);
+
+  [[nodiscard]] const health_changed& health() const { return health_; }
+
+private:
+  // What the senses say at this tick.
+  struct view {
+    flight_now flight;
+    battery_verdict battery;
+    fence_verdict fences;
+    link_phase link = link_phase::off;
+  };
+
+  void take_one(const heartbeat& what, instant now);
+  void take_one(const landed& what, instant now);
+  void take_one(const position& what, instant now);
+  void take_one(const battery& what, instant now);
+  void take_one(const mission_current& what, instant now);
+  void take_one(const command_settled& what, instant now);
+  void take_one(const operator_heard& what, instant now);
+  void take_one(const override_rule& what, instant now);
+  void take_one(const hand_back& what, instant now);
+  void take_one(const flight_limits& what, instant now);
+  void take_one(const expect_mode& what, instant now);
+  void take_one(const taken_over& what, instant now);
+  void take_one(const following& what, instant now);
+
+  [[nodiscard]] view look(instant now);
+  void take_limits(effects& out);
+  void follow_flight(const view& seen);
+  void hear_words(const view& seen, instant now, effects& out);
+  void lift(rule scope, effects& out);
+  void watch_pilot(const view& seen, instant now, effects& out);
+  [[nodiscard]] bool has_cause(rule each, const view& seen) const;
+  [[nodiscard]] bool leaves_it_to_pilot() const;
+  void judge_rules(const view& seen, effects& out);
+  void act(rule why, action what, const view& seen, effects& out);
+  void drive(const view& seen, instant now, effects& out);
+  void warn_of_link(const view& seen, effects& out);
+  void warn_of_fence(const view& seen, instant now, effects& out);
+  void tell_health(const view& seen, effects& out);
+  void keep(bool in_flight, effects& out);
+
+  settings settings_;
+  flight_watch flight_;
+  pilot_watch pilot_;
+  fence_watch fences_;
+  battery_filter battery_;
+  link_ladder link_;
+  overrides overrides_;
+  latch_table latches_;
+  reaction_driver reaction_;
+
+  heartbeat newest_;
+  std::int64_t heartbeat_ns_ = 0;
+  std::optional<std::uint16_t> sequence_; // of the newest limits' plan
+  std::int64_t sequence_ns_ = 0;
+  flight_limits limits_;
+  bool limits_refused_ = false; // the newest ones; those from before still count
+
+  // What came since the last tick.
+  std::vector<override_rule> wanted_overrides_;
+  std::optional<flight_limits> new_limits_;
+  bool told_taken_over_ = false;
+  bool told_hand_back_ = false;
+
+  // What was said last, so that each thing is said once.
+  link_phase said_link_ = link_phase::off;
+  std::optional<std::int64_t> fence_ahead_ns_; // when a fence was last seen to be near
+  health_changed health_{wellness::impaired, "nothing has been heard yet"};
+  bool has_new_limits_ = false; // not kept yet
+  standing kept_;
+};
+
+} // namespace godwit::failsafe

@@ -1,0 +1,78 @@
+#include "actors/failsafe/fence_watch.hpp"
+
+#include <cmath>
+
+#include "actors/failsafe/instant.hpp"
+
+namespace godwit::failsafe {
+
+namespace {
+
+place place_of(const position& reported) {
+  return {{reported.latitude_deg, reported.longitude_deg}, reported.altitude_m};
+}
+
+// An autopilot without a fix reports 0, 0. Nobody flies there.
+bool is_place(const position& reported) {
+  return geo::is_valid({reported.latitude_deg, reported.longitude_deg}) && std::isfinite(reported.altitude_m) &&
+         (reported.latitude_deg != 0 || reported.longitude_deg != 0);
+}
+
+} // namespace
+
+void fence_watch::on_position(const position& reported, std::int64_t now_ns) {
+  if (!is_place(reported))
+    return; // the last good one gets old, and then there is no verdict
+  newest_ = reported;
+  newest_ns_ = now_ns;
+  if (waiting_.size() == max_waiting_positions)
+    waiting_.erase(waiting_.begin() + 1);
+  waiting_.push_back({place_of(reported), now_ns});
+}
+
+place fence_watch::predicted() const {
+  const auto here = place_of(newest_);
+  if (!std::isfinite(newest_.north_mps) || !std::isfinite(newest_.east_mps) || !std::isfinite(newest_.down_mps))
+    return here;
+  const geo::local_projection around(here.at);
+  return {around.to_globe({newest_.east_mps * look_ahead_s, newest_.north_mps * look_ahead_s}),
+          here.altitude_m - newest_.down_mps * look_ahead_s};
+}
+
+// The ways between all positions since the last tick. Over a gap no way is drawn: nobody knows where it went.
+std::optional<breach> fence_watch::judge_waiting(bool floor_counts) {
+  std::optional<breach> found;
+  for (const auto& each : waiting_) {
+    if (!found && judged_ && each.at_ns - judged_->at_ns <= position_stale_ms * ns_per_ms)
+      found = judge_.judge(judged_->there, each.there, floor_counts);
+    else if (!found)
+      found = judge_.judge(each.there, floor_counts);
+    judged_ = each;
+  }
+  waiting_.clear();
+  return found;
+}
+
+fence_verdict fence_watch::evaluate(std::int64_t now_ns, bool near_ground) {
+  if (!judge_.has_fences()) {
+    waiting_.clear();
+    judged_.reset();
+    return {};
+  }
+  if (!newest_ns_ || now_ns - *newest_ns_ > position_stale_ms * ns_per_ms) {
+    waiting_.clear();
+    judged_.reset();
+    return {.finding = fence_finding::no_verdict, .found = {}, .ahead = {}};
+  }
+  const auto here = place_of(newest_);
+  const bool floor_counts = floor_reached_ && !near_ground;
+  auto found = judge_waiting(floor_counts);
+  if (!found)
+    found = judge_.judge(here, floor_counts); // the fences may be new ones
+  if (found)
+    return {.finding = fence_finding::breached, .found = found, .ahead = {}};
+  floor_reached_ = floor_reached_ || !judge_.judge(here, true);
+  return {.finding = fence_finding::inside, .found = {}, .ahead = judge_.judge(here, predicted(), floor_counts)};
+}
+
+} // namespace godwit::failsafe

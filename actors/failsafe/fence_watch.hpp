@@ -1,0 +1,62 @@
+// Whether the vehicle keeps to its fences, by the positions that it reports.
+//
+// Each position is judged together with the way that led to it from the one before. A position that is older than a
+// second says nothing of where the vehicle is now: no verdict. Where it will be in two seconds, at the speed that it
+// has, is worth a warning and no more.
+//
+// A fence that keeps in may have a floor, and a vehicle that takes off or lands is below it. So floors count from the
+// moment when the vehicle was first within all fences with their floors, and not while it takes off or lands.
+// Monotonic nanoseconds. Thread: pure.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "actors/failsafe/events.hpp"
+#include "actors/failsafe/fence_judge.hpp"
+
+namespace godwit::failsafe {
+
+inline constexpr std::int64_t position_stale_ms = 1'000;
+inline constexpr double look_ahead_s = 2;
+
+// Positions between two ticks. When more come, the way between them is drawn with fewer points.
+inline constexpr std::size_t max_waiting_positions = 16;
+
+enum class fence_finding { no_fences, no_verdict, inside, breached };
+
+struct fence_verdict {
+  fence_finding finding = fence_finding::no_fences;
+  std::optional<breach> found; // when breached
+  std::optional<breach> ahead; // inside now, and not in look_ahead_s
+};
+
+class fence_watch {
+public:
+  void set(fence_judge judge) { judge_ = std::move(judge); }
+  void on_position(const position& reported, std::int64_t now_ns);
+  void begin_flight() { floor_reached_ = false; }
+
+  // Once at each tick. NEAR_GROUND: it takes off or lands.
+  [[nodiscard]] fence_verdict evaluate(std::int64_t now_ns, bool near_ground);
+
+private:
+  struct fix {
+    place there;
+    std::int64_t at_ns = 0;
+  };
+
+  [[nodiscard]] std::optional<breach> judge_waiting(bool floor_counts);
+  [[nodiscard]] place predicted() const;
+
+  fence_judge judge_;
+  std::deque<fix> waiting_;   // not judged yet
+  std::optional<fix> judged_; // the newest that was
+  position newest_;
+  std::optional<std::int64_t> newest_ns_;
+  bool floor_reached_ = false;
+};
+
+} // namespace godwit::failsafe

@@ -1,0 +1,31 @@
+// What of the failsafes' own senses is missing, and what they do, in one word and one sentence for people.
+//
+// The colour is that of the worst; the sentences of all are joined. Thread: pure.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "actors/failsafe/battery_filter.hpp"
+#include "actors/failsafe/effects.hpp"
+#include "actors/failsafe/fence_watch.hpp"
+#include "actors/failsafe/flight_watch.hpp"
+#include "actors/failsafe/link_ladder.hpp"
+
+namespace godwit::failsafe {
+
+struct findings {
+  flight_now flight;
+  vehicle_class what = vehicle_class::unknown;
+  battery_verdict battery;
+  fence_finding fences = fence_finding::no_fences;
+  link_phase link = link_phase::off;
+  bool taken_over = false;
+  bool limits_refused = false;
+  std::optional<reaction> reacts;
+  bool is_failing = false;
+};
+
+[[nodiscard]] health_changed judge_health(const findings& all);
+
+} // namespace godwit::failsafe

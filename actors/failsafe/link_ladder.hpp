@@ -1,0 +1,59 @@
+// How long the operator's ground station has been silent, and what that means.
+//
+//            < 5 s          5..30 s: warn, fly on     >= 30 s: return
+//   never_seen ──heard──> ok ───────────> degraded ───────────> lost
+//                         ^                  │                   │
+//                         └──────heard───────┴──────heard────────┘
+//
+// While an object is followed the last step comes 30 s later. Who was never heard is never lost, except where an
+// operator is required: then the silence counts from the start. That the phase goes back to ok cancels nothing; the
+// latch of the rule sees to that. Evaluated at each tick; that nobody reports any more is silence too. Thread: pure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/settings.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::failsafe {
+
+enum class link_phase { off, never_seen, ok, degraded, lost };
+
+// A new start never makes the link lost by itself: the station has so long to be heard again.
+inline constexpr std::int64_t link_restart_grace_ms = 5'000;
+
+// What must survive: it changes with the phase only, not with each heartbeat.
+struct link_memory {
+  bool seen = false;
+  std::optional<std::int64_t> silent_since_ns; // wall clock; absent while it is ok
+  bool following = false;
+
+  static constexpr auto fields = io::table("failsafe.link_memory", io::field("seen", &link_memory::seen),
+                                           io::field("silent_since_ns", &link_memory::silent_since_ns),
+                                           io::field("following", &link_memory::following));
+  friend bool operator==(const link_memory&, const link_memory&) = default;
+};
+
+class link_ladder {
+public:
+  link_ladder(const settings& configured, const link_memory& restored, instant now);
+
+  // A port that was restarted has never heard anybody: that says nothing of what was before.
+  void on_report(bool ever_heard, std::int64_t age_ms, instant now);
+  void on_following(bool following) { memory_.following = following; }
+
+  [[nodiscard]] link_phase evaluate(instant now);
+  [[nodiscard]] std::int64_t silent_ms(instant now) const { return (now.monotonic_ns - heard_ns_) / ns_per_ms; }
+  [[nodiscard]] const link_memory& memory() const { return memory_; }
+
+private:
+  [[nodiscard]] std::int64_t lost_after_ms() const;
+
+  settings settings_;
+  link_memory memory_;
+  std::int64_t heard_ns_ = 0; // monotonic; the start, before anybody was heard
+};
+
+} // namespace godwit::failsafe

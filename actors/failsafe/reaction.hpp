@@ -1,0 +1,45 @@
+// What the failsafe does to the vehicle, and how far it got. There is at most one; a higher rule replaces it.
+//
+//             ┌────────────────it did not get through: again at the next tick────────────────┐
+//             v                                                                              │
+//   ──> to_send ──command goes out──> in_flight ──refused, not sent──────────────────────────┤
+//          │                           │  │  └────no answer──> unsure ──a later heartbeat────┘
+//          │                           │  └──accepted──> accepted                │
+//          │                           │                    │                    │
+//          └───────────────────────────┴────────────────────┴──the mode shows it─┴──> done
+//
+// Accepted is not tried again: if the mode does not follow, then perhaps because a pilot was quicker. Whether a command
+// without an answer was obeyed is not known; it goes out again only when a heartbeat that came after it was given up
+// shows that it was not. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+
+#include "actors/failsafe/rules.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::failsafe {
+
+enum class reaction_phase { to_send, in_flight, unsure, accepted, done };
+
+constexpr auto enum_names(reaction_phase) {
+  return io::names<reaction_phase>({{reaction_phase::to_send, "to_send"},
+                                    {reaction_phase::in_flight, "in_flight"},
+                                    {reaction_phase::unsure, "unsure"},
+                                    {reaction_phase::accepted, "accepted"},
+                                    {reaction_phase::done, "done"}});
+}
+
+struct reaction {
+  rule why = rule::operator_link; // the highest that wants it
+  action what = action::return_home;
+  reaction_phase phase = reaction_phase::to_send;
+  std::uint32_t tries = 0; // how often it went out
+
+  static constexpr auto fields =
+      io::table("failsafe.reaction", io::field("why", &reaction::why), io::field("what", &reaction::what),
+                io::field("phase", &reaction::phase), io::field("tries", &reaction::tries));
+  friend bool operator==(const reaction&, const reaction&) = default;
+};
+
+} // namespace godwit::failsafe

@@ -1,0 +1,64 @@
+// The table of the failsafes: what may trigger, what is done about it by each class of vehicle, and what comes first.
+//
+//   priority  rule              multirotor  fixed wing                        rover   an operator may override it
+//   1         battery_critical  land        return, or the mission's landing  hold    never
+//   2         fence             return      return                            hold    until a deadline
+//   3         battery_low       return      return                            return  until a deadline
+//   4         operator_link     return      return                            return  until a deadline
+//
+// That the link to the autopilot is down is no rule: nothing could be sent, and the autopilot's own failsafe acts.
+// A lower rule never cancels what a higher one does. Thread: constants.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "actors/failsafe/vehicle.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::failsafe {
+
+// In the order of the table: the first is the highest.
+enum class rule { battery_critical, fence, battery_low, operator_link };
+
+inline constexpr std::array rules{rule::battery_critical, rule::fence, rule::battery_low, rule::operator_link};
+
+constexpr auto enum_names(rule) {
+  return io::names<rule>({{rule::battery_critical, "battery_critical"},
+                          {rule::fence, "fence"},
+                          {rule::battery_low, "battery_low"},
+                          {rule::operator_link, "operator_link"}});
+}
+
+[[nodiscard]] constexpr std::size_t index_of(rule each) { return static_cast<std::size_t>(each); }
+[[nodiscard]] constexpr int priority_of(rule each) { return static_cast<int>(each) + 1; }
+[[nodiscard]] constexpr bool is_higher(rule one, rule other) { return priority_of(one) < priority_of(other); }
+
+// A vehicle that falls out of the sky is no operator's choice.
+[[nodiscard]] constexpr bool may_be_overridden(rule each) { return each != rule::battery_critical; }
+
+enum class action {
+  return_home,
+  land,
+  hold,
+  do_land_start // goes on at the landing sequence of the mission
+};
+
+constexpr auto enum_names(action) {
+  return io::names<action>({{action::return_home, "return"},
+                            {action::land, "land"},
+                            {action::hold, "hold"},
+                            {action::do_land_start, "do_land_start"}});
+}
+
+// Nothing for a vehicle of which it is not known what it is.
+[[nodiscard]] std::optional<action> action_for(rule each, vehicle_class what, bool mission_has_land_start);
+
+// Whether a vehicle in this mode does already what the action wants. Who lands needs no return.
+[[nodiscard]] bool is_done_by(action wanted, mode_kind mode);
+
+// The modes into which a vehicle may go when it is told to do this.
+[[nodiscard]] std::array<mode_kind, 2> modes_of(action wanted);
+
+} // namespace godwit::failsafe

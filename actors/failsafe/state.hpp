@@ -1,0 +1,74 @@
+// What of the failsafe must survive a crash: what it has done about which rule, what an operator has overridden, who
+// flies, and the limits of the flight, so that it can judge while the executor is down too.
+//
+// Filters, positions and the like are not here: they fill again within seconds. Times are on the wall clock, because
+// the monotonic one begins anew with the computer. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "actors/failsafe/events.hpp"
+#include "actors/failsafe/latch_table.hpp"
+#include "actors/failsafe/link_ladder.hpp"
+#include "actors/failsafe/overrides.hpp"
+#include "actors/failsafe/pilot_watch.hpp"
+#include "actors/failsafe/reaction.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::failsafe {
+
+// The part that changes in flight. It is small: it is written at each change.
+struct standing {
+  bool in_flight = false;
+  std::vector<latch> latches; // at most one for each rule
+  std::optional<reaction> reacts;
+  std::uint64_t last_number = 0;             // of the commands
+  std::vector<standing_override> overridden; // at most one for each rule
+  pilot_memory pilot;
+  link_memory link;
+
+  static constexpr auto fields =
+      io::table("failsafe.standing", io::field("in_flight", &standing::in_flight),
+                io::field("latches", &standing::latches), io::field("reacts", &standing::reacts),
+                io::field("last_number", &standing::last_number), io::field("overridden", &standing::overridden),
+                io::field("pilot", &standing::pilot), io::field("link", &standing::link));
+  friend bool operator==(const standing&, const standing&) = default;
+};
+
+// Something of it has changed. The limits can be large: they are there when they are new ones.
+struct remembered {
+  standing now;
+  std::optional<flight_limits> limits;
+
+  static constexpr auto fields =
+      io::table("failsafe.remembered", io::field("now", &remembered::now), io::field("limits", &remembered::limits));
+};
+
+struct state {
+  standing now;
+  flight_limits limits;
+  static constexpr int version = 1;
+  static constexpr auto fields =
+      io::table("failsafe.state", io::field("now", &state::now), io::field("limits", &state::limits));
+};
+
+// The durable part: what was decided is an event, and nothing comes of it any more, because it went out before.
+struct durable_core {
+  using state = failsafe::state;
+  using event = std::variant<remembered>;
+  using effect = std::variant<remembered>; // none is ever given
+
+  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+    const auto& what = std::get<remembered>(happened);
+    s.now = what.now;
+    if (what.limits)
+      s.limits = *what.limits;
+    return {};
+  }
+  [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
+};
+
+} // namespace godwit::failsafe

@@ -1,0 +1,77 @@
+#include "actors/executor/plan/vehicle_items.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/plan/missions.hpp"
+
+namespace godwit::executor::plan {
+namespace {
+
+const mission::position place{47.5, -8.25, 30};
+
+TEST(vehicle_items, positions_are_above_home_in_1e7_degrees) {
+  const auto item = waypoint_item(place, 3, 2, px4_copter);
+  EXPECT_EQ(item.frame, 3);
+  EXPECT_EQ(item.x, 475'000'000);
+  EXPECT_EQ(item.y, -82'500'000);
+  EXPECT_FLOAT_EQ(item.z, 30);
+  EXPECT_FLOAT_EQ(item.param1, 3);
+  EXPECT_FLOAT_EQ(item.param2, 2);
+  EXPECT_EQ(item.autocontinue, 1);
+}
+
+TEST(vehicle_items, altitudes_are_counted_from_the_home_that_the_vehicle_has_now) {
+  auto setting = px4_copter;
+  setting.home.above_mission_zero_m = 12;
+  EXPECT_FLOAT_EQ(waypoint_item(place, 0, 0, setting).z, 18);
+}
+
+TEST(vehicle_items, no_yaw_is_nan_for_px4_and_0_for_ardupilot) {
+  EXPECT_TRUE(std::isnan(waypoint_item(place, 0, 0, px4_copter).param4));
+  EXPECT_TRUE(std::isnan(land_item(place, rover).param4));
+  for (const auto& item : {waypoint_item(place, 0, 0, ardupilot_copter), land_item(place, ardupilot_copter),
+                           takeoff_item(place, ardupilot_copter), loiter_item(place, 1, 0, ardupilot_copter)})
+    EXPECT_EQ(item.param4, 0);
+}
+
+TEST(vehicle_items, ardupilot_waits_for_whole_seconds_and_never_less_than_asked_for) {
+  EXPECT_FLOAT_EQ(waypoint_item(place, 0.4, 0, ardupilot_copter).param1, 1);
+  EXPECT_FLOAT_EQ(loiter_item(place, 2, 0, ardupilot_copter).param1, 2);
+  EXPECT_FLOAT_EQ(waypoint_item(place, 0.4, 0, px4_copter).param1, 0.4F);
+  EXPECT_EQ(longest_wait_s(ardupilot_copter), 65'535);
+}
+
+TEST(vehicle_items, speed_is_over_ground_and_for_planes_through_the_air) {
+  EXPECT_EQ(speed_item(7, px4_copter).param1, 1);
+  EXPECT_EQ(speed_item(7, rover).param1, 1);
+  EXPECT_EQ(speed_item(7, px4_plane).param1, 0);
+  EXPECT_EQ(speed_item(7, px4_plane).param2, 7);
+  EXPECT_EQ(speed_item(7, px4_plane).param3, -1) << "the throttle is left alone";
+  EXPECT_EQ(speed_item(7, px4_plane).frame, 2);
+}
+
+TEST(vehicle_items, home_is_an_item_of_ardupilot_alone_and_above_the_sea) {
+  EXPECT_TRUE(keeps_home_as_item(ardupilot_plane));
+  EXPECT_FALSE(keeps_home_as_item(px4_copter));
+  EXPECT_FALSE(keeps_home_as_item(rover));
+  EXPECT_EQ(home_item(ardupilot_copter).frame, 0);
+  EXPECT_FLOAT_EQ(home_item(ardupilot_copter).z, 431);
+}
+
+TEST(vehicle_items, commands_up_to_95_move_the_vehicle) {
+  EXPECT_TRUE(is_nav(return_item()));
+  EXPECT_TRUE(is_nav(land_item(place, px4_copter)));
+  EXPECT_FALSE(is_nav(speed_item(5, px4_copter)));
+  EXPECT_FALSE(is_nav(landing_start_item()));
+}
+
+TEST(vehicle_items, latitude_and_longitude_0_are_nowhere) {
+  EXPECT_TRUE(is_nowhere({0, 0, 20}));
+  EXPECT_TRUE(is_nowhere({1e-8, -1e-8, 20})) << "rounded to 1e-7 degrees";
+  EXPECT_FALSE(is_nowhere({0, 1e-6, 20}));
+}
+
+} // namespace
+} // namespace godwit::executor::plan

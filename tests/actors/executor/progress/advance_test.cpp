@@ -1,0 +1,229 @@
+// Items done, items passed, items skipped, and the end.
+#include "actors/executor/progress/advance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/progress/desk.hpp"
+
+namespace godwit::executor::progress {
+namespace {
+
+using namespace test;
+
+class advance_any : public testing::TestWithParam<flavour> {
+protected:
+  desk d{GetParam()};
+};
+
+INSTANTIATE_TEST_SUITE_P(on, advance_any, testing::Values(px4, ardupilot),
+                         [](const auto& which) { return which.param.name; });
+
+TEST_P(advance_any, an_item_is_done_on_reached) {
+  d.fly({"A", "B"});
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1"}));
+}
+
+TEST_P(advance_any, an_item_that_mission_current_moves_past_is_done_and_inferred) {
+  d.fly({"A", "B", "C", "D"});
+  d.said();
+  d.current(3);
+  EXPECT_EQ(d.said(), texts{}); // a REACHED may be late
+  d.wait_s(1);
+  d.current(3);
+  EXPECT_EQ(d.said(),
+            (texts{"reached A#0 g1 inferred", "reached B#1 g1 inferred", "reached C#2 g1 inferred", "started D#3 g1"}));
+}
+
+TEST_P(advance_any, a_reached_behind_the_mission_current_of_the_next_item_is_not_inferred) {
+  d.fly({"A", "B"});
+  d.current(1);
+  d.wait_ms(650);
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1", "started B#1 g1"}));
+}
+
+TEST_P(advance_any, an_item_further_on_ends_the_wait_for_a_reached) {
+  d.fly({"A", "B", "C"});
+  d.current(1);
+  d.wait_ms(100);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1 inferred", "started B#1 g1"}));
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "started C#2 g1"}));
+}
+
+TEST_P(advance_any, reached_of_the_next_item_tells_that_the_one_before_is_done) {
+  d.fly({"A", "B", "C"});
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1 inferred", "reached B#1 g1"}));
+}
+
+TEST_P(advance_any, the_index_never_goes_back_within_a_generation) {
+  d.fly({"A", "B", "C"});
+  d.reached(0);
+  d.current(1);
+  d.current(0); // late
+  d.reached(0);
+  d.wait_s(2);
+  d.current(0);
+  d.current(2);
+  d.wait_s(1);
+  d.current(2);
+  EXPECT_EQ(d.said(),
+            (texts{"started A#0 g1", "reached A#0 g1", "started B#1 g1", "reached B#1 g1 inferred", "started C#2 g1"}));
+}
+
+TEST_P(advance_any, an_item_of_several_vehicle_items_is_done_with_its_last_movement) {
+  const auto first = d.vehicle.first_sequence;
+  const auto at = [&](int offset) { return static_cast<std::uint16_t>(first + offset); };
+  d.upload({.first_sequence = first,
+            .total = 5,
+            .start_sequence = first,
+            .ends_mission = true,
+            .items = {{"survey", 0, at(0), 4, at(0), at(2)}, {"home", 1, at(4), 1, at(4), at(4)}}});
+  d.current(0);
+  d.wait_s(3);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  d.current(2);
+  EXPECT_EQ(d.said(), texts{"started survey#0 g1"});
+  d.reached(2);
+  EXPECT_EQ(d.said(), texts{"reached survey#0 g1"});
+  d.current(3); // a command behind it
+  d.current(4);
+  EXPECT_EQ(d.said(), texts{"started home#1 g1"});
+}
+
+TEST_P(advance_any, an_item_without_vehicle_items_is_skipped_when_the_vehicle_comes_by) {
+  auto map = map_of(d.vehicle, {"A", "B"}, 1);
+  map.items.insert(map.items.begin(), {"takeoff", 0, d.vehicle.first_sequence, 0, {}, {}});
+  d.upload(map);
+  d.current(0, mission_state::not_started);
+  EXPECT_EQ(d.said(), texts{});
+  d.current(0);
+  EXPECT_EQ(d.said(), (texts{"skipped takeoff#0 g1", "started A#1 g1"}));
+}
+
+// -- completion -------------------------------------------------------------------------------------
+
+TEST_P(advance_any, the_mission_is_complete_when_the_last_item_that_moves_the_vehicle_is_done) {
+  auto map = map_of(d.vehicle, {"A", "light"});
+  map.items[1].first_nav_sequence.reset();
+  map.items[1].last_nav_sequence.reset();
+  d.upload(map);
+  d.current(0);
+  d.wait_s(3);
+  d.news_told();
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1", "reached light#1 g1 inferred", "complete g1"}));
+  EXPECT_EQ(d.news_told(), (texts{"plan_done g1", "mission_complete g1"}));
+}
+
+TEST_P(advance_any, the_mission_is_complete_when_the_vehicle_says_so_of_our_plan) {
+  d.fly({"A", "B"});
+  d.current(1);
+  d.reached(0);
+  d.said();
+  d.wait_s(5);
+  d.current(1, mission_state::complete);
+  EXPECT_EQ(d.said(), texts{});
+  d.wait_ms(300);
+  d.reached(1); // came behind it
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "complete g1"}));
+}
+
+TEST_P(advance_any, a_complete_without_a_reached_is_inferred) {
+  d.fly({"A", "B"});
+  d.current(1, mission_state::complete);
+  d.wait_s(1);
+  d.current(1, mission_state::complete);
+  EXPECT_EQ(d.said(),
+            (texts{"started A#0 g1", "reached A#0 g1 inferred", "reached B#1 g1 inferred", "complete g1 inferred"}));
+}
+
+TEST_P(advance_any, complete_is_reported_once) {
+  d.fly({"A"});
+  d.reached(0);
+  d.reached(0);
+  d.current(0, mission_state::complete);
+  d.crash();
+  d.wait_s(2);
+  d.current(0, mission_state::complete);
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1", "complete g1"}));
+  d.start_at(0);
+  d.started();
+  d.current(0);
+  d.wait_s(3);
+  d.reached(0); // flown again: that is progress, and the mission is complete already
+  EXPECT_EQ(d.said(), (texts{"started A#0 g2", "reached A#0 g2"}));
+  EXPECT_EQ(d.news_told().back(), "plan_done g2");
+}
+
+TEST_P(advance_any, a_complete_of_the_plan_before_does_not_complete_the_new_one) {
+  d.fly({"A"});
+  d.reached(0);
+  d.said();
+  d.upload(map_of(d.vehicle, {"X"}, 1), 2);
+  d.current(0, mission_state::complete);
+  EXPECT_TRUE(d.is_armed());
+  d.wait_s(3);
+  d.current(0, mission_state::complete);
+  d.wait_s(3);
+  d.current(0, mission_state::complete);
+  EXPECT_EQ(d.said(), texts{});
+  d.current(0);
+  d.current(0, mission_state::complete);
+  d.wait_s(1);
+  d.current(0, mission_state::complete);
+  EXPECT_EQ(d.said(), (texts{"started X#1 g2", "reached X#1 g2 inferred", "complete g2 inferred"}));
+}
+
+TEST(advance, an_ardupilot_that_was_put_back_to_its_beginning_has_flown_all) {
+  desk d(ardupilot);
+  d.fly({"A", "B"});
+  d.current(-1, mission_state::complete); // landed and disarmed
+  d.wait_s(1);
+  d.current(-1, mission_state::complete);
+  EXPECT_EQ(d.said(),
+            (texts{"started A#0 g1", "reached A#0 g1 inferred", "reached B#1 g1 inferred", "complete g1 inferred"}));
+}
+
+TEST_P(advance_any, what_is_behind_an_early_end_is_skipped) {
+  d.fly({"A", "B", "C"});
+  d.reached(0);
+  d.current(1);
+  d.said();
+  d.current(1, mission_state::complete);
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "skipped C#2 g1 inferred", "complete g1 inferred"}));
+}
+
+// -- several plans for one mission ------------------------------------------------------------------
+
+TEST_P(advance_any, plans_of_one_mission_have_the_indices_of_the_mission_and_only_the_last_completes_it) {
+  d.upload(map_of(d.vehicle, {"out", "drop"}, 0, false));
+  d.current(0);
+  d.wait_s(3);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"started out#0 g1", "reached out#0 g1", "started drop#1 g1", "reached drop#1 g1"}));
+  EXPECT_EQ(d.news_told().back(), "plan_done g1");
+  d.upload(map_of(d.vehicle, {"up", "home"}, 2, true));
+  d.current(0);
+  d.wait_s(3);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(),
+            (texts{"started up#2 g2", "reached up#2 g2", "started home#3 g2", "reached home#3 g2", "complete g2"}));
+  for (std::size_t i = 0; i < d.reports.size(); ++i)
+    EXPECT_EQ(d.reports[i].report_no, i + 1);
+}
+
+} // namespace
+} // namespace godwit::executor::progress

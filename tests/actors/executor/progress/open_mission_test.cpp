@@ -1,0 +1,97 @@
+#include "actors/executor/progress/open_mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/progress/desk.hpp"
+
+namespace godwit::executor::progress {
+namespace {
+
+using namespace test;
+
+TEST(open_mission, report_no_rises_by_one_in_each_mission_without_a_gap) {
+  desk d;
+  d.fly({"A", "B"});
+  d.reached(0);
+  d.take(mission_opened{"other", 1});
+  d.fly({"X"});
+  d.take(mission_opened{"m", 1});
+  d.fly({"B"}, 1);
+  std::vector<std::pair<std::string, std::uint32_t>> numbers;
+  for (const auto& each : d.reports)
+    numbers.emplace_back(each.mission_id, each.report_no);
+  EXPECT_EQ(numbers, (std::vector<std::pair<std::string, std::uint32_t>>{{"m", 1}, {"m", 2}, {"other", 1}, {"m", 3}}));
+}
+
+TEST(open_mission, generations_rise_over_all_missions) {
+  desk d;
+  d.fly({"A"});
+  d.take(mission_opened{"other", 1});
+  d.fly({"X"});
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "started X#0 g2"}));
+}
+
+TEST(open_mission, the_plan_of_the_mission_before_counts_no_more) {
+  desk d;
+  d.fly({"A", "B"});
+  d.current(1); // waits for its REACHED
+  d.take(mission_opened{"other", 1});
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1 inferred", "started B#1 g1"}));
+  EXPECT_EQ(d.reports.back().mission_id, "m");
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST(open_mission, opened_again_it_goes_on) {
+  desk d;
+  d.fly({"A", "B"});
+  EXPECT_TRUE(d.take(mission_opened{"m", 1}).empty());
+  EXPECT_TRUE(d.is_armed());
+}
+
+TEST(open_mission, past_missions_are_bounded_and_the_oldest_is_forgotten) {
+  desk d;
+  for (std::size_t i = 0; i < 2 * max_past_missions; ++i)
+    d.take(mission_opened{"mission " + std::to_string(i), 1});
+  EXPECT_EQ(d.s.past_missions.size(), max_past_missions);
+  EXPECT_EQ(d.s.past_missions.back().mission_id, "mission 62");
+  EXPECT_EQ(d.s.past_missions.front().mission_id, "mission 31");
+}
+
+TEST(open_mission, an_abort_is_reported_once_and_nothing_counts_after_it) {
+  desk d;
+  d.fly({"A", "B"});
+  d.current(1);
+  d.take(mission_aborted{});
+  d.take(mission_aborted{});
+  d.take(vehicle_rebooted{});
+  d.take(mission_aborted{});
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1 inferred", "started B#1 g1", "aborted g1"}));
+  EXPECT_EQ(d.s.paused, pause_reason::aborted);
+  EXPECT_FALSE(d.reports.back().item_id);
+}
+
+TEST(open_mission, an_aborted_mission_goes_on_when_it_is_started_anew) {
+  desk d;
+  d.fly({"A", "B"});
+  d.take(mission_aborted{});
+  d.said();
+  d.start_at(0);
+  d.started();
+  d.current(0);
+  EXPECT_EQ(d.said(), texts{"started A#0 g2"});
+}
+
+TEST(open_mission, a_complete_mission_is_not_aborted) {
+  desk d;
+  d.fly({"A"});
+  d.reached(0);
+  d.said();
+  d.take(mission_aborted{});
+  EXPECT_EQ(d.said(), texts{});
+}
+
+} // namespace
+} // namespace godwit::executor::progress

@@ -1,0 +1,154 @@
+// MISSION_START and set-current: each that is accepted opens a new generation.
+#include "actors/executor/progress/start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/progress/desk.hpp"
+
+namespace godwit::executor::progress {
+namespace {
+
+using namespace test;
+
+class start_any : public testing::TestWithParam<flavour> {
+protected:
+  void SetUp() override {
+    d.fly({"A", "B", "C", "D"});
+    d.reached(0);
+    d.current(1);
+    d.wait_s(1);
+    d.said();
+    d.news_told();
+  }
+
+  desk d{GetParam()};
+};
+
+INSTANTIATE_TEST_SUITE_P(on, start_any, testing::Values(px4, ardupilot),
+                         [](const auto& which) { return which.param.name; });
+
+TEST_P(start_any, an_accepted_start_opens_a_new_generation_that_is_not_armed_yet) {
+  d.start_at(1);
+  EXPECT_TRUE(d.is_armed());
+  d.started();
+  EXPECT_EQ(d.news_told(), texts{"generation_opened g2"});
+  EXPECT_FALSE(d.is_armed());
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{});
+  d.current(1);
+  EXPECT_EQ(d.said(), texts{"started B#1 g2"});
+}
+
+TEST_P(start_any, items_that_a_set_current_jumps_over_are_reported_skipped) {
+  d.start_at(3);
+  d.started();
+  EXPECT_EQ(d.said(), (texts{"skipped B#1 g2", "skipped C#2 g2"}));
+  d.current(3);
+  EXPECT_EQ(d.said(), texts{"started D#3 g2"});
+}
+
+TEST_P(start_any, a_jump_that_is_seen_before_its_answer_is_not_taken_for_progress) {
+  d.start_at(3);
+  d.current(3);
+  d.wait_s(2);
+  d.current(3);
+  EXPECT_EQ(d.said(), texts{});
+  d.started();
+  EXPECT_EQ(d.said(), (texts{"skipped B#1 g2", "skipped C#2 g2", "started D#3 g2"}));
+  EXPECT_TRUE(d.is_armed()); // by what was held
+}
+
+TEST_P(start_any, a_start_in_a_generation_that_is_not_armed_arms_only_the_next_one) {
+  auto map = map_of(d.vehicle, {"light", "X"}, 4);
+  map.items[0].first_nav_sequence.reset();
+  map.items[0].last_nav_sequence.reset();
+  d.upload(map, 2);
+  d.start_at(1); // over "light", which else would belong to the start
+  d.current(1);
+  EXPECT_EQ(d.said(), texts{});
+  d.started();
+  EXPECT_EQ(d.said(), (texts{"skipped light#4 g3", "started X#5 g3"}));
+}
+
+TEST_P(start_any, a_start_where_the_vehicle_is_counts_from_its_answer_on) {
+  d.upload(map_of(d.vehicle, {"X", "Y"}, 4), 2);
+  d.current(0, mission_state::not_started);
+  d.start_at(0);
+  d.current(0);
+  EXPECT_EQ(d.said(), texts{});
+  d.started();
+  EXPECT_EQ(d.said(), texts{"started X#4 g3"});
+}
+
+TEST_P(start_any, its_own_progress_goes_on_until_the_answer) {
+  d.start_at(3);
+  d.reached(1);
+  d.current(2);
+  d.started();
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "started C#2 g1", "skipped C#2 g2"}));
+}
+
+TEST_P(start_any, a_refused_start_changes_nothing_and_what_was_held_counts) {
+  d.start_at(2);
+  d.reached(1);
+  d.current(2);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1"});
+  d.started(false);
+  EXPECT_EQ(d.said(), texts{"started C#2 g1"});
+  EXPECT_EQ(d.s.last_generation, 1U);
+}
+
+TEST_P(start_any, going_back_reports_again_and_forward_over_what_was_done_skips_nothing) {
+  d.reached(1);
+  d.start_at(0);
+  d.current(0);
+  d.started();
+  d.wait_s(3);
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "started A#0 g2", "reached A#0 g2"}));
+  d.start_at(3);
+  d.started();
+  EXPECT_EQ(d.said(), texts{"skipped C#2 g3"});
+}
+
+TEST_P(start_any, the_old_sequence_behind_a_start_counts_nothing) {
+  d.start_at(0);
+  d.started();
+  d.current(0);
+  d.current(1); // late, of the generation before
+  d.wait_ms(1900);
+  d.current(1);
+  EXPECT_EQ(d.said(), texts{"started A#0 g2"});
+  EXPECT_EQ(d.s.plan->generation.current, d.sequence(0));
+}
+
+TEST_P(start_any, a_restart_with_a_start_under_way_has_it_settled) {
+  d.start_at(2);
+  d.questions.clear();
+  d.crash();
+  ASSERT_EQ(d.questions.size(), 1U);
+  EXPECT_EQ(std::get<settle_start>(d.questions[0]).sequence, d.sequence(2));
+  d.started();
+  EXPECT_EQ(d.said(), texts{"skipped B#1 g2"});
+}
+
+TEST_P(start_any, an_answer_without_a_start_changes_nothing) {
+  EXPECT_TRUE(d.take(start_ended{true}).empty());
+  EXPECT_EQ(d.s.last_generation, 1U);
+}
+
+TEST_P(start_any, a_foreign_plan_does_not_become_ours_by_a_start) {
+  d.start_at(2);
+  auto foreign = d.current_message(1);
+  foreign.total = 9;
+  foreign.mission_id += d.vehicle.has_ids ? 17 : 0;
+  d.say(foreign);
+  d.started();
+  EXPECT_EQ(d.s.paused, pause_reason::foreign_plan);
+  d.current(2);
+  EXPECT_FALSE(d.is_armed());
+  EXPECT_EQ(d.said(), texts{});
+}
+
+} // namespace
+} // namespace godwit::executor::progress

@@ -1,0 +1,165 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "actors/failsafe/fence_watch.hpp"
+#include "actors/failsafe/instant.hpp"
+#include "tests/actors/failsafe/fences.hpp"
+
+namespace {
+
+using namespace godwit::failsafe;
+using namespace godwit::tests;
+using godwit::mission::fence_kind;
+using godwit::mission::geofence;
+
+constexpr auto s = ns_per_s;
+
+fence_watch watch_of(const std::vector<geofence>& fences) {
+  fence_watch result;
+  result.set(fence_judge::build(fences).value());
+  return result;
+}
+
+fence_watch within_100_m() { return watch_of({fence_of(fence_kind::inclusion, square(100))}); }
+
+TEST(fence_watch, without_fences_there_is_nothing_to_judge_and_no_position_is_missed) {
+  fence_watch watch;
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::no_fences);
+  watch.on_position(position_at(0, 0), 0);
+  EXPECT_EQ(watch.evaluate(10 * s, false).finding, fence_finding::no_fences);
+}
+
+TEST(fence_watch, a_position_older_than_1_s_gives_no_verdict) {
+  auto watch = within_100_m();
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::no_verdict) << "never any";
+  watch.on_position(position_at(0, 0), 0);
+  EXPECT_EQ(watch.evaluate(1 * s, false).finding, fence_finding::inside);
+  EXPECT_EQ(watch.evaluate(1 * s + 1, false).finding, fence_finding::no_verdict);
+}
+
+TEST(fence_watch, an_old_position_outside_is_no_breach_either) {
+  auto watch = within_100_m();
+  watch.on_position(position_at(200, 0), 0);
+  EXPECT_EQ(watch.evaluate(s + 1, false).finding, fence_finding::no_verdict);
+}
+
+TEST(fence_watch, a_position_outside_is_a_breach_for_as_long_as_it_is_there) {
+  auto watch = within_100_m();
+  watch.on_position(position_at(200, 0), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::breached);
+  EXPECT_EQ(watch.evaluate(s / 10, false).finding, fence_finding::breached);
+}
+
+TEST(fence_watch, the_way_between_two_positions_is_judged_too) {
+  auto watch = watch_of({fence_of(fence_kind::exclusion, square(2))});
+  watch.on_position(position_at(-5, 0), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside);
+  watch.on_position(position_at(5, 0), s / 5);
+  EXPECT_EQ(watch.evaluate(s / 5, false).finding, fence_finding::breached);
+  EXPECT_EQ(watch.evaluate(s / 5, false).finding, fence_finding::inside) << "it is past";
+}
+
+TEST(fence_watch, several_positions_between_two_ticks_are_all_judged) {
+  auto watch = watch_of({fence_of(fence_kind::exclusion, square(2, 0, 10))});
+  watch.on_position(position_at(-5, 0), 0);
+  watch.on_position(position_at(-3, 10), s / 50);
+  watch.on_position(position_at(3, 10), s / 25);
+  watch.on_position(position_at(5, 0), s / 20);
+  EXPECT_EQ(watch.evaluate(s / 10, false).finding, fence_finding::breached);
+}
+
+TEST(fence_watch, over_a_gap_in_the_positions_no_way_is_drawn) {
+  auto watch = watch_of({fence_of(fence_kind::exclusion, square(2))});
+  watch.on_position(position_at(-5, 0), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside);
+  watch.on_position(position_at(5, 0), s + 1);
+  EXPECT_EQ(watch.evaluate(s + 1, false).finding, fence_finding::inside);
+}
+
+TEST(fence_watch, more_positions_than_there_is_room_for_still_end_where_the_vehicle_is) {
+  auto watch = within_100_m();
+  for (int i = 0; i < 100; ++i)
+    watch.on_position(position_at(2.0 * i, 0), i * ns_per_ms);
+  EXPECT_EQ(watch.evaluate(100 * ns_per_ms, false).finding, fence_finding::breached);
+}
+
+TEST(fence_watch, the_predicted_position_2_s_ahead_gives_a_warning_and_no_breach) {
+  auto watch = within_100_m();
+  watch.on_position(position_at(85, 0, 50, 7), 0);
+  EXPECT_FALSE(watch.evaluate(0, false).ahead) << "99 m";
+  watch.on_position(position_at(85, 0, 50, 8), s / 10);
+  const auto verdict = watch.evaluate(s / 10, false);
+  EXPECT_EQ(verdict.finding, fence_finding::inside);
+  EXPECT_TRUE(verdict.ahead) << "101 m";
+}
+
+TEST(fence_watch, a_climb_towards_the_ceiling_is_predicted) {
+  auto watch = watch_of({fence_of(fence_kind::inclusion, square(100), {}, 120)});
+  auto climbing = position_at(0, 0, 115);
+  climbing.down_mps = -3;
+  watch.on_position(climbing, 0);
+  EXPECT_TRUE(watch.evaluate(0, false).ahead);
+}
+
+TEST(fence_watch, a_speed_that_is_not_a_number_predicts_nothing) {
+  auto watch = within_100_m();
+  watch.on_position(position_at(85, 0, 50, std::numeric_limits<double>::quiet_NaN()), 0);
+  const auto verdict = watch.evaluate(0, false);
+  EXPECT_EQ(verdict.finding, fence_finding::inside);
+  EXPECT_FALSE(verdict.ahead);
+}
+
+TEST(fence_watch, what_is_no_position_gets_old_like_silence) {
+  auto watch = within_100_m();
+  watch.on_position(position_at(0, 0), 0);
+  watch.on_position({.latitude_deg = 0, .longitude_deg = 0, .altitude_m = 50}, s);
+  watch.on_position({.latitude_deg = 91, .longitude_deg = 8, .altitude_m = 50}, s);
+  watch.on_position({.latitude_deg = 47, .longitude_deg = 8, .altitude_m = std::numeric_limits<double>::infinity()}, s);
+  EXPECT_EQ(watch.evaluate(s, false).finding, fence_finding::inside);
+  EXPECT_EQ(watch.evaluate(s + 1, false).finding, fence_finding::no_verdict);
+}
+
+TEST(fence_watch, new_fences_count_from_the_next_tick) {
+  auto watch = within_100_m();
+  watch.on_position(position_at(50, 0), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside);
+  watch.set(fence_judge::build({fence_of(fence_kind::inclusion, square(40))}).value());
+  EXPECT_EQ(watch.evaluate(s / 10, false).finding, fence_finding::breached);
+}
+
+TEST(fence_watch, a_floor_counts_from_the_moment_when_it_was_reached) {
+  auto watch = watch_of({fence_of(fence_kind::inclusion, square(100), 20, 120)});
+  watch.begin_flight();
+  watch.on_position(position_at(0, 0, 5), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside) << "it climbs";
+  watch.on_position(position_at(0, 0, 25), s);
+  EXPECT_EQ(watch.evaluate(s, false).finding, fence_finding::inside);
+  watch.on_position(position_at(0, 0, 19), 2 * s);
+  EXPECT_EQ(watch.evaluate(2 * s, false).finding, fence_finding::breached);
+}
+
+TEST(fence_watch, a_floor_does_not_count_while_it_lands) {
+  auto watch = watch_of({fence_of(fence_kind::inclusion, square(100), 20, 120)});
+  watch.on_position(position_at(0, 0, 25), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside);
+  watch.on_position(position_at(0, 0, 10), s);
+  EXPECT_EQ(watch.evaluate(s, true).finding, fence_finding::inside);
+}
+
+TEST(fence_watch, the_next_flight_has_to_reach_the_floor_again) {
+  auto watch = watch_of({fence_of(fence_kind::inclusion, square(100), 20, 120)});
+  watch.on_position(position_at(0, 0, 25), 0);
+  EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside);
+  watch.begin_flight();
+  watch.on_position(position_at(0, 0, 1), s);
+  EXPECT_EQ(watch.evaluate(s, false).finding, fence_finding::inside);
+}
+
+TEST(fence_watch, the_sides_and_the_ceiling_count_from_the_ground_on) {
+  auto watch = watch_of({fence_of(fence_kind::inclusion, square(100), 20, 120)});
+  watch.on_position(position_at(101, 0, 1), 0);
+  EXPECT_EQ(watch.evaluate(0, true).finding, fence_finding::breached);
+}
+
+} // namespace

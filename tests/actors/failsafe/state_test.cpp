@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "actors/failsafe/state.hpp"
+#include "io/fields/json_text.hpp"
+#include "io/fields/json_value.hpp"
+#include "tests/actors/failsafe/fences.hpp"
+
+namespace {
+
+using namespace godwit::failsafe;
+using namespace godwit::tests;
+
+standing full() {
+  return {.in_flight = true,
+          .latches = {{rule::fence, latch_kind::acted}, {rule::battery_low, latch_kind::covered}},
+          .reacts = reaction{rule::fence, action::hold, reaction_phase::unsure, 7},
+          .last_number = 12,
+          .overridden = {{rule::operator_link, "range test", 1'700'000'000'000'000'000}},
+          .pilot = {flight_mode{mode_kind::hold, 5}, true, {{mode_kind::returning, {}}, {mode_kind::hold, 17}}},
+          .link = {true, 1'600'000'000'000'000'000, true}};
+}
+
+TEST(failsafe_state, it_comes_back_from_json_as_it_went) {
+  state before{full(), {{fence_of(godwit::mission::fence_kind::exclusion, square(10), 1.5, 2.5)}, 7}};
+  state after;
+  ASSERT_TRUE(godwit::io::read_json(nlohmann::json::parse(godwit::io::to_json(before)), after));
+  EXPECT_EQ(after.now, before.now);
+  EXPECT_EQ(after.limits, before.limits);
+}
+
+TEST(failsafe_state, what_is_remembered_replaces_what_was_and_keeps_limits_that_are_not_new) {
+  state kept;
+  const flight_limits limits{{fence_of(godwit::mission::fence_kind::inclusion, square(10))}, 7};
+  EXPECT_TRUE(durable_core::handle(kept, remembered{{}, limits}, 0).empty());
+  EXPECT_TRUE(durable_core::handle(kept, remembered{full(), {}}, 0).empty());
+  EXPECT_EQ(kept.now, full());
+  EXPECT_EQ(kept.limits, limits);
+  EXPECT_TRUE(durable_core::resume(kept, 0).empty()) << "nothing is sent because of a restart";
+}
+
+} // namespace

@@ -34,10 +34,15 @@ bool battery_filter::jumps(const sample& one) const {
   });
 }
 
-void battery_filter::remember(const sample& one) {
-  recent_.push_back(one);
-  while (recent_.size() > 1 && (one.at_ns - recent_.front().at_ns > ns_per_s || recent_.size() > max_battery_samples))
+void battery_filter::forget_before(std::int64_t at_ns) {
+  while (recent_.size() > 1 && recent_.front().at_ns < at_ns)
     recent_.pop_front();
+}
+
+void battery_filter::remember(const sample& one) {
+  if (recent_.size() == max_battery_samples)
+    recent_.pop_front();
+  recent_.push_back(one);
 }
 
 void battery_filter::distrust() {
@@ -55,6 +60,7 @@ void battery_filter::on_sample(int percent, std::int64_t now_ns) {
     return;
   }
   const sample one{percent, now_ns};
+  forget_before(now_ns - ns_per_s);
   if (jumps(one)) {
     distrust();
   } else {

@@ -57,6 +57,7 @@ private:
   };
 
   [[nodiscard]] bool jumps(const sample& one) const;
+  void forget_before(std::int64_t at_ns); // but for the newest
   void remember(const sample& one);
   void distrust();
 

@@ -31,6 +31,7 @@ core::core(const settings& configured, const state& restored, instant now)
     fences_.set(std::move(*judge));
   else
     limits_refused_ = true;
+  stance_ = stand(restored.now.in_flight);
 }
 
 // -- what is heard --------------------------------------------------------------------------------
@@ -65,14 +66,14 @@ void core::take_one(const command_settled& what, instant) { reaction_.on_settled
 
 void core::take_one(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
 
-void core::take_one(const override_rule& what, instant) {
+void core::take_one(const asked_override& what, instant) {
   if (wanted_overrides_.size() < max_waiting_overrides)
     wanted_overrides_.push_back(what);
 }
 
 void core::take_one(const hand_back&, instant) { told_hand_back_ = true; }
 
-void core::take_one(const flight_limits& what, instant) { new_limits_ = what; }
+void core::take_one(const asked_guard& what, instant) { new_limits_ = what; }
 
 void core::take_one(const expect_mode& what, instant now) {
   pilot_.expect(what.kind, what.lasts_ms == 0 ? std::nullopt : std::optional(what.lasts_ms), now);
@@ -95,6 +96,7 @@ effects core::tick(instant now) {
   drive(seen, now, out);
   warn_of_link(seen, out);
   warn_of_fence(seen, now, out);
+  tell_stance(seen.flight.in_flight, out);
   tell_health(seen, out);
   keep(seen.flight.in_flight, out);
   return out;
@@ -104,17 +106,17 @@ void core::take_limits(effects& out) {
   if (!new_limits_)
     return;
   auto wanted = std::exchange(new_limits_, std::nullopt);
-  auto judge = fence_judge::build(wanted->geofences);
+  auto judge = fence_judge::build(wanted->what.geofences);
   limits_refused_ = !judge;
   if (judge) {
     fences_.set(std::move(*judge));
-    has_new_limits_ = *wanted != limits_;
-    limits_ = std::move(*wanted);
+    has_new_limits_ = wanted->what != limits_;
+    limits_ = std::move(wanted->what);
     sequence_.reset(); // it may be that of the plan before
     sequence_ns_ = 0;
-    out.emplace_back(limits_answer{true, {}});
+    out.emplace_back(guard_settled{wanted->request_id, {true, {}}});
   } else {
-    out.emplace_back(limits_answer{false, judge.error()});
+    out.emplace_back(guard_settled{wanted->request_id, {false, judge.error()}});
   }
 }
 
@@ -152,24 +154,23 @@ void core::hear_words(const view& seen, instant now, effects& out) {
   }
   overrides_.expire(now);
   auto wanted = std::exchange(wanted_overrides_, {});
-  std::sort(wanted.begin(), wanted.end(), [](const override_rule& a, const override_rule& b) {
-    return std::tie(a.until_ns, a.key) < std::tie(b.until_ns, b.key);
+  std::sort(wanted.begin(), wanted.end(), [](const asked_override& a, const asked_override& b) {
+    return std::tie(a.what.until_ns, a.request_id) < std::tie(b.what.until_ns, b.request_id);
   });
   for (const auto& each : wanted) {
-    const auto done = overrides_.take(each, now);
-    out.emplace_back(override_answer{each.key, done.has_value(), done ? std::string() : done.error()});
+    const auto done = overrides_.take(each.what, now);
+    out.emplace_back(override_settled{each.request_id, {done.has_value(), done ? std::string() : done.error()}});
     if (done)
-      lift(each.scope, out);
+      lift(each.what.scope);
   }
 }
 
 // What else had wanted the same has to say so again.
-void core::lift(rule scope, effects& out) {
+void core::lift(rule scope) {
   latches_.release(scope);
   const auto& current = reaction_.current();
   if (!current || current->why != scope)
     return;
-  out.emplace_back(lifted{current->why, current->what});
   reaction_.drop();
   latches_.release_all();
 }
@@ -182,7 +183,6 @@ void core::watch_pilot(const view& seen, instant now, effects& out) {
   pilot_.evaluate(seen.flight, newest_.mode, current ? std::optional(current->what) : std::nullopt, now);
   if (before || !pilot_.is_taken_over())
     return;
-  out.emplace_back(pilot_seen{newest_.mode});
   out.emplace_back(warning{mav_severity::notice, "the mode was changed by somebody else; the failsafes only warn"});
 }
 
@@ -228,11 +228,11 @@ void core::act(rule why, action what, const view& seen, effects& out) {
     return;
   }
   latches_.set(why, latch_kind::acted);
+  pilot_.forget_the_plan();
   if (current && current->what == what)
     reaction_.raise(why);
   else
     reaction_.begin(why, what);
-  out.emplace_back(acts{why, what});
   out.emplace_back(warning{mav_severity::critical, cause + ": " + deed_of(what)});
 }
 
@@ -241,7 +241,8 @@ void core::drive(const view& seen, instant now, effects& out) {
   const bool may_send = seen.flight.link_up && seen.flight.may_act && !leaves_it_to_pilot();
   const bool on_landing = limits_.land_start && sequence_ && *sequence_ >= *limits_.land_start;
   const auto step =
-      reaction_.drive({newest_.mode.kind, heartbeat_ns_, may_send, on_landing, sequence_ns_}, now.monotonic_ns);
+      reaction_.drive({newest_.mode.kind, heartbeat_ns_, may_send, !pilot_.is_taken_over(), on_landing, sequence_ns_},
+                      now.monotonic_ns);
   if (step.send) {
     for (const auto kind : modes_of(step.send->what))
       pilot_.expect(kind, command_answer_ms + obedience_ms, now);
@@ -251,6 +252,8 @@ void core::drive(const view& seen, instant now, effects& out) {
     out.emplace_back(warning{mav_severity::alert, "what the failsafe wants does not get through; it tries on"});
   if (step.disobeyed)
     out.emplace_back(warning{mav_severity::alert, "the vehicle accepted what the failsafe wants and does not do it"});
+  if (step.was_left)
+    out.emplace_back(warning{mav_severity::alert, "the vehicle has left what the failsafe wants; it is told again"});
 }
 
 // -- what is said ---------------------------------------------------------------------------------
@@ -272,9 +275,27 @@ void core::warn_of_fence(const view& seen, instant now, effects& out) {
     out.emplace_back(warning{mav_severity::warning, "a fence is near: in 2 s " + seen.fences.ahead->sentence()});
 }
 
+stance core::stand(bool in_flight) const {
+  stance result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all()};
+  if (const auto& current = reaction_.current())
+    result.reacts = told_reaction{current->why, current->what, reaction_.stage()};
+  for (const auto each : rules)
+    if (latches_.holds(each))
+      result.latched.push_back(each);
+  return result;
+}
+
+void core::tell_stance(bool in_flight, effects& out) {
+  auto now = stand(in_flight);
+  if (now == stance_)
+    return;
+  stance_ = std::move(now);
+  out.emplace_back(stance_changed{stance_});
+}
+
 void core::tell_health(const view& seen, effects& out) {
   auto how = judge_health({seen.flight, newest_.what, seen.battery, seen.fences.finding, seen.link,
-                           pilot_.is_taken_over(), limits_refused_, reaction_.current(), reaction_.is_failing()});
+                           pilot_.is_taken_over(), limits_refused_, stance_.reacts});
   if (how == health_)
     return;
   health_ = std::move(how);

@@ -2,10 +2,10 @@
 //
 //   heartbeat, landed, position ──> flight_watch: is it in the air? ──┐
 //   heartbeat, expect_mode ───────> pilot_watch: who flies? ──────────┤
-//   position, flight_limits ──────> fence_watch ──────────┐           │
+//   position, asked_guard ────────> fence_watch ──────────┐           │
 //   battery ──────────────────────> battery_filter ───────┼─> rules ──┼─> latch_table ─> reaction_driver ─> command
 //   operator_heard, following ────> link_ladder ──────────┘           │
-//   override_rule, hand_back ─────> overrides ────────────────────────┘
+//   asked_override, hand_back ────> overrides ────────────────────────┘
 //
 // A rule acts on an edge, once, latched, and only in the air (a rover: moving). The cause of an edge is that the rule's
 // condition holds, no override stands against it, and the vehicle is in the air; so a condition that began on the
@@ -56,6 +56,8 @@ public:
   [[nodiscard]] effects tick(instant now);
 
   [[nodiscard]] const health_changed& health() const { return health_; }
+  // As it was told last, and as the record has it before the first tick.
+  [[nodiscard]] const stance& told() const { return stance_; }
 
 private:
   // What the senses say at this tick.
@@ -73,18 +75,19 @@ private:
   void take_one(const mission_current& what, instant now);
   void take_one(const command_settled& what, instant now);
   void take_one(const operator_heard& what, instant now);
-  void take_one(const override_rule& what, instant now);
+  void take_one(const asked_override& what, instant now);
   void take_one(const hand_back& what, instant now);
-  void take_one(const flight_limits& what, instant now);
+  void take_one(const asked_guard& what, instant now);
   void take_one(const expect_mode& what, instant now);
   void take_one(const taken_over& what, instant now);
   void take_one(const following& what, instant now);
 
+  [[nodiscard]] stance stand(bool in_flight) const;
   [[nodiscard]] view look(instant now);
   void take_limits(effects& out);
   void follow_flight(const view& seen);
   void hear_words(const view& seen, instant now, effects& out);
-  void lift(rule scope, effects& out);
+  void lift(rule scope);
   void watch_pilot(const view& seen, instant now, effects& out);
   [[nodiscard]] bool has_cause(rule each, const view& seen) const;
   [[nodiscard]] bool leaves_it_to_pilot() const;
@@ -93,6 +96,7 @@ private:
   void drive(const view& seen, instant now, effects& out);
   void warn_of_link(const view& seen, effects& out);
   void warn_of_fence(const view& seen, instant now, effects& out);
+  void tell_stance(bool in_flight, effects& out);
   void tell_health(const view& seen, effects& out);
   void keep(bool in_flight, effects& out);
 
@@ -110,12 +114,12 @@ private:
   std::int64_t heartbeat_ns_ = 0;
   std::optional<std::uint16_t> sequence_; // of the newest limits' plan
   std::int64_t sequence_ns_ = 0;
-  flight_limits limits_;
+  guard_mission limits_;
   bool limits_refused_ = false; // the newest ones; those from before still count
 
   // What came since the last tick.
-  std::vector<override_rule> wanted_overrides_;
-  std::optional<flight_limits> new_limits_;
+  std::vector<asked_override> wanted_overrides_;
+  std::optional<asked_guard> new_limits_;
   bool told_taken_over_ = false;
   bool told_hand_back_ = false;
 
@@ -123,6 +127,7 @@ private:
   link_phase said_link_ = link_phase::off;
   std::optional<std::int64_t> fence_ahead_ns_; // when a fence was last seen to be near
   health_changed health_{wellness::impaired, "nothing has been heard yet"};
+  stance stance_;
   bool has_new_limits_ = false; // not kept yet
   standing kept_;
 };

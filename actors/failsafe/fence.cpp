@@ -86,7 +86,9 @@ void fence::leg::add_side_cuts(const geo::local_point& p, const geo::local_point
   const auto lengths = length_m(way_) * length_m(side);
   if (lengths == 0)
     return;
-  if (std::abs(turn) < 1e-9 * lengths) { // side by side: they can only meet from one end of the side to the other
+  if (std::abs(turn) < 1e-9 * lengths) { // side by side: if they meet, then from one end of the side to the other
+    if (std::abs(cross(to_p, way_)) > side_slack_m * length_m(way_))
+      return;
     add_share(dot(to_p, way_) / dot(way_, way_), shares);
     add_share(dot(minus(q, start_), way_) / dot(way_, way_), shares);
     return;

@@ -53,7 +53,7 @@ health_changed judge_health(const findings& all) {
   add_senses(all, out);
   if (all.taken_over)
     out.add(wellness::impaired, "a pilot has the vehicle");
-  if (all.is_failing)
+  if (all.reacts && all.reacts->stage == reaction_stage::failing)
     out.add(wellness::bad, "what the failsafe wants does not get through to the vehicle");
   else if (all.reacts)
     out.add(wellness::impaired, "a failsafe has acted: " + std::string(io::name_of(all.reacts->why)));

@@ -11,6 +11,7 @@
 #include "actors/failsafe/fence_watch.hpp"
 #include "actors/failsafe/flight_watch.hpp"
 #include "actors/failsafe/link_ladder.hpp"
+#include "messages/failsafe/types.hpp"
 
 namespace godwit::failsafe {
 
@@ -22,8 +23,7 @@ struct findings {
   link_phase link = link_phase::off;
   bool taken_over = false;
   bool limits_refused = false;
-  std::optional<reaction> reacts;
-  bool is_failing = false;
+  std::optional<told_reaction> reacts;
 };
 
 [[nodiscard]] health_changed judge_health(const findings& all);

@@ -15,26 +15,14 @@
 
 #include <tl/expected.hpp>
 
-#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/instant.hpp"
 #include "actors/failsafe/rules.hpp"
-#include "io/fields/field_table.hpp"
+#include "messages/failsafe/types.hpp"
 
 namespace godwit::failsafe {
 
 inline constexpr std::int64_t max_override_ms = 3'600'000; // one that nobody remembers protects nobody
 inline constexpr std::size_t max_override_reason = 256;    // bytes; the rest is cut off
-
-struct standing_override {
-  rule scope = rule::operator_link;
-  std::string reason;
-  std::int64_t until_ns = 0; // wall clock
-
-  static constexpr auto fields =
-      io::table("failsafe.standing_override", io::field("scope", &standing_override::scope),
-                io::field("reason", &standing_override::reason), io::field("until_ns", &standing_override::until_ns));
-  friend bool operator==(const standing_override&, const standing_override&) = default;
-};
 
 class overrides {
 public:

@@ -44,6 +44,12 @@ void pilot_watch::expect(mode_kind kind, std::optional<std::int64_t> lasts_ms, i
     slot = expectation{now.wall_ns + lasts_ns, until_ns};
 }
 
+void pilot_watch::forget_the_plan() {
+  for (auto& each : expected_)
+    if (each && !each->until_monotonic_ns)
+      each.reset();
+}
+
 void pilot_watch::hand_back() {
   taken_over_ = false;
   adopts_ = true;

@@ -57,8 +57,10 @@ class pilot_watch {
 public:
   pilot_watch(const pilot_memory& restored, instant now);
 
-  // Nothing: to the end of the flight.
+  // Nothing: to the end of the flight, or until a failsafe acts.
   void expect(mode_kind kind, std::optional<std::int64_t> lasts_ms, instant now);
+  // A failsafe acts: from here on the plan leads nowhere by itself.
+  void forget_the_plan();
   void take_over() { taken_over_ = true; }
   void hand_back();
 

@@ -3,14 +3,16 @@
 //             ┌────────────────it did not get through: again at the next tick────────────────┐
 //             v                                                                              │
 //   ──> to_send ──command goes out──> in_flight ──refused, not sent──────────────────────────┤
-//          │                           │  │  └────no answer──> unsure ──a later heartbeat────┘
-//          │                           │  └──accepted──> accepted                │
-//          │                           │                    │                    │
-//          └───────────────────────────┴────────────────────┴──the mode shows it─┴──> done
+//        ^  │                           │  │  └────no answer──> unsure ──a later heartbeat────┤
+//        │  │                           │  └──accepted──> accepted ──not obeyed for 3 s───────┘
+//        │  │                           │                    │
+//        │  └───────────────────────────┴────────────────────┴──the mode shows it──> done
+//        └───────────────────────────a command of ours led out of it───────────────────┘
 //
-// Accepted is not tried again: if the mode does not follow, then perhaps because a pilot was quicker. Whether a command
-// without an answer was obeyed is not known; it goes out again only when a heartbeat that came after it was given up
-// shows that it was not. Thread: plain values.
+// Whether a command without an answer was obeyed is not known; it goes out again only when a heartbeat that came after
+// it was given up shows that it was not. Nothing goes out against a pilot: a mode that is nobody's of ours ends it all
+// before (pilot_watch). What else leads out of a return is a command of the executor that was on its way already.
+// Thread: plain values.
 #pragma once
 
 #include <cstdint>

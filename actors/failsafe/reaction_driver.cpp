@@ -33,8 +33,11 @@ void reaction_driver::on_settled(const command_settled& what) {
     verdict_ = what.verdict;
 }
 
-bool reaction_driver::is_failing() const {
-  return current_ && failed_ && current_->phase != reaction_phase::accepted && current_->phase != reaction_phase::done;
+reaction_stage reaction_driver::stage() const {
+  GODWIT_ASSERT(current_, "failsafe: who asks how far a reaction is has one");
+  if (current_->phase == reaction_phase::done)
+    return reaction_stage::done;
+  return failed_ ? reaction_stage::failing : reaction_stage::under_way;
 }
 
 void reaction_driver::enter(reaction_phase phase, std::int64_t now_ns) {
@@ -49,6 +52,7 @@ bool reaction_driver::is_overdue(std::int64_t limit_ms, std::int64_t now_ns) con
 void reaction_driver::take_verdict(command_verdict verdict, std::int64_t now_ns) {
   switch (verdict) {
   case command_verdict::accepted:
+    failed_ = said_disobeyed_; // then the mode has to show it
     enter(reaction_phase::accepted, now_ns);
     return;
   case command_verdict::timed_out:
@@ -73,6 +77,10 @@ void reaction_driver::settle(const look& seen, std::int64_t now_ns) {
   if (is_done(seen)) {
     if (current_->phase != reaction_phase::done)
       enter(reaction_phase::done, now_ns);
+    return;
+  }
+  if (is_left(seen)) {
+    enter(reaction_phase::to_send, now_ns);
     return;
   }
   if (current_->phase == reaction_phase::in_flight) {
@@ -100,18 +108,34 @@ bool reaction_driver::is_done(const look& seen) const {
          (current_->what == action::do_land_start && seen.mode == mode_kind::mission && seen.on_landing);
 }
 
+bool reaction_driver::is_left(const look& seen) const {
+  const auto wanted = modes_of(current_->what);
+  return current_->phase == reaction_phase::done && seen.is_ours &&
+         std::find(wanted.begin(), wanted.end(), seen.mode) == wanted.end();
+}
+
+bool reaction_driver::is_disobeyed(const look& seen, std::int64_t now_ns) const {
+  const bool can_be_seen =
+      current_->what == action::do_land_start ? seen.sequence_ns > since_ns_ : seen.heartbeat_ns > since_ns_;
+  return current_->phase == reaction_phase::accepted && can_be_seen && is_overdue(obedience_ms, now_ns);
+}
+
 reaction_driver::step reaction_driver::drive(const look& seen, std::int64_t now_ns) {
   step result;
   if (!current_)
     return result;
+  const auto before = current_->phase;
   settle(seen, now_ns);
+  result.was_left = before == reaction_phase::done && current_->phase == reaction_phase::to_send;
   const bool has_failed =
       current_->phase == reaction_phase::unsure || (current_->phase == reaction_phase::to_send && current_->tries > 0);
-  if (has_failed)
+  if (has_failed && !result.was_left)
     result.fails_first = !std::exchange(failed_, true);
-  const bool can_be_seen = current_->what != action::do_land_start || seen.sequence_ns > since_ns_;
-  if (current_->phase == reaction_phase::accepted && can_be_seen && is_overdue(obedience_ms, now_ns))
+  if (is_disobeyed(seen, now_ns)) {
     result.disobeyed = !std::exchange(said_disobeyed_, true);
+    failed_ = true;
+    enter(reaction_phase::to_send, now_ns);
+  }
   if (current_->phase == reaction_phase::to_send && seen.may_send) {
     constexpr std::uint32_t most = std::numeric_limits<std::uint8_t>::max();
     result.send = command_vehicle{++last_number_, current_->why, current_->what,

@@ -7,8 +7,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "actors/failsafe/effects.hpp"
+#include "actors/failsafe/command.hpp"
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/reaction.hpp"
+#include "actors/failsafe/rules.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/vehicle_link/command.hpp"
 
 namespace godwit::failsafe {
@@ -34,6 +37,7 @@ public:
     mode_kind mode = mode_kind::unknown;
     std::int64_t heartbeat_ns = 0; // when it was seen
     bool may_send = false;
+    bool is_ours = true;          // no pilot has changed the mode
     bool on_landing = false;      // the plan is at its landing, or behind it
     std::int64_t sequence_ns = 0; // when that was seen
   };
@@ -41,18 +45,21 @@ public:
     std::optional<command_vehicle> send;
     bool fails_first = false; // it did not get through, for the first time
     bool disobeyed = false;   // accepted, and the mode did not follow; said once
+    bool was_left = false;    // it was done, and a command of ours on its way led out of it
   };
   // Once at each tick.
   [[nodiscard]] step drive(const look& seen, std::int64_t now_ns);
 
   [[nodiscard]] const std::optional<reaction>& current() const { return current_; }
   [[nodiscard]] std::uint64_t last_number() const { return last_number_; }
-  // It has failed, and has not got through since.
-  [[nodiscard]] bool is_failing() const;
+  // Only while there is a reaction. Failing: it has not got through, or was accepted and not obeyed.
+  [[nodiscard]] reaction_stage stage() const;
 
 private:
   void settle(const look& seen, std::int64_t now_ns);
   [[nodiscard]] bool is_done(const look& seen) const;
+  [[nodiscard]] bool is_left(const look& seen) const;
+  [[nodiscard]] bool is_disobeyed(const look& seen, std::int64_t now_ns) const;
   void look_again(const look& seen, std::int64_t now_ns);
   void take_verdict(vehicle_link::command_verdict verdict, std::int64_t now_ns);
   void enter(reaction_phase phase, std::int64_t now_ns);
@@ -62,7 +69,7 @@ private:
   std::uint64_t last_number_ = 0;
   std::int64_t since_ns_ = 0;                            // in this phase
   std::optional<vehicle_link::command_verdict> verdict_; // came since the last tick
-  bool failed_ = false;
+  bool failed_ = false;                                  // and has not got through since
   bool said_disobeyed_ = false;
 };
 

@@ -15,21 +15,11 @@
 #include <optional>
 
 #include "actors/failsafe/vehicle.hpp"
-#include "io/fields/field_table.hpp"
+#include "messages/failsafe/types.hpp"
 
 namespace godwit::failsafe {
 
-// In the order of the table: the first is the highest.
-enum class rule { battery_critical, fence, battery_low, operator_link };
-
 inline constexpr std::array rules{rule::battery_critical, rule::fence, rule::battery_low, rule::operator_link};
-
-constexpr auto enum_names(rule) {
-  return io::names<rule>({{rule::battery_critical, "battery_critical"},
-                          {rule::fence, "fence"},
-                          {rule::battery_low, "battery_low"},
-                          {rule::operator_link, "operator_link"}});
-}
 
 [[nodiscard]] constexpr std::size_t index_of(rule each) { return static_cast<std::size_t>(each); }
 [[nodiscard]] constexpr int priority_of(rule each) { return static_cast<int>(each) + 1; }
@@ -37,20 +27,6 @@ constexpr auto enum_names(rule) {
 
 // A vehicle that falls out of the sky is no operator's choice.
 [[nodiscard]] constexpr bool may_be_overridden(rule each) { return each != rule::battery_critical; }
-
-enum class action {
-  return_home,
-  land,
-  hold,
-  do_land_start // goes on at the landing sequence of the mission
-};
-
-constexpr auto enum_names(action) {
-  return io::names<action>({{action::return_home, "return"},
-                            {action::land, "land"},
-                            {action::hold, "hold"},
-                            {action::do_land_start, "do_land_start"}});
-}
 
 // Nothing for a vehicle of which it is not known what it is.
 [[nodiscard]] std::optional<action> action_for(rule each, vehicle_class what, bool mission_has_land_start);

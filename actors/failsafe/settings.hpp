@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "io/fields/field_table.hpp"
 
@@ -39,5 +41,8 @@ struct settings {
       io::field("following_extra_ms", &settings::following_extra_ms), io::field("moving_mps", &settings::moving_mps));
   friend bool operator==(const settings&, const settings&) = default;
 };
+
+// What is wrong with it, as a sentence that names the key. Nothing: it can be used.
+[[nodiscard]] std::optional<std::string> objection_to(const settings& configured);
 
 } // namespace godwit::failsafe

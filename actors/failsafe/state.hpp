@@ -10,13 +10,14 @@
 #include <variant>
 #include <vector>
 
-#include "actors/failsafe/events.hpp"
+#include "actors/failsafe/command.hpp"
 #include "actors/failsafe/latch_table.hpp"
 #include "actors/failsafe/link_ladder.hpp"
 #include "actors/failsafe/overrides.hpp"
 #include "actors/failsafe/pilot_watch.hpp"
 #include "actors/failsafe/reaction.hpp"
 #include "io/fields/field_table.hpp"
+#include "messages/failsafe/types.hpp"
 
 namespace godwit::failsafe {
 
@@ -41,32 +42,35 @@ struct standing {
 // Something of it has changed. The limits can be large: they are there when they are new ones.
 struct remembered {
   standing now;
-  std::optional<flight_limits> limits;
+  std::optional<guard_mission> limits = {};
+  std::optional<command_vehicle> command = {}; // goes out with this
 
   static constexpr auto fields =
-      io::table("failsafe.remembered", io::field("now", &remembered::now), io::field("limits", &remembered::limits));
+      io::table("failsafe.remembered", io::field("now", &remembered::now), io::field("limits", &remembered::limits),
+                io::field("command", &remembered::command));
 };
 
 struct state {
   standing now;
-  flight_limits limits;
+  guard_mission limits;
   static constexpr int version = 1;
   static constexpr auto fields =
       io::table("failsafe.state", io::field("now", &state::now), io::field("limits", &state::limits));
 };
 
-// The durable part: what was decided is an event, and nothing comes of it any more, because it went out before.
+// The durable part: what was decided is an event. The command that came of it goes out before the event is on the disk,
+// and never again because of it: whether it is still wanted, the vehicle shows.
 struct durable_core {
   using state = failsafe::state;
   using event = std::variant<remembered>;
-  using effect = std::variant<remembered>; // none is ever given
+  using effect = std::variant<command_vehicle>;
 
   [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
     const auto& what = std::get<remembered>(happened);
     s.now = what.now;
     if (what.limits)
       s.limits = *what.limits;
-    return {};
+    return what.command ? std::vector<effect>{*what.command} : std::vector<effect>{};
   }
   [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };

@@ -2,7 +2,7 @@
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/mgrs.hpp"
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -79,7 +79,7 @@ checked_input check_bounds(const pass_end& input) {
 } // namespace
 
 checked_input check_id(const std::string& id, const std::string& field) {
-  if (!is_uuid(id))
+  if (!ids::is_uuid(id))
     return refused(field + " is not a UUID in small letters: " + quoted(id));
   return {};
 }

@@ -21,7 +21,7 @@ map_result<void> load_finish::prepare(map_tables& t) {
   const auto twice = std::adjacent_find(load.objects.begin(), load.objects.end(),
                                         [](const loaded_place& a, const loaded_place& b) { return a.id == b.id; });
   if (twice != load.objects.end()) {
-    auto error = refused("object " + text_of(twice->id) + " comes twice");
+    auto error = refused("object " + ids::text_of(twice->id) + " comes twice");
     load.give_up();
     return error;
   }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -17,7 +17,7 @@ namespace godwit::mapobjects_store {
 inline constexpr std::size_t max_load_objects = 2'000'000;
 
 struct loaded_place {
-  uuid_bits id;
+  ids::uuid_bits id;
   std::int64_t number = 0; // of the row
   double latitude_deg = 0;
   double longitude_deg = 0;

@@ -37,7 +37,7 @@ map_result<void> put_object(map_tables& t, const map_object& object) {
   if (t.load.objects.size() >= max_load_objects)
     return refused("a load has at most " + std::to_string(max_load_objects) + " objects");
   const auto number = t.load.first_object + static_cast<std::int64_t>(t.load.objects.size());
-  t.load.objects.push_back({.id = bits_of(object.id),
+  t.load.objects.push_back({.id = ids::bits_of(object.id),
                             .number = number,
                             .latitude_deg = object.position.latitude_deg,
                             .longitude_deg = object.position.longitude_deg,

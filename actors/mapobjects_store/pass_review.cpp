@@ -3,7 +3,7 @@
 #include "actors/mapobjects_store/ignore_list.hpp"
 #include "actors/mapobjects_store/object_table.hpp"
 #include "actors/mapobjects_store/observation_table.hpp"
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -55,7 +55,7 @@ map_result<void> pass_review::look_at(map_tables& t, const view_cursor::row& see
 
 map_result<void> pass_review::miss(map_tables& t, const map_object& object) {
   ++staged_.removed_candidates;
-  const auto id = derived_uuid(pass_.id, object.id);
+  const auto id = ids::derived_uuid(pass_.id, object.id);
   const auto known = observation_with(t.q, id);
   if (!known)
     return tl::unexpected(known.error());

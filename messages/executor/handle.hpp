@@ -5,7 +5,14 @@
 // start_answer_handle.
 #pragma once
 
+#include "io/mavlink/messages/heartbeat.hpp"
+#include "io/mavlink/messages/mission.hpp"
+#include "io/mavlink/messages/position.hpp"
+#include "messages/executor/flight.hpp"
 #include "messages/executor/types.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "messages/operator/types.hpp"
+#include "messages/vehicle_link/types.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::executor {
@@ -13,5 +20,31 @@ namespace godwit::executor {
 // What a ground station can cause.
 using station_handle = runtime::mailbox<runtime::tells<start_mission>, runtime::asks<set_current, current_answer>,
                                         runtime::tells<plan_taken>, runtime::tells<plan_cleared>>;
+
+// What an operator can cause, and see.
+using operator_handle = runtime::mailbox<runtime::asks<operator_words::word, operator_words::answer>,
+                                         runtime::asks<get_flight, flight_status>>;
+
+// What the vehicle says, as far as the executor listens. vehicle_link tells its listeners.
+using telemetry_handle =
+    runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::sys_status>,
+                     runtime::tells<io::mavlink::gps_raw_int>, runtime::tells<io::mavlink::global_position_int>,
+                     runtime::tells<io::mavlink::home_position>, runtime::tells<io::mavlink::extended_sys_state>,
+                     runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::mission_item_reached>,
+                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>>;
+
+// All of it.
+using own_handle = mission_client::listener_handle::extend<
+    runtime::asks<operator_words::word, operator_words::answer>::signature,
+    runtime::asks<get_flight, flight_status>::signature, runtime::tells<start_mission>::signature,
+    runtime::asks<set_current, current_answer>::signature, runtime::tells<plan_taken>::signature,
+    runtime::tells<plan_cleared>::signature, runtime::tells<io::mavlink::heartbeat>::signature,
+    runtime::tells<io::mavlink::sys_status>::signature, runtime::tells<io::mavlink::gps_raw_int>::signature,
+    runtime::tells<io::mavlink::global_position_int>::signature, runtime::tells<io::mavlink::home_position>::signature,
+    runtime::tells<io::mavlink::extended_sys_state>::signature, runtime::tells<io::mavlink::mission_current>::signature,
+    runtime::tells<io::mavlink::mission_item_reached>::signature,
+    runtime::tells<vehicle_link::connection_changed>::signature,
+    runtime::tells<vehicle_link::vehicle_restarted>::signature, runtime::tells<tick>::signature,
+    runtime::tells<next_note>::signature>;
 
 } // namespace godwit::executor

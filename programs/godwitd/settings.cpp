@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "actors/domain/mission/convert/convert.hpp"
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 #include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {
@@ -58,7 +58,7 @@ checked read_source(const json& configuration, daemon_settings& to) {
   }
   if (service.base_url.empty())
     return wrong("service", "is missing: name the missions service, or a file with --mission");
-  if (!mapobjects_store::is_uuid(to.mission_id))
+  if (!ids::is_uuid(to.mission_id))
     return wrong("mission-id", (to.mission_id.empty() ? "is missing" : "is \"" + to.mission_id + "\"") +
                                    "; it is a UUID in small letters, such as 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42");
   if (const auto known = io::http::checked(service); !known)

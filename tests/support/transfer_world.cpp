@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "actors/vehicle_link/transfer/meaning.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "io/mavlink/codec.hpp"
 
 namespace godwit::tests {
@@ -154,7 +154,7 @@ void transfer_world::report_mission_every_second() {
 
 bool transfer_world::is_same(const std::vector<mavlink::mission_item_int>& a,
                              const std::vector<mavlink::mission_item_int>& b) {
-  return !transfer::first_difference(a, b, false);
+  return !mavlink::first_difference(a, b, false);
 }
 
 void transfer_world::restart_our_client() {
@@ -188,7 +188,7 @@ std::vector<mavlink::mission_item_int> mission_of(int count, std::uint64_t seed)
 
 bool holds(const mission_server::server& vehicle, const std::vector<mavlink::mission_item_int>& plan,
            mavlink::mav_mission_type type) {
-  return !transfer::first_difference(plan, vehicle.plan(type).items, type == mavlink::mav_mission_type::mission);
+  return !mavlink::first_difference(plan, vehicle.plan(type).items, type == mavlink::mav_mission_type::mission);
 }
 
 } // namespace godwit::tests

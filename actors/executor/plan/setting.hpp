@@ -4,17 +4,12 @@
 
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
+#include "messages/flight/vehicle_class.hpp"
 #include "messages/mission/place.hpp"
 
 namespace godwit::executor::plan {
 
-enum class vehicle_class { multirotor, fixed_wing, rover };
-
-constexpr auto enum_names(vehicle_class) {
-  return io::names<vehicle_class>({{vehicle_class::multirotor, "multirotor"},
-                                   {vehicle_class::fixed_wing, "fixed_wing"},
-                                   {vehicle_class::rover, "rover"}});
-}
+using flight::vehicle_class;
 
 // Where the autopilot returns to, and what it counts altitudes from. PX4 and ArduPilot move it to where they arm.
 struct vehicle_home {

@@ -164,6 +164,7 @@ void open_generation(turn& t, std::uint16_t start, const std::vector<mapped_item
                      .opened_at_ns = t.now_ns,
                      .moved_to = {},
                      .complete_upto = {},
+                     .stale_reached = plan.vehicle_plan_id ? plan.last_reached : std::nullopt,
                      .started_position = {}};
   for (const auto& each : left_out)
     report_item(t, progress_kind::skipped, each, false);

@@ -47,9 +47,13 @@ void cut_over(turn& t, std::optional<std::uint32_t> plan_id) {
   t.s.mission->revision = upload.intent.revision;
   t.s.paused.reset();
   const auto start = upload.intent.map.start_sequence;
+  // The same content: PX4 goes on where it is, and repeats the MISSION_ITEM_REACHED that it has repeated before.
+  const bool is_same = plan_id && t.s.plan && t.s.plan->vehicle_plan_id == plan_id;
+  const auto last_reached = is_same ? t.s.plan->last_reached : std::nullopt;
   t.s.plan = followed_plan{.map = std::move(upload.intent.map),
                            .vehicle_plan_id = plan_id == 0U ? std::nullopt : plan_id,
                            .id_before = upload.intent.id_before,
+                           .last_reached = last_reached,
                            .generation = {}};
   open_generation(t, start, skipped);
   release_held(t);

@@ -95,7 +95,7 @@ struct vehicle_looked_at {
 };
 
 enum class read_back_match {
-  pending, // what was to be uploaded, by meaning
+  pending, // what was to be uploaded, by meaning; also when that is what it held before
   before,  // what the vehicle held before
   other
 };

@@ -84,11 +84,21 @@ void follow(turn& t, const mission_current& message) {
     follow_armed(t, message);
 }
 
+// Just after a generation was opened it may be of another plan.
+void note_reached(turn& t, std::uint16_t sequence) {
+  if (!t.s.plan || is_settling(t))
+    return;
+  t.s.plan->last_reached = sequence;
+  auto& stale = t.s.plan->generation.stale_reached;
+  if (stale != sequence)
+    stale.reset();
+}
+
 void arrive_if_it_counts(turn& t, std::uint16_t sequence) {
   if (!t.s.plan || t.s.paused || !t.s.plan->generation.is_armed || is_settling(t))
     return;
   const auto& g = t.s.plan->generation;
-  if (sequence >= g.current && sequence <= g.moved_to.value_or(g.current))
+  if (sequence >= g.current && sequence <= g.moved_to.value_or(g.current) && sequence != g.stale_reached)
     arrive(t, sequence);
 }
 
@@ -116,7 +126,7 @@ bool may_be_started(const turn& t, const mission_current& message) {
     return true;
   if (target > place)
     return message.seq >= target;
-  return message.seq < place || (message.seq == place && target == place);
+  return message.seq < place || is_start(t.s.plan->map, target, message.seq);
 }
 
 } // namespace
@@ -131,6 +141,7 @@ void take(turn& t, const current_told& what) {
 }
 
 void take(turn& t, const reached_told& what) {
+  note_reached(t, what.sequence);
   const bool has_ids = t.s.plan && t.s.plan->vehicle_plan_id;
   if (!t.s.upload || !has_ids)
     arrive_if_it_counts(t, what.sequence);
@@ -142,6 +153,8 @@ void take(turn& t, const vehicle_rebooted&) {
   t.s.held.clear();
   if (t.s.upload)
     t.s.upload->unconfirmed_reached.reset();
+  if (t.s.plan)
+    t.s.plan->last_reached.reset();
   if (t.s.plan && (!t.s.paused || t.s.paused == pause_reason::vehicle_restarted))
     pause(t, pause_reason::vehicle_restarted);
 }

@@ -8,8 +8,11 @@
 //   of another plan, or of none           nothing                              paused: foreign plan
 //
 //   MISSION_ITEM_REACHED                  nothing                              armed: of the item where it is or that
-//   it
-//                                                                              has just left, once
+//                                                                              it has just left, once; not the one
+//                                                                              that was told last before a start
+//
+// A REACHED does not say of which plan it is: one of a plan that a foreign hand has uploaded passes for ours until the
+// next MISSION_CURRENT tells of that plan.
 //
 // While an upload is under way, a vehicle with plan ids goes on with the old plan: MISSION_CURRENT with another id is
 // held until the upload is settled, and a REACHED waits until the old id is seen again. A vehicle without them is held

@@ -58,6 +58,9 @@ struct generation_state {
   std::optional<std::uint16_t> moved_to;
   std::optional<std::uint16_t> complete_upto;
   std::int64_t waiting_since_ns = 0;
+  // A vehicle with plan ids (PX4) repeats the last MISSION_ITEM_REACHED, and goes on with that behind a start which
+  // changes nothing for it: this one is no news until another one was told.
+  std::optional<std::uint16_t> stale_reached;
   std::uint32_t settled = 0;                     // so many items from the front are done or skipped
   std::optional<std::uint32_t> started_position; // the last item that was reported as started
   static constexpr auto fields = io::table(
@@ -71,7 +74,7 @@ struct generation_state {
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
       io::field("complete_upto", &generation_state::complete_upto),
       io::field("waiting_since_ns", &generation_state::waiting_since_ns),
-      io::field("settled", &generation_state::settled),
+      io::field("stale_reached", &generation_state::stale_reached), io::field("settled", &generation_state::settled),
       io::field("started_position", &generation_state::started_position));
 };
 
@@ -79,12 +82,13 @@ struct followed_plan {
   plan_map map;
   std::optional<std::uint32_t> vehicle_plan_id; // absent: the vehicle keeps none, or has not told it yet
   std::optional<std::uint32_t> id_before;       // of the plan that was replaced
+  std::optional<std::uint16_t> last_reached;    // as told last, whether it counted or not
   std::uint32_t ever_settled = 0;               // the most that any generation of this plan has settled
   generation_state generation;
   static constexpr auto fields = io::table(
       "executor.progress_followed_plan", io::field("map", &followed_plan::map),
       io::field("vehicle_plan_id", &followed_plan::vehicle_plan_id), io::field("id_before", &followed_plan::id_before),
-      io::field("ever_settled", &followed_plan::ever_settled), io::field("generation", &followed_plan::generation));
+      io::field("last_reached", &followed_plan::last_reached), io::field("ever_settled", &followed_plan::ever_settled), io::field("generation", &followed_plan::generation));
 };
 
 struct pending_upload {

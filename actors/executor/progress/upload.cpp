@@ -40,6 +40,13 @@ void fail_with_other(turn& t, const std::string& reason) {
   pause(t, pause_reason::foreign_plan);
 }
 
+// The same id can also mean that the new plan has the same content. One of another length has not.
+bool is_surely_unchanged(const state& s) {
+  const auto& upload = *s.upload;
+  return upload.id_seen && upload.id_seen == upload.intent.id_before && s.plan &&
+         s.plan->vehicle_plan_id == upload.id_seen && s.plan->map.total != upload.intent.map.total;
+}
+
 } // namespace
 
 void take(turn& t, const upload_intended& what) {
@@ -72,7 +79,7 @@ void take(turn& t, const vehicle_looked_at& what) {
   if (!t.s.upload)
     return;
   t.s.upload->id_seen = what.plan_id == 0U ? std::nullopt : what.plan_id;
-  if (t.s.upload->id_seen && t.s.upload->id_seen == t.s.upload->intent.id_before)
+  if (is_surely_unchanged(t.s))
     fail(t, "the plan did not come to the vehicle");
   else
     t.out.emplace_back(read_plan_back{});

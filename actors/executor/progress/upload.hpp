@@ -2,14 +2,16 @@
 //
 //                 accepted                                       matches pending
 //   pending ───────────────────────────> cut-over <──────────────────────────────┐
-//      │  │ unchanged                                                            │
-//      │  └────────────────────────────> failed <── the old plan id ──┐          │
-//      │                                    ^                         │          │
-//      │ unknown, or a restart              └── matches before ──┐    │          │
-//      └────────────> look_at_vehicle ───────────────────────────┼────┴──> read_plan_back
+//      │  │ unchanged                                   the old plan id,         │
+//      │  └────────────────────────────> failed <────── another length ┐         │
+//      │                                    ^                          │         │
+//      │ unknown, or a restart              └── matches before ──┐     │         │
+//      └────────────> look_at_vehicle ───────────────────────────┼─────┴─> read_plan_back
 //                                                                │               │
 //                              foreign plan: paused <── other ───┴───────────────┘
 //
+// A plan with the same content has the same id, so that the old id does not settle it unless the new plan is of another
+// length: while the vehicle holds the plan, nobody is told that the upload failed.
 // Failed: the plan before stays in force, and an assignment is rejected. An answer to a question that is settled, or
 // was never asked, changes nothing. Thread: one at a time.
 #pragma once

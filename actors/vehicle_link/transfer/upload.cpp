@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "actors/vehicle_link/transfer/meaning.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::vehicle_link::transfer {
 
@@ -294,7 +294,7 @@ void upload::compare_with_held(step& out, std::int64_t now_ns) {
   } else if (depth_ == plan_reader::depth::items) {
     how = proof::read_back;
     const bool first_is_home = peer_.first_item_is_home && who_.mission_type == mavlink::mav_mission_type::mission;
-    difference = first_difference(plan_, reader_->items(), first_is_home);
+    difference = io::mavlink::first_difference(plan_, reader_->items(), first_is_home);
   }
   if (!difference) {
     accept(out, how, plan_id, now_ns);

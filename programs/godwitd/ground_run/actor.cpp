@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 #include "programs/godwitd/ground_run/sentences.hpp"
 
 namespace godwit::ground_run {
@@ -179,7 +179,7 @@ void actor::answered(std::uint64_t number, const mapobjects_store::sighting_answ
 void actor::turn_down(const mission_client::assignment_arrived& wish) {
   const std::string reason = "this vehicle does not fly missions yet";
   mission::assignment_response response;
-  response.idempotency_key = mapobjects_store::derived_uuid(wish.assignment.assignment_id, wish.mission_id);
+  response.idempotency_key = ids::derived_uuid(wish.assignment.assignment_id, wish.mission_id);
   response.outcome = mission::assignment_outcome::rejected;
   response.reason = reason;
   tell(others_->client,

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "actors/domain/mission/utc_text.hpp"
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 #include "io/fields/json_value.hpp"
 
 namespace godwit::daemon {
@@ -44,7 +44,7 @@ tl::expected<sighting_line, std::string> read_line(std::string_view line) {
 
 // What the map would refuse, said before it is asked.
 std::string objection_to(const sighting_line& line) {
-  if (!mapobjects_store::is_uuid(line.id))
+  if (!ids::is_uuid(line.id))
     return "id: it is a UUID in small letters";
   if (!(std::abs(line.latitude) <= 90) || !(std::abs(line.longitude) <= 180))
     return "latitude and longitude: they are degrees, from -90 to 90 and from -180 to 180";

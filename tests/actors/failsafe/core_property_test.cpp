@@ -206,6 +206,10 @@ std::string text_of(const effects& all) {
         [&]<class E>(const E& what) {
           if constexpr (std::is_same_v<E, remember>)
             result += godwit::io::to_json(what.what);
+          else if constexpr (std::is_same_v<E, stance_changed>)
+            result += godwit::io::to_json(what.now);
+          else if constexpr (requires { what.answer; })
+            result += std::to_string(what.request_id) + godwit::io::to_json(what.answer);
           else
             result += std::string(godwit::io::type_name<E>()) + godwit::io::to_json(what);
         },
@@ -228,13 +232,13 @@ std::vector<event> events_of_a_tick(dice& random, std::int64_t wall_ns) {
   maybe(5, operator_heard{true, random.between(0, 40'000)});
   maybe(4, command_settled{static_cast<std::uint64_t>(random.between(1, 5)),
                            static_cast<command_verdict>(random.between(0, 7))});
-  maybe(30,
-        override_rule{1, rules.at(static_cast<std::size_t>(random.between(0, 3))), "why not", wall_ns + 2 * ns_per_s});
+  maybe(30, asked_override{
+                1, {rules.at(static_cast<std::size_t>(random.between(0, 3))), "why not", wall_ns + 2 * ns_per_s}});
   maybe(30, hand_back{});
   maybe(30, taken_over{});
   maybe(10, expect_mode{static_cast<mode_kind>(random.between(0, 7)), random.between(0, 3) * 1'000});
   maybe(20, following{random.one_in(2)});
-  maybe(20, flight_limits{{fence_of(fence_kind::inclusion, square(random.between(50, 150)))}, landing_sequence});
+  maybe(20, asked_guard{1, {{fence_of(fence_kind::inclusion, square(random.between(50, 150)))}, landing_sequence}});
   maybe(5, mission_current{static_cast<std::uint16_t>(random.between(0, 12))});
   return result;
 }

@@ -1,6 +1,7 @@
 #include "tests/actors/failsafe/flight_world.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -52,11 +53,11 @@ instant flight_world::now() const {
 void flight_world::tell(const event& what) { core_->take(what, now()); }
 
 void flight_world::set_fences(const std::vector<mission::geofence>& fences, std::optional<std::uint16_t> land_start) {
-  tell(flight_limits{fences, land_start});
+  tell(asked_guard{1, {fences, land_start}});
 }
 
 void flight_world::override_for_s(rule scope, std::int64_t s) {
-  tell(override_rule{42, scope, "the operator wants it", now().wall_ns + s * ns_per_s});
+  tell(asked_override{42, {scope, "the operator wants it", now().wall_ns + s * ns_per_s}});
 }
 
 void flight_world::speak() {
@@ -108,6 +109,17 @@ void flight_world::take_one(const command_vehicle& command) {
     to_core_.push_back({ms_ + obeys_after_ms + 20, {command.number, command_verdict::accepted}});
   else
     to_core_.push_back({ms_ + command_timeout_ms, {command.number, command_verdict::timed_out}});
+}
+
+void flight_world::take_one(const stance_changed& what) {
+  const auto last = std::exchange(told_, what.now);
+  const auto& before = last.reacts;
+  const auto& reacts = what.now.reacts;
+  if (reacts && (!before || before->why != reacts->why || before->what != reacts->what))
+    acted.push_back(*reacts);
+  if (before && what.now.in_flight && (!reacts || is_higher(before->why, reacts->why)))
+    lifted.push_back(*before);
+  pilots_seen += what.now.taken_over && !last.taken_over ? 1 : 0;
 }
 
 void flight_world::take_one(const remember& written) {

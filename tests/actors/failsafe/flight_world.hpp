@@ -51,10 +51,10 @@ public:
   // -- what came of it -------------------------------------------------------------------------------
   std::vector<failsafe::command_vehicle> sent;
   std::vector<failsafe::command_vehicle> obeyed;
-  std::vector<failsafe::acts> acted;
-  std::vector<failsafe::lifted> lifted;
+  std::vector<failsafe::told_reaction> acted;  // each that was told to begin
+  std::vector<failsafe::told_reaction> lifted; // each that ended before the flight did, or gave way to a lower one
   std::vector<failsafe::override_answer> answered;
-  std::vector<failsafe::limits_answer> limits_answered;
+  std::vector<failsafe::guard_answer> limits_answered;
   std::vector<std::string> warnings;
   int pilots_seen = 0;
   int remembered = 0;
@@ -93,11 +93,9 @@ private:
   void obey();
   void take(const failsafe::effects& wanted);
   void take_one(const failsafe::command_vehicle& what);
-  void take_one(const failsafe::acts& what) { acted.push_back(what); }
-  void take_one(const failsafe::lifted& what) { lifted.push_back(what); }
-  void take_one(const failsafe::pilot_seen&) { ++pilots_seen; }
-  void take_one(const failsafe::override_answer& what) { answered.push_back(what); }
-  void take_one(const failsafe::limits_answer& what) { limits_answered.push_back(what); }
+  void take_one(const failsafe::stance_changed& what);
+  void take_one(const failsafe::override_settled& what) { answered.push_back(what.answer); }
+  void take_one(const failsafe::guard_settled& what) { limits_answered.push_back(what.answer); }
   void take_one(const failsafe::warning& what) { warnings.push_back(what.text); }
   void take_one(const failsafe::health_changed&) {}
   void take_one(const failsafe::remember& what);
@@ -107,6 +105,7 @@ private:
   std::int64_t heard_ms_ = -1; // the ground station, last
   std::vector<failsafe::state> records_{failsafe::state{}};
   std::optional<failsafe::core> core_;
+  failsafe::stance told_;
   std::deque<arrival> to_vehicle_;
   std::deque<answer> to_core_;
 };

@@ -14,8 +14,7 @@ findings all_well() {
           .link = link_phase::ok,
           .taken_over = false,
           .limits_refused = false,
-          .reacts = {},
-          .is_failing = false};
+          .reacts = {}};
 }
 
 TEST(health, when_all_is_known_and_nothing_acts_it_is_well_and_says_nothing) {
@@ -65,9 +64,9 @@ TEST(health, a_silent_operator_a_breach_and_a_pilot_are_yellow) {
 
 TEST(health, an_action_is_yellow_and_one_that_does_not_get_through_is_red) {
   auto all = all_well();
-  all.reacts = reaction{};
+  all.reacts = told_reaction{};
   EXPECT_EQ(judge_health(all).how, wellness::impaired);
-  all.is_failing = true;
+  all.reacts->stage = reaction_stage::failing;
   EXPECT_EQ(judge_health(all).how, wellness::bad);
 }
 

@@ -11,7 +11,7 @@ constexpr std::int64_t wall_s = 1'700'000'000;
 instant at(std::int64_t s) { return {s * ns_per_s, (wall_s + s) * ns_per_s}; }
 
 override_rule until(std::int64_t s, rule scope = rule::operator_link) {
-  return {.key = 1, .scope = scope, .reason = "range test", .until_ns = at(s).wall_ns};
+  return {.scope = scope, .reason = "range test", .until_ns = at(s).wall_ns};
 }
 
 TEST(overrides, one_holds_for_its_scope_until_its_deadline) {

@@ -51,6 +51,15 @@ TEST(pilot_watch, a_change_between_two_modes_of_one_kind_is_a_change) {
   EXPECT_TRUE(takes_over(watch, brakes, {}, 2'000));
 }
 
+TEST(pilot_watch, when_a_failsafe_acts_the_plan_leads_nowhere_any_more_and_commands_are_still_on_their_way) {
+  auto watch = on_mission();
+  watch.expect(mode_kind::hold, {}, start);
+  watch.expect(mode_kind::guided, 5'000, start);
+  watch.forget_the_plan();
+  EXPECT_TRUE(takes_over(watch, holds));
+  EXPECT_FALSE(takes_over(watch, {mode_kind::guided, 4}));
+}
+
 TEST(pilot_watch, a_mode_that_was_commanded_is_ours_for_a_while) {
   auto watch = on_mission();
   watch.expect(mode_kind::hold, 5'000, start);

@@ -52,22 +52,62 @@ TEST(reaction_driver, sending_fails_again_each_tick) {
       ASSERT_TRUE(step.send) << i;
       EXPECT_EQ(step.send->confirmation, std::min(i, 255));
       EXPECT_EQ(step.fails_first, i == 1);
-      EXPECT_TRUE(one.driver.is_failing());
+      EXPECT_EQ(one.driver.stage(), reaction_stage::failing);
     }
   }
 }
 
-TEST(reaction_driver, accepted_is_not_sent_again) {
+TEST(reaction_driver, accepted_is_waited_for_3_s_and_then_sent_again) {
   sent_one one;
   one.driver.on_settled({one.number, command_verdict::accepted});
-  bool complained = false;
-  for (std::int64_t now = tick; now < 20 * s; now += tick) {
+  (void)one.driver.drive(sees(mode_kind::mission, tick), tick);
+  EXPECT_EQ(one.driver.stage(), reaction_stage::under_way);
+  for (std::int64_t now = 2 * tick; now < tick + 3 * s; now += tick)
+    EXPECT_FALSE(one.driver.drive(sees(mode_kind::mission, now), now).send);
+  const auto step = one.driver.drive(sees(mode_kind::mission, tick + 3 * s), tick + 3 * s);
+  EXPECT_TRUE(step.send);
+  EXPECT_TRUE(step.disobeyed);
+  EXPECT_EQ(one.driver.stage(), reaction_stage::failing);
+}
+
+TEST(reaction_driver, a_vehicle_that_accepts_again_and_again_and_never_obeys_is_complained_of_once) {
+  sent_one one;
+  int complaints = 0;
+  int sent = 0;
+  for (std::int64_t now = tick; now < 60 * s; now += tick) {
+    one.driver.on_settled({one.driver.last_number(), command_verdict::accepted});
     const auto step = one.driver.drive(sees(mode_kind::mission, now), now);
-    EXPECT_FALSE(step.send);
-    EXPECT_FALSE(step.disobeyed && complained) << "said once";
-    complained = complained || step.disobeyed;
+    complaints += step.disobeyed ? 1 : 0;
+    sent += step.send ? 1 : 0;
+    EXPECT_FALSE(step.fails_first);
   }
-  EXPECT_TRUE(complained) << "it was accepted and not done";
+  EXPECT_EQ(complaints, 1);
+  EXPECT_NEAR(sent, 19, 1);
+}
+
+TEST(reaction_driver, that_it_was_not_obeyed_is_believed_of_a_later_heartbeat_only) {
+  sent_one one;
+  one.driver.on_settled({one.number, command_verdict::accepted});
+  for (std::int64_t now = tick; now < 10 * s; now += tick)
+    EXPECT_FALSE(one.driver.drive(sees(mode_kind::mission, tick), now).send);
+}
+
+TEST(reaction_driver, a_command_of_ours_that_led_out_of_what_was_done_is_answered_with_the_same_again) {
+  sent_one one;
+  (void)one.driver.drive(sees(mode_kind::returning, tick), tick);
+  const auto step = one.driver.drive(sees(mode_kind::mission, s), s);
+  EXPECT_TRUE(step.was_left);
+  EXPECT_FALSE(step.fails_first);
+  EXPECT_EQ(step.send.value().what, action::return_home);
+}
+
+TEST(reaction_driver, a_pilot_who_led_out_of_what_was_done_is_left_alone) {
+  sent_one one;
+  (void)one.driver.drive(sees(mode_kind::returning, tick), tick);
+  auto look = sees(mode_kind::manual, s);
+  look.is_ours = false;
+  EXPECT_FALSE(one.driver.drive(look, s).send);
+  EXPECT_EQ(one.driver.current()->phase, reaction_phase::done);
 }
 
 TEST(reaction_driver, the_mode_that_shows_it_is_as_good_as_an_answer) {
@@ -181,11 +221,11 @@ TEST(reaction_driver, after_a_restart_what_was_in_flight_is_waited_for) {
   EXPECT_GT(again.send.value().number, one.number) << "numbers go on rising";
 }
 
-TEST(reaction_driver, after_a_restart_what_was_accepted_or_done_is_not_sent_again) {
+TEST(reaction_driver, after_a_restart_what_was_accepted_or_done_and_shows_is_not_sent_again) {
   for (const auto phase : {reaction_phase::accepted, reaction_phase::done}) {
     reaction_driver restored(reaction{rule::fence, action::return_home, phase, 1}, 1, 0);
     for (std::int64_t now = tick; now < 20 * s; now += tick)
-      EXPECT_FALSE(restored.drive(sees(mode_kind::mission, now), now).send);
+      EXPECT_FALSE(restored.drive(sees(mode_kind::returning, now), now).send);
   }
 }
 
@@ -193,7 +233,7 @@ TEST(reaction_driver, without_a_reaction_nothing_happens) {
   reaction_driver driver({}, 0, 0);
   driver.on_settled({0, command_verdict::refused});
   EXPECT_FALSE(driver.drive(sees(mode_kind::mission), 0).send);
-  EXPECT_FALSE(driver.is_failing());
+  EXPECT_FALSE(driver.current());
 }
 
 } // namespace

@@ -14,7 +14,7 @@
 #include "actors/mapobjects_store/orphans.hpp"
 #include "actors/mapobjects_store/pass_review.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
-#include "actors/mapobjects_store/uuid.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
@@ -103,7 +103,7 @@ struct model {
       for (const auto& [key, each] : observations)
         seen = seen || (each.what.object_id == id && each.what.kind != observation_kind::removed_candidate &&
                         each.what.at_ns >= pass.started_ns && !orphans.contains(key));
-      const auto missing = derived_uuid(pass.id, id);
+      const auto missing = ids::derived_uuid(pass.id, id);
       if (!seen && !observations.contains(missing))
         add({missing, pass.mission_id, id, observation_kind::removed_candidate, "vehicle", at, pass.ended_ns,
              pass.confidence});

@@ -145,21 +145,26 @@ TEST_P(advance_any, a_complete_without_a_reached_is_inferred) {
 }
 
 TEST_P(advance_any, complete_is_reported_once) {
-  d.fly({"A"});
+  d.fly({"A", "B"});
   d.reached(0);
-  d.reached(0);
-  d.current(0, mission_state::complete);
+  d.current(1);
+  d.reached(1);
+  d.reached(1);
+  d.current(1, mission_state::complete);
   d.crash();
   d.wait_s(2);
-  d.current(0, mission_state::complete);
-  d.reached(0);
-  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1", "complete g1"}));
-  d.start_at(0);
+  d.current(1, mission_state::complete);
+  d.reached(1);
+  EXPECT_EQ(d.said(),
+            (texts{"started A#0 g1", "reached A#0 g1", "started B#1 g1", "reached B#1 g1", "complete g1"}));
+  d.start_at(0); // flown again: that is progress, and the mission is complete already
   d.started();
   d.current(0);
   d.wait_s(3);
-  d.reached(0); // flown again: that is progress, and the mission is complete already
-  EXPECT_EQ(d.said(), (texts{"started A#0 g2", "reached A#0 g2"}));
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g2", "reached A#0 g2", "started B#1 g2", "reached B#1 g2"}));
   EXPECT_EQ(d.news_told().back(), "plan_done g2");
 }
 

@@ -120,6 +120,21 @@ TEST(cut_over, a_plan_with_the_same_content_keeps_its_id_and_counts_from_its_sta
   EXPECT_EQ(d.said(), (texts{"skipped A#0 g3", "started B#1 g3"}));
 }
 
+TEST(cut_over, a_reached_that_is_repeated_over_a_plan_with_the_same_content_counts_nothing) {
+  desk d;
+  d.fly({"A"});
+  d.reached(0);
+  d.said();
+  d.intend(map_of(px4, {"A"}), 2);
+  d.take(upload_ended{upload_verdict::accepted, d.plan_id, {}});
+  for (int i = 0; i < 8; ++i) {
+    d.current(0, mission_state::complete);
+    d.reached(0);
+    d.wait_s(1);
+  }
+  EXPECT_EQ(d.said(), texts{});
+}
+
 TEST(cut_over, plan_id_0_is_none) {
   desk d;
   d.intend(map_of(px4, {"A"}));

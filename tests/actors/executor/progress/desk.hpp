@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +28,13 @@ struct flavour {
   std::string name;
   std::uint16_t first_sequence = 0;
   bool has_ids = false;
+  bool goes_on = false; // with a new plan, by itself; and it repeats MISSION_ITEM_REACHED
+  friend std::ostream& operator<<(std::ostream& out, const flavour& which) { return out << which.name; }
 };
 
-inline const flavour px4{"px4", 0, true};
-inline const flavour ardupilot{"ardupilot", 1, false};
+inline const flavour px4{"px4", 0, true, true};
+inline const flavour ardupilot{"ardupilot", 1, false, false};
+inline const flavour rover{"rover", 0, true, false}; // that keeps to the text of MAVLink
 
 // Of the items IDS, one movement each, the first of them at INDEX of the mission.
 [[nodiscard]] plan_map map_of(const flavour& vehicle, const texts& ids, std::uint32_t index = 0,

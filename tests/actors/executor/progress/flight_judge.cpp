@@ -5,10 +5,41 @@
 namespace godwit::executor::progress::test {
 
 void flight_judge::open(std::uint32_t number, std::size_t plan, std::size_t run, std::uint16_t start_sequence) {
+  end_generation();
   auto& opened = generations_[number];
   opened.plan = plan;
   opened.run = run;
   opened.start_position = *position_at(plans_[plan].map, start_sequence);
+}
+
+void flight_judge::see(std::uint16_t sequence, std::size_t run) {
+  if (generations_.empty())
+    return;
+  auto& newest = generations_.rbegin()->second;
+  if (run >= newest.run)
+    newest.seen_at = std::max(newest.seen_at, sequence);
+}
+
+void flight_judge::end_generation() {
+  if (generations_.empty())
+    return;
+  const auto& ended = generations_.rbegin()->second;
+  const auto& items = plans_[ended.plan].map.items;
+  for (auto i = ended.start_position; i < items.size(); ++i)
+    fail_if(items[i].last_nav_sequence && *items[i].last_nav_sequence < ended.seen_at &&
+                vehicle_.has_flown(ended.run, i) && !ended.reached.contains(i),
+            "the vehicle flew an item and was seen behind it, and it is not reported");
+}
+
+void flight_judge::take(const assignment_answered& answer) {
+  const auto& response = answer.response;
+  log_.push_back("answered " + answer.assignment_id + ' ' + std::string(io::name_of(response.outcome)));
+  fail_if(open_assignments_.erase(answer.assignment_id) == 0, "an assignment is answered twice");
+  fail_if(reports_.empty() ? response.last_progress.has_value() : response.last_progress != reports_.back(),
+          "the answer to an assignment does not tell the last report");
+  const bool is_accepted = response.outcome == mission::assignment_outcome::accepted;
+  const auto newest = generations_.empty() ? 0U : generations_.rbegin()->first;
+  fail_if(response.generation != newest + (is_accepted ? 1U : 0U), "an answer tells a wrong generation");
 }
 
 void flight_judge::take(const mission::progress_report& report) {
@@ -17,10 +48,19 @@ void flight_judge::take(const mission::progress_report& report) {
   fail_if(!reports_.empty() && report.generation < reports_.back().generation, "a report of an old generation");
   fail_if(!generations_.empty() && report.generation < generations_.rbegin()->first, "a report behind its cut-over");
   reports_.push_back(report);
-  if (report.kind == mission::progress_kind::complete)
-    fail_if(++completed_[report.revision] > 1, "complete twice");
-  else
+  if (report.item_id)
     take_item(report);
+  else if (report.kind == mission::progress_kind::complete)
+    check_complete(report);
+}
+
+void flight_judge::check_complete(const mission::progress_report& report) {
+  fail_if(++completed_[report.revision] > 1, "complete twice");
+  const auto& seen = generations_.at(report.generation);
+  const auto& map = plans_[seen.plan].map;
+  fail_if(!map.ends_mission, "complete, and a further plan follows");
+  for (auto i = seen.last_position ? *seen.last_position + 1 : 0U; i < map.items.size(); ++i)
+    fail_if(map.items[i].sequence_count > 0, "complete in front of an item");
 }
 
 void flight_judge::take_item(const mission::progress_report& report) {
@@ -46,7 +86,9 @@ void flight_judge::check_order(const mission::progress_report& report, std::uint
     fail_if(seen.last_position && position <= *seen.last_position, "started when it was done");
     return;
   }
-  fail_if(report.kind == mission::progress_kind::reached && !vehicle_.has_flown(seen.run, position),
+  // A REACHED does not say of which plan, so that one of a foreign plan passes for ours until that plan is told.
+  fail_if(report.kind == mission::progress_kind::reached && !vehicle_.has_flown(seen.run, position) &&
+              !vehicle_.has_had_foreign_plan(seen.run),
           "reached, and it was not flown");
   // Items without vehicle items are told once for a plan, and may be missing in a later generation of it.
   const auto& items = plans_[seen.plan].map.items;
@@ -55,6 +97,8 @@ void flight_judge::check_order(const mission::progress_report& report, std::uint
     ++next;
   fail_if(position != next, "an item is missing, or comes twice");
   seen.last_position = position;
+  if (report.kind == mission::progress_kind::reached)
+    seen.reached.insert(position);
 }
 
 void flight_judge::fail_if(bool is_wrong, std::string_view what) {

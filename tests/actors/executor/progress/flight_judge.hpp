@@ -1,8 +1,9 @@
 // Compares each report with what the vehicle has really flown, and with the reports before it.
 //
 // Numbers without a gap; no generation before the newest; within a generation an index that never goes back and no item
-// missing or twice; nothing reached that was not flown in that generation; `complete` once for each revision. Thread:
-// one owner.
+// missing or twice; nothing reached that was not flown in that generation; reached what the vehicle was seen to have
+// left; `complete` once for each revision, and behind the last item; each assignment answered once, with the report
+// before. Thread: one owner.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,14 @@ public:
   [[nodiscard]] bool is_open(std::uint32_t number) const { return generations_.contains(number); }
   [[nodiscard]] std::size_t plan_of(std::uint32_t number) const { return generations_.at(number).plan; }
 
+  // The vehicle was seen there in its run RUN while it counted.
+  void see(std::uint16_t sequence, std::size_t run);
+  void end_generation();
+
   void take(const mission::progress_report& report);
+  void expect_answer(const std::string& assignment) { open_assignments_.insert(assignment); }
+  void take(const assignment_answered& answer);
+  [[nodiscard]] bool is_everything_answered() const { return open_assignments_.empty(); }
   void note(std::string line) { log_.push_back(std::move(line)); }
   void fail_if(bool is_wrong, std::string_view what);
 
@@ -46,8 +54,11 @@ private:
     std::uint32_t start_position = 0;
     std::optional<std::uint32_t> last_position; // reached or skipped
     std::optional<std::uint32_t> last_index;
+    std::set<std::uint32_t> reached; // positions
+    std::uint16_t seen_at = 0;
   };
 
+  void check_complete(const mission::progress_report& report);
   void take_item(const mission::progress_report& report);
   void check_order(const mission::progress_report& report, std::uint32_t position);
 
@@ -56,6 +67,7 @@ private:
   std::map<std::uint32_t, generation_seen> generations_;
   std::map<std::int32_t, int> completed_;
   std::set<std::string> settled_;
+  std::set<std::string> open_assignments_;
   std::vector<mission::progress_report> reports_;
   std::vector<std::string> log_;
   std::string violation_;

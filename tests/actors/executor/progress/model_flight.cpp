@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "actors/executor/progress/patience.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
 
@@ -15,6 +16,11 @@ constexpr const char* mission_id = "m";
 
 std::optional<std::uint32_t> id_of(const model_plan* plan) {
   return plan != nullptr && plan->id != 0 ? std::optional(plan->id) : std::nullopt;
+}
+
+std::string text_of(const event& happened) {
+  return std::visit([]<class T>(const T& each) { return std::string(T::fields.type_name) + ' ' + io::to_json(each); },
+                    happened);
 }
 
 } // namespace
@@ -30,6 +36,7 @@ model_flight::model_flight(std::uint64_t seed, const flavour& which)
 void model_flight::play() {
   const auto one_in = [&] { return draw_.one_in(3) ? 0 : draw_.between(2, 10); };
   vehicle_.set_faults({one_in(), one_in(), one_in()});
+  is_calm_ = false;
   for (int i = 0; i < chaos_turns && violation().empty(); ++i)
     turn_of_chaos();
   finish_calmly();
@@ -42,10 +49,13 @@ void model_flight::play_calmly() {
 
 void model_flight::finish_calmly() {
   vehicle_.set_faults({});
+  is_calm_ = true;
   for (int i = 0; i < max_calm_turns && !is_done() && violation().empty(); ++i) {
     turn(100, 700);
     act_as_needed();
   }
+  for (int i = 0; i < patient_turns; ++i)
+    turn(500, 700);
   check_end();
 }
 
@@ -55,15 +65,13 @@ void model_flight::turn(int ms_from, int ms_to) {
   now_ns_ += draw_.between(ms_from, ms_to) * ms;
   vehicle_.tick(now_ns_);
   for (const auto& each : vehicle_.take_due())
-    take(each);
+    hear(each);
   idle_turns_ = vehicle_.is_active() ? 0 : idle_turns_ + 1;
 }
 
 void model_flight::turn_of_chaos() {
   turn(50, 900);
-  if (draw_.one_in(40))
-    crash();
-  else if (draw_.one_in(3))
+  if (draw_.one_in(3))
     act_as_needed();
   else if (draw_.one_in(6))
     act_at_random();
@@ -79,7 +87,7 @@ void model_flight::act_as_needed() {
   } else if (start_ != start_phase::none) {
     go_on_with_start();
   } else if (needs_upload()) {
-    intend_upload(false);
+    intend_new_plan(false);
   } else if (needs_start()) {
     intend_start(*first_to_fly());
   }
@@ -87,13 +95,20 @@ void model_flight::act_as_needed() {
 
 void model_flight::act_at_random() {
   const bool is_free = upload_ == upload_phase::none && start_ == start_phase::none && questions_.empty();
-  switch (draw_.between(0, 7)) {
+  switch (draw_.between(0, 12)) {
   case 0:
     return let_foreign_hand_upload();
   case 1:
     return restart_vehicle();
   case 2:
+    return take(mission_aborted{});
   case 3:
+    if (is_free && s_.plan)
+      intend_same_plan();
+    return;
+  case 4:
+  case 5:
+  case 6:
     if (is_free && s_.plan && s_.paused != pause_reason::foreign_plan) {
       const auto position =
           static_cast<std::uint32_t>(draw_.between(0, static_cast<int>(s_.plan->map.items.size()) - 1));
@@ -103,13 +118,15 @@ void model_flight::act_at_random() {
     return;
   default:
     if (is_free)
-      intend_upload(true);
+      intend_new_plan(true);
   }
 }
 
 bool model_flight::needs_upload() const {
-  return !s_.plan || s_.paused == pause_reason::foreign_plan ||
-         (s_.plan->generation.is_finished && !s_.plan->map.ends_mission);
+  if (!s_.plan || s_.paused == pause_reason::foreign_plan)
+    return true;
+  const bool is_all_done = s_.plan->generation.is_finished || (idle_turns_ > patient_turns && !first_to_fly());
+  return is_all_done && !s_.plan->map.ends_mission;
 }
 
 bool model_flight::needs_start() const {
@@ -168,8 +185,8 @@ plan_map model_flight::map_from(std::size_t first) {
   return map;
 }
 
-void model_flight::intend_upload(bool is_new_revision) {
-  auto first = first_undone();
+void model_flight::intend_new_plan(bool is_new_revision) {
+  const auto first = first_undone();
   items_before_ = items_;
   upload_revision_ = revision_;
   if (is_new_revision || first >= items_.size()) {
@@ -180,13 +197,36 @@ void model_flight::intend_upload(bool is_new_revision) {
     for (int i = 0; i < more; ++i)
       items_.push_back(new_item(i + 1 == more));
   }
-  plans_.push_back({map_from(first), kind_.has_ids ? ++next_id_ : 0, upload_revision_});
+  intend_upload(map_from(first));
+}
+
+// An assignment that changes nothing: the vehicle is to fly the plan from its beginning.
+void model_flight::intend_same_plan() {
+  items_before_ = items_;
+  upload_revision_ = revision_ + 1;
+  intend_upload(s_.plan->map);
+}
+
+void model_flight::intend_upload(plan_map map) {
+  const auto id = kind_.has_ids ? id_of_content(map) : 0;
+  plans_.push_back({std::move(map), id, upload_revision_});
   if (!kind_.has_ids)
     vehicle_.hold();
   upload_ = upload_phase::intended;
   judge_.note("upload intended, revision " + std::to_string(upload_revision_));
-  take(upload_intended{upload_revision_, plans_.back().map, id_of(vehicle_.plan()),
-                       assignment_key{"a" + std::to_string(plans_.size()), "k"}});
+  const assignment_key key{"a" + std::to_string(plans_.size()), "k"};
+  take(upload_intended{upload_revision_, plans_.back().map, id_of(vehicle_.plan()), key});
+  if (s_.upload)
+    judge_.expect_answer(key.assignment_id);
+  else
+    end_upload();
+}
+
+std::uint32_t model_flight::id_of_content(const plan_map& map) {
+  for (const auto& each : plans_)
+    if (!each.is_foreign && each.map.items == map.items)
+      return each.id;
+  return ++next_id_;
 }
 
 void model_flight::go_on_with_upload() {
@@ -196,7 +236,11 @@ void model_flight::go_on_with_upload() {
     end_upload();
   } else if (upload_ == upload_phase::intended) {
     upload_ = upload_phase::switched;
-    vehicle_.load(plans_.back(), plans_.size() - 1);
+    const auto& plan = plans_.back();
+    if (id_of(vehicle_.plan()) == plan.id && (kind_.goes_on || vehicle_.is_active()))
+      vehicle_.keep(plan, plans_.size() - 1);
+    else
+      vehicle_.load(plan, plans_.size() - 1);
     upload_run_ = vehicle_.run();
   } else if (upload_ == upload_phase::switched && draw_.one_in(6)) { // the acknowledgement was lost
     upload_ = upload_phase::looked_at;
@@ -231,9 +275,7 @@ void model_flight::answer(const effect& question) {
                                     : read_back_match::other});
     end_upload();
   } else if (std::holds_alternative<settle_start>(question) && s_.start) {
-    const bool is_executed = start_ == start_phase::executed;
-    start_ = start_phase::none;
-    take(start_ended{is_executed});
+    end_start();
   }
 }
 
@@ -242,19 +284,27 @@ void model_flight::intend_start(std::uint32_t position) {
   start_ = start_phase::intended;
   is_start_refused_ = draw_.one_in(10);
   take(start_intended{sequence});
+  if (!s_.start)
+    start_ = start_phase::none;
 }
 
 void model_flight::go_on_with_start() {
   if (start_ == start_phase::intended && !is_start_refused_ && vehicle_.plan() != nullptr &&
       has_sequence(vehicle_.plan()->map, s_.start->sequence)) {
     start_ = start_phase::executed;
+    if (draw_.one_in(2))
+      vehicle_.hold();
     vehicle_.jump(s_.start->sequence);
     start_run_ = vehicle_.run();
     return;
   }
-  const bool is_executed = start_ == start_phase::executed;
-  start_ = start_phase::none;
-  take(start_ended{is_executed});
+  end_start();
+}
+
+void model_flight::end_start() {
+  take(start_ended{start_ == start_phase::executed});
+  if (!s_.start)
+    start_ = start_phase::none;
 }
 
 // What is in the mailbox is lost, the state is read from the disk, an upload that has not ended is dead.
@@ -277,6 +327,7 @@ void model_flight::let_foreign_hand_upload() {
   judge_.note("foreign hand");
   model_plan foreign{*vehicle_.plan()};
   foreign.id = kind_.has_ids ? ++next_id_ : 0;
+  foreign.is_foreign = true;
   foreign.map.items.push_back({"foreign", 999, end_sequence(foreign.map), 20, end_sequence(foreign.map),
                                static_cast<std::uint16_t>(end_sequence(foreign.map) + 19)});
   foreign.map.total = static_cast<std::uint16_t>(foreign.map.total + 20);
@@ -293,17 +344,58 @@ void model_flight::restart_vehicle() {
 
 // -- what it says -------------------------------------------------------------------------------------
 
+// Where what the vehicle says counts, the judge knows it too.
+void model_flight::hear(const heard& message) {
+  const bool is_free = !s_.upload && !s_.start;
+  take(message.what);
+  const auto* current = std::get_if<current_told>(&message.what);
+  if (current == nullptr || !message.is_true || !is_free || !s_.plan || !s_.plan->generation.is_armed)
+    return;
+  if (is_over(s_.plan->generation.opened_at_ns, now_ns_, settling_ns))
+    judge_.see(current->message.seq, message.run);
+}
+
 void model_flight::take(const event& happened) {
   ++events_;
+  if (notes_events_)
+    judge_.note(std::to_string(now_ns_ / ms % 1'000'000) + " ms " + text_of(happened));
+  if (!is_calm_ && draw_.one_in(one_event_in_crashes))
+    return take_and_crash(happened);
   if (draw_.one_in(4) && !matters(s_, happened, now_ns_))
     return;
-  for (const auto& each : handle(s_, happened, now_ns_)) {
-    if (const auto* report = std::get_if<mission::progress_report>(&each))
-      check(*report);
-    else if (const auto* what = std::get_if<news>(&each))
-      hear(*what);
-    else if (!std::holds_alternative<assignment_answered>(each))
+  let_out(handle(s_, happened, now_ns_));
+}
+
+void model_flight::take_and_crash(const event& happened) {
+  switch (draw_.between(0, 2)) {
+  case 0: // the process dies before the event is handled, and the event with it
+    return crash();
+  case 1: { // the actor dies while it handles the event, which is put back
+    auto unwritten = s_;
+    static_cast<void>(handle(unwritten, happened, now_ns_));
+    crash();
+    return let_out(handle(s_, happened, now_ns_));
+  }
+  default: { // the process dies when the new state and its effects are written, and lets them out when it is back
+    const auto written = handle(s_, happened, now_ns_);
+    crash();
+    let_out(written);
+  }
+  }
+}
+
+void model_flight::let_out(const effects& all) {
+  for (const auto& each : all) {
+    if (const auto* report = std::get_if<mission::progress_report>(&each)) {
+      open_generation(report->generation);
+      judge_.take(*report);
+    } else if (const auto* what = std::get_if<news>(&each)) {
+      note(*what);
+    } else if (const auto* answer = std::get_if<assignment_answered>(&each)) {
+      judge_.take(*answer);
+    } else {
       questions_.push_back(each);
+    }
   }
 }
 
@@ -316,7 +408,7 @@ void model_flight::open_generation(std::uint32_t number) {
               s_.plan->generation.start_sequence);
 }
 
-void model_flight::hear(const news& what) {
+void model_flight::note(const news& what) {
   open_generation(what.generation);
   if (what.kind == news_kind::generation_opened)
     is_not_at_start_ = false;
@@ -325,15 +417,12 @@ void model_flight::hear(const news& what) {
   judge_.note(std::string(io::name_of(what.kind)) + " g" + std::to_string(what.generation));
 }
 
-void model_flight::check(const mission::progress_report& report) {
-  open_generation(report.generation);
-  judge_.take(report);
-}
-
 void model_flight::check_end() {
   if (!violation().empty())
     return;
+  judge_.end_generation();
   judge_.fail_if(!is_done(), "the mission is never complete");
+  judge_.fail_if(!judge_.is_everything_answered(), "an assignment is never answered");
   for (const auto& each : items_)
     judge_.fail_if(!judge_.is_settled(each.id), each.id + " was neither reached nor skipped");
 }

@@ -1,6 +1,6 @@
-// A whole flight from one number: a mission, a model vehicle, an executor that uploads, starts, is assigned new items,
-// crashes and settles, foreign hands, restarts of the vehicle; then calm, until the mission is complete. Each report is
-// compared with what the vehicle has really flown.
+// A whole flight from one number: a mission, a model vehicle, an executor that uploads, starts, aborts, is assigned new
+// items, crashes at any event and settles what was under way, foreign hands, restarts of the vehicle; then calm, until
+// the mission is complete. Each report is compared with what the vehicle has really flown.
 //
 //   model_flight flight(seed, px4);
 //   flight.play();
@@ -23,6 +23,8 @@ class model_flight {
 public:
   model_flight(std::uint64_t seed, const flavour& which);
 
+  // Before it is played: the log has each event too.
+  void note_events() { notes_events_ = true; }
   void play();
   // Without faults and changes: each REACHED comes.
   void play_calmly();
@@ -34,7 +36,8 @@ public:
   // ITEM is one that moves the vehicle.
   [[nodiscard]] bool moves(const std::string& item) const;
 
-  static constexpr int chaos_turns = 30;
+  static constexpr int chaos_turns = 80;
+  static constexpr int one_event_in_crashes = 40;
   static constexpr int max_calm_turns = 400;
   static constexpr int patient_turns = 5; // a message that is under way has come by then
 
@@ -53,11 +56,14 @@ private:
   void finish_calmly();
   void act_as_needed();
   void act_at_random();
-  void intend_upload(bool is_new_revision);
+  void intend_new_plan(bool is_new_revision);
+  void intend_same_plan();
+  void intend_upload(plan_map map);
   void go_on_with_upload();
   void end_upload();
   void intend_start(std::uint32_t position);
   void go_on_with_start();
+  void end_start();
   void crash();
   void let_foreign_hand_upload();
   void restart_vehicle();
@@ -69,12 +75,15 @@ private:
   [[nodiscard]] std::optional<std::uint32_t> first_to_fly() const; // in the plan
   [[nodiscard]] model_item new_item(bool must_move);
   [[nodiscard]] plan_map map_from(std::size_t first);
+  [[nodiscard]] std::uint32_t id_of_content(const plan_map& map);
 
   // -- what it says -----------------------------------------------------------------------------------
+  void hear(const heard& message);
   void take(const event& happened);
-  void check(const mission::progress_report& report);
+  void take_and_crash(const event& happened);
+  void let_out(const effects& all);
   void check_end();
-  void hear(const news& what);
+  void note(const news& what);
   void open_generation(std::uint32_t number);
 
   flavour kind_;
@@ -100,7 +109,9 @@ private:
   bool is_not_at_start_ = false;
   int idle_turns_ = 0; // in a row, of the vehicle
 
+  bool is_calm_ = true;
   std::uint64_t events_ = 0;
+  bool notes_events_ = false;
 };
 
 } // namespace godwit::executor::progress::test

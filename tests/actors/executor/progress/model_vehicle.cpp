@@ -12,19 +12,19 @@ void model_vehicle::tick(std::int64_t now_ns) {
     reach();
   if (now_ns_ >= next_current_ns_)
     say_current();
-  if (kind_.has_ids && last_reached_ && now_ns_ >= next_repetition_ns_) {
+  if (kind_.goes_on && last_reached_ && now_ns_ >= next_repetition_ns_) {
     send(reached_told{*last_reached_});
     next_repetition_ns_ = now_ns_ + 1000 * ms;
   }
 }
 
-std::vector<event> model_vehicle::take_due() {
+std::vector<heard> model_vehicle::take_due() {
   const auto later =
       std::stable_partition(line_.begin(), line_.end(), [&](const under_way& each) { return each.due_ns <= now_ns_; });
   std::stable_sort(line_.begin(), later, [](const auto& a, const auto& b) { return a.due_ns < b.due_ns; });
-  std::vector<event> result;
+  std::vector<heard> result;
   for (auto each = line_.begin(); each != later; ++each)
-    result.push_back(std::move(each->what));
+    result.push_back(std::move(each->message));
   line_.erase(line_.begin(), later);
   return result;
 }
@@ -36,14 +36,19 @@ void model_vehicle::load(const model_plan& plan, std::size_t number) {
   const bool had_plan = plan_.has_value();
   plan_ = plan;
   sequence_ = plan.map.start_sequence;
-  is_active_ = was_flying && kind_.has_ids;
+  is_active_ = was_flying && kind_.goes_on;
   is_complete_ = false;
   last_reached_.reset();
   begin_run(number);
-  if (had_plan && kind_.has_ids)
+  if (had_plan && kind_.goes_on)
     tell_old_news(before, reached_before);
   if (!says_still_)
     say_current();
+}
+
+void model_vehicle::keep(const model_plan& plan, std::size_t number) {
+  plan_ = plan;
+  runs_.push_back({number, std::vector<bool>(plan.map.items.size()), plan.is_foreign, true});
 }
 
 void model_vehicle::tell_old_news(const mission_current& before, std::optional<std::uint16_t> reached_before) {
@@ -71,8 +76,18 @@ void model_vehicle::tell_old_news(const mission_current& before, std::optional<s
   }
 }
 
+void model_vehicle::hold() {
+  is_held_ = true;
+  is_active_ = false;
+  last_reached_.reset();
+}
+
 void model_vehicle::jump(std::uint16_t sequence) {
+  if (kind_.goes_on && is_complete_ && !is_held_ && sequence == sequence_)
+    return say_current();
   sequence_ = sequence;
+  last_reached_.reset();
+  is_held_ = false;
   is_active_ = true;
   is_complete_ = false;
   begin_run(runs_.back().plan);
@@ -81,9 +96,8 @@ void model_vehicle::jump(std::uint16_t sequence) {
 
 void model_vehicle::reboot() {
   line_.clear();
-  is_active_ = false;
+  hold();
   is_complete_ = false;
-  last_reached_.reset();
   says_still_.reset();
   if (!plan_)
     return;
@@ -92,10 +106,18 @@ void model_vehicle::reboot() {
 }
 
 bool model_vehicle::has_flown(std::size_t since_run, std::uint32_t position) const {
-  for (auto i = since_run; i < runs_.size() && runs_[i].plan == runs_[since_run].plan; ++i)
+  for (auto i = since_run; i < runs_.size(); ++i) {
+    if (i > since_run && runs_[i].plan != runs_[i - 1].plan && !runs_[i].is_same_content)
+      return false;
     if (position < runs_[i].was_flown.size() && runs_[i].was_flown[position])
       return true;
+  }
   return false;
+}
+
+bool model_vehicle::has_had_foreign_plan(std::size_t since_run) const {
+  return std::any_of(runs_.begin() + static_cast<std::ptrdiff_t>(since_run), runs_.end(),
+                     [](const model_run& each) { return each.is_foreign; });
 }
 
 bool model_vehicle::moves(std::uint16_t sequence) const {
@@ -115,7 +137,7 @@ mission_current model_vehicle::now_says() const {
 }
 
 void model_vehicle::begin_run(std::size_t plan) {
-  runs_.push_back({plan, std::vector<bool>(plan_->map.items.size())});
+  runs_.push_back({plan, std::vector<bool>(plan_->map.items.size()), plan_->is_foreign});
   if (is_active_)
     pass_commands();
   reaches_at_ns_ =
@@ -147,7 +169,7 @@ void model_vehicle::reach() {
   mark(sequence_);
   last_reached_ = sequence_;
   next_repetition_ns_ = now_ns_ + 1000 * ms;
-  const bool is_behind = kind_.has_ids && draw_.one_in(2);
+  const bool is_behind = kind_.goes_on && draw_.one_in(2);
   send(reached_told{sequence_}, is_behind ? draw_.between(1, 650) : 0);
   if (sequence_ + 1 == end_sequence(plan_->map)) {
     is_active_ = false;
@@ -163,19 +185,20 @@ void model_vehicle::reach() {
 void model_vehicle::say_current() {
   if (says_still_ && now_ns_ >= says_until_ns_)
     says_still_.reset();
-  send(current_told{says_still_ ? *says_still_ : now_says()});
+  send(current_told{says_still_ ? *says_still_ : now_says()}, 0, !says_still_);
   next_current_ns_ = now_ns_ + 1000 * ms;
 }
 
-void model_vehicle::send(const event& what, int delay_ms) {
+void model_vehicle::send(const event& what, int delay_ms, bool is_true) {
+  const heard message{what, run(), is_true};
   const auto happens = [&](int one_in) { return one_in > 0 && draw_.one_in(one_in); };
   if (happens(faults_.one_lost_in))
     return;
   if (happens(faults_.one_repeated_in))
-    line_.push_back({now_ns_ + draw_.between(0, max_delay_ms) * ms, what});
+    line_.push_back({now_ns_ + draw_.between(0, max_delay_ms) * ms, message});
   if (happens(faults_.one_late_in))
     delay_ms = draw_.between(0, max_delay_ms);
-  line_.push_back({now_ns_ + delay_ms * ms, what});
+  line_.push_back({now_ns_ + delay_ms * ms, message});
 }
 
 } // namespace godwit::executor::progress::test

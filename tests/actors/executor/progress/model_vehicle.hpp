@@ -1,9 +1,10 @@
 // A vehicle that flies plans item by item, and a line to it that loses, repeats and delays what it says. It knows what
 // it has really flown.
 //
-// PX4-like: keeps plan ids, goes on with a new plan by itself, repeats MISSION_ITEM_REACHED, sends it before or behind
-// the next MISSION_CURRENT, and just after a switch tells old news. ArduPilot-like: item 0 is home, no ids, stops at an
-// upload, says REACHED once. Thread: one owner.
+// PX4-like: goes on with a new plan by itself, repeats MISSION_ITEM_REACHED, sends it before or behind the next
+// MISSION_CURRENT, and just after a switch tells old news; a set-current to the item where it has completed the mission
+// changes nothing for it, unless it was held. The others stop at an upload and say REACHED once. A plan with the content
+// that they have changes nothing for a PX4, and for another one that flies it and keeps ids. Thread: one owner.
 #pragma once
 
 #include <cstdint>
@@ -30,12 +31,22 @@ struct model_plan {
   plan_map map;
   std::uint32_t id = 0; // 0: none
   std::int32_t revision = 1;
+  bool is_foreign = false; // uploaded by somebody else
 };
 
 // What it flew from one switch, jump or restart to the next.
 struct model_run {
   std::size_t plan = 0;        // its place in the list of plans
   std::vector<bool> was_flown; // for each item of the map
+  bool is_foreign = false;
+  bool is_same_content = false; // as in the run before
+};
+
+// What came over the line.
+struct heard {
+  event what;
+  std::size_t run = 0;  // in which it was said
+  bool is_true = false; // as it is, and no old news
 };
 
 class model_vehicle {
@@ -46,11 +57,13 @@ public:
   void set_longest_leg_ms(int longest) { longest_leg_ms_ = longest; }
   void tick(std::int64_t now_ns);
   // What has come over the line by now.
-  std::vector<event> take_due();
+  std::vector<heard> take_due();
   void cut_line() { line_.clear(); }
 
-  void hold() { is_active_ = false; }
+  void hold();
   void load(const model_plan& plan, std::size_t number);
+  // The same content again.
+  void keep(const model_plan& plan, std::size_t number);
   void jump(std::uint16_t sequence);
   void reboot();
 
@@ -58,13 +71,15 @@ public:
   [[nodiscard]] const model_plan* plan() const { return plan_ ? &*plan_ : nullptr; }
   [[nodiscard]] std::uint16_t sequence() const { return sequence_; }
   [[nodiscard]] std::size_t run() const { return runs_.size() - 1; } // the newest
-  // In that run or a later one of the same plan.
+  // In that run or a later one of the same plan or the same content.
   [[nodiscard]] bool has_flown(std::size_t since_run, std::uint32_t position) const;
+  // In a later run than that.
+  [[nodiscard]] bool has_had_foreign_plan(std::size_t since_run) const;
 
 private:
   struct under_way {
     std::int64_t due_ns = 0;
-    event what;
+    heard message;
   };
 
   [[nodiscard]] bool moves(std::uint16_t sequence) const;
@@ -75,7 +90,7 @@ private:
   void reach();
   void tell_old_news(const mission_current& before, std::optional<std::uint16_t> reached_before);
   void say_current();
-  void send(const event& what, int delay_ms = 0);
+  void send(const event& what, int delay_ms = 0, bool is_true = false);
 
   flavour kind_;
   tests::dice& draw_;
@@ -86,6 +101,7 @@ private:
   std::uint16_t sequence_ = 0;
   bool is_active_ = false;
   bool is_complete_ = false;
+  bool is_held_ = true;
   std::optional<std::uint16_t> last_reached_;
   std::int64_t reaches_at_ns_ = 0;
   std::int64_t next_current_ns_ = 0;

@@ -20,10 +20,10 @@ protected:
     d.wait_s(3);
     EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1", "started B#1 g1"}));
   }
-  // As each vehicle needs it: PX4 begins the new plan itself, ArduPilot is held and sent to its first item.
+  // As each vehicle needs it: PX4 begins the new plan itself, the others are sent to its first item.
   void replace_b_by_z() {
     d.upload(map_of(d.vehicle, {"Z"}, 1), 2, key);
-    if (d.vehicle.has_ids) {
+    if (d.vehicle.goes_on) {
       d.current(0);
       return;
     }
@@ -123,7 +123,7 @@ TEST_P(assignment_in_flight, a_crash_after_each_event_changes_nothing) {
   EXPECT_EQ(text_of(calm.reports.back()), "complete g2");
 }
 
-INSTANTIATE_TEST_SUITE_P(on, assignment_in_flight, testing::Values(px4, ardupilot),
+INSTANTIATE_TEST_SUITE_P(on, assignment_in_flight, testing::Values(px4, ardupilot, rover),
                          [](const auto& which) { return which.param.name; });
 
 } // namespace

@@ -122,6 +122,71 @@ TEST_P(start_any, the_old_sequence_behind_a_start_counts_nothing) {
   EXPECT_EQ(d.s.plan->generation.current, d.sequence(0));
 }
 
+TEST(start, a_reached_that_is_only_repeated_behind_a_start_counts_nothing) {
+  desk d;
+  d.fly({"A", "B"});
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  d.current(1, mission_state::complete);
+  d.said();
+  d.start_at(1); // it is there, and flies nothing
+  d.started();
+  d.current(1, mission_state::complete);
+  for (int i = 0; i < 8; ++i) {
+    d.wait_s(1);
+    d.reached(1);
+    d.current(1, mission_state::complete);
+  }
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST(start, an_item_that_is_flown_again_at_once_is_inferred_because_its_reached_may_be_a_repetition) {
+  desk d;
+  d.fly({"A", "B"});
+  d.reached(0);
+  d.said();
+  d.start_at(0);
+  d.started();
+  d.current(0);
+  d.wait_s(3);
+  d.reached(0);
+  d.current(1);
+  d.wait_s(1);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(),
+            (texts{"started A#0 g2", "reached A#0 g2 inferred", "started B#1 g2", "reached B#1 g2", "complete g2"}));
+}
+
+TEST(start, a_vehicle_without_ids_says_reached_once_and_it_counts_behind_a_start_too) {
+  desk d(ardupilot);
+  d.fly({"A", "B"});
+  d.reached(0);
+  d.said();
+  d.start_at(0);
+  d.started();
+  d.current(0);
+  d.wait_s(3);
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"started A#0 g2", "reached A#0 g2"}));
+}
+
+TEST_P(start_any, where_the_vehicle_is_sent_back_to_commands_it_is_seen_behind_them_and_that_is_held) {
+  auto map = map_of(d.vehicle, {"light", "X"}, 4);
+  map.items[0].first_nav_sequence.reset();
+  map.items[0].last_nav_sequence.reset();
+  d.upload(map, 2);
+  d.current(1);
+  d.wait_s(3);
+  d.said();
+  d.start_at(0); // and is not seen there, because commands take no time
+  d.current(1);
+  d.started();
+  EXPECT_EQ(d.said(), (texts{"reached light#4 g3 inferred", "started X#5 g3"}));
+}
+
 TEST_P(start_any, a_restart_with_a_start_under_way_has_it_settled) {
   d.start_at(2);
   d.questions.clear();

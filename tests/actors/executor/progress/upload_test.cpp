@@ -127,6 +127,20 @@ TEST(upload, after_a_restart_the_old_plan_id_means_that_the_upload_failed_withou
   EXPECT_TRUE(d.is_armed());
 }
 
+TEST(upload, a_plan_with_the_same_content_has_the_old_id_and_is_read_back) {
+  desk d;
+  d.fly({"A", "B"});
+  d.intend(map_of(px4, {"A", "B"}), 2, key);
+  d.crash();
+  d.questions.clear();
+  d.take(vehicle_looked_at{d.plan_id});
+  ASSERT_EQ(d.questions.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<read_plan_back>(d.questions[0]));
+  d.take(plan_read_back{read_back_match::pending});
+  EXPECT_EQ(d.answers.at(0).response.outcome, mission::assignment_outcome::accepted);
+  EXPECT_EQ(d.s.plan->generation.number, 2U);
+}
+
 TEST(upload, a_reached_that_waited_for_its_plan_counts_when_the_upload_failed) {
   desk d;
   d.fly({"A", "B"});

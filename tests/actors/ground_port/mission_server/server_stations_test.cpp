@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/vehicle_link/transfer/meaning.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/transfer_world.hpp"
 
@@ -47,7 +47,7 @@ line_settings any_line(dice& draw) {
   return result;
 }
 
-bool is_plan(const plan_items& held, const plan_items& plan) { return !transfer::first_difference(plan, held, true); }
+bool is_plan(const plan_items& held, const plan_items& plan) { return !mavlink::first_difference(plan, held, true); }
 
 struct kind {
   std::string name;

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "actors/vehicle_link/transfer/meaning.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/transfer_world.hpp"
 
@@ -76,7 +76,7 @@ line_settings any_line(dice& draw) {
 
 bool is_mission(const std::vector<mavlink::mission_item_int>& held,
                 const std::vector<mavlink::mission_item_int>& plan) {
-  return !transfer::first_difference(plan, held, true);
+  return !mavlink::first_difference(plan, held, true);
 }
 
 // What OUTCOME says of an upload of PLAN is what the vehicle went through since it held FIRST missions.

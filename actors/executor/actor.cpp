@@ -1,0 +1,232 @@
+#include "actors/executor/actor.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "actors/executor/remaining.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor {
+namespace {
+
+runtime::health_colour colour_of(const stood& standing) {
+  if (standing.now != phase::paused)
+    return runtime::health_colour::green;
+  return standing.cause == pause_cause::asked ? runtime::health_colour::yellow : runtime::health_colour::red;
+}
+
+} // namespace
+
+template <class M>
+auto actor::hears() {
+  return on<M>([this](const M& message) { then(core_->on_vehicle(message, now())); });
+}
+
+actor::behavior_type actor::handlers() {
+  return {
+      on<mission_client::mission_loaded>(
+          [this](const mission_client::mission_loaded& m) { then(core_->on_mission(m, now())); }),
+      on<mission_client::mission_refused>(
+          [this](const mission_client::mission_refused& m) { then(core_->on_refused(m, now())); }),
+      on<mission_client::map_pulled>([this](const mission_client::map_pulled& m) { then(core_->on_map(m, now())); }),
+      on<mission_client::change_outcome>([](const mission_client::change_outcome&) {}),
+      on<mission_client::assignment_arrived>(
+          [this](const mission_client::assignment_arrived& m) { then(core_->on_assignment(m, now())); }),
+      on<mission_client::mission_deleted>(
+          [this](const mission_client::mission_deleted& m) { then(core_->on_deleted(m, now())); }),
+      on<mission_client::mission_settled>(
+          [this](const mission_client::mission_settled& m) { then(core_->on_delivered(m, now())); }),
+      on<operator_words::word>([this](const operator_words::word& m) {
+        auto answer = core_->on_operator(m, now());
+        tell(me(), next_note{});
+        return answer;
+      }),
+      on<get_flight>([this](const get_flight&) { return describe(); }),
+      on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),
+      on<set_current>([](const set_current&) {
+        return current_answer{current_verdict::not_now, "items can not be chosen in flight yet"};
+      }),
+      on<plan_taken>([this](const plan_taken&) {
+        carry_out(announce{"a plan of a ground station is kept and not flown: missions come from the service", true});
+      }),
+      on<plan_cleared>([](const plan_cleared&) {}),
+      hears<io::mavlink::heartbeat>(),
+      hears<io::mavlink::sys_status>(),
+      hears<io::mavlink::gps_raw_int>(),
+      hears<io::mavlink::global_position_int>(),
+      hears<io::mavlink::home_position>(),
+      hears<io::mavlink::extended_sys_state>(),
+      hears<io::mavlink::mission_current>(),
+      hears<io::mavlink::mission_item_reached>(),
+      hears<vehicle_link::connection_changed>(),
+      hears<vehicle_link::vehicle_restarted>(),
+      on<tick>([this](const tick&) {
+        tell_after(tick_period, me(), tick{});
+        look_at_service();
+        after_turn();
+      }),
+      on<next_note>([this](const next_note&) { after_turn(); })};
+}
+
+void actor::started() {
+  core_.emplace(settings_, current_state());
+  core_->on_house(world_.look_at_house());
+  carry_out(core_->on_start(now()));
+  ask(
+      others_->vehicle, command_patience, vehicle_link::get_connection{},
+      [this](const vehicle_link::connection& m) {
+        then(core_->on_vehicle(vehicle_link::connection_changed{m.phase, m.reason}, now()));
+      },
+      [](const runtime::ask_error&) {}); // its next change is told
+  tell(me(), next_note{});
+  tell_after(tick_period, me(), tick{});
+}
+
+void actor::look_at_service() {
+  if (!others_->client || !core_->wants_service() || is_asking_service_)
+    return;
+  is_asking_service_ = true;
+  ask(
+      *others_->client, command_patience, mission_client::get_service{},
+      [this](const mission_client::service_status& m) {
+        is_asking_service_ = false;
+        core_->on_service(m);
+      },
+      [this](const runtime::ask_error&) { is_asking_service_ = false; });
+}
+
+void actor::then(const effects& wanted) {
+  carry_out(wanted);
+  after_turn();
+}
+
+// What is to be noted comes first, one note in each turn; the core decides when all of it is applied.
+void actor::after_turn() {
+  if (to_commit_.empty()) {
+    core_->on_house(world_.look_at_house());
+    carry_out(core_->advance(now()));
+  }
+  post_health();
+  commit_next();
+}
+
+void actor::commit_next() {
+  if (to_commit_.empty())
+    return;
+  auto next = std::move(to_commit_.front());
+  to_commit_.pop_front();
+  core_->on_committed();
+  tell(me(), next_note{});
+  commit(std::move(next));
+}
+
+// -- effects ----------------------------------------------------------------------------------------
+
+void actor::carry_out(const effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+}
+
+void actor::carry_out(const order& each) {
+  std::visit([&](const auto& what) { send(each.number, what); }, each.what);
+}
+
+template <class Q>
+void actor::command_vehicle(std::uint64_t number, const Q& what) {
+  ask(
+      others_->vehicle, command_patience, what,
+      [this, number](const vehicle_link::command_outcome& outcome) { then(core_->on_command(number, outcome, now())); },
+      [this, number](const runtime::ask_error&) {
+        vehicle_link::command_outcome outcome;
+        outcome.verdict = vehicle_link::command_verdict::timed_out;
+        outcome.reason = "vehicle_link did not answer";
+        then(core_->on_command(number, outcome, now()));
+      });
+}
+
+void actor::send(std::uint64_t number, const vehicle_link::send_command& what) { command_vehicle(number, what); }
+
+void actor::send(std::uint64_t number, const vehicle_link::set_current_item& what) { command_vehicle(number, what); }
+
+template <class Q>
+void actor::transfer_plan(std::uint64_t number, const Q& what) {
+  ask(
+      others_->vehicle, transfer_patience, what,
+      [this, number](const vehicle_link::transfer::outcome& outcome) {
+        then(core_->on_transfer(number, outcome, now()));
+      },
+      [this, number](const runtime::ask_error&) {
+        vehicle_link::transfer::outcome outcome; // timed out; what the vehicle holds is not known
+        outcome.reason = "vehicle_link did not answer";
+        then(core_->on_transfer(number, outcome, now()));
+      });
+}
+
+void actor::carry_out(const give_up_transfer&) { tell(others_->vehicle, vehicle_link::cancel_transfer{}); }
+
+void actor::carry_out(const say_to_client& each) {
+  if (others_->client)
+    std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what);
+}
+
+void actor::let_out(const durable_core::effect& each) {
+  std::visit(
+      [this]<class M>(const M& m) {
+        if constexpr (std::is_same_v<M, mission_client::report_progress> ||
+                      std::is_same_v<M, mission_client::respond_to_assignment>) {
+          if (others_->client)
+            tell(*others_->client, m);
+        } else if constexpr (std::is_same_v<M, start_answer>) {
+          if (others_->port)
+            tell(*others_->port, m);
+        } else if constexpr (std::is_same_v<M, stood>) {
+          world_.on_standing(m);
+        } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {
+          carry_out(announce{"preflight: " + m.sentence, m.now == preflight::phase::failed});
+        } else if constexpr (std::is_same_v<M, preflight::report_opened>) {
+          carry_out(announce{"preflight report " + std::to_string(m.what.id) + " waits for an acknowledgement", true});
+        } else if constexpr (std::is_same_v<M, preflight::acknowledgement_answered>) {
+          if (!m.is_taken)
+            carry_out(announce{"the acknowledgement is not taken: " + m.reason, true});
+        } else {
+          carry_out(core_->on_durable(m, now()));
+          tell(me(), next_note{});
+        }
+      },
+      each);
+}
+
+// -- what others see --------------------------------------------------------------------------------
+
+void actor::post_health() {
+  auto sentence = core_->sentence();
+  if (posted_ == sentence)
+    return;
+  outside().health->post(actor_name(), colour_of(current_state().standing), sentence);
+  posted_ = std::move(sentence);
+}
+
+flight_status actor::describe() const {
+  const auto& s = current_state();
+  flight_status result;
+  result.phase = io::name_of(s.standing.now);
+  result.cause = io::name_of(s.standing.cause);
+  result.sentence = core_->sentence();
+  result.in_flight = s.standing.in_flight;
+  result.generation = s.progress.last_generation;
+  result.reports = s.progress.mission ? s.progress.mission->report_no : 0;
+  if (s.mission) {
+    result.mission_id = s.mission->mission_id;
+    result.revision = s.mission->revision;
+    result.items = static_cast<std::uint32_t>(s.mission->items.size());
+    result.items_done = static_cast<std::uint32_t>(first_remaining(*s.mission, last_done(s)));
+  }
+  if (s.preflight.now == preflight::phase::awaiting_ack && s.preflight.report)
+    result.preflight_report = s.preflight.report->id;
+  result.is_armed = core_->view().is_armed();
+  if (core_->view().mode())
+    result.mode = io::name_of(core_->view().mode()->kind);
+  return result;
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,90 @@
+// The executor as an actor: flies the mission.
+//
+// The decisions are in core.hpp. This shell hands what comes in to the core and carries out the effects: notes to the
+// journal, one in each turn; orders to vehicle_link; the core goes on when the last note is applied. A crash loses the
+// steps of the task under way; the new incarnation looks at the vehicle before it does anything. Thread: as cell.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "actors/executor/core.hpp"
+#include "messages/executor/handle.hpp"
+#include "messages/ground_port/handle.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "messages/vehicle_link/handle.hpp"
+#include "runtime/persistent_cell.hpp"
+
+namespace godwit::executor {
+
+// Filled in while the process is composed, before the actors start.
+struct neighbours {
+  vehicle_link::handle vehicle;
+  std::optional<mission_client::flight_handle> client; // none without a service
+  std::optional<ground_port::handle> port;             // none without ground stations
+};
+
+// The world outside of the actors. May be called by any thread and does not block.
+struct outside_world {
+  std::function<void(const announce& said)> tell_people;
+  std::function<house()> look_at_house;
+  std::function<void(const stood& standing)> on_standing;
+};
+
+class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+public:
+  // A command has its outcome by then; vehicle_link answers earlier.
+  static constexpr std::chrono::seconds command_patience{15};
+  // A thousand items over a slow radio with losses.
+  static constexpr std::chrono::seconds transfer_patience{600};
+  static constexpr std::chrono::milliseconds tick_period{200};
+
+  actor(runtime::actor_config& config, runtime::birth born, settings configured,
+        std::shared_ptr<const neighbours> others, outside_world world)
+      : persistent_cell(config, std::move(born)), settings_(std::move(configured)), others_(std::move(others)),
+        world_(std::move(world)) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+  void let_out(const durable_core::effect& each) override;
+
+private:
+  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  template <class M>
+  auto hears();
+  void then(const effects& wanted);
+  void after_turn();
+  void carry_out(const effects& wanted);
+  void carry_out(const note& each) { to_commit_.push_back(each.what); }
+  void carry_out(const order& each);
+  void carry_out(const give_up_transfer&);
+  void carry_out(const say_to_client& each);
+  void carry_out(const announce& each) { world_.tell_people(each); }
+  void send(std::uint64_t number, const vehicle_link::send_command& what);
+  void send(std::uint64_t number, const vehicle_link::set_current_item& what);
+  void send(std::uint64_t number, const vehicle_link::upload_plan& what) { transfer_plan(number, what); }
+  void send(std::uint64_t number, const vehicle_link::download_plan& what) { transfer_plan(number, what); }
+  template <class Q>
+  void command_vehicle(std::uint64_t number, const Q& what);
+  template <class Q>
+  void transfer_plan(std::uint64_t number, const Q& what);
+  void look_at_service();
+  void commit_next();
+  void post_health();
+  [[nodiscard]] flight_status describe() const;
+
+  settings settings_;
+  std::shared_ptr<const neighbours> others_;
+  outside_world world_;
+  std::optional<core> core_;
+  std::deque<durable_core::event> to_commit_; // bounded by what one turn can note
+  bool is_asking_service_ = false;
+  std::string posted_;
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,503 @@
+#include "actors/executor/core.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/remaining.hpp"
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/plan_meaning.hpp"
+
+namespace godwit::executor {
+namespace {
+
+namespace transfer = vehicle_link::transfer;
+using flight::mode_kind;
+using mission_client::pull_state;
+
+// Downloads that settle an upload have numbers of their own, above all those of the runner.
+constexpr std::uint64_t first_reading_back = 1ULL << 32U;
+constexpr std::int64_t read_again_after_ns = 2'000'000'000;
+constexpr std::int64_t check_period_ns = 1'000'000'000;
+
+bool is_before_start(phase now) {
+  return now == phase::disconnected || now == phase::connected || now == phase::preflight || now == phase::uploading ||
+         now == phase::ready;
+}
+
+bool is_over(phase now) { return now == phase::post_flight || now == phase::done || now == phase::aborted; }
+
+} // namespace
+
+effects core::counted(effects out) {
+  open_notes_ +=
+      std::count_if(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
+  return out;
+}
+
+effects core::on_start(instant now) {
+  began_ns_ = now.now_ns;
+  effects out;
+  const bool is_fresh = !s_.doing && !is_in_flight() && !s_.progress.upload && !s_.progress.start;
+  has_looked_ = is_fresh && (s_.standing.now == phase::disconnected || s_.standing.now == phase::connected ||
+                             is_over(s_.standing.now));
+  if (settings_.has_service && !settings_.mission_id.empty())
+    out.emplace_back(say_to_client{mission_client::begin_mission{settings_.mission_id}});
+  if (settings_.has_service && s_.standing.now == phase::post_flight && s_.mission)
+    out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
+  if (s_.preflight.now != preflight::phase::idle)
+    out.emplace_back(note{preflight::restarted{}});
+  return counted(std::move(out));
+}
+
+std::int64_t core::next_deadline_ns(instant now) const {
+  return std::min(runner_.next_deadline_ns(), now.now_ns + check_period_ns / 2);
+}
+
+// What follows from a note is decided when it is applied.
+effects core::advance(instant now) {
+  effects out;
+  for (bool goes_on = open_notes_ == 0; goes_on;) {
+    const auto before = out.size();
+    static_cast<void>(recover(out, now) || settle(out, now) || heed_pilot(out) || run_task(out, now) ||
+                      end_flight(out) || answer_assignment(out, now) || begin_wished(out, now) || prepare(out, now));
+    const bool has_notes =
+        std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
+    goes_on = out.size() != before && !has_notes;
+  }
+  return counted(std::move(out));
+}
+
+// -- the vehicle ------------------------------------------------------------------------------------
+
+effects core::on_vehicle(const vehicle_link::connection_changed& m, instant) {
+  view_.take(m);
+  return {};
+}
+
+effects core::on_vehicle(const vehicle_link::vehicle_restarted&, instant) {
+  effects out;
+  if (progress::matters(s_.progress, progress::vehicle_rebooted{}, 0))
+    out.emplace_back(note{progress::vehicle_rebooted{}});
+  return counted(std::move(out));
+}
+
+effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
+  view_.take(m, now.now_ns);
+  if (view_.is_under_way())
+    was_up_ = true;
+  if (!has_looked_ || !is_in_flight() || !view_.is_armed())
+    return {};
+  if (is_at_plan_end())
+    modes_.plan_ends();
+  if (modes_.is_taken_over_by(*view_.mode(), now.now_ns))
+    has_pilot_ = true;
+  return {};
+}
+
+effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
+  view_.take(m, now.now_ns);
+  effects out;
+  const progress::current_told told{m};
+  if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
+    out.emplace_back(note{told});
+  return counted(std::move(out));
+}
+
+effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now) {
+  effects out;
+  const progress::reached_told told{m.seq};
+  if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
+    out.emplace_back(note{told});
+  return counted(std::move(out));
+}
+
+effects core::on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now) {
+  effects out;
+  runner_.on_command(world(now, out), number, outcome);
+  return counted(std::move(out));
+}
+
+effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome, instant now) {
+  effects out;
+  if (number >= first_reading_back)
+    take_read_back(out, number, outcome, now);
+  else if (runner_.is_busy())
+    runner_.on_transfer(world(now, out), number, outcome);
+  else if (s_.progress.upload) // of a task that was dropped
+    out.emplace_back(note{end_of(outcome)});
+  return counted(std::move(out));
+}
+
+void core::take_read_back(effects& out, std::uint64_t number, const transfer::outcome& outcome, instant now) {
+  if (number != reading_back_ || looking_ != question::read_back)
+    return;
+  reading_back_ = 0;
+  if (outcome.verdict != transfer::verdict::accepted) {
+    read_again_ns_ = now.now_ns + read_again_after_ns;
+    return;
+  }
+  const bool has_home = plan_has_home();
+  const auto is_same = [&](const std::optional<deployment>& one) {
+    return one && !io::mavlink::first_difference(one->items, outcome.items, has_home);
+  };
+  auto match = progress::read_back_match::other;
+  if (is_same(s_.brings))
+    match = progress::read_back_match::pending;
+  else if (is_same(s_.flown))
+    match = progress::read_back_match::before;
+  looking_ = question::none;
+  out.emplace_back(note{progress::plan_read_back{match}});
+}
+
+// -- the service ------------------------------------------------------------------------------------
+
+effects core::on_mission(const mission_client::mission_loaded& m, instant) {
+  refusal_.clear();
+  if (s_.mission && s_.mission->mission_id == m.document.mission_id && m.document.revision <= s_.mission->revision)
+    return {};
+  if (s_.arrived && *s_.arrived == m.document)
+    return {};
+  return counted({note{mission_arrived{m.document}}});
+}
+
+effects core::on_refused(const mission_client::mission_refused& m, instant) {
+  refusal_ = m.reason;
+  return {announce{"mission " + m.mission_id + ": " + m.reason, true}};
+}
+
+effects core::on_map(const mission_client::map_pulled& m, instant) {
+  map_ = m.state;
+  map_problem_ = m.reason;
+  return {};
+}
+
+void core::on_service(const mission_client::service_status& m) {
+  if (!s_.mission || m.mission_id != s_.mission->mission_id)
+    return;
+  map_ = m.pull;
+  if (map_ == pull_state::synced)
+    map_problem_.clear();
+}
+
+bool core::wants_service() const {
+  return settings_.has_service && !is_in_flight() && s_.mission && map_ != pull_state::synced &&
+         !is_over(s_.standing.now);
+}
+
+effects core::on_assignment(const mission_client::assignment_arrived& m, instant) {
+  const auto& wish = m.assignment;
+  const bool is_known = s_.last_assignment == wish.assignment_id ||
+                        std::any_of(s_.waiting.begin(), s_.waiting.end(),
+                                    [&](const auto& each) { return each.assignment_id == wish.assignment_id; });
+  if (is_known || !s_.mission || s_.mission->mission_id != m.mission_id)
+    return {};
+  if (s_.waiting.size() >= max_waiting)
+    return counted({note{assignment_rejected{wish.assignment_id, "too many assignments wait already"}}});
+  return counted({note{assignment_kept{wish}}});
+}
+
+effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
+  return {announce{"the service has deleted mission " + m.mission_id + "; what goes on goes on", true}};
+}
+
+effects core::on_delivered(const mission_client::mission_settled& m, instant) {
+  effects out;
+  if (s_.standing.now == phase::post_flight && s_.mission && s_.mission->mission_id == m.mission_id)
+    stand(out, phase::done);
+  return counted(std::move(out));
+}
+
+// -- people -----------------------------------------------------------------------------------------
+
+effects core::on_station(const start_mission& m, instant now) {
+  effects out;
+  if (now.wall_ns > m.obey_until_ns)
+    answer_start(out, m.key, start_verdict::too_late, "the request came too late");
+  else if (asked_start_ || runner_.is_busy())
+    answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
+  else
+    asked_start_ = m;
+  return counted(std::move(out));
+}
+
+operator_words::answer core::on_operator(const operator_words::word& m, instant) {
+  using operator_words::verb;
+  const auto refuse = [](const std::string& why) { return operator_words::answer{false, why}; };
+  const bool belongs_to_person = is_in_flight() && is_paused_for_person();
+  switch (m.verb) {
+  case verb::hand_back:
+    if (!is_paused_for_person())
+      return refuse("nobody has taken the vehicle from godwit");
+    is_handed_back_ = true;
+    return {true, {}};
+  case verb::acknowledge:
+    acknowledged_ = preflight::acknowledged{m.report, m.by};
+    return {true, {}};
+  case verb::check:
+    wants_checks_ = true;
+    return {true, {}};
+  case verb::start:
+    if (s_.standing.now != phase::ready)
+      return refuse("the flight is not ready: " + sentence());
+    is_start_wanted_ = true;
+    return {true, {}};
+  case verb::resume:
+    if (s_.standing.now != phase::paused)
+      return refuse("the flight is not paused: " + sentence());
+    break;
+  case verb::pause:
+  case verb::come_home:
+    if (!is_in_flight())
+      return refuse("no flight is under way: " + sentence());
+    break;
+  }
+  if (belongs_to_person)
+    return refuse("the vehicle has to be handed back first: " + s_.standing.reason);
+  wanted_ = m.verb == verb::pause ? task_kind::hold : m.verb == verb::resume ? task_kind::resume : task_kind::come_home;
+  return {true, {}};
+}
+
+// -- what is on the disk ----------------------------------------------------------------------------
+
+effects core::on_durable(const progress::look_at_vehicle&, instant now) {
+  looking_ = question::plan_id;
+  looking_since_ns_ = now.now_ns;
+  return {};
+}
+
+effects core::on_durable(const progress::read_plan_back&, instant now) {
+  looking_ = question::read_back;
+  reading_back_ = 0;
+  read_again_ns_ = now.now_ns;
+  return {};
+}
+
+effects core::on_durable(const progress::settle_start& m, instant now) {
+  looking_ = question::start;
+  looking_since_ns_ = now.now_ns;
+  looking_for_sequence_ = m.sequence;
+  return {};
+}
+
+effects core::on_durable(const progress::news& m, instant) {
+  using progress::news_kind;
+  effects out;
+  switch (m.kind) {
+  case news_kind::not_at_start:
+    must_choose_item_ = m.generation == s_.progress.last_generation;
+    break;
+  case news_kind::foreign_plan:
+    stand_paused(out, pause_cause::foreign_plan, "the vehicle holds a plan that is not godwit's");
+    break;
+  case news_kind::vehicle_restarted:
+    stand_paused(out, pause_cause::vehicle_restarted, "the autopilot started again; what it flew is lost");
+    break;
+  case news_kind::plan_done:
+  case news_kind::mission_complete:
+    if (is_in_flight() && s_.standing.now == phase::flying)
+      stand(out, phase::landing);
+    break;
+  case news_kind::generation_opened:
+  case news_kind::armed:
+  case news_kind::upload_failed:
+    break;
+  }
+  return counted(std::move(out));
+}
+
+effects core::on_durable(const marked& m, instant) {
+  runner_.on_marked(m.ticket);
+  return {};
+}
+
+std::string core::sentence() const {
+  const auto& at = s_.standing;
+  std::string result(io::name_of(at.now));
+  if (!at.reason.empty())
+    result += ": " + at.reason;
+  else if (at.now == phase::preflight)
+    result += ": " + preflight::sentence_of(s_.preflight);
+  return result;
+}
+
+// -- decisions --------------------------------------------------------------------------------------
+
+bool core::is_paused_for_person() const {
+  return s_.standing.now == phase::paused && needs_hand_back(s_.standing.cause);
+}
+
+bool core::is_plan_finished() const { return s_.progress.plan && s_.progress.plan->generation.is_finished; }
+
+bool core::is_mission_finished() const { return is_plan_finished() && s_.progress.plan->map.ends_mission; }
+
+bool core::is_at_plan_end() const {
+  if (!s_.progress.plan)
+    return false;
+  const auto end = progress::end_sequence(s_.progress.plan->map);
+  return is_plan_finished() || (view_.current() && view_.current()->seq + 1U >= end && view_.current()->seq < end);
+}
+
+// A new incarnation knows what it meant to do, and not what the vehicle does. It looks first.
+bool core::recover(effects& out, instant now) {
+  if (has_looked_)
+    return false;
+  if (!view_.is_seen())
+    return true;
+  has_looked_ = true;
+  was_up_ = view_.is_under_way();
+  for (const auto& each : progress::resume(s_.progress))
+    if (std::holds_alternative<progress::look_at_vehicle>(each))
+      static_cast<void>(on_durable(progress::look_at_vehicle{}, now));
+    else if (std::holds_alternative<progress::read_plan_back>(each))
+      static_cast<void>(on_durable(progress::read_plan_back{}, now));
+    else if (const auto* start = std::get_if<progress::settle_start>(&each))
+      static_cast<void>(on_durable(*start, now));
+  if (view_.is_under_way())
+    recover_in_flight(out);
+  else
+    recover_on_ground(out);
+  return true;
+}
+
+// Nothing begins by itself: whoever stands beside the vehicle has seen godwit fail.
+void core::recover_on_ground(effects& out) {
+  if (s_.doing) {
+    if (s_.doing->start_key)
+      answer_start(out, *s_.doing->start_key, start_verdict::failed, "godwit was restarted before the vehicle moved");
+    out.emplace_back(note{task_ended{s_.doing->number}});
+  }
+  const bool was_preparing = s_.doing || (is_before_start(s_.standing.now) && s_.standing.now > phase::preflight) ||
+                             s_.standing.now == phase::starting;
+  if (is_in_flight() || !was_preparing)
+    return; // end_flight sees to it
+  stand(out, phase::paused, pause_cause::restarted,
+        "godwit was restarted on the ground; resume prepares the flight again");
+}
+
+// What was meant and is not done is finished by a mode change, and only out of the hold that we have commanded.
+void core::recover_in_flight(effects& out) {
+  const bool was_starting = s_.doing && s_.doing->kind == task_kind::start;
+  const bool is_ours = is_in_flight() || was_starting;
+  const auto doing = s_.doing;
+  if (doing) {
+    if (doing->start_key)
+      answer_start(out, *doing->start_key, start_verdict::failed, "godwit was restarted while the vehicle started");
+    out.emplace_back(note{task_ended{doing->number}});
+  }
+  modes_.adopt(*view_.mode());
+  if (!is_ours || is_paused_for_person())
+    return;
+  const bool is_held = view_.is_in(mode_kind::hold);
+  const bool meant_to_go_on =
+      doing && (doing->kind == task_kind::resume || (doing->kind == task_kind::deploy && doing->goes_on));
+  if (is_held && meant_to_go_on) {
+    finishes_intent_ = true;
+    stand_as(out, phase::flying, true);
+  } else if (is_held && (s_.standing.cause == pause_cause::asked || (doing && doing->kind == task_kind::hold))) {
+    stand(out, phase::paused, pause_cause::asked, "held as asked");
+  } else if (view_.is_in(mode_kind::mission) || is_at_plan_end() || (doing && doing->kind == task_kind::come_home)) {
+    stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
+  } else {
+    stand_paused(out, pause_cause::taken_over,
+                 "the vehicle is in another mode (" + std::string(io::name_of(view_.mode()->kind)) +
+                     ") than godwit left it in; hand it back when godwit is to go on");
+  }
+}
+
+// What an upload or a start came to, where its answer was lost.
+bool core::settle(effects& out, instant now) {
+  if (looking_ == question::none)
+    return false;
+  if (!view_.is_connected())
+    return true;
+  const bool is_news = view_.current() && view_.current_heard_ns() > looking_since_ns_;
+  switch (looking_) {
+  case question::plan_id:
+    if (view_.keeps_plan_ids() && !is_news)
+      return true;
+    looking_ = question::none;
+    out.emplace_back(note{progress::vehicle_looked_at{
+        view_.keeps_plan_ids() ? std::optional(view_.current()->mission_id) : std::nullopt}});
+    break;
+  case question::read_back:
+    if (reading_back_ == 0 && now.now_ns >= read_again_ns_) {
+      reading_back_ = ++last_reading_back_;
+      out.emplace_back(order{reading_back_, vehicle_link::download_plan{}});
+    }
+    break;
+  case question::start:
+    if (!is_news || !view_.mode())
+      return true;
+    looking_ = question::none;
+    out.emplace_back(note{progress::start_ended{view_.is_armed() && view_.is_in(mode_kind::mission)}});
+    break;
+  case question::none:
+    break;
+  }
+  return true;
+}
+
+bool core::heed_pilot(effects& out) {
+  if (!has_pilot_)
+    return false;
+  has_pilot_ = false;
+  if (!is_in_flight() || is_paused_for_person())
+    return false;
+  runner_.drop({s_, view_, modes_, 0, out});
+  if (s_.doing)
+    out.emplace_back(note{task_ended{s_.doing->number}});
+  asked_start_.reset();
+  wanted_.reset();
+  is_start_wanted_ = false;
+  stand_paused(out, pause_cause::taken_over,
+               "a pilot has the vehicle (mode " + std::string(io::name_of(view_.mode()->kind)) +
+                   "); nothing is sent until an operator hands it back");
+  return true;
+}
+
+bool core::run_task(effects& out, instant now) {
+  const auto what = runner_.doing();
+  switch (runner_.advance(world(now, out))) {
+  case task_runner::verdict::idle:
+    return false;
+  case task_runner::verdict::under_way:
+    break;
+  case task_runner::verdict::done:
+    task_done(out, *what);
+    break;
+  case task_runner::verdict::failed:
+    task_failed(out, *what, runner_.why_failed());
+    break;
+  }
+  return true;
+}
+
+// Disarmed, or down behind the end of the plan; a rover: at the end of its plan.
+bool core::end_flight(effects& out) {
+  if (!is_in_flight() || !view_.is_connected() || !view_.mode())
+    return false;
+  const bool is_rover = view_.owner().vehicle == flight::vehicle_class::rover;
+  const bool is_down = !view_.is_armed() || (is_plan_finished() && (is_rover || (was_up_ && !view_.is_under_way())));
+  if (!is_down)
+    return false;
+  modes_.forget();
+  was_up_ = false;
+  has_pilot_ = false;
+  if (s_.preflight.now != preflight::phase::idle)
+    out.emplace_back(note{preflight::flight_ended{}});
+  if (is_mission_finished() || s_.progress.paused == progress::pause_reason::aborted) {
+    const bool is_aborted = !is_mission_finished();
+    if (settings_.has_service)
+      out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
+    stand_as(out, is_aborted ? phase::aborted : settings_.has_service ? phase::post_flight : phase::done, false);
+  } else if (is_plan_finished()) {
+    stand_as(out, phase::connected, false); // the next plan of the mission
+  } else {
+    out.emplace_back(note{stood{phase::paused, pause_cause::not_done,
+                                "the flight ended before its plan; resume prepares the rest of it", false}});
+  }
+  return true;
+}
+
+} // namespace godwit::executor

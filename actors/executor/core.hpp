@@ -1,0 +1,187 @@
+// Every decision about a flight: from the mission to the delivery, through crashes, replans and pilots.
+//
+//   the vehicle's word ──> vehicle_view ──> mode_watch: who flies?
+//                               │               │
+//   missions, assignments ──────┼──> wishes ────┼──> decide ──> a task, one at a time ──> task_runner ──> orders
+//   operators, stations ────────┘               │       │
+//                                               │       └──> notes: phase, task, progress ──> the journal
+//   MISSION_CURRENT, ITEM_REACHED ──> progress ─┘
+//
+// What must survive is noted, and nothing is decided while a note is on its way: on_committed says when it is applied.
+// So what is decided depends on the durable state, on what the vehicle says, and on nothing else.
+//
+// Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
+// it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight that no word of
+// ours has caused is a pilot's: from then on nothing is sent until an operator hands back. What a step can not get done
+// in a few tries ends in a pause with a reason.
+//
+// Pure: no clock, no actor, no I/O. Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "actors/executor/effects.hpp"
+#include "actors/executor/mode_watch.hpp"
+#include "actors/executor/plan/builder.hpp"
+#include "actors/executor/preflight/facts.hpp"
+#include "actors/executor/settings.hpp"
+#include "actors/executor/task_runner.hpp"
+#include "actors/executor/view.hpp"
+#include "messages/executor/types.hpp"
+#include "messages/operator/types.hpp"
+
+namespace godwit::executor {
+
+struct instant {
+  std::int64_t now_ns = 0;  // monotonic
+  std::int64_t wall_ns = 0; // since 1970 (UTC)
+};
+
+// What of this process the preflight checks look at; asked for by the shell.
+struct house {
+  preflight::journal_facts journal;
+  std::vector<preflight::actor_fact> actors;
+  bool is_operator_session_alive = false;
+};
+
+class core {
+public:
+  // DURABLE outlives it, and changes only between two calls.
+  core(settings configured, const state& durable) : settings_(std::move(configured)), s_(durable) {}
+
+  [[nodiscard]] effects on_start(instant now);
+  // A note is applied to the durable state.
+  void on_committed() { --open_notes_; }
+  // Whatever comes of it now; to be asked after everything else, and no later than next_deadline_ns.
+  [[nodiscard]] effects advance(instant now);
+  [[nodiscard]] std::int64_t next_deadline_ns(instant now) const;
+
+  // -- the vehicle
+  [[nodiscard]] effects on_vehicle(const vehicle_link::connection_changed& m, instant now);
+  [[nodiscard]] effects on_vehicle(const vehicle_link::vehicle_restarted& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::heartbeat& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::mission_current& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::mission_item_reached& m, instant now);
+  template <class M>
+  [[nodiscard]] effects on_vehicle(const M& m, instant now) {
+    if constexpr (requires { view_.take(m, now.now_ns); })
+      view_.take(m, now.now_ns);
+    else
+      view_.take(m);
+    return {};
+  }
+  [[nodiscard]] effects on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now);
+  [[nodiscard]] effects on_transfer(std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
+
+  // -- the service
+  [[nodiscard]] effects on_mission(const mission_client::mission_loaded& m, instant now);
+  [[nodiscard]] effects on_refused(const mission_client::mission_refused& m, instant now);
+  [[nodiscard]] effects on_map(const mission_client::map_pulled& m, instant now);
+  // How the service stands; asked for while a flight is prepared, because a restart forgets what was told.
+  void on_service(const mission_client::service_status& m);
+  [[nodiscard]] bool wants_service() const;
+  [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m, instant now);
+  [[nodiscard]] effects on_deleted(const mission_client::mission_deleted& m, instant now);
+  [[nodiscard]] effects on_delivered(const mission_client::mission_settled& m, instant now);
+
+  // -- people
+  [[nodiscard]] effects on_station(const start_mission& m, instant now);
+  // The answer tells whether the word is taken; what comes of it is told as the flight's standing.
+  [[nodiscard]] operator_words::answer on_operator(const operator_words::word& m, instant now);
+
+  // -- what is on the disk
+  [[nodiscard]] effects on_durable(const progress::look_at_vehicle& m, instant now);
+  [[nodiscard]] effects on_durable(const progress::read_plan_back& m, instant now);
+  [[nodiscard]] effects on_durable(const progress::settle_start& m, instant now);
+  [[nodiscard]] effects on_durable(const progress::news& m, instant now);
+  [[nodiscard]] effects on_durable(const marked& m, instant now);
+
+  void on_house(house seen) { house_ = std::move(seen); }
+  [[nodiscard]] const vehicle_view& view() const { return view_; }
+  [[nodiscard]] std::string sentence() const; // how the flight stands, for people
+
+private:
+  // What a restart or a lost answer left open about the vehicle.
+  enum class question { none, plan_id, read_back, start };
+
+  [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s_, view_, modes_, now.now_ns, out}; }
+  [[nodiscard]] effects counted(effects out);
+
+  // core.cpp: in this order; true: something is under way, and the rest waits.
+  [[nodiscard]] bool recover(effects& out, instant now);
+  [[nodiscard]] bool settle(effects& out, instant now);
+  [[nodiscard]] bool heed_pilot(effects& out);
+  [[nodiscard]] bool run_task(effects& out, instant now);
+  [[nodiscard]] bool end_flight(effects& out);
+  [[nodiscard]] bool answer_assignment(effects& out, instant now);
+  [[nodiscard]] bool prepare(effects& out, instant now);
+  [[nodiscard]] bool begin_wished(effects& out, instant now);
+
+  void recover_on_ground(effects& out);
+  void recover_in_flight(effects& out);
+  void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
+
+  // core_tasks.cpp
+  void stand_as(effects& out, phase now, bool in_flight);
+  void stand(effects& out, phase now, pause_cause cause = pause_cause::none, const std::string& reason = {});
+  void stand_paused(effects& out, pause_cause cause, const std::string& reason);
+  void begin(effects& out, task_kind kind, steps way, bool goes_on = false);
+  void begin_deploy(effects& out, deployment brings, const plan::flight_plan& what,
+                    const std::optional<std::string>& assignment, bool goes_on);
+  void begin_start(effects& out, std::optional<std::uint64_t> key);
+  void begin_going_on(effects& out);
+  [[nodiscard]] bool begin_wanted(effects& out, task_kind what);
+  [[nodiscard]] bool begin_asked_start(effects& out, const start_mission& asked, instant now);
+  [[nodiscard]] std::string why_not_start(effects& out, instant now);
+  void task_done(effects& out, const task& what);
+  void task_failed(effects& out, const task& what, const std::string& why);
+  [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
+  [[nodiscard]] steps start_steps() const;
+  [[nodiscard]] steps deploy_steps(const progress::plan_map& map, bool goes_on) const;
+  [[nodiscard]] preflight::report look_at_all(instant now);
+  void answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason);
+
+  [[nodiscard]] bool is_in_flight() const { return s_.standing.in_flight; }
+  [[nodiscard]] bool is_paused_for_person() const;
+  [[nodiscard]] bool is_plan_finished() const;
+  [[nodiscard]] bool is_mission_finished() const;
+  [[nodiscard]] bool is_at_plan_end() const;
+  [[nodiscard]] bool plan_has_home() const;
+
+  settings settings_;
+  const state& s_;
+  vehicle_view view_;
+  mode_watch modes_;
+  task_runner runner_;
+  std::int64_t open_notes_ = 0;
+
+  bool has_looked_ = false; // at the vehicle, since this incarnation began
+  std::int64_t began_ns_ = 0;
+  bool has_pilot_ = false;
+  question looking_ = question::none;
+  std::int64_t looking_since_ns_ = 0;
+  std::uint64_t reading_back_ = 0; // the number of the download
+  std::int64_t read_again_ns_ = 0;
+  std::uint16_t looking_for_sequence_ = 0;
+  std::uint64_t last_reading_back_ = 1ULL << 32U;
+  bool was_up_ = false;           // it has been in the air, as far as this incarnation knows
+  bool finishes_intent_ = false;  // of an earlier incarnation: it is held, and meant to fly on
+  bool must_choose_item_ = false; // it holds the plan, and is elsewhere in it
+  std::optional<start_mission> asked_start_;
+  bool is_start_wanted_ = false;    // by an operator
+  std::optional<task_kind> wanted_; // by an operator: hold, resume, come home
+  bool is_handed_back_ = false;
+  bool wants_checks_ = false;
+  std::optional<preflight::acknowledged> acknowledged_;
+  mission_client::pull_state map_ = mission_client::pull_state::not_started;
+  std::string map_problem_;
+  std::string refusal_;
+  std::optional<preflight::plan_result> plans_; // of the mission, from its first remaining item on
+  std::int64_t checked_ns_ = 0;
+  house house_;
+};
+
+} // namespace godwit::executor

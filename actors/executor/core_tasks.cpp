@@ -1,0 +1,398 @@
+// What is begun, and what becomes of it.
+#include <algorithm>
+#include <utility>
+
+#include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/core.hpp"
+#include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/preflight/report.hpp"
+#include "actors/executor/remaining.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+using io::mavlink::mav_autopilot;
+
+constexpr std::int64_t check_period_ns = 1'000'000'000;
+
+} // namespace
+
+// -- the standing -----------------------------------------------------------------------------------
+
+void core::stand(effects& out, phase now, pause_cause cause, const std::string& reason) {
+  const stood next{now, cause, reason, is_in_flight()};
+  if (next != s_.standing)
+    out.emplace_back(note{next});
+}
+
+void core::stand_as(effects& out, phase now, bool in_flight) {
+  const stood next{now, pause_cause::none, {}, in_flight};
+  if (next != s_.standing)
+    out.emplace_back(note{next});
+}
+
+void core::stand_paused(effects& out, pause_cause cause, const std::string& reason) {
+  stand(out, phase::paused, cause, reason);
+}
+
+void core::answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason) {
+  out.emplace_back(note{start_settled{{key, verdict, reason}}});
+}
+
+// -- tasks ------------------------------------------------------------------------------------------
+
+void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
+  const task what{s_.last_task + 1, kind, goes_on, {}};
+  out.emplace_back(note{task_begun{what, {}}});
+  runner_.begin(what, std::move(way), {});
+}
+
+void core::begin_deploy(effects& out, deployment brings, const plan::flight_plan& what,
+                        const std::optional<std::string>& assignment, bool goes_on) {
+  const task doing{s_.last_task + 1, task_kind::deploy, goes_on, {}};
+  progress::upload_intended intent{brings.mission.revision, what.map, {}, {}};
+  if (view_.keeps_plan_ids() && view_.current())
+    intent.id_before = view_.current()->mission_id;
+  if (assignment)
+    intent.assignment =
+        progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};
+  out.emplace_back(note{task_begun{doing, std::move(brings)}});
+  must_choose_item_ = false;
+  runner_.begin(doing, deploy_steps(what.map, goes_on), std::move(intent));
+}
+
+void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
+  const task what{s_.last_task + 1, task_kind::start, false, key};
+  stand(out, phase::starting);
+  out.emplace_back(note{task_begun{what, {}}});
+  runner_.begin(what, start_steps(), {});
+}
+
+// A vehicle that keeps ids activates the new plan itself, at the item that is marked in it. Others are held while
+// their plan is replaced, and told where to go on.
+steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
+  if (!view_.is_under_way())
+    return {bring_plan{}};
+  const auto autopilot = view_.owner().autopilot;
+  if (autopilot == mav_autopilot::px4)
+    return goes_on ? steps{bring_plan{}, change_mode{mode_kind::mission}} : steps{bring_plan{}};
+  steps result{change_mode{mode_kind::hold}, bring_plan{}};
+  if (autopilot == mav_autopilot::ardupilotmega) {
+    result.emplace_back(choose_item{map.start_sequence});
+    if (goes_on)
+      result.emplace_back(change_mode{mode_kind::mission});
+  } else if (goes_on) {
+    result.emplace_back(start_plan{map.start_sequence});
+  }
+  return result;
+}
+
+// ArduPilot's Copter can not be armed in AUTO.
+steps core::start_steps() const {
+  steps result;
+  const auto& who = view_.owner();
+  if (!view_.is_armed()) {
+    if (who.autopilot == mav_autopilot::ardupilotmega && who.vehicle == flight::vehicle_class::multirotor)
+      result.emplace_back(change_mode{mode_kind::guided});
+    result.emplace_back(arm{});
+  }
+  result.emplace_back(start_plan{s_.progress.plan->map.start_sequence});
+  return result;
+}
+
+void core::task_done(effects& out, const task& what) {
+  out.emplace_back(note{task_ended{what.number}});
+  switch (what.kind) {
+  case task_kind::deploy:
+    if (is_in_flight())
+      what.goes_on ? stand_as(out, phase::flying, true)
+                   : stand(out, phase::paused, pause_cause::asked, "held as asked");
+    else
+      stand(out, phase::ready);
+    return;
+  case task_kind::start:
+    if (what.start_key)
+      answer_start(out, *what.start_key, start_verdict::started, {});
+    modes_.adopt(*view_.mode());
+    was_up_ = view_.is_under_way();
+    out.emplace_back(note{preflight::took_off{}});
+    stand_as(out, phase::flying, true);
+    return;
+  case task_kind::hold:
+    stand_paused(out, pause_cause::asked, "held as asked");
+    return;
+  case task_kind::resume:
+    stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
+    return;
+  case task_kind::come_home:
+    modes_.plan_ends();
+    out.emplace_back(note{progress::mission_aborted{}});
+    stand(out, phase::landing, pause_cause::none, "the vehicle returns");
+    return;
+  }
+}
+
+void core::task_failed(effects& out, const task& what, const std::string& why) {
+  out.emplace_back(note{task_ended{what.number}});
+  if (what.start_key)
+    answer_start(out, *what.start_key, start_verdict::failed, why);
+  const bool is_rejected_replan = what.kind == task_kind::deploy && is_in_flight() && view_.is_in(mode_kind::mission);
+  if (is_rejected_replan) // it has never left the plan before
+    out.emplace_back(announce{"the vehicle goes on with the plan that it has: " + why, true});
+  else
+    stand_paused(out, pause_cause::not_done, why);
+}
+
+// -- planning ---------------------------------------------------------------------------------------
+
+bool core::plan_has_home() const { return view_.owner().autopilot == mav_autopilot::ardupilotmega; }
+
+std::optional<plan::plan_setting> core::setting(instant now) const {
+  const auto place = view_.place(now.now_ns);
+  if (!place || !view_.home() || view_.owner().vehicle == flight::vehicle_class::unknown)
+    return std::nullopt;
+  plan::plan_setting result;
+  result.vehicle = view_.owner().vehicle;
+  result.autopilot = view_.owner().autopilot;
+  result.home = *view_.home();
+  result.start = *place;
+  result.is_under_way = view_.is_under_way();
+  result.own_loiter_radius_m = settings_.own_loiter_radius_m;
+  result.return_altitude_m = settings_.return_altitude_m;
+  return result;
+}
+
+preflight::report core::look_at_all(instant now) {
+  preflight::facts seen;
+  auto& vehicle = seen.vehicle;
+  vehicle.link = view_.link();
+  vehicle.what = view_.owner().vehicle;
+  vehicle.autopilot = view_.owner().autopilot;
+  vehicle.fix = static_cast<io::mavlink::gps_fix_type>(view_.fix_type());
+  if (view_.satellites() >= 0)
+    vehicle.satellites = static_cast<std::uint8_t>(view_.satellites());
+  if (view_.place_heard_ns() != 0)
+    vehicle.position_age_ns = now.now_ns - view_.place_heard_ns();
+  vehicle.is_home_known = view_.home().has_value();
+  vehicle.battery_percent = view_.battery_percent();
+  vehicle.own = view_.own_checks();
+  seen.mission.document = s_.mission ? &*s_.mission : nullptr;
+  seen.mission.refusal = refusal_;
+  seen.mission.has_service = settings_.has_service;
+  seen.mission.map = map_;
+  seen.mission.map_problem = map_problem_;
+  if (const auto where = setting(now); where && s_.mission) {
+    plans_ = plan::build_plans(*s_.mission, *where, {first_remaining(*s_.mission, last_done(s_)), 0});
+    seen.mission.plans = &*plans_;
+    seen.mission.return_point = plan::return_point_violations(*s_.mission);
+    if (*plans_) {
+      seen.mission.way.emplace();
+      for (const auto& each : **plans_)
+        for (auto& found : plan::fence_violations(each, *s_.mission, where->vehicle))
+          seen.mission.way->push_back(std::move(found));
+    }
+  }
+  seen.journal = house_.journal;
+  seen.actors = house_.actors;
+  seen.wall_ns = now.wall_ns;
+  seen.is_operator_session_alive = house_.is_operator_session_alive;
+  seen.camera = preflight::camera_state::off;
+  return preflight::run_checks(seen, settings_.checks);
+}
+
+// -- what is begun ----------------------------------------------------------------------------------
+
+// One at a time, and only while a plan may be changed.
+bool core::answer_assignment(effects& out, instant now) {
+  const auto at = s_.standing.now;
+  const bool may_change = at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked);
+  const bool is_waiting_on_ground = !is_in_flight() && (at == phase::connected || at == phase::preflight ||
+                                                        at == phase::ready || at == phase::disconnected);
+  if (s_.waiting.empty() || !s_.mission || !(may_change || is_waiting_on_ground))
+    return false;
+  const auto wish = s_.waiting.front();
+  const auto reject = [&](const std::string& why) {
+    out.emplace_back(note{assignment_rejected{wish.assignment_id, why}});
+    return true;
+  };
+  auto wanted = reassign(*s_.mission, wish, last_done(s_));
+  if (!wanted)
+    return reject(wanted.error());
+  if (is_waiting_on_ground) {
+    if (s_.assigned)
+      return false; // its answer goes out with the upload
+    out.emplace_back(note{mission_taken{std::move(wanted->mission), wish.assignment_id}});
+    out.emplace_back(note{preflight::mission_changed{s_.mission->mission_id, wish.revision}});
+    if (at == phase::ready)
+      stand(out, phase::connected);
+    return true;
+  }
+  const auto where = setting(now);
+  if (!where)
+    return true; // until the vehicle is heard
+  auto plans = plan::build_plans(wanted->mission, *where, {wanted->first_item, 0});
+  if (!plans)
+    return reject(plans.error().message());
+  if (const auto found = plan::fence_violations(plans->front(), wanted->mission, where->vehicle); !found.empty())
+    return reject(found.front().message);
+  deployment brings{std::move(wanted->mission), plans->front().items, plans->front().landing_sequence};
+  begin_deploy(out, std::move(brings), plans->front(), wish.assignment_id, at == phase::flying);
+  return true;
+}
+
+bool core::begin_wished(effects& out, instant now) {
+  if (is_handed_back_) {
+    is_handed_back_ = false;
+    if (!is_paused_for_person())
+      return false;
+    if (view_.mode())
+      modes_.adopt(*view_.mode());
+    if (is_in_flight() && view_.is_in(mode_kind::mission))
+      stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
+    else
+      stand_paused(out, pause_cause::asked, "handed back; resume goes on with the mission");
+    return true;
+  }
+  if (is_paused_for_person()) {
+    if (asked_start_)
+      answer_start(out, std::exchange(asked_start_, {})->key, start_verdict::not_ready, s_.standing.reason);
+    return true;
+  }
+  if (finishes_intent_) {
+    finishes_intent_ = false;
+    begin_going_on(out);
+    return true;
+  }
+  if (must_choose_item_ && s_.standing.now == phase::flying && s_.progress.plan) {
+    must_choose_item_ = false;
+    begin(out, task_kind::resume,
+          {choose_item{s_.progress.plan->generation.start_sequence}, change_mode{mode_kind::mission}});
+    return true;
+  }
+  if (wanted_)
+    return begin_wanted(out, *std::exchange(wanted_, {}));
+  if (asked_start_)
+    return begin_asked_start(out, *std::exchange(asked_start_, {}), now);
+  if (is_start_wanted_) {
+    is_start_wanted_ = false;
+    if (const auto why = why_not_start(out, now); !why.empty())
+      out.emplace_back(announce{"the flight is not started: " + why, true});
+    else
+      begin_start(out, {});
+    return true;
+  }
+  return false;
+}
+
+void core::begin_going_on(effects& out) {
+  if (view_.keeps_plan_ids() || !s_.progress.plan)
+    return begin(out, task_kind::resume, {change_mode{mode_kind::mission}});
+  begin(out, task_kind::resume,
+        {choose_item{s_.progress.plan->generation.start_sequence}, change_mode{mode_kind::mission}});
+}
+
+bool core::begin_wanted(effects& out, task_kind what) {
+  if (what == task_kind::resume && !is_in_flight()) {
+    stand(out, phase::connected);
+    return true;
+  }
+  if (!is_in_flight())
+    return false;
+  if (what == task_kind::hold)
+    begin(out, what, {change_mode{mode_kind::hold}});
+  else if (what == task_kind::resume)
+    begin(out, what, {change_mode{mode_kind::mission}});
+  else
+    begin(out, what, {change_mode{mode_kind::returning}});
+  return true;
+}
+
+// The sentence says why not; empty: it may.
+std::string core::why_not_start(effects& out, instant now) {
+  if (s_.standing.now != phase::ready || !s_.progress.plan || !s_.mission)
+    return sentence();
+  const preflight::looked look{look_at_all(now)};
+  if (preflight::matters(s_.preflight, look, now.wall_ns))
+    out.emplace_back(note{look});
+  if (look.what.overall == preflight::verdict::fail ||
+      !preflight::is_passed(s_.preflight, s_.mission->mission_id, s_.mission->revision))
+    return preflight::sentence_of(s_.preflight);
+  if (!view_.is_armed() && !settings_.arm_on_start)
+    return "the vehicle is disarmed, and starting does not arm it (arm_on_start)";
+  return {};
+}
+
+bool core::begin_asked_start(effects& out, const start_mission& asked, instant now) {
+  const bool is_disarmed = !view_.is_armed() && !settings_.arm_on_start;
+  if (now.wall_ns > asked.obey_until_ns)
+    answer_start(out, asked.key, start_verdict::too_late, "the request came too late");
+  else if (const auto why = why_not_start(out, now); !why.empty())
+    answer_start(out, asked.key, is_disarmed ? start_verdict::disarmed : start_verdict::not_ready, why);
+  else
+    begin_start(out, asked.key);
+  return true;
+}
+
+// On the ground: from the link to a plan that is ready.
+bool core::prepare(effects& out, instant now) {
+  const auto at = s_.standing.now;
+  const bool is_prepared =
+      at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
+  if (is_in_flight() || !is_prepared)
+    return false;
+  if (!view_.is_connected() || !view_.mode()) {
+    stand(out, phase::disconnected, pause_cause::none, view_.why_not_connected());
+    return true;
+  }
+  if (s_.arrived) {
+    const auto next = *s_.arrived;
+    out.emplace_back(note{mission_taken{next, {}}});
+    out.emplace_back(note{preflight::mission_changed{next.mission_id, next.revision}});
+    stand(out, phase::connected);
+    return true;
+  }
+  if (at == phase::disconnected) {
+    stand(out, phase::connected);
+    return true;
+  }
+  if (!s_.mission)
+    return false;
+  if (acknowledged_) {
+    out.emplace_back(note{*std::exchange(acknowledged_, {})});
+    return true;
+  }
+  if (at == phase::connected || std::exchange(wants_checks_, false)) {
+    out.emplace_back(note{preflight::checks_wanted{s_.mission->mission_id, s_.mission->revision}});
+    stand(out, phase::preflight);
+    checked_ns_ = 0;
+    return true;
+  }
+  if (checked_ns_ != 0 && now.now_ns - checked_ns_ < check_period_ns)
+    return false;
+  checked_ns_ = now.now_ns;
+  const preflight::looked look{look_at_all(now)};
+  if (preflight::matters(s_.preflight, look, now.wall_ns)) {
+    out.emplace_back(note{look});
+    checked_ns_ = 0; // and what comes of it at once
+    return true;
+  }
+  const bool is_passed = look.what.overall != preflight::verdict::fail &&
+                         preflight::is_passed(s_.preflight, s_.mission->mission_id, s_.mission->revision);
+  if (!is_passed)
+    return false;
+  if (at == phase::preflight && plans_ && *plans_) {
+    const auto& first = (*plans_)->front();
+    stand(out, phase::uploading);
+    begin_deploy(out, {*s_.mission, first.items, first.landing_sequence}, first, s_.assigned, false);
+    return true;
+  }
+  const bool starts_itself = settings_.start == start_policy::automatic && settings_.arm_on_start;
+  if (at == phase::ready && starts_itself && !view_.is_under_way()) {
+    begin_start(out, {});
+    return true;
+  }
+  return false;
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,76 @@
+// Where a flight stands, and where it may go from there.
+//
+//   disconnected ──> connected ──> preflight ──> uploading ──> ready ──> starting ──> flying ──> landing ──>
+//   post_flight
+//        ^               │            ^  ^           │            │          │          │           │            │
+//        └──link down────┴────────────┘  └───────────┴──changed───┘          │          │           │            v
+//                                     └──────── the next plan of the mission ┼──────────┼───────────┘          done
+//                                                                            v          v
+//                                                         paused <───────────┴──────────┘          aborted
+//
+// The same for all classes of vehicles; what differs is by_class.hpp: how each starts, and when it has landed. Paused
+// has a cause: what ends it depends on that. Thread: constants.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor {
+
+enum class phase {
+  disconnected, // no autopilot is heard
+  connected,    // an autopilot, and no mission
+  preflight,    // the checks are run until they pass
+  uploading,    // the plan goes to the vehicle
+  ready,        // it is there, and waits for the start
+  starting,
+  flying,
+  landing,     // the plan is flown; the vehicle comes down
+  post_flight, // what is owed to the service is delivered
+  done,
+  paused, // godwit sends nothing on its own until the cause is gone
+  aborted // the mission is over before its end
+};
+
+constexpr auto enum_names(phase) {
+  return io::names<phase>({{phase::disconnected, "disconnected"},
+                           {phase::connected, "connected"},
+                           {phase::preflight, "preflight"},
+                           {phase::uploading, "uploading"},
+                           {phase::ready, "ready"},
+                           {phase::starting, "starting"},
+                           {phase::flying, "flying"},
+                           {phase::landing, "landing"},
+                           {phase::post_flight, "post_flight"},
+                           {phase::done, "done"},
+                           {phase::paused, "paused"},
+                           {phase::aborted, "aborted"}});
+}
+
+enum class pause_cause {
+  none,
+  asked,             // an operator said so
+  taken_over,        // a pilot has the vehicle: until an operator hands it back
+  failsafe,          // a failsafe acts: until an operator hands it back
+  vehicle_restarted, // what the autopilot flew is lost
+  foreign_plan,      // the vehicle holds a plan that is not ours
+  not_done,          // a command or an upload failed for good; the reason says which
+  restarted          // godwit was restarted on the ground: nothing begins by itself
+};
+
+constexpr auto enum_names(pause_cause) {
+  return io::names<pause_cause>({{pause_cause::none, "none"},
+                                 {pause_cause::asked, "asked"},
+                                 {pause_cause::taken_over, "taken_over"},
+                                 {pause_cause::failsafe, "failsafe"},
+                                 {pause_cause::vehicle_restarted, "vehicle_restarted"},
+                                 {pause_cause::foreign_plan, "foreign_plan"},
+                                 {pause_cause::not_done, "not_done"},
+                                 {pause_cause::restarted, "restarted"}});
+}
+
+// Only after an operator's word may anything be sent again.
+[[nodiscard]] constexpr bool needs_hand_back(pause_cause cause) {
+  return cause == pause_cause::taken_over || cause == pause_cause::failsafe;
+}
+
+} // namespace godwit::executor

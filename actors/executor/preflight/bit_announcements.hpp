@@ -1,0 +1,45 @@
+// What others hear of the state of the preflight checks. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "actors/executor/preflight/bit_state.hpp"
+#include "actors/executor/preflight/report.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor::preflight {
+
+// At each change of phase or sentence.
+struct phase_changed {
+  phase now = phase::idle;
+  std::string sentence; // for people, see sentence_of
+  static constexpr auto fields = io::table("executor.preflight_phase_changed", io::field("now", &phase_changed::now),
+                                           io::field("sentence", &phase_changed::sentence));
+};
+
+// For operators: this report waits for an acknowledgement that names its number. It replaces the one before.
+struct report_opened {
+  report what;
+  std::int64_t acknowledge_until_ns = 0; // wall clock
+  static constexpr auto fields = io::table("executor.preflight_report_opened", io::field("what", &report_opened::what),
+                                           io::field("acknowledge_until_ns", &report_opened::acknowledge_until_ns));
+};
+
+// The answer to `acknowledged`. Repeated, it is taken again.
+struct acknowledgement_answered {
+  std::uint32_t report_id = 0;
+  bool is_taken = false;
+  std::string reason; // sentence for people; empty when taken
+  static constexpr auto fields = io::table("executor.preflight_acknowledgement_answered",
+                                           io::field("report_id", &acknowledgement_answered::report_id),
+                                           io::field("is_taken", &acknowledgement_answered::is_taken),
+                                           io::field("reason", &acknowledgement_answered::reason));
+};
+
+using announcement = std::variant<report_opened, acknowledgement_answered, phase_changed>;
+using announcements = std::vector<announcement>;
+
+} // namespace godwit::executor::preflight

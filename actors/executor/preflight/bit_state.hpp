@@ -1,0 +1,62 @@
+// How far the preflight checks of a flight are: what must survive a crash. Nanoseconds since 1970 (UTC). Thread: plain
+// values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor::preflight {
+
+enum class phase {
+  idle,         // no flight is prepared
+  running,      // a look is awaited
+  pass,         // it may start, or has started
+  awaiting_ack, // of the report with this number
+  failed        // it may not start
+};
+
+constexpr auto enum_names(phase) {
+  return io::names<phase>({{phase::idle, "idle"},
+                           {phase::running, "running"},
+                           {phase::pass, "pass"},
+                           {phase::awaiting_ack, "awaiting_ack"},
+                           {phase::failed, "failed"}});
+}
+
+// What operators are asked to acknowledge, or have acknowledged. It holds for this flight.
+struct open_report {
+  std::uint32_t id = 0;
+  std::vector<std::string> sentences; // of what was degraded
+  std::int64_t opened_ns = 0;
+  std::string acknowledged_by; // empty: nobody has yet
+  static constexpr auto fields =
+      io::table("executor.preflight_open_report", io::field("id", &open_report::id),
+                io::field("sentences", &open_report::sentences), io::field("opened_ns", &open_report::opened_ns),
+                io::field("acknowledged_by", &open_report::acknowledged_by));
+};
+
+inline constexpr std::size_t max_operator_name = 64; // bytes; the rest is cut off
+
+struct state {
+  phase now = phase::idle;
+  std::string mission_id; // of the flight that is prepared
+  std::int32_t revision = 0;
+  bool is_flying = false;            // with the pass that it has; nothing that is seen now changes it
+  std::uint32_t last_report_id = 0;  // of any flight: a late acknowledgement never meets another report
+  std::optional<open_report> report; // when failed: it was not acknowledged in time
+  std::string reason;                // why failed, or idle again
+
+  static constexpr int version = 1;
+  static constexpr auto fields =
+      io::table("executor.preflight_state", io::field("now", &state::now), io::field("mission_id", &state::mission_id),
+                io::field("revision", &state::revision), io::field("is_flying", &state::is_flying),
+                io::field("last_report_id", &state::last_report_id), io::field("report", &state::report),
+                io::field("reason", &state::reason));
+};
+
+} // namespace godwit::executor::preflight

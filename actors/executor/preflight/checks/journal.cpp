@@ -1,0 +1,14 @@
+#include "actors/executor/preflight/checks/journal.hpp"
+
+namespace godwit::executor::preflight {
+
+result look_at_journal(const facts& seen, const settings&) {
+  if (!seen.journal.is_sound)
+    return fail(
+        "The journal did not pass its integrity check; move the file away and start again, or take a new disk.");
+  if (!seen.journal.is_writable)
+    return fail("The journal can not be written; look at the disk: whether it is full, broken or read-only.");
+  return pass("The journal is sound and can be written.");
+}
+
+} // namespace godwit::executor::preflight

@@ -1,0 +1,12 @@
+// Fails unless a mission is loaded, and can be said to this vehicle. Thread: pure.
+#pragma once
+
+#include "actors/executor/preflight/facts.hpp"
+#include "actors/executor/preflight/result.hpp"
+#include "actors/executor/preflight/settings.hpp"
+
+namespace godwit::executor::preflight {
+
+[[nodiscard]] result look_at_mission(const facts& seen, const settings& set);
+
+} // namespace godwit::executor::preflight

@@ -1,0 +1,20 @@
+#include "actors/executor/preflight/checks/vehicle_link.hpp"
+
+namespace godwit::executor::preflight {
+
+result look_at_vehicle_link(const facts& seen, const settings&) {
+  using vehicle_link::connection_phase;
+  switch (seen.vehicle.link) {
+  case connection_phase::connected:
+    return pass("The vehicle is heard.");
+  case connection_phase::silent:
+    return fail("No autopilot is heard on the link; switch the vehicle on, and look at the speed of the line.");
+  case connection_phase::lost:
+    return fail("The vehicle is not heard any more; look at its power and its cable or radio.");
+  case connection_phase::down:
+    break;
+  }
+  return fail("The link to the vehicle is not open; look at the device or address that it is set to.");
+}
+
+} // namespace godwit::executor::preflight

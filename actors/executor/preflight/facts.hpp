@@ -1,0 +1,87 @@
+// All that the preflight checks look at, as it is known at this moment.
+//
+// What is not known, or was heard too long ago to be believed, is left as it is here: with nothing filled in no check
+// passes. The mission and its plans are borrowed for the time of one look. Nanoseconds; the wall clock counts since
+// 1970 (UTC). Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/plan/flight_plan.hpp"
+#include "actors/executor/plan/plan_error.hpp"
+#include "io/mavlink/enums/vehicle.hpp"
+#include "messages/flight/vehicle_class.hpp"
+#include "messages/mission/document.hpp"
+#include "messages/mission_client/types.hpp"
+#include "messages/vehicle_link/connection.hpp"
+
+namespace godwit::executor::preflight {
+
+// The autopilot's own checks before arming.
+enum class own_checks {
+  unknown,  // it was not heard yet
+  not_told, // it was heard, and does not say
+  failing,
+  passing
+};
+
+struct vehicle_facts {
+  vehicle_link::connection_phase link = vehicle_link::connection_phase::down;
+  flight::vehicle_class what = flight::vehicle_class::unknown;
+  io::mavlink::mav_autopilot autopilot = io::mavlink::mav_autopilot::invalid; // from the air: may have no name
+  io::mavlink::gps_fix_type fix = io::mavlink::gps_fix_type::no_gps;          // the same
+  std::optional<std::uint8_t> satellites;                                     // absent: the receiver does not count
+  std::optional<std::int64_t> position_age_ns;                                // absent: never heard
+  bool is_home_known = false;
+  std::optional<std::int32_t> battery_percent; // absent: not heard; -1: the autopilot does not know
+  own_checks own = own_checks::unknown;
+};
+
+using plan_result = tl::expected<std::vector<plan::flight_plan>, plan::plan_error>;
+
+struct mission_facts {
+  const mission::document* document = nullptr;              // its rules were looked at when it was read
+  std::string refusal;                                      // why there is none; empty: none was asked for
+  const plan_result* plans = nullptr;                       // of this document; null: not planned yet
+  std::optional<std::vector<plan::violation>> way;          // of all plans; absent: not looked at yet
+  std::optional<std::vector<plan::violation>> return_point; // absent: not looked at yet
+  bool has_service = true;                                  // false: a ground station's; nothing keeps a map of it
+  mission_client::pull_state map = mission_client::pull_state::not_started;
+  std::string map_problem; // why the pull failed
+};
+
+struct journal_facts {
+  bool is_writable = false;                // the last write reached the disk
+  bool is_sound = false;                   // the integrity check passed
+  std::optional<std::uint64_t> free_bytes; // of its disk; absent: the system does not tell
+};
+
+struct actor_fact {
+  std::string name;
+  bool is_running = false;
+};
+
+enum class camera_state { unknown, off, not_ready, ready };
+
+struct facts {
+  vehicle_facts vehicle;
+  mission_facts mission;
+  journal_facts journal;
+  std::int64_t wall_ns = 0;
+  bool is_operator_session_alive = false;
+  std::vector<actor_fact> actors; // all that have to run
+  camera_state camera = camera_state::unknown;
+};
+
+// While it is not, nothing that is known of the vehicle counts; the check of the link fails then.
+[[nodiscard]] inline bool is_vehicle_heard(const facts& seen) {
+  return seen.vehicle.link == vehicle_link::connection_phase::connected;
+}
+
+} // namespace godwit::executor::preflight

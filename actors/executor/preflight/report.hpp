@@ -1,0 +1,45 @@
+// One look at everything: what each check found, and the worst of it. Thread: plain values, pure.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "actors/executor/preflight/facts.hpp"
+#include "actors/executor/preflight/result.hpp"
+#include "actors/executor/preflight/settings.hpp"
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor::preflight {
+
+struct finding {
+  std::string check; // its name in the table of checks.hpp
+  verdict how = verdict::fail;
+  std::string sentence;
+  static constexpr auto fields = io::table("executor.preflight_finding", io::field("check", &finding::check),
+                                           io::field("how", &finding::how), io::field("sentence", &finding::sentence));
+  friend bool operator==(const finding&, const finding&) = default;
+};
+
+struct report {
+  std::uint32_t id = 0;            // what an acknowledgement names; 0: none is asked for
+  std::string mission_id;          // empty: no mission was loaded
+  std::int32_t revision = 0;       // 0: the same
+  verdict overall = verdict::fail; // a report of nothing is no pass
+  std::vector<finding> findings;   // one for each check, in the order of the table
+  static constexpr auto fields =
+      io::table("executor.preflight_report", io::field("id", &report::id), io::field("mission_id", &report::mission_id),
+                io::field("revision", &report::revision), io::field("overall", &report::overall),
+                io::field("findings", &report::findings));
+  friend bool operator==(const report&, const report&) = default;
+};
+
+[[nodiscard]] report run_checks(const facts& seen, const settings& set);
+
+// The worst; of nothing, fail.
+[[nodiscard]] verdict worst_of(const std::vector<finding>& all);
+
+// Of all findings with this verdict, in their order.
+[[nodiscard]] std::vector<std::string> sentences_of(const report& what, verdict how);
+
+} // namespace godwit::executor::preflight

@@ -1,0 +1,32 @@
+// What can be set about the preflight checks. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor::preflight {
+
+struct settings {
+  std::int32_t battery_return_percent = 25;     // at which the failsafe returns: the same as in its settings
+  std::int32_t battery_margin_percent = 15;     // above that, so that a flight does not end as it begins
+  std::int32_t min_satellites = 6;              // PX4 asks for as many (EKF2_REQ_NSATS)
+  std::int64_t position_stale_ms = 2'000;       // at 1 Hz, the slowest that is usual, one may be late
+  std::int64_t journal_min_free_mib = 64;       // nothing is flown with less: a full disk stops all progress
+  std::int64_t journal_low_free_mib = 512;      // a full trace (256 MiB), and as much again for everything else
+  std::int64_t earliest_date_s = 1'735'689'600; // 2025-01-01, UTC: a clock before it was never set
+  bool is_operator_session_required = false;
+
+  static constexpr auto fields =
+      io::table("executor.preflight_settings", io::field("battery_return_percent", &settings::battery_return_percent),
+                io::field("battery_margin_percent", &settings::battery_margin_percent),
+                io::field("min_satellites", &settings::min_satellites),
+                io::field("position_stale_ms", &settings::position_stale_ms),
+                io::field("journal_min_free_mib", &settings::journal_min_free_mib),
+                io::field("journal_low_free_mib", &settings::journal_low_free_mib),
+                io::field("earliest_date_s", &settings::earliest_date_s),
+                io::field("is_operator_session_required", &settings::is_operator_session_required));
+  friend bool operator==(const settings&, const settings&) = default;
+};
+
+} // namespace godwit::executor::preflight

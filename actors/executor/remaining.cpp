@@ -1,0 +1,63 @@
+#include "actors/executor/remaining.hpp"
+
+#include <algorithm>
+
+#include "actors/domain/mission/rules.hpp"
+
+namespace godwit::executor {
+namespace {
+
+std::optional<std::size_t> place_of(const mission::document& mission, const std::string& id) {
+  const auto found = std::find_if(mission.items.begin(), mission.items.end(),
+                                  [&](const mission::item& each) { return id_of(each) == id; });
+  if (found == mission.items.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(found - mission.items.begin());
+}
+
+} // namespace
+
+std::optional<std::string> last_done(const state& s) {
+  if (!s.mission || !s.progress.plan || s.progress.plan->map.items.empty())
+    return std::nullopt;
+  const auto& items = s.progress.plan->map.items;
+  const auto settled = std::min<std::size_t>(s.progress.plan->ever_settled, items.size());
+  if (settled != 0)
+    return items[settled - 1].item_id;
+  const auto first = items.front().item_index; // what stands before a plan was flown by the one before
+  return first == 0 || first > s.mission->items.size() ? std::nullopt
+                                                       : std::optional(id_of(s.mission->items[first - 1]));
+}
+
+std::size_t first_remaining(const mission::document& mission, const std::optional<std::string>& last_done) {
+  if (!last_done)
+    return 0;
+  const auto place = place_of(mission, *last_done);
+  return place ? *place + 1 : 0;
+}
+
+tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& wish,
+                                               const std::optional<std::string>& last_done) {
+  if (wish.base_revision != mission.revision)
+    return tl::make_unexpected("it is meant for revision " + std::to_string(wish.base_revision) +
+                               " of the mission, and the vehicle flies revision " + std::to_string(mission.revision));
+  std::size_t kept = 0;
+  if (wish.replace_after_item_id) {
+    const auto place = place_of(mission, *wish.replace_after_item_id);
+    if (!place)
+      return tl::make_unexpected("the mission has no item '" + *wish.replace_after_item_id +
+                                 "' after which items could be replaced");
+    kept = *place + 1;
+  }
+  reassigned result{mission, 0};
+  result.mission.revision = wish.revision;
+  auto& items = result.mission.items;
+  items.resize(kept);
+  items.insert(items.end(), wish.items.begin(), wish.items.end());
+  if (const auto problems = mission::broken_rules(result.mission); !problems.empty())
+    return tl::make_unexpected("the mission would break a rule: " + problems.front().message());
+  result.first_item = std::min(first_remaining(mission, last_done), kept);
+  return result;
+}
+
+} // namespace godwit::executor

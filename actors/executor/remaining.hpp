@@ -1,0 +1,37 @@
+// What of a mission is still to be flown, and what becomes of it when the service assigns other items.
+//
+// Items are recognised by their ids: two revisions of a mission have in common what has the same id. Pure.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "actors/executor/state.hpp"
+#include "messages/mission/change.hpp"
+#include "messages/mission/document.hpp"
+
+namespace godwit::executor {
+
+// The items that are done or skipped end with this one: its id. None: nothing is done.
+[[nodiscard]] std::optional<std::string> last_done(const state& s);
+
+// The first item of MISSION that is not done: the one behind last_done, or the first one. Its size: all are done.
+[[nodiscard]] std::size_t first_remaining(const mission::document& mission,
+                                          const std::optional<std::string>& last_done);
+
+struct reassigned {
+  mission::document mission;
+  std::size_t first_item = 0; // to go on with
+};
+
+// WISH carried out on MISSION, of which all up to LAST_DONE is flown. What was flown stays in the mission, as far as it
+// is not replaced. Errors: a sentence that the service gets as the reason of the refusal.
+[[nodiscard]] tl::expected<reassigned, std::string> reassign(const mission::document& mission,
+                                                             const mission::assignment& wish,
+                                                             const std::optional<std::string>& last_done);
+
+} // namespace godwit::executor

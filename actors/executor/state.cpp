@@ -1,0 +1,145 @@
+#include "actors/executor/state.hpp"
+
+#include <type_traits>
+#include <utility>
+
+#include "actors/domain/uuid/uuid.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using effects = std::vector<durable_core::effect>;
+
+// The same report has the same key, whenever it is made.
+std::string key_of(const mission::progress_report& report) {
+  constexpr std::uint64_t reports = 0x7265706f7274; // keeps them apart from whatever else follows from a mission
+  return ids::derived_uuid(report.mission_id, ids::text_of({reports, report.report_no}));
+}
+
+void give(effects& out, const mission::progress_report& report) {
+  out.emplace_back(mission_client::report_progress{key_of(report), report});
+}
+
+void give(effects& out, const progress::assignment_answered& answer) {
+  out.emplace_back(mission_client::respond_to_assignment{answer.mission_id, answer.assignment_id, answer.response});
+}
+
+template <class M>
+void give(effects& out, const M& other) {
+  out.emplace_back(other);
+}
+
+// An upload that is over leaves either the new mission or the one before.
+void settle_deployment(state& s, std::uint32_t generation_before) {
+  if (s.progress.upload || !s.brings)
+    return;
+  if (s.progress.last_generation != generation_before) {
+    s.mission = s.brings->mission;
+    s.flown = std::move(s.brings);
+  }
+  s.brings.reset();
+}
+
+void forget_wish(state& s, const std::string& assignment_id) {
+  std::erase_if(s.waiting, [&](const auto& each) { return each.assignment_id == assignment_id; });
+  s.last_assignment = assignment_id;
+}
+
+template <class M>
+concept of_progress = std::is_constructible_v<progress::event, M>;
+
+template <of_progress M>
+effects take(state& s, const M& happened, std::int64_t now_ns) {
+  const auto generation = s.progress.last_generation;
+  const bool was_uploading = s.progress.upload.has_value();
+  effects out;
+  for (const auto& each : progress::handle(s.progress, progress::event(happened), now_ns))
+    std::visit([&](const auto& what) { give(out, what); }, each);
+  if constexpr (std::is_same_v<M, progress::upload_intended>) {
+    if (happened.assignment)
+      forget_wish(s, happened.assignment->assignment_id);
+    s.assigned.reset();
+  }
+  if (was_uploading)
+    settle_deployment(s, generation);
+  return out;
+}
+
+template <class M>
+concept of_preflight = std::is_constructible_v<preflight::event, M>;
+
+template <of_preflight M>
+effects take(state& s, const M& happened, std::int64_t now_ns) {
+  effects out;
+  for (const auto& each : preflight::handle(s.preflight, preflight::event(happened), now_ns))
+    std::visit([&](const auto& what) { out.emplace_back(what); }, each);
+  return out;
+}
+
+// An answer without a plan behind it.
+mission_client::respond_to_assignment turned_down(const state& s, const std::string& assignment_id,
+                                                  const std::string& reason) {
+  mission::assignment_response response;
+  response.idempotency_key = ids::derived_uuid(assignment_id, s.mission->mission_id);
+  response.outcome = mission::assignment_outcome::rejected;
+  response.reason = reason;
+  response.last_progress = progress::last_progress(s.progress);
+  response.generation = s.progress.last_generation;
+  return {s.mission->mission_id, assignment_id, std::move(response)};
+}
+
+effects take(state& s, const assignment_kept& happened, std::int64_t) {
+  s.waiting.push_back(happened.wish);
+  return {};
+}
+
+effects take(state& s, const assignment_rejected& happened, std::int64_t) {
+  forget_wish(s, happened.assignment_id);
+  return {turned_down(s, happened.assignment_id, happened.reason)};
+}
+
+effects take(state& s, const mission_arrived& happened, std::int64_t) {
+  s.arrived = happened.mission;
+  return {};
+}
+
+effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
+  s.mission = happened.mission;
+  s.arrived.reset();
+  if (happened.assignment) {
+    forget_wish(s, *happened.assignment);
+    s.assigned = happened.assignment;
+  }
+  return take(s, progress::mission_opened{happened.mission.mission_id, happened.mission.revision}, now_ns);
+}
+
+effects take(state& s, const task_begun& happened, std::int64_t) {
+  s.doing = happened.what;
+  s.last_task = happened.what.number;
+  if (happened.brings)
+    s.brings = happened.brings;
+  return {};
+}
+
+effects take(state& s, const task_ended& happened, std::int64_t) {
+  if (s.doing && s.doing->number == happened.number)
+    s.doing.reset();
+  return {};
+}
+
+effects take(state& s, const stood& happened, std::int64_t) {
+  s.standing = happened;
+  return {happened};
+}
+
+effects take(state&, const start_settled& happened, std::int64_t) { return {happened.answer}; }
+
+effects take(state&, const marked& happened, std::int64_t) { return {happened}; }
+
+} // namespace
+
+std::vector<durable_core::effect> durable_core::handle(state& s, const event& happened, std::int64_t now_ns) {
+  return std::visit([&](const auto& what) { return take(s, what, now_ns); }, happened);
+}
+
+} // namespace godwit::executor

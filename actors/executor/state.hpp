@@ -1,0 +1,184 @@
+// What of the executor must survive a crash: the mission, where its flight stands, what the vehicle is being brought
+// to, and how far the mission got.
+//
+//   event                         effects, once it is on the disk
+//   those of progress/events.hpp  reports and answers for the service, and what progress wants looked at
+//   those of preflight            what operators have to know
+//   mission_arrived, _taken       none
+//   assignment_kept, _rejected    the answer that turns it down
+//   task_begun, task_ended        none; a task is on the disk before its first word goes to the vehicle
+//   stood                         the flight's new standing, to whoever watches
+//   start_settled                 start_answer to who asked
+//   marked                        itself: all that was noted before it is on the disk
+//
+// A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "actors/executor/phase.hpp"
+#include "actors/executor/preflight/bit.hpp"
+#include "actors/executor/progress/core.hpp"
+#include "actors/executor/progress/state.hpp"
+#include "io/fields/field_table.hpp"
+#include "messages/executor/types.hpp"
+#include "messages/flight/flight_mode.hpp"
+#include "messages/mission/document.hpp"
+#include "messages/mission_client/types.hpp"
+
+namespace godwit::executor {
+
+enum class task_kind {
+  deploy, // bring a plan to the vehicle; with `goes_on` fly it
+  start,  // fly the plan that it holds
+  hold,
+  resume,
+  come_home
+};
+
+constexpr auto enum_names(task_kind) {
+  return io::names<task_kind>({{task_kind::deploy, "deploy"},
+                               {task_kind::start, "start"},
+                               {task_kind::hold, "hold"},
+                               {task_kind::resume, "resume"},
+                               {task_kind::come_home, "come_home"}});
+}
+
+// What the vehicle is being brought to.
+struct task {
+  std::uint64_t number = 0; // rises with each
+  task_kind kind = task_kind::deploy;
+  bool goes_on = false;                   // deploy: it is under way, and flies on with the new plan
+  std::optional<std::uint64_t> start_key; // start: of the station that waits for the answer
+  static constexpr auto fields =
+      io::table("executor.task", io::field("number", &task::number), io::field("kind", &task::kind),
+                io::field("goes_on", &task::goes_on), io::field("start_key", &task::start_key));
+};
+
+// The plan that an upload brings, until the upload is settled.
+struct deployment {
+  mission::document mission;
+  std::vector<io::mavlink::mission_item_int> items;
+  std::optional<std::uint16_t> landing_sequence;
+  static constexpr auto fields =
+      io::table("executor.deployment", io::field("mission", &deployment::mission),
+                io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence));
+};
+
+// -- events besides those of the progress -----------------------------------------------------------
+
+// It is this mission now. No plan of it is on the vehicle yet.
+struct mission_taken {
+  mission::document mission;
+  std::optional<std::string> assignment; // that it carries out; answered when the plan is on the vehicle
+  static constexpr auto fields = io::table("executor.mission_taken", io::field("mission", &mission_taken::mission),
+                                           io::field("assignment", &mission_taken::assignment));
+};
+
+// The service wants other items. It waits until what goes on now is over.
+struct assignment_kept {
+  mission::assignment wish;
+  static constexpr auto fields = io::table("executor.assignment_kept", io::field("wish", &assignment_kept::wish));
+};
+
+// It has been turned down.
+struct assignment_rejected {
+  std::string assignment_id;
+  std::string reason; // sentence for people
+  static constexpr auto fields =
+      io::table("executor.assignment_rejected", io::field("assignment_id", &assignment_rejected::assignment_id),
+                io::field("reason", &assignment_rejected::reason));
+};
+
+// The service has another mission, or another revision of this one. It waits until what goes on now is over.
+struct mission_arrived {
+  mission::document mission;
+  static constexpr auto fields = io::table("executor.mission_arrived", io::field("mission", &mission_arrived::mission));
+};
+
+struct task_begun {
+  task what;
+  std::optional<deployment> brings;
+  static constexpr auto fields =
+      io::table("executor.task_begun", io::field("what", &task_begun::what), io::field("brings", &task_begun::brings));
+};
+
+struct task_ended {
+  std::uint64_t number = 0;
+  static constexpr auto fields = io::table("executor.task_ended", io::field("number", &task_ended::number));
+};
+
+// The flight stands here from now on.
+struct stood {
+  phase now = phase::disconnected;
+  pause_cause cause = pause_cause::none;
+  std::string reason;     // sentence for people; empty when all is well
+  bool in_flight = false; // it was started by us, and has not ended
+  static constexpr auto fields =
+      io::table("executor.stood", io::field("now", &stood::now), io::field("cause", &stood::cause),
+                io::field("reason", &stood::reason), io::field("in_flight", &stood::in_flight));
+  friend bool operator==(const stood&, const stood&) = default;
+};
+
+// A station's MISSION_START has its answer.
+struct start_settled {
+  start_answer answer;
+  static constexpr auto fields = io::table("executor.start_settled", io::field("answer", &start_settled::answer));
+};
+
+struct marked {
+  std::uint64_t ticket = 0;
+  static constexpr auto fields = io::table("executor.marked", io::field("ticket", &marked::ticket));
+};
+
+// What the service wants while something else goes on. More are turned down.
+inline constexpr std::size_t max_waiting = 8;
+
+struct state {
+  std::optional<mission::document> mission;
+  std::optional<mission::document> arrived;   // takes its place on the ground
+  std::vector<mission::assignment> waiting;   // oldest first, bounded by max_waiting
+  std::optional<std::string> assigned;        // carried out by the mission, and by no plan yet
+  std::optional<std::string> last_assignment; // that was answered, or will be with its upload
+  std::optional<deployment> brings;           // of the upload under way
+  std::optional<deployment> flown;            // on the vehicle
+  std::optional<task> doing;
+  std::uint64_t last_task = 0;
+  stood standing;
+  preflight::state preflight;
+  progress::state progress;
+
+  static constexpr int version = 1;
+  static constexpr auto fields =
+      io::table("executor.state", io::field("mission", &state::mission), io::field("brings", &state::brings),
+                io::field("flown", &state::flown), io::field("doing", &state::doing),
+                io::field("last_task", &state::last_task), io::field("standing", &state::standing),
+                io::field("preflight", &state::preflight), io::field("progress", &state::progress));
+};
+
+// The durable core: keeps what was decided, and lets the progress decide.
+struct durable_core {
+  using state = executor::state;
+  using event =
+      std::variant<progress::mission_opened, progress::upload_intended, progress::start_intended,
+                   progress::mission_aborted, progress::upload_ended, progress::vehicle_looked_at,
+                   progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
+                   progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
+                   preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
+                   mission_arrived, mission_taken, assignment_kept, assignment_rejected, task_begun, task_ended, stood,
+                   start_settled, marked>;
+  using effect =
+      std::variant<mission_client::report_progress, mission_client::respond_to_assignment, progress::look_at_vehicle,
+                   progress::read_plan_back, progress::settle_start, progress::news, preflight::phase_changed,
+                   preflight::report_opened, preflight::acknowledgement_answered, stood, start_answer, marked>;
+
+  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t now_ns);
+  // What progress has to look at is asked for by whoever begins anew (core.hpp), behind the first look at the vehicle.
+  [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
+};
+
+} // namespace godwit::executor

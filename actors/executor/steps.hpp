@@ -1,0 +1,43 @@
+// What a task is made of: steps that the vehicle is brought through one after the other.
+//
+//   deploy, on the ground                note upload, upload
+//   deploy, under way, with plan ids     note upload, upload, mission mode
+//   deploy, under way, without           hold, note upload, upload, choose the first item, mission mode
+//   start                                (guided, arm,) start
+//   hold, resume, come home              that mode
+//
+// A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
+// the vehicle to show it; then it has failed, and with it the task. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "actors/executor/state.hpp"
+#include "messages/flight/flight_mode.hpp"
+#include "messages/vehicle_link/command.hpp"
+
+namespace godwit::executor {
+
+struct change_mode {
+  flight::mode_kind to = flight::mode_kind::hold;
+};
+struct bring_plan {}; // the deployment of the task; its intent is noted by then
+struct choose_item {
+  std::uint16_t sequence = 0;
+};
+struct arm {};
+struct start_plan {
+  std::uint16_t sequence = 0;
+};
+
+using step = std::variant<change_mode, bring_plan, choose_item, arm, start_plan>;
+using steps = std::vector<step>;
+
+inline constexpr int max_tries = 3;                             // of each step
+inline constexpr std::int64_t shown_within_ns = 4'000'000'000;  // from the answer to the heartbeat that shows it
+inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try
+
+} // namespace godwit::executor

@@ -1,0 +1,276 @@
+#include "actors/executor/task_runner.hpp"
+
+#include <utility>
+
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::mav_result;
+using io::mavlink::number;
+using vehicle_link::command_verdict;
+namespace transfer = vehicle_link::transfer;
+
+// The vehicle has looked at it and will not have it: to ask again the same would be answered the same.
+bool is_final(const vehicle_link::command_outcome& outcome) {
+  if (outcome.verdict == command_verdict::invalid)
+    return true;
+  return outcome.verdict == command_verdict::refused &&
+         (outcome.result == number(mav_result::denied) || outcome.result == number(mav_result::unsupported));
+}
+
+} // namespace
+
+progress::upload_ended end_of(const transfer::outcome& outcome) {
+  using progress::upload_verdict;
+  progress::upload_ended result{upload_verdict::unknown, outcome.plan_id, outcome.reason};
+  if (outcome.verdict == transfer::verdict::accepted)
+    result.verdict = upload_verdict::accepted;
+  else if (outcome.holding == transfer::holding::unchanged)
+    result.verdict = upload_verdict::unchanged;
+  else if (outcome.holding == transfer::holding::other)
+    result.verdict = upload_verdict::other;
+  return result;
+}
+
+// -- a task -----------------------------------------------------------------------------------------
+
+void task_runner::begin(const task& what, steps way, std::optional<progress::upload_intended> intent) {
+  task_ = what;
+  way_ = std::move(way);
+  at_ = 0;
+  intent_ = std::move(intent);
+  tries_ = 0;
+  is_intent_noted_ = false;
+  ended_.reset();
+  why_failed_.clear();
+  enter(stage::begin);
+}
+
+// An intent that was noted has an end, too. That of a transfer under way comes with its outcome.
+void task_runner::drop(const world& w) {
+  if (!task_)
+    return;
+  const bool is_open = is_intent_noted_ && !ended_ && at_ < way_.size() && stage_ != stage::closing;
+  if (is_open && !std::holds_alternative<bring_plan>(way_[at_]))
+    w.out.emplace_back(note{progress::start_ended{false}});
+  else if (is_open && stage_ == stage::asked)
+    w.out.emplace_back(give_up_transfer{});
+  else if (is_open && stage_ != stage::settling)
+    w.out.emplace_back(note{progress::upload_ended{progress::upload_verdict::unchanged, {}, "it was given up"}});
+  task_.reset();
+}
+
+void task_runner::enter(stage next, std::int64_t deadline_ns) {
+  stage_ = next;
+  deadline_ns_ = deadline_ns;
+}
+
+void task_runner::next_step() {
+  ++at_;
+  tries_ = 0;
+  is_intent_noted_ = false;
+  enter(stage::begin);
+}
+
+void task_runner::fail(std::string why) {
+  why_failed_ = std::move(why);
+  ended_ = verdict::failed;
+}
+
+task_runner::verdict task_runner::advance(const world& w) {
+  if (!task_)
+    return verdict::idle;
+  while (!ended_) {
+    if (at_ == way_.size()) {
+      ended_ = verdict::done;
+      break;
+    }
+    const auto before = std::pair(at_, stage_);
+    if (stage_ == stage::begin)
+      begin_step(w);
+    else if (stage_ == stage::showing && is_shown(w.view))
+      was_obeyed(w);
+    else if (stage_ == stage::showing && w.now_ns >= deadline_ns_)
+      was_not_done(w, last_reason_.empty() ? "the vehicle does not show it" : last_reason_, false);
+    else if (stage_ == stage::pausing && w.now_ns >= deadline_ns_)
+      enter(stage::begin);
+    else if (stage_ == stage::settling)
+      settle_upload(w);
+    if (before == std::pair(at_, stage_))
+      break;
+  }
+  if (!ended_)
+    return verdict::under_way;
+  task_.reset();
+  return *ended_;
+}
+
+std::int64_t task_runner::next_deadline_ns() const { return task_ ? deadline_ns_ : never_ns; }
+
+// -- a step -----------------------------------------------------------------------------------------
+
+bool task_runner::has_intent() const {
+  const auto& what = way_[at_];
+  return std::holds_alternative<bring_plan>(what) || std::holds_alternative<choose_item>(what) ||
+         std::holds_alternative<start_plan>(what);
+}
+
+bool task_runner::is_shown(const vehicle_view& view) const {
+  const auto& what = way_[at_];
+  if (const auto* mode = std::get_if<change_mode>(&what))
+    return view.is_in(mode->to);
+  if (std::holds_alternative<arm>(what))
+    return view.is_armed();
+  if (std::holds_alternative<start_plan>(what))
+    return view.is_armed() && view.is_in(flight::mode_kind::mission);
+  return false;
+}
+
+std::string task_runner::wish() const {
+  const auto& what = way_[at_];
+  if (const auto* mode = std::get_if<change_mode>(&what))
+    return "to change to " + std::string(io::name_of(mode->to));
+  if (const auto* item = std::get_if<choose_item>(&what))
+    return "to go to item " + std::to_string(item->sequence);
+  if (std::holds_alternative<arm>(what))
+    return "to arm";
+  return std::holds_alternative<bring_plan>(what) ? "to take the plan" : "to start the mission";
+}
+
+void task_runner::begin_step(const world& w) {
+  const bool is_start = std::holds_alternative<start_plan>(way_[at_]);
+  if (is_shown(w.view) && (!is_start || tries_ > 0))
+    return was_obeyed(w);
+  if (has_intent() && !is_intent_noted_) {
+    is_intent_noted_ = true;
+    generation_before_ = w.durable.progress.last_generation;
+    if (const auto* item = std::get_if<choose_item>(&way_[at_]))
+      return note_and_mark(w, progress::start_intended{item->sequence});
+    if (const auto* start = std::get_if<start_plan>(&way_[at_]))
+      return note_and_mark(w, progress::start_intended{start->sequence});
+    return note_and_mark(w, *intent_);
+  }
+  ask(w);
+}
+
+void task_runner::note_and_mark(const world& w, durable_core::event what) {
+  w.out.emplace_back(note{std::move(what)});
+  w.out.emplace_back(note{marked{++last_ticket_}});
+  enter(stage::noting);
+}
+
+void task_runner::on_marked(std::uint64_t ticket) {
+  if (!task_ || ticket != last_ticket_)
+    return;
+  if (stage_ == stage::noting)
+    enter(stage::begin);
+  else if (stage_ == stage::closing && std::holds_alternative<bring_plan>(way_[at_]))
+    enter(stage::settling);
+  else if (stage_ == stage::closing && why_failed_.empty())
+    next_step();
+  else if (stage_ == stage::closing)
+    ended_ = verdict::failed;
+}
+
+void task_runner::ask(const world& w) {
+  ++tries_;
+  last_reason_.clear();
+  why_failed_.clear();
+  enter(stage::asked);
+  std::visit([&](const auto& what) { ask(w, what); }, way_[at_]);
+}
+
+void task_runner::ask(const world& w, const change_mode& what) {
+  const auto command = flight::mode_command(w.view.owner(), what.to);
+  if (!command)
+    return fail("this vehicle has no mode " + wish().substr(std::string("to change to ").size()));
+  w.modes.expect(what.to, w.now_ns);
+  give_order(w, *command);
+}
+
+void task_runner::ask(const world& w, const bring_plan&) {
+  w.out.emplace_back(
+      order{++last_order_, vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items}});
+}
+
+void task_runner::ask(const world& w, const choose_item& what) {
+  w.out.emplace_back(order{++last_order_, vehicle_link::set_current_item{what.sequence}});
+}
+
+void task_runner::ask(const world& w, const arm&) {
+  vehicle_link::send_command command;
+  command.command = number(mav_cmd::component_arm_disarm);
+  command.param1 = 1;
+  give_order(w, command);
+}
+
+// All items: ArduPilot denies other values, and the plan says where it begins.
+void task_runner::ask(const world& w, const start_plan&) {
+  vehicle_link::send_command command;
+  command.command = number(mav_cmd::mission_start);
+  w.modes.expect(flight::mode_kind::mission, w.now_ns);
+  w.modes.expect(flight::mode_kind::take_off, w.now_ns);
+  give_order(w, command);
+}
+
+void task_runner::give_order(const world& w, vehicle_link::send_command what) {
+  what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
+  w.out.emplace_back(order{++last_order_, what});
+}
+
+void task_runner::on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome) {
+  if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
+    return;
+  last_reason_ = outcome.reason;
+  const bool may_have_acted =
+      outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
+  if (!may_have_acted)
+    return was_not_done(w, outcome.reason, is_final(outcome));
+  if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))
+    return was_obeyed(w);
+  enter(stage::showing, w.now_ns + shown_within_ns);
+}
+
+void task_runner::on_transfer(const world& w, std::uint64_t number, const transfer::outcome& outcome) {
+  if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
+    return;
+  last_reason_ = outcome.reason;
+  if (outcome.verdict == transfer::verdict::not_begun && tries_ < max_tries)
+    return enter(stage::pausing, w.now_ns + pause_between_ns);
+  note_and_mark(w, end_of(outcome));
+  enter(stage::closing);
+}
+
+void task_runner::was_obeyed(const world& w) {
+  if (!has_intent())
+    return next_step();
+  note_and_mark(w, progress::start_ended{true});
+  enter(stage::closing);
+}
+
+void task_runner::was_not_done(const world& w, const std::string& why, bool is_final) {
+  if (!is_final && tries_ < max_tries)
+    return enter(stage::pausing, w.now_ns + pause_between_ns);
+  const auto sentence = "the vehicle was asked " + wish() + ", and did not: " + why;
+  if (!has_intent())
+    return fail(sentence);
+  why_failed_ = sentence;
+  note_and_mark(w, progress::start_ended{false});
+  enter(stage::closing);
+}
+
+// The upload's end is on the disk; where it was not known, progress has it looked at.
+void task_runner::settle_upload(const world& w) {
+  if (w.durable.progress.upload)
+    return;
+  if (w.durable.progress.last_generation != generation_before_)
+    next_step();
+  else
+    fail("the plan did not come to the vehicle: " + last_reason_);
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,100 @@
+// Brings the vehicle through the steps of one task, one after the other.
+//
+//   begin ──> noting ──on the disk──> asked ──answer──> showing ──seen──> closing ──on the disk──> next step
+//     ^  (the intent)                   │                  │                 (what came of it)
+//     └─────── pausing <────not done────┴──── not seen ────┘        after max_tries: the task has failed
+//
+// A step whose intent progress has to know is on the disk before the vehicle hears of it, and so is its end before the
+// next step. What has no such intent skips noting and closing. A command without an answer may have been obeyed: the
+// vehicle is looked at before it is said again. Pure; the caller carries out what is in `out`. Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "actors/executor/effects.hpp"
+#include "actors/executor/mode_watch.hpp"
+#include "actors/executor/steps.hpp"
+#include "actors/executor/view.hpp"
+
+namespace godwit::executor {
+
+// What the outcome of an upload means to the progress.
+[[nodiscard]] progress::upload_ended end_of(const vehicle_link::transfer::outcome& outcome);
+
+class task_runner {
+public:
+  // What a step sees and leaves behind.
+  struct world {
+    const state& durable;
+    const vehicle_view& view;
+    mode_watch& modes;
+    std::int64_t now_ns; // monotonic
+    effects& out;
+  };
+
+  enum class verdict { idle, under_way, done, failed };
+
+  // INTENT: of the plan that bring_plan brings.
+  void begin(const task& what, steps way, std::optional<progress::upload_intended> intent);
+  // Ends it where it is.
+  void drop(const world& w);
+
+  // As far as it goes now. Done and failed are said once.
+  [[nodiscard]] verdict advance(const world& w);
+  // Why the last one failed; a sentence for people.
+  [[nodiscard]] const std::string& why_failed() const { return why_failed_; }
+
+  void on_marked(std::uint64_t ticket);
+  void on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome);
+  void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
+
+  [[nodiscard]] bool is_busy() const { return task_.has_value(); }
+  [[nodiscard]] const std::optional<task>& doing() const { return task_; }
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+
+private:
+  enum class stage { begin, noting, asked, showing, pausing, closing, settling };
+
+  static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
+
+  void enter(stage next, std::int64_t deadline_ns = never_ns);
+  void next_step();
+  void note_and_mark(const world& w, durable_core::event what);
+  void fail(std::string why);
+
+  void begin_step(const world& w);
+  void ask(const world& w);
+  void ask(const world& w, const change_mode& what);
+  void ask(const world& w, const bring_plan& what);
+  void ask(const world& w, const choose_item& what);
+  void ask(const world& w, const arm& what);
+  void ask(const world& w, const start_plan& what);
+  void give_order(const world& w, vehicle_link::send_command what);
+  void was_obeyed(const world& w);
+  void was_not_done(const world& w, const std::string& why, bool is_final);
+  void settle_upload(const world& w);
+
+  [[nodiscard]] bool has_intent() const;
+  [[nodiscard]] bool is_shown(const vehicle_view& view) const;
+  [[nodiscard]] std::string wish() const;
+
+  std::optional<task> task_;
+  steps way_;
+  std::size_t at_ = 0;
+  std::optional<progress::upload_intended> intent_;
+  stage stage_ = stage::begin;
+  std::int64_t deadline_ns_ = never_ns;
+  int tries_ = 0;
+  bool is_intent_noted_ = false;
+  std::uint64_t last_order_ = 0;
+  std::uint64_t last_ticket_ = 0;
+  std::uint32_t generation_before_ = 0;
+  std::string last_reason_;
+  std::optional<verdict> ended_;
+  std::string why_failed_;
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,80 @@
+#include "actors/executor/view.hpp"
+
+#include "actors/executor/preflight/checks/autopilot_checks.hpp"
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using io::mavlink::mav_landed_state;
+using vehicle_link::connection_phase;
+
+constexpr double degrees_of_unit = 1e-7;
+constexpr double metres_of_mm = 1e-3;
+constexpr std::uint8_t satellites_unknown = 255;
+
+// Without a landing detector's word, so much above home is off the ground.
+constexpr double off_the_ground_m = 1;
+
+} // namespace
+
+void vehicle_view::take(const vehicle_link::connection_changed& m) {
+  phase_ = m.phase;
+  reason_ = m.reason;
+  if (!is_connected())
+    mode_.reset(); // what it does meanwhile is not known
+}
+
+void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t) {
+  owner_ = flight::owner_of(m);
+  mode_ = flight::mode_of(m);
+  is_armed_ = (m.base_mode & io::mavlink::number(io::mavlink::mav_mode_flag::safety_armed)) != 0;
+}
+
+void vehicle_view::take(const io::mavlink::sys_status& m) {
+  battery_percent_ = m.battery_remaining;
+  own_checks_ = preflight::own_checks_of(m, owner_.autopilot);
+}
+
+void vehicle_view::take(const io::mavlink::gps_raw_int& m) {
+  fix_type_ = m.fix_type;
+  satellites_ = m.satellites_visible == satellites_unknown ? -1 : m.satellites_visible;
+}
+
+void vehicle_view::take(const io::mavlink::global_position_int& m, std::int64_t now_ns) {
+  place_ = mission::position{m.lat * degrees_of_unit, m.lon * degrees_of_unit, m.relative_alt * metres_of_mm};
+  place_heard_ns_ = now_ns;
+}
+
+void vehicle_view::take(const io::mavlink::home_position& m) {
+  home_ = plan::vehicle_home{m.latitude * degrees_of_unit, m.longitude * degrees_of_unit, m.altitude * metres_of_mm, 0};
+}
+
+void vehicle_view::take(const io::mavlink::extended_sys_state& m) {
+  landed_ = static_cast<mav_landed_state>(m.landed_state);
+}
+
+void vehicle_view::take(const io::mavlink::mission_current& m, std::int64_t now_ns) {
+  current_ = m;
+  current_heard_ns_ = now_ns;
+}
+
+bool vehicle_view::is_under_way() const {
+  if (!is_armed_ || owner_.vehicle == flight::vehicle_class::rover)
+    return is_armed_;
+  if (landed_ == mav_landed_state::undefined)
+    return place_ && place_->altitude_m > off_the_ground_m;
+  return landed_ != mav_landed_state::on_ground;
+}
+
+bool vehicle_view::is_seen() const {
+  const bool knows_ground =
+      landed_ != mav_landed_state::undefined || owner_.vehicle == flight::vehicle_class::rover || place_;
+  return is_connected() && mode_ && (!is_armed_ || knows_ground);
+}
+
+std::optional<mission::position> vehicle_view::place(std::int64_t now_ns) const {
+  return place_ && now_ns - place_heard_ns_ <= position_counts_ns ? place_ : std::nullopt;
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,74 @@
+// What the vehicle says of itself, as far as the flight depends on it. Nothing of it is durable: after a restart it is
+// heard again. Times: monotonic nanoseconds. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/executor/plan/setting.hpp"
+#include "actors/executor/preflight/facts.hpp"
+#include "io/mavlink/enums/vehicle.hpp"
+#include "io/mavlink/messages.hpp"
+#include "messages/vehicle_link/connection.hpp"
+
+namespace godwit::executor {
+
+// Positions that are older say nothing any more.
+inline constexpr std::int64_t position_counts_ns = 3'000'000'000;
+
+class vehicle_view {
+public:
+  void take(const vehicle_link::connection_changed& m);
+  void take(const io::mavlink::heartbeat& m, std::int64_t now_ns);
+  void take(const io::mavlink::sys_status& m);
+  void take(const io::mavlink::gps_raw_int& m);
+  void take(const io::mavlink::global_position_int& m, std::int64_t now_ns);
+  void take(const io::mavlink::home_position& m);
+  void take(const io::mavlink::extended_sys_state& m);
+  void take(const io::mavlink::mission_current& m, std::int64_t now_ns);
+
+  [[nodiscard]] bool is_connected() const { return phase_ == vehicle_link::connection_phase::connected; }
+  [[nodiscard]] vehicle_link::connection_phase link() const { return phase_; }
+  [[nodiscard]] const std::string& why_not_connected() const { return reason_; }
+  // Since the link was up last: none before the first heartbeat.
+  [[nodiscard]] const std::optional<flight::flight_mode>& mode() const { return mode_; }
+  [[nodiscard]] bool is_in(flight::mode_kind kind) const { return mode_ && mode_->kind == kind; }
+  [[nodiscard]] const flight::mode_owner& owner() const { return owner_; }
+  [[nodiscard]] bool is_armed() const { return is_armed_; }
+  // Armed and off the ground; a rover: armed.
+  [[nodiscard]] bool is_under_way() const;
+  // Where it stands is known well enough to judge by it.
+  [[nodiscard]] bool is_seen() const;
+  [[nodiscard]] bool keeps_plan_ids() const { return owner_.autopilot == io::mavlink::mav_autopilot::px4; }
+
+  [[nodiscard]] std::optional<mission::position> place(std::int64_t now_ns) const;
+  [[nodiscard]] const std::optional<plan::vehicle_home>& home() const { return home_; }
+  [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
+  [[nodiscard]] std::int64_t current_heard_ns() const { return current_heard_ns_; }
+  [[nodiscard]] int battery_percent() const { return battery_percent_; }
+  [[nodiscard]] std::uint8_t fix_type() const { return fix_type_; }
+  [[nodiscard]] int satellites() const { return satellites_; }
+  [[nodiscard]] preflight::own_checks own_checks() const { return own_checks_; }
+  [[nodiscard]] std::int64_t place_heard_ns() const { return place_heard_ns_; }
+
+private:
+  vehicle_link::connection_phase phase_ = vehicle_link::connection_phase::down;
+  std::string reason_;
+  std::optional<flight::flight_mode> mode_;
+  flight::mode_owner owner_;
+  bool is_armed_ = false;
+  io::mavlink::mav_landed_state landed_ = io::mavlink::mav_landed_state::undefined;
+  std::optional<mission::position> place_;
+  std::int64_t place_heard_ns_ = 0;
+  std::optional<plan::vehicle_home> home_;
+  std::optional<io::mavlink::mission_current> current_;
+  std::int64_t current_heard_ns_ = 0;
+  int battery_percent_ = -1;
+  std::uint8_t fix_type_ = 0;
+  int satellites_ = -1;
+  preflight::own_checks own_checks_ = preflight::own_checks::unknown;
+};
+
+} // namespace godwit::executor

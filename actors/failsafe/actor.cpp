@@ -1,0 +1,227 @@
+#include "actors/failsafe/actor.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "actors/failsafe/senses.hpp"
+#include "actors/failsafe/vehicle_words.hpp"
+#include "io/mavlink/enums.hpp"
+#include "runtime/assert.hpp"
+#include "runtime/journal_exceptions.hpp"
+
+namespace godwit::failsafe {
+
+using vehicle_link::command_outcome;
+using vehicle_link::command_verdict;
+using vehicle_link::connection_changed;
+
+namespace {
+
+namespace mavlink = io::mavlink;
+
+runtime::health_colour colour_of(wellness how) {
+  switch (how) {
+  case wellness::well:
+    return runtime::health_colour::green;
+  case wellness::impaired:
+    return runtime::health_colour::yellow;
+  case wellness::bad:
+    break;
+  }
+  return runtime::health_colour::red;
+}
+
+command_verdict verdict_of(runtime::ask_errc why) {
+  return why == runtime::ask_errc::not_taken ? command_verdict::not_sent : command_verdict::timed_out;
+}
+
+} // namespace
+
+// -- what is heard --------------------------------------------------------------------------------
+
+template <class M>
+auto actor::hears() {
+  return on<M>([this](const M& message) {
+    look_.heard(M::message_id);
+    if constexpr (std::is_same_v<M, mavlink::heartbeat>)
+      owner_ = flight::owner_of(message);
+    core_->take(sense(message), now());
+    if constexpr (std::is_same_v<M, mavlink::global_position_int>)
+      if (now_ns() - last_turn_ns_ >= min_turn_gap_ms * ns_per_ms)
+        turn();
+  });
+}
+
+// What others say is decided on, and handed to the journal, in the turn in which it came: it would not come again.
+template <class M>
+auto actor::is_told() {
+  return on<M>([this](const M& what) {
+    core_->take(what, now());
+    turn();
+  });
+}
+
+actor::behavior_type actor::handlers() {
+  return {on_deferred<guard_mission, guard_answer>([this](const guard_mission& what, std::uint64_t request_id) {
+            core_->take(asked_guard{request_id, what}, now());
+            turn();
+          }),
+          is_told<expect_mode>(),
+          is_told<taken_over>(),
+          is_told<following>(),
+          is_told<hand_back>(),
+          on_deferred<override_rule, override_answer>([this](const override_rule& what, std::uint64_t request_id) {
+            core_->take(asked_override{request_id, what}, now());
+            turn();
+          }),
+          on<get_stance>([this](const get_stance&) { return core_->told(); }),
+          hears<mavlink::heartbeat>(),
+          hears<mavlink::extended_sys_state>(),
+          hears<mavlink::global_position_int>(),
+          hears<mavlink::sys_status>(),
+          hears<mavlink::mission_current>(),
+          on<connection_changed>([this](const connection_changed& m) {
+            if (m.phase == vehicle_link::connection_phase::connected)
+              look_.begin();
+          }),
+          on<ground_port::operator_link>([this](const ground_port::operator_link& m) {
+            core_->take(operator_heard{m.ever_heard, m.age_ms}, now());
+          }),
+          on<tick>([this](const tick& which) {
+            if (which.number == tick_number_)
+              on_tick();
+          })};
+}
+
+void actor::started() {
+  core_.emplace(settings_, current_state(), now());
+  look_.begin();
+  post_health();
+  tell_stance(); // also to those who were told before the crash, or have crashed as well
+  plan_tick(std::chrono::milliseconds::zero());
+}
+
+void actor::on_tick() {
+  plan_tick(std::chrono::milliseconds(tick_ms));
+  vouch();
+  look_further();
+  turn();
+}
+
+void actor::plan_tick(std::chrono::milliseconds delay) { tell_after(delay, me(), tick{++tick_number_}); }
+
+void actor::vouch() {
+  if (vouched_ns_ && now_ns() - *vouched_ns_ < vouch_every_ms * ns_per_ms)
+    return;
+  vouched_ns_ = now_ns();
+  tell(vehicle_, vehicle_link::vouch{actor_name()});
+}
+
+// -- what is done ---------------------------------------------------------------------------------
+
+void actor::turn() {
+  last_turn_ns_ = now_ns();
+  carry_out(core_->tick(now()));
+}
+
+void actor::carry_out(const effects& wanted) {
+  due_ = {.record = std::exchange(unsaved_, std::nullopt)};
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+  GODWIT_ASSERT(!due_.command || due_.record, "failsafe: each command comes with a record");
+  if (due_.stance_is_new && !due_.command)
+    tell_stance();
+  if (due_.record) {
+    due_.record->command = due_.command;
+    keep(std::move(*due_.record));
+  }
+  post_health();
+}
+
+void actor::carry_out(const warning& what) {
+  for (const auto& each : others_->people)
+    tell(each, ground_port::status_text{what.severity, what.text});
+}
+
+void actor::carry_out(const remember& what) {
+  auto limits = due_.record ? std::move(due_.record->limits) : std::nullopt; // that the journal did not take
+  due_.record = what.what;
+  if (!due_.record->limits)
+    due_.record->limits = std::move(limits);
+}
+
+void actor::tell_stance() {
+  for (const auto& ear : others_->ears)
+    tell(ear, core_->told());
+}
+
+// The command goes out first in commit(); that the journal refuses comes after it. An incarnation that ended for that
+// would forget what it has just done.
+void actor::keep(remembered what) {
+  try {
+    commit(what);
+  } catch (const runtime::journal_refused&) {
+    what.command.reset();
+    unsaved_ = std::move(what);
+  }
+}
+
+void actor::let_out(const durable_core::effect& each) {
+  const auto& command = std::get<command_vehicle>(each);
+  const auto words = words_for(command, owner_);
+  GODWIT_ASSERT(words, "failsafe: of a vehicle only that is wanted which its kind can do");
+  tell_stance();
+  ask(
+      vehicle_, answer_patience, *words,
+      [this, command](const command_outcome& outcome) { settle(command, outcome.verdict); },
+      [this, command](const runtime::ask_error& why) { settle(command, verdict_of(why.code)); });
+}
+
+// Another's change of mode is under way, and the failsafe's does not wait for that. Whether SET_MODE was obeyed is what
+// a later heartbeat says, as after a command without an answer.
+void actor::settle(const command_vehicle& command, command_verdict verdict) {
+  if (verdict == command_verdict::already_running)
+    if (const auto words = mode_words_for(command, owner_)) {
+      tell(vehicle_, *words);
+      verdict = command_verdict::timed_out;
+    }
+  core_->take(command_settled{command.number, verdict}, now());
+}
+
+// -- the first look at the vehicle ------------------------------------------------------------------
+
+void actor::look_further() {
+  const auto wanted = look_.next();
+  if (!wanted)
+    return;
+  vehicle_link::send_command request;
+  request.command = mavlink::number(mavlink::mav_cmd::request_message);
+  request.param1 = static_cast<float>(*wanted);
+  ask(
+      vehicle_, answer_patience, request,
+      [this](const command_outcome& outcome) { end_look(outcome.verdict == command_verdict::accepted); },
+      [this](const runtime::ask_error&) { end_look(false); });
+}
+
+// The next one at once; what was not answered again at a tick.
+void actor::end_look(bool is_answered) {
+  look_.settled();
+  if (is_answered)
+    look_further();
+}
+
+// -- health ---------------------------------------------------------------------------------------
+
+void actor::post_health() {
+  auto how = core_->health();
+  if (unsaved_)
+    how = {wellness::bad,
+           "what the failsafe does can not be written down" + (how.reason.empty() ? std::string() : "; " + how.reason)};
+  if (posted_ == how)
+    return;
+  outside().health->post(actor_name(), colour_of(how.how), how.reason);
+  posted_ = std::move(how);
+}
+
+} // namespace godwit::failsafe

@@ -1,0 +1,95 @@
+// The failsafe as an actor: hears the vehicle, the ground and the executor, and acts through vehicle_link.
+//
+// The decisions are in core.hpp. This shell hands what it hears to the core, ticks every tick_ms, and at once for a new
+// position and for what others say. It waits for nobody: not for the executor, not for an answer, not for the disk. A
+// command goes out in the turn in which it was decided, behind the stance that says whose it is, and before the record
+// of it is handed to the journal. Where the journal takes nothing it goes on acting, says so, and hands the record over
+// later: a disk that is full must not keep a vehicle from coming home. Thread: as cell.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/failsafe/core.hpp"
+#include "actors/failsafe/first_look.hpp"
+#include "messages/failsafe/handle.hpp"
+#include "runtime/persistent_cell.hpp"
+
+namespace godwit::failsafe {
+
+// Shorter than the core waits: its answer is always about the newest command.
+inline constexpr std::chrono::milliseconds answer_patience{command_answer_ms - 500};
+// A stream of positions that comes faster is judged at this rate.
+inline constexpr std::int64_t min_turn_gap_ms = 50;
+inline constexpr std::int64_t vouch_every_ms = 1'000;
+
+// Whom the failsafe speaks to besides the vehicle. Filled in while the process is composed, when the addresses of all
+// actors exist, and not changed after the actors were started.
+struct neighbours {
+  std::vector<stance_ear> ears;      // the executor, and whoever else has to know
+  std::vector<people_handle> people; // hear its warnings
+};
+
+class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+public:
+  // CONFIGURED has no objection_to.
+  actor(runtime::actor_config& config, runtime::birth born, const settings& configured, vehicle_handle vehicle,
+        std::shared_ptr<const neighbours> others)
+      : persistent_cell(config, std::move(born)), settings_(configured), vehicle_(std::move(vehicle)),
+        others_(std::move(others)) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+  void let_out(const durable_core::effect& each) override;
+
+private:
+  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  template <class M>
+  auto hears();
+  template <class M>
+  auto is_told();
+  void on_tick();
+  void plan_tick(std::chrono::milliseconds delay);
+  void vouch();
+  void turn();
+  void carry_out(const effects& wanted);
+  void carry_out(const command_vehicle& what) { due_.command = what; }
+  void carry_out(const stance_changed&) { due_.stance_is_new = true; }
+  void carry_out(const override_settled& what) { answer_later(what.request_id, what.answer); }
+  void carry_out(const guard_settled& what) { answer_later(what.request_id, what.answer); }
+  void carry_out(const warning& what);
+  void carry_out(const health_changed&) {} // posted at the end of the turn
+  void carry_out(const remember& what);
+  void tell_stance();
+  void keep(remembered what);
+  void post_health();
+  void settle(const command_vehicle& command, vehicle_link::command_verdict verdict);
+  void look_further();
+  void end_look(bool is_answered);
+
+  // What goes out together, at the end of a turn.
+  struct due_things {
+    std::optional<command_vehicle> command = {};
+    bool stance_is_new = false;
+    std::optional<remembered> record = {};
+  };
+
+  settings settings_;
+  vehicle_handle vehicle_;
+  std::shared_ptr<const neighbours> others_;
+  std::optional<core> core_;
+  flight::mode_owner owner_; // of the newest heartbeat
+  first_look look_;
+  std::uint64_t tick_number_ = 0;
+  std::int64_t last_turn_ns_ = 0;
+  std::optional<std::int64_t> vouched_ns_;
+  due_things due_;
+  std::optional<remembered> unsaved_; // the journal did not take it
+  std::optional<health_changed> posted_;
+};
+
+} // namespace godwit::failsafe

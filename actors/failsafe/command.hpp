@@ -1,0 +1,25 @@
+// A command of the failsafe to the vehicle. It goes out at once: it does not wait for the disk. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+
+#include "io/fields/field_table.hpp"
+#include "messages/failsafe/types.hpp"
+
+namespace godwit::failsafe {
+
+struct command_vehicle {
+  static constexpr bool immediate = true;
+  std::uint64_t number = 0; // rises with each command, also over a restart
+  rule why = rule::operator_link;
+  action what = action::return_home;
+  std::uint8_t confirmation = 0; // 0 at the first try, one more at each further one
+
+  static constexpr auto fields =
+      io::table("failsafe.command_vehicle", io::field("number", &command_vehicle::number),
+                io::field("why", &command_vehicle::why), io::field("what", &command_vehicle::what),
+                io::field("confirmation", &command_vehicle::confirmation));
+  friend bool operator==(const command_vehicle&, const command_vehicle&) = default;
+};
+
+} // namespace godwit::failsafe

@@ -1,0 +1,24 @@
+#include "actors/failsafe/first_look.hpp"
+
+#include <algorithm>
+
+namespace godwit::failsafe {
+
+void first_look::heard(std::uint32_t message_id) {
+  for (auto& each : wanted_)
+    if (each.message_id == message_id)
+      each.tries_left = 0;
+}
+
+std::optional<std::uint32_t> first_look::next() {
+  if (asking_)
+    return std::nullopt;
+  const auto found = std::find_if(wanted_.begin(), wanted_.end(), [](const wish& each) { return each.tries_left > 0; });
+  if (found == wanted_.end())
+    return std::nullopt;
+  --found->tries_left;
+  asking_ = true;
+  return found->message_id;
+}
+
+} // namespace godwit::failsafe

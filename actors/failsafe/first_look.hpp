@@ -1,0 +1,46 @@
+// What a failsafe that has just started asks the vehicle to say at once, because the streams bring it only within a
+// second: who it is and in which mode, whether it is in the air, where, and how much is left in the battery.
+//
+// REQUEST_MESSAGE, one at a time: the autopilot knows one command of a kind in flight. What comes by itself meanwhile
+// is not asked for. A vehicle that does not answer is left to its streams. Thread: pure.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "io/mavlink/messages/heartbeat.hpp"
+#include "io/mavlink/messages/position.hpp"
+
+namespace godwit::failsafe {
+
+// Of each message. The streams bring it soon in any case.
+inline constexpr int max_look_tries = 3;
+
+class first_look {
+public:
+  // Everything is asked for anew.
+  void begin() { wanted_ = all; }
+  void heard(std::uint32_t message_id);
+
+  // Which message to ask for now. None: one is being asked for, or all have been heard or given up.
+  [[nodiscard]] std::optional<std::uint32_t> next();
+  // What was asked for has an answer, or has none.
+  void settled() { asking_ = false; }
+
+private:
+  struct wish {
+    std::uint32_t message_id = 0;
+    int tries_left = 0;
+  };
+  static constexpr std::array all{wish{io::mavlink::heartbeat::message_id, max_look_tries},
+                                  wish{io::mavlink::extended_sys_state::message_id, max_look_tries},
+                                  wish{io::mavlink::global_position_int::message_id, max_look_tries},
+                                  wish{io::mavlink::sys_status::message_id, max_look_tries}};
+
+  std::array<wish, all.size()> wanted_{};
+  bool asking_ = false;
+};
+
+} // namespace godwit::failsafe

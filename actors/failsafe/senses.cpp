@@ -1,0 +1,48 @@
+#include "actors/failsafe/senses.hpp"
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::failsafe {
+
+namespace {
+
+namespace mavlink = io::mavlink;
+
+constexpr double degrees_e7 = 1e-7;
+constexpr double metres_from_mm = 1e-3;
+constexpr double mps_from_cm = 1e-2;
+
+} // namespace
+
+heartbeat sense(const mavlink::heartbeat& m) {
+  const bool armed = (m.base_mode & mavlink::number(mavlink::mav_mode_flag::safety_armed)) != 0;
+  return {flight::owner_of(m).vehicle, armed, flight::mode_of(m)};
+}
+
+landed sense(const mavlink::extended_sys_state& m) {
+  switch (static_cast<mavlink::mav_landed_state>(m.landed_state)) {
+  case mavlink::mav_landed_state::on_ground:
+    return {landed_state::on_ground};
+  case mavlink::mav_landed_state::in_air:
+    return {landed_state::in_air};
+  case mavlink::mav_landed_state::takeoff:
+    return {landed_state::taking_off};
+  case mavlink::mav_landed_state::landing:
+    return {landed_state::landing};
+  case mavlink::mav_landed_state::undefined:
+    break;
+  }
+  return {landed_state::unknown};
+}
+
+position sense(const mavlink::global_position_int& m) {
+  return {m.lat * degrees_e7, m.lon * degrees_e7, m.relative_alt * metres_from_mm,
+          m.vx * mps_from_cm, m.vy * mps_from_cm, m.vz * mps_from_cm};
+}
+
+battery sense(const mavlink::sys_status& m) { return {m.battery_remaining}; }
+
+mission_current sense(const mavlink::mission_current& m) { return {m.seq}; }
+
+} // namespace godwit::failsafe

@@ -1,0 +1,24 @@
+// What an action is called in MAVLink.
+//
+// Return and landing have commands of their own, that PX4 and ArduPilot obey alike. Hold is a mode, by DO_SET_MODE; so
+// a change of mode by somebody else that still waits for its answer would be in its way. SET_MODE then says the same,
+// without an answer. Thread: pure. Source: MAVLink's common.xml, MAV_CMD.
+#pragma once
+
+#include <optional>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/failsafe/command.hpp"
+#include "messages/vehicle_link/command.hpp"
+
+namespace godwit::failsafe {
+
+// None: this vehicle has no mode that means it.
+[[nodiscard]] std::optional<vehicle_link::send_command> words_for(const command_vehicle& wanted,
+                                                                  const flight::mode_owner& whose);
+
+// The same as a SET_MODE. None: it is no mode, or as above.
+[[nodiscard]] std::optional<vehicle_link::set_mode> mode_words_for(const command_vehicle& wanted,
+                                                                   const flight::mode_owner& whose);
+
+} // namespace godwit::failsafe

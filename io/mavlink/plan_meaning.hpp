@@ -1,0 +1,28 @@
+// Do two plans mean the same to a vehicle?
+//
+// ArduPilot does not give back what was sent: it keeps its own home as item 0, gives frame 3 for frame 6, rounds the
+// altitude to a centimetre, and drops parameters that it does not use. So what is compared is what moves the vehicle:
+// command, position, and the kind of altitude. Parameters are not, and a plan that differs in nothing else counts as
+// the same. Source: seen on ArduPilot 4.7 and PX4 1.17. Thread: pure.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "io/mavlink/messages/mission_transfer.hpp"
+
+namespace godwit::io::mavlink {
+
+// 1e-7 degrees: 10 of them are 0.11 m. A vehicle that keeps floats loses more, and would not be trusted anyway.
+inline constexpr std::int32_t position_tolerance = 10;
+inline constexpr float altitude_tolerance_m = 0.02F;
+
+[[nodiscard]] bool means_the_same(const mission_item_int& a, const mission_item_int& b);
+
+// The first item in which the two differ; the length of the shorter one if it is the beginning of the other. Nothing:
+// they mean the same. FIRST_IS_HOME: item 0 is not compared.
+[[nodiscard]] std::optional<std::size_t> first_difference(std::span<const mission_item_int> ours,
+                                                          std::span<const mission_item_int> theirs,
+                                                          bool first_is_home);
+
+} // namespace godwit::io::mavlink

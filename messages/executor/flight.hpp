@@ -1,0 +1,48 @@
+// How a flight stands, for who watches it: the control socket, ground stations, the demo. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor {
+
+struct get_flight {
+  static constexpr auto fields = io::table("executor.get_flight");
+};
+
+struct flight_status {
+  std::string phase;    // disconnected, connected, preflight, ... as in docs/architecture.md
+  std::string cause;    // of a pause; `none` else
+  std::string sentence; // for people
+  bool in_flight = false;
+  std::string mission_id; // empty: none
+  std::int32_t revision = 0;
+  std::uint32_t generation = 0;
+  std::uint32_t reports = 0;    // made for this mission
+  std::uint32_t items_done = 0; // of the mission
+  std::uint32_t items = 0;
+  std::uint32_t preflight_report = 0; // that waits for an acknowledgement; 0: none
+  bool is_armed = false;
+  std::string mode;
+  static constexpr auto fields = io::table(
+      "executor.flight_status", io::field("phase", &flight_status::phase), io::field("cause", &flight_status::cause),
+      io::field("sentence", &flight_status::sentence), io::field("in_flight", &flight_status::in_flight),
+      io::field("mission_id", &flight_status::mission_id), io::field("revision", &flight_status::revision),
+      io::field("generation", &flight_status::generation), io::field("reports", &flight_status::reports),
+      io::field("items_done", &flight_status::items_done), io::field("items", &flight_status::items),
+      io::field("preflight_report", &flight_status::preflight_report), io::field("is_armed", &flight_status::is_armed),
+      io::field("mode", &flight_status::mode));
+};
+
+// To itself: something may be due, or another note waits to be written.
+struct tick {
+  static constexpr auto fields = io::table("executor.tick");
+};
+struct next_note {
+  static constexpr auto fields = io::table("executor.next_note");
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,46 @@
+// Who may say what to the failsafe, and what it needs others to accept.
+#pragma once
+
+#include "io/mavlink/messages/heartbeat.hpp"
+#include "io/mavlink/messages/mission.hpp"
+#include "io/mavlink/messages/position.hpp"
+#include "messages/failsafe/types.hpp"
+#include "messages/ground_port/mission.hpp"
+#include "messages/ground_port/operator_link.hpp"
+#include "messages/vehicle_link/types.hpp"
+#include "runtime/seam.hpp"
+
+namespace godwit::failsafe {
+
+// The executor, and whoever speaks for an authenticated operator.
+using handle = runtime::mailbox<runtime::asks<guard_mission, guard_answer>, runtime::tells<expect_mode>,
+                                runtime::tells<taken_over>, runtime::tells<following>, runtime::tells<hand_back>,
+                                runtime::asks<override_rule, override_answer>, runtime::asks<get_stance, stance>>;
+
+// What the vehicle says. vehicle_link tells its listeners.
+using telemetry_handle =
+    runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
+                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::sys_status>,
+                     runtime::tells<io::mavlink::mission_current>, runtime::tells<vehicle_link::connection_changed>>;
+
+// All of it; ground_port tells operator_link.
+using own_handle =
+    runtime::mailbox<runtime::asks<guard_mission, guard_answer>, runtime::tells<expect_mode>,
+                     runtime::tells<taken_over>, runtime::tells<following>, runtime::tells<hand_back>,
+                     runtime::asks<override_rule, override_answer>, runtime::asks<get_stance, stance>,
+                     runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
+                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::sys_status>,
+                     runtime::tells<io::mavlink::mission_current>, runtime::tells<vehicle_link::connection_changed>,
+                     runtime::tells<ground_port::operator_link>, runtime::tells<tick>>;
+
+// What the failsafe needs of the link to the vehicle.
+using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,
+                                        runtime::tells<vehicle_link::set_mode>, runtime::tells<vehicle_link::vouch>>;
+
+// Who hears how the failsafe stands.
+using stance_ear = runtime::mailbox<runtime::tells<stance>>;
+
+// Who passes its warnings on to people.
+using people_handle = runtime::mailbox<runtime::tells<ground_port::status_text>>;
+
+} // namespace godwit::failsafe

@@ -1,0 +1,253 @@
+#include "tests/actors/executor/flight_world.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/messages.hpp"
+
+namespace godwit::tests {
+namespace {
+
+constexpr double home_latitude = 47.397742; // of the simulated vehicles, when they are given no other
+constexpr double home_longitude = 8.545594;
+constexpr double metres_of_latitude = 111'200;
+constexpr double metres_of_longitude = 75'300; // there
+constexpr std::int64_t executor_period_ns = 200'000'000;
+constexpr io::mavlink::sender station{255, 190};
+
+// Frames from anybody else than the vehicle do not reach vehicle_link here, and its requests have numbers of ours.
+constexpr io::link::peer_id line = 1;
+
+} // namespace
+
+mission::item place(const std::string& id, double north_m, double east_m, double up_m) {
+  mission::waypoint result;
+  result.id = id;
+  result.at = {home_latitude + north_m / metres_of_latitude, home_longitude + east_m / metres_of_longitude, up_m};
+  return result;
+}
+
+mission::document short_mission(sim::personality who) {
+  mission::document result;
+  result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  result.return_point = {home_latitude, home_longitude, 0};
+  const bool drives = who == sim::personality::rover;
+  if (!drives)
+    result.items.emplace_back(mission::takeoff{"up", 20});
+  const double up_m = drives ? 0 : 20;
+  result.items.push_back(place("w1", 60, 0, up_m));
+  result.items.push_back(place("w2", 60, 60, up_m));
+  result.items.push_back(place("w3", 0, 60, up_m));
+  if (!drives)
+    result.items.emplace_back(mission::return_home{"home"});
+  return result;
+}
+
+flight_world::flight_world(const options& wanted) : link_({}, {}, {}) {
+  settings_.mission_id = short_mission(wanted.who).mission_id;
+  settings_.has_service = wanted.has_service;
+  settings_.start = wanted.start;
+  settings_.arm_on_start = wanted.arm_on_start;
+  sim::vehicle_settings vehicle;
+  vehicle.who = wanted.who;
+  vehicle.speed = wanted.speed;
+  vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(),
+                                            [this](std::span<const std::byte> frame) { hear(frame); });
+  core_ = std::make_unique<executor::core>(settings_, state_);
+  take(link_.on_link(io::link::link_status{io::link::link_phase::up, {}, 0}, link_now()));
+  core_->on_house(house());
+  take(core_->on_start(now()));
+  settle();
+}
+
+executor::house flight_world::house() const {
+  executor::house result;
+  result.journal = {true, true, 10ULL << 30U};
+  result.actors = {{"vehicle_link", true}};
+  return result;
+}
+
+void flight_world::load(const mission::document& what) {
+  mission_client::mission_loaded loaded;
+  loaded.document = what;
+  take(core_->on_mission(loaded, now()));
+  take(core_->on_map({what.mission_id, mission_client::pull_state::synced, 0, 0, {}}, now()));
+  settle();
+}
+
+void flight_world::assign(const mission::assignment& wish) {
+  take(core_->on_assignment({state_.mission->mission_id, wish}, now()));
+  settle();
+}
+
+operator_words::answer flight_world::say(operator_words::verb what) {
+  auto answer = core_->on_operator({what, 0, "test"}, now());
+  settle();
+  return answer;
+}
+
+void flight_world::crash() {
+  notes_.clear();
+  core_ = std::make_unique<executor::core>(settings_, state_);
+  core_->on_house(house());
+  take(core_->on_vehicle(
+      vehicle_link::connection_changed{link_.describe(link_now()).phase, link_.describe(link_now()).reason}, now()));
+  take(core_->on_start(now()));
+  settle();
+}
+
+// -- time -------------------------------------------------------------------------------------------
+
+void flight_world::step() {
+  const auto next = std::min(
+      {time_.now_ns() + executor_period_ns, vehicle_->next_deadline_ns(), link_.next_deadline_ns(), time_.next_ns()});
+  time_.advance_to(next);
+  while (time_.next_ns() <= time_.now_ns())
+    time_.run_next();
+  vehicle_->on_time(time_.now_ns());
+  take(link_.on_time(link_now()));
+  settle();
+}
+
+// What is noted is applied one by one, and then the core goes on.
+void flight_world::settle() {
+  for (;;) {
+    while (!notes_.empty()) {
+      const auto next = std::move(notes_.front());
+      notes_.pop_front();
+      const auto effects = executor::durable_core::handle(state_, next, now().wall_ns);
+      core_->on_committed();
+      for (const auto& each : effects)
+        let_out(each);
+    }
+    const auto wanted = core_->advance(now());
+    if (wanted.empty())
+      return;
+    take(wanted);
+  }
+}
+
+void flight_world::let_out(const executor::durable_core::effect& each) {
+  std::visit(
+      [this]<class M>(const M& m) {
+        if constexpr (std::is_same_v<M, mission_client::report_progress>)
+          reports_.push_back(m.report);
+        else if constexpr (std::is_same_v<M, mission_client::respond_to_assignment>)
+          answers_.push_back(m);
+        else if constexpr (std::is_same_v<M, executor::stood>)
+          said_.push_back(std::string(io::name_of(m.now)) + (m.reason.empty() ? "" : ": " + m.reason));
+        else if constexpr (std::is_same_v<M, executor::preflight::phase_changed>)
+          said_.push_back("preflight " + m.sentence);
+        else if constexpr (requires { core_->on_durable(m, now()); })
+          take(core_->on_durable(m, now()));
+      },
+      each);
+}
+
+// -- the executor's wishes --------------------------------------------------------------------------
+
+void flight_world::take(const executor::effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { take(what); }, each);
+}
+
+void flight_world::take(const executor::order& each) {
+  std::visit(
+      [&]<class M>(const M& what) {
+        if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
+          commands_.push_back(what.command);
+          take(link_.on_command(each.number, what, link_now()));
+        } else if constexpr (std::is_same_v<M, vehicle_link::set_current_item>) {
+          take(link_.on_set_current(each.number, what, link_now()));
+        } else if constexpr (std::is_same_v<M, vehicle_link::upload_plan>) {
+          take(link_.on_upload(each.number, what, link_now()));
+        } else {
+          take(link_.on_download(each.number, what, link_now()));
+        }
+      },
+      each.what);
+}
+
+void flight_world::take(const executor::say_to_client& each) {
+  if (std::holds_alternative<mission_client::push_map>(each.what)) {
+    ++pushes_;
+    mission_client::mission_settled settled;
+    settled.mission_id = std::get<mission_client::push_map>(each.what).mission_id;
+    time_.at(time_.now_ns() + 1'000'000'000, [this, settled] { take(core_->on_delivered(settled, now())); });
+  }
+}
+
+// -- the link ---------------------------------------------------------------------------------------
+
+void flight_world::take(const vehicle_link::effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { take(what); }, each);
+}
+
+void flight_world::take(const vehicle_link::transmission& each) {
+  const std::vector<std::byte> bytes(each.frame.span().begin(), each.frame.span().end());
+  time_.at(time_.now_ns() + 1'000'000, [this, bytes] {
+    to_vehicle_.feed(bytes,
+                     [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
+  });
+}
+
+void flight_world::hear(std::span<const std::byte> frame) {
+  const std::vector<std::byte> bytes(frame.begin(), frame.end());
+  time_.at(time_.now_ns() + 1'000'000, [this, bytes] { take(link_.on_bytes(line, true, bytes, link_now())); });
+}
+
+void flight_world::take(const vehicle_link::settled_command& each) {
+  if (each.asked_by.kind == vehicle_link::asker_kind::outside)
+    take(core_->on_command(each.asked_by.request_id, each.outcome, now()));
+}
+
+void flight_world::take(const vehicle_link::settled_transfer& each) {
+  take(core_->on_transfer(each.request_id, each.outcome, now()));
+}
+
+void flight_world::take(const vehicle_link::observation& each) {
+  std::visit(
+      [this](const auto& m) {
+        if constexpr (
+            requires(executor::vehicle_view view) { view.take(m); } ||
+            requires(executor::vehicle_view view) { view.take(m, std::int64_t{}); } ||
+            std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::mission_item_reached>)
+          take(core_->on_vehicle(m, now()));
+      },
+      each);
+}
+
+void flight_world::take(const vehicle_link::announcement& each) {
+  if (const auto* changed = std::get_if<vehicle_link::connection_changed>(&each))
+    take(core_->on_vehicle(*changed, now()));
+  else if (const auto* restarted = std::get_if<vehicle_link::vehicle_restarted>(&each))
+    take(core_->on_vehicle(*restarted, now()));
+}
+
+// -- people -----------------------------------------------------------------------------------------
+
+void flight_world::switch_mode(std::uint32_t custom_mode) {
+  io::mavlink::set_mode wish;
+  wish.target_system = 1;
+  wish.base_mode = 1;
+  wish.custom_mode = custom_mode;
+  io::mavlink::scanner one;
+  one.feed(io::mavlink::encode(wish, station, 0).span(),
+           [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
+}
+
+std::string flight_world::story() const {
+  std::string result;
+  for (const auto& each : said_)
+    result += each + "\n";
+  for (const auto& each : reports_)
+    result += std::to_string(each.report_no) + " r" + std::to_string(each.revision) + " g" +
+              std::to_string(each.generation) + " " + std::string(io::name_of(each.kind)) + " " +
+              each.item_id.value_or("") + (each.inferred ? " (inferred)" : "") + "\n";
+  return result;
+}
+
+} // namespace godwit::tests

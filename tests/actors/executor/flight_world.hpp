@@ -1,0 +1,114 @@
+// A whole flight in virtual time: the executor's decisions, the link to the vehicle, and a simulated vehicle.
+//
+//   executor::core + its durable state  <->  vehicle_link::core  <->  sim::vehicle
+//
+// Notes are applied one in each turn, as the actor does it; crash() takes the core and the notes that were not written,
+// and the durable state begins anew. What the service would have got is kept in order. Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/executor/core.hpp"
+#include "actors/vehicle_link/core.hpp"
+#include "programs/godwit-sim/vehicle/vehicle.hpp"
+#include "tests/support/virtual_time.hpp"
+
+namespace godwit::tests {
+
+// Takes off, flies two waypoints, returns; around the home of the simulated vehicles.
+[[nodiscard]] mission::document short_mission(sim::personality who);
+// The n-th waypoint around there.
+[[nodiscard]] mission::item place(const std::string& id, double north_m, double east_m, double up_m);
+
+class flight_world {
+public:
+  struct options {
+    sim::personality who = sim::personality::px4;
+    executor::start_policy start = executor::start_policy::automatic;
+    bool arm_on_start = true;
+    double speed = 5; // of the vehicle's world
+    bool has_service = true;
+  };
+
+  explicit flight_world(const options& wanted);
+
+  void load(const mission::document& what);
+  void assign(const mission::assignment& wish);
+  [[nodiscard]] operator_words::answer say(operator_words::verb what);
+  void crash(); // of the executor; it begins anew at once
+
+  // Until CONDITION, or for so long. True: it held.
+  template <class Condition>
+  bool run_until(Condition condition, double most_s) {
+    const auto end = time_.now_ns() + static_cast<std::int64_t>(most_s * 1e9);
+    while (time_.now_ns() < end) {
+      if (condition())
+        return true;
+      step();
+    }
+    return condition();
+  }
+  void run_for(double seconds) {
+    (void)run_until([] { return false; }, seconds);
+  }
+  bool run_until_phase(executor::phase wanted, double most_s = 600) {
+    return run_until([&] { return state_.standing.now == wanted; }, most_s);
+  }
+
+  [[nodiscard]] const executor::state& durable() const { return state_; }
+  [[nodiscard]] sim::vehicle& vehicle() { return *vehicle_; }
+  [[nodiscard]] const std::vector<mission::progress_report>& reports() const { return reports_; }
+  [[nodiscard]] const std::vector<mission_client::respond_to_assignment>& answers() const { return answers_; }
+  [[nodiscard]] const std::vector<std::string>& said() const { return said_; }
+  // Commands that went to the vehicle, by number of MAV_CMD, in order.
+  [[nodiscard]] const std::vector<std::uint16_t>& commands() const { return commands_; }
+  [[nodiscard]] int pushes() const { return pushes_; }
+  // "waypoint 2 reached, ..." for messages of tests.
+  [[nodiscard]] std::string story() const;
+  // As a pilot's switch would.
+  void switch_mode(std::uint32_t custom_mode);
+
+private:
+  [[nodiscard]] executor::instant now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
+  [[nodiscard]] io::mavlink::instant link_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
+  void step();
+  void settle();
+  void take(const executor::effects& wanted);
+  void take(const executor::note& each) { notes_.push_back(each.what); }
+  void take(const executor::order& each);
+  void take(const executor::give_up_transfer&) { take(link_.on_cancel_transfer(link_now())); }
+  void take(const executor::say_to_client& each);
+  void take(const executor::announce& each) { said_.push_back(each.sentence); }
+  void take(const vehicle_link::effects& wanted);
+  void take(const vehicle_link::transmission& each);
+  void take(const vehicle_link::settled_command& each);
+  void take(const vehicle_link::settled_transfer& each);
+  void take(const vehicle_link::observation& each);
+  void take(const vehicle_link::announcement& each);
+  void let_out(const executor::durable_core::effect& each);
+  void hear(std::span<const std::byte> frame);
+  [[nodiscard]] executor::house house() const;
+
+  static constexpr std::int64_t wall_began_ns = 1'790'000'000'000'000'000; // September 2026
+
+  virtual_time time_{1'000'000'000};
+  executor::settings settings_;
+  executor::state state_;
+  std::unique_ptr<executor::core> core_;
+  vehicle_link::core link_;
+  std::unique_ptr<sim::vehicle> vehicle_;
+  io::mavlink::scanner to_vehicle_;
+  std::deque<executor::durable_core::event> notes_;
+  std::vector<mission::progress_report> reports_;
+  std::vector<mission_client::respond_to_assignment> answers_;
+  std::vector<std::string> said_;
+  std::vector<std::uint16_t> commands_;
+  int pushes_ = 0;
+};
+
+} // namespace godwit::tests

@@ -1,0 +1,29 @@
+#include "actors/executor/preflight/checks/actors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/preflight/good_facts.hpp"
+
+namespace godwit::executor::preflight {
+namespace {
+
+using namespace test;
+
+TEST(actors_check, passes_when_all_run) { EXPECT_EQ(look_at_actors(good_facts(), {}).how, verdict::pass); }
+
+TEST(actors_check, fails_when_one_does_not_run_and_names_it) {
+  auto seen = good_facts();
+  seen.actors = {{"vehicle_link", true}, {"mission_client", false}, {"failsafe", false}};
+  const auto found = look_at_actors(seen, {});
+  EXPECT_EQ(found.how, verdict::fail);
+  EXPECT_TRUE(has(found.sentence, ": mission_client, failsafe;")) << found.sentence;
+}
+
+TEST(actors_check, fails_when_nothing_is_known_of_them) {
+  auto seen = good_facts();
+  seen.actors.clear();
+  EXPECT_EQ(look_at_actors(seen, {}).how, verdict::fail);
+}
+
+} // namespace
+} // namespace godwit::executor::preflight

@@ -1,0 +1,34 @@
+#include "actors/executor/preflight/checks/vehicle_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/preflight/good_facts.hpp"
+
+namespace godwit::executor::preflight {
+namespace {
+
+using namespace test;
+
+using vehicle_link::connection_phase;
+
+result with(connection_phase link) {
+  auto seen = good_facts();
+  seen.vehicle.link = link;
+  return look_at_vehicle_link(seen, {});
+}
+
+TEST(vehicle_link_check, passes_when_the_vehicle_is_heard) {
+  EXPECT_EQ(with(connection_phase::connected).how, verdict::pass);
+}
+
+TEST(vehicle_link_check, fails_in_every_other_phase_and_says_what_to_look_at) {
+  EXPECT_EQ(with(connection_phase::down),
+            fail("The link to the vehicle is not open; look at the device or address that "
+                 "it is set to."));
+  EXPECT_EQ(with(connection_phase::silent).how, verdict::fail);
+  EXPECT_EQ(with(connection_phase::lost).how, verdict::fail);
+  EXPECT_NE(with(connection_phase::silent), with(connection_phase::lost));
+}
+
+} // namespace
+} // namespace godwit::executor::preflight

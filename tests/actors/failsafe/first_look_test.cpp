@@ -1,0 +1,52 @@
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "actors/failsafe/first_look.hpp"
+
+namespace {
+
+using namespace godwit::failsafe;
+namespace mavlink = godwit::io::mavlink;
+
+TEST(first_look, it_asks_for_who_the_vehicle_is_first_and_for_one_message_at_a_time) {
+  first_look look;
+  look.begin();
+  EXPECT_EQ(look.next(), mavlink::heartbeat::message_id);
+  EXPECT_FALSE(look.next());
+  look.heard(mavlink::heartbeat::message_id);
+  look.settled();
+  EXPECT_EQ(look.next(), mavlink::extended_sys_state::message_id);
+}
+
+TEST(first_look, what_came_by_itself_is_not_asked_for) {
+  first_look look;
+  look.begin();
+  look.heard(mavlink::heartbeat::message_id);
+  look.heard(mavlink::extended_sys_state::message_id);
+  look.heard(mavlink::sys_status::message_id);
+  EXPECT_EQ(look.next(), mavlink::global_position_int::message_id);
+}
+
+TEST(first_look, a_vehicle_that_does_not_answer_is_left_to_its_streams) {
+  first_look look;
+  look.begin();
+  int asked = 0;
+  while (look.next()) {
+    ++asked;
+    look.settled();
+  }
+  EXPECT_EQ(asked, 4 * max_look_tries);
+}
+
+TEST(first_look, before_it_begins_and_after_all_was_heard_it_asks_for_nothing) {
+  first_look look;
+  EXPECT_FALSE(look.next());
+  look.begin();
+  for (const auto id : {mavlink::heartbeat::message_id, mavlink::extended_sys_state::message_id,
+                        mavlink::global_position_int::message_id, mavlink::sys_status::message_id})
+    look.heard(id);
+  EXPECT_FALSE(look.next());
+}
+
+} // namespace

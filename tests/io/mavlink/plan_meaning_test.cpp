@@ -1,0 +1,96 @@
+#include "io/mavlink/plan_meaning.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/transfer_world.hpp"
+
+namespace godwit::io::mavlink {
+namespace {
+
+using io::mavlink::mav_frame;
+using io::mavlink::number;
+using tests::mission_of;
+
+TEST(meaning, what_ardupilot_changes_in_storing_means_the_same) {
+  auto ours = mission_of(1).front();
+  ours.frame = number(mav_frame::global_relative_alt_int);
+  ours.param2 = 1;
+  ours.z = 30.004F;
+  auto theirs = ours;
+  theirs.frame = number(mav_frame::global_relative_alt);
+  theirs.param2 = 0;
+  theirs.autocontinue = 0;
+  theirs.current = 1;
+  theirs.z = 30.0F;
+  EXPECT_TRUE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, another_command_position_or_altitude_is_another_meaning) {
+  const auto ours = mission_of(1).front();
+  auto theirs = ours;
+  theirs.command = 17;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+  theirs = ours;
+  theirs.x += 1'000;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+  theirs = ours;
+  theirs.z += 1;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, an_altitude_above_home_is_not_one_above_the_sea) {
+  auto ours = mission_of(1).front();
+  ours.frame = number(mav_frame::global_relative_alt);
+  auto theirs = ours;
+  theirs.frame = number(mav_frame::global);
+  EXPECT_FALSE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, the_frame_of_an_item_without_position_says_nothing) {
+  mission_item_int ours;
+  ours.command = 20; // return to launch
+  ours.frame = number(mav_frame::global_relative_alt);
+  auto theirs = ours;
+  theirs.frame = number(mav_frame::global);
+  EXPECT_TRUE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, not_a_number_comes_back_as_zero) {
+  auto ours = mission_of(1).front();
+  auto theirs = ours;
+  ours.z = std::nanf("");
+  theirs.z = 0;
+  EXPECT_TRUE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, positions_at_both_ends_of_the_range_do_not_overflow) {
+  auto ours = mission_of(1).front();
+  auto theirs = ours;
+  ours.x = INT32_MIN;
+  theirs.x = INT32_MAX;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+}
+
+TEST(first_difference, names_the_item_or_the_length) {
+  const auto ours = mission_of(5);
+  auto theirs = ours;
+  EXPECT_EQ(first_difference(ours, theirs, false), std::nullopt);
+  theirs[3].x += 1'000;
+  EXPECT_EQ(first_difference(ours, theirs, false), 3U);
+  theirs = ours;
+  theirs.pop_back();
+  EXPECT_EQ(first_difference(ours, theirs, false), 4U);
+}
+
+TEST(first_difference, leaves_home_out) {
+  const auto ours = mission_of(5);
+  auto theirs = ours;
+  theirs[0].x += 1'000;
+  EXPECT_EQ(first_difference(ours, theirs, true), std::nullopt);
+  EXPECT_EQ(first_difference(ours, theirs, false), 0U);
+}
+
+} // namespace
+} // namespace godwit::io::mavlink

@@ -48,8 +48,7 @@ auto actor::hears() {
       owner_ = flight::owner_of(message);
     core_->take(sense(message), now());
     if constexpr (std::is_same_v<M, mavlink::global_position_int>)
-      if (now_ns() - last_turn_ns_ >= min_turn_gap_ms * ns_per_ms)
-        turn();
+      judge_position();
   });
 }
 
@@ -111,6 +110,13 @@ void actor::on_tick() {
 
 void actor::plan_tick(std::chrono::milliseconds delay) { tell_after(delay, me(), tick{++tick_number_}); }
 
+void actor::judge_position() {
+  if (position_judged_ns_ && now_ns() - *position_judged_ns_ < min_judged_gap_ms * ns_per_ms)
+    return;
+  position_judged_ns_ = now_ns();
+  turn();
+}
+
 void actor::vouch() {
   if (vouched_ns_ && now_ns() - *vouched_ns_ < vouch_every_ms * ns_per_ms)
     return;
@@ -120,10 +126,7 @@ void actor::vouch() {
 
 // -- what is done ---------------------------------------------------------------------------------
 
-void actor::turn() {
-  last_turn_ns_ = now_ns();
-  carry_out(core_->tick(now()));
-}
+void actor::turn() { carry_out(core_->tick(now())); }
 
 void actor::carry_out(const effects& wanted) {
   due_ = {.record = std::exchange(unsaved_, std::nullopt)};

@@ -22,8 +22,8 @@ namespace godwit::failsafe {
 
 // Shorter than the core waits: its answer is always about the newest command.
 inline constexpr std::chrono::milliseconds answer_patience{command_answer_ms - 500};
-// A stream of positions that comes faster is judged at this rate.
-inline constexpr std::int64_t min_turn_gap_ms = 50;
+// Each position is judged as it comes; of a stream that is faster than this, one so often, and the rest at the ticks.
+inline constexpr std::int64_t min_judged_gap_ms = 50;
 inline constexpr std::int64_t vouch_every_ms = 1'000;
 
 // Whom the failsafe speaks to besides the vehicle. Filled in while the process is composed, when the addresses of all
@@ -54,6 +54,7 @@ private:
   auto is_told();
   void on_tick();
   void plan_tick(std::chrono::milliseconds delay);
+  void judge_position();
   void vouch();
   void turn();
   void carry_out(const effects& wanted);
@@ -85,7 +86,7 @@ private:
   flight::mode_owner owner_; // of the newest heartbeat
   first_look look_;
   std::uint64_t tick_number_ = 0;
-  std::int64_t last_turn_ns_ = 0;
+  std::optional<std::int64_t> position_judged_ns_;
   std::optional<std::int64_t> vouched_ns_;
   due_things due_;
   std::optional<remembered> unsaved_; // the journal did not take it

@@ -25,6 +25,12 @@ plan_writer writer_behind(const plan_writer& done, const plan_setting& setting) 
 tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::document& mission,
                                                                const plan_setting& setting, const plan_from& from) {
   const auto count = mission.items.size();
+  if (setting.vehicle == vehicle_class::unknown)
+    return failure({plan_errc::unknown_vehicle,
+                    from.item_index,
+                    {},
+                    "It is not known whether it is for a multirotor, a fixed wing or a rover",
+                    "wait for the heartbeat of the vehicle; other kinds fly no missions"});
   if (from.item_index >= count)
     return failure(
         {plan_errc::no_such_item,

@@ -10,6 +10,7 @@
 namespace godwit::executor::plan {
 
 enum class plan_errc {
+  unknown_vehicle,       // it has not said what it is
   no_such_item,          // the plan shall begin behind the end of the mission
   nothing_to_fly,        // no item moves the vehicle
   no_take_off,           // the vehicle stands on the ground, and something else comes first
@@ -28,7 +29,8 @@ enum class plan_errc {
 };
 
 constexpr auto enum_names(plan_errc) {
-  return io::names<plan_errc>({{plan_errc::no_such_item, "no_such_item"},
+  return io::names<plan_errc>({{plan_errc::unknown_vehicle, "unknown_vehicle"},
+                               {plan_errc::no_such_item, "no_such_item"},
                                {plan_errc::nothing_to_fly, "nothing_to_fly"},
                                {plan_errc::no_take_off, "no_take_off"},
                                {plan_errc::late_take_off, "late_take_off"},

@@ -161,7 +161,7 @@ void open_generation(turn& t, std::uint16_t start, const std::vector<mapped_item
   auto& plan = *t.s.plan;
   plan.generation = {.number = ++t.s.last_generation,
                      .start_sequence = start,
-                     .opened_at_ns = t.now_ns,
+                     .settling_since_ns = t.now_ns,
                      .moved_to = {},
                      .complete_upto = {},
                      .stale_reached = plan.vehicle_plan_id ? plan.last_reached : std::nullopt,

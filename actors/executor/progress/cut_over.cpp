@@ -56,6 +56,7 @@ void cut_over(turn& t, std::optional<std::uint32_t> plan_id) {
                            .last_reached = last_reached,
                            .generation = {}};
   open_generation(t, start, skipped);
+  t.s.plan->generation.is_same_content = is_same;
   release_held(t);
 }
 

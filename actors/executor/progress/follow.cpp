@@ -14,7 +14,7 @@ namespace {
 
 using io::mavlink::mission_current;
 
-bool is_settling(const turn& t) { return !is_over(t.s.plan->generation.opened_at_ns, t.now_ns, settling_ns); }
+bool is_settling(const turn& t) { return !is_over(t.s.plan->generation.settling_since_ns, t.now_ns, settling_ns); }
 
 void hold(turn& t, const mission_current& message) {
   auto& held = t.s.held;
@@ -30,7 +30,9 @@ void hold(turn& t, const mission_current& message) {
 void try_to_arm(turn& t, const mission_current& message) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
-  if (is_start(plan.map, g.start_sequence, message.seq)) {
+  if (message.seq == g.start_sequence || (!g.is_same_content && is_start(plan.map, g.start_sequence, message.seq))) {
+    if (!is_settling(t))
+      g.settling_since_ns = t.now_ns; // it has just come there from elsewhere
     g.is_armed = true;
     g.current = message.seq;
     if (!plan.vehicle_plan_id && message.mission_id != 0)

@@ -1,6 +1,6 @@
 // What the vehicle says of its mission, and what of it counts.
 //
-//   MISSION_CURRENT                       within settling_ns of the opening    later
+//   MISSION_CURRENT                       within settling_ns                   later
 //   of our plan, at the start             arms                                 arms
 //   of our plan, ahead of where it was    nothing                              armed: moves on; else not_at_start
 //   of our plan, behind where it was      nothing                              nothing: it is late

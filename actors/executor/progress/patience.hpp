@@ -5,9 +5,9 @@
 
 namespace godwit::executor::progress {
 
-// After a generation was opened only its start counts: what else comes may be of the one before. PX4 repeats
-// MISSION_ITEM_REACHED about once a second, and what it says of one moment came up to 0.65 s apart. Nothing is lost by
-// it, because a vehicle goes on telling where it is.
+// After a generation was opened, and after it was armed late, only its start counts: what else comes may be older. PX4
+// repeats MISSION_ITEM_REACHED about once a second, and what it says of one moment came up to 0.65 s apart. Nothing is
+// lost by it, because a vehicle goes on telling where it is.
 inline constexpr std::int64_t settling_ns = 2'000'000'000;
 
 // PX4 sends the MISSION_ITEM_REACHED of an item before or behind the MISSION_CURRENT of the next one, up to 0.65 s

@@ -46,7 +46,8 @@ struct mission_record {
 struct generation_state {
   std::uint32_t number = 0;
   std::uint16_t start_sequence = 0;
-  std::int64_t opened_at_ns = 0;
+  bool is_same_content = false; // as the plan before: the vehicle may just go on in it, so that only the start arms
+  std::int64_t settling_since_ns = 0; // its opening, or when it was armed if that came later than settling_ns
   bool is_armed = false;
   bool is_active = false;            // the vehicle said last that it flies it
   bool was_incomplete = false;       // the vehicle has said so: a MISSION_STATE complete is not the old plan's
@@ -66,8 +67,9 @@ struct generation_state {
   static constexpr auto fields = io::table(
       "executor.progress_generation_state", io::field("number", &generation_state::number),
       io::field("start_sequence", &generation_state::start_sequence),
-      io::field("opened_at_ns", &generation_state::opened_at_ns), io::field("is_armed", &generation_state::is_armed),
-      io::field("is_active", &generation_state::is_active),
+      io::field("is_same_content", &generation_state::is_same_content),
+      io::field("settling_since_ns", &generation_state::settling_since_ns),
+      io::field("is_armed", &generation_state::is_armed), io::field("is_active", &generation_state::is_active),
       io::field("was_incomplete", &generation_state::was_incomplete),
       io::field("is_finished", &generation_state::is_finished),
       io::field("is_not_at_start_told", &generation_state::is_not_at_start_told),
@@ -88,7 +90,8 @@ struct followed_plan {
   static constexpr auto fields = io::table(
       "executor.progress_followed_plan", io::field("map", &followed_plan::map),
       io::field("vehicle_plan_id", &followed_plan::vehicle_plan_id), io::field("id_before", &followed_plan::id_before),
-      io::field("last_reached", &followed_plan::last_reached), io::field("ever_settled", &followed_plan::ever_settled), io::field("generation", &followed_plan::generation));
+      io::field("last_reached", &followed_plan::last_reached), io::field("ever_settled", &followed_plan::ever_settled),
+      io::field("generation", &followed_plan::generation));
 };
 
 struct pending_upload {

@@ -101,6 +101,12 @@ void flight_world::crash() {
 // -- time -------------------------------------------------------------------------------------------
 
 void flight_world::step() {
+  if (core_->wants_service()) {
+    mission_client::service_status status;
+    status.mission_id = state_.mission->mission_id;
+    status.pull = mission_client::pull_state::synced;
+    core_->on_service(status);
+  }
   const auto next = std::min(
       {time_.now_ns() + executor_period_ns, vehicle_->next_deadline_ns(), link_.next_deadline_ns(), time_.next_ns()});
   time_.advance_to(next);
@@ -247,6 +253,10 @@ std::string flight_world::story() const {
     result += std::to_string(each.report_no) + " r" + std::to_string(each.revision) + " g" +
               std::to_string(each.generation) + " " + std::string(io::name_of(each.kind)) + " " +
               each.item_id.value_or("") + (each.inferred ? " (inferred)" : "") + "\n";
+  const auto seen = vehicle_->describe();
+  result += "vehicle: " + seen.mode + (seen.armed ? ", armed" : ", disarmed") + (seen.in_air ? ", in the air" : "") +
+            ", mission " + seen.mission_state + " at " + std::to_string(seen.mission_current) + " of " +
+            std::to_string(seen.mission_count) + "\n";
   return result;
 }
 

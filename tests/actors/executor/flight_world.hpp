@@ -62,6 +62,7 @@ public:
 
   [[nodiscard]] const executor::state& durable() const { return state_; }
   [[nodiscard]] sim::vehicle& vehicle() { return *vehicle_; }
+  [[nodiscard]] std::int64_t now_ns() const { return time_.now_ns(); }
   [[nodiscard]] const std::vector<mission::progress_report>& reports() const { return reports_; }
   [[nodiscard]] const std::vector<mission_client::respond_to_assignment>& answers() const { return answers_; }
   [[nodiscard]] const std::vector<std::string>& said() const { return said_; }

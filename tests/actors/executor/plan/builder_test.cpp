@@ -170,6 +170,13 @@ TEST(builder, a_mission_that_moves_nothing_is_refused) {
   EXPECT_NE(why_not(mission_of({mission::takeoff{"up", 10}}), rover), "");
 }
 
+TEST(builder, a_vehicle_of_an_unknown_kind_gets_no_plan) {
+  const auto mission = mission_of({mission::takeoff{"up", 30}, waypoint("out", at(500, 0, 30))});
+  const auto plans = build_plans(mission, setting_of(vehicle_class::unknown));
+  ASSERT_FALSE(plans);
+  EXPECT_EQ(plans.error().code, plan_errc::unknown_vehicle);
+}
+
 TEST(builder, what_is_behind_the_end_of_the_mission_can_not_be_planned) {
   EXPECT_EQ(why_not(small_mission(), px4_copter, {5, 0}),
             "The mission: It has 5 items, and none with index 5; begin with an item that it has.");

@@ -155,8 +155,7 @@ TEST_P(advance_any, complete_is_reported_once) {
   d.wait_s(2);
   d.current(1, mission_state::complete);
   d.reached(1);
-  EXPECT_EQ(d.said(),
-            (texts{"started A#0 g1", "reached A#0 g1", "started B#1 g1", "reached B#1 g1", "complete g1"}));
+  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1", "started B#1 g1", "reached B#1 g1", "complete g1"}));
   d.start_at(0); // flown again: that is progress, and the mission is complete already
   d.started();
   d.current(0);

@@ -135,6 +135,27 @@ TEST(cut_over, a_reached_that_is_repeated_over_a_plan_with_the_same_content_coun
   EXPECT_EQ(d.said(), texts{});
 }
 
+TEST(cut_over, in_a_plan_with_the_same_content_commands_in_front_are_not_taken_for_done) {
+  auto map = map_of(px4, {"speed", "A", "B"});
+  map.items[0].first_nav_sequence.reset();
+  map.items[0].last_nav_sequence.reset();
+  desk d;
+  d.upload(map);
+  d.start_at(1); // the command is skipped
+  d.started();
+  d.current(1);
+  d.wait_s(3);
+  d.said();
+  d.intend(map, 2);
+  d.take(upload_ended{upload_verdict::accepted, d.plan_id, {}});
+  d.current(1); // it just goes on
+  EXPECT_FALSE(d.is_armed());
+  d.wait_s(3);
+  d.current(1);
+  EXPECT_EQ(d.said(), texts{});
+  EXPECT_EQ(d.news_told().back(), "not_at_start g3");
+}
+
 TEST(cut_over, plan_id_0_is_none) {
   desk d;
   d.intend(map_of(px4, {"A"}));

@@ -29,8 +29,11 @@ TEST_P(follow_any, a_generation_counts_only_after_mission_current_at_the_expecte
   d.reached(1);
   EXPECT_EQ(d.said(), texts{});
   d.current(0);
+  d.reached(0); // just before it came there, perhaps
+  EXPECT_EQ(d.said(), texts{"started A#0 g1"});
+  d.wait_s(2);
   d.reached(0);
-  EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1"}));
+  EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
 }
 
 TEST_P(follow_any, the_old_sequence_just_after_the_switch_counts_nothing) {

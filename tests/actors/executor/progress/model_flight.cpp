@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "tests/actors/executor/progress/model_flight.hpp"
 
 #include <algorithm>
@@ -54,7 +52,7 @@ void model_flight::finish_calmly() {
     turn(100, 700);
     act_as_needed();
   }
-  for (int i = 0; i < patient_turns; ++i)
+  for (int i = 0; i < ending_turns; ++i)
     turn(500, 700);
   check_end();
 }
@@ -347,11 +345,13 @@ void model_flight::restart_vehicle() {
 // Where what the vehicle says counts, the judge knows it too.
 void model_flight::hear(const heard& message) {
   const bool is_free = !s_.upload && !s_.start;
+  const auto lost_before = lost_;
   take(message.what);
   const auto* current = std::get_if<current_told>(&message.what);
-  if (current == nullptr || !message.is_true || !is_free || !s_.plan || !s_.plan->generation.is_armed)
+  if (lost_ != lost_before || current == nullptr || !message.is_true || !is_free || !s_.plan ||
+      !s_.plan->generation.is_armed)
     return;
-  if (is_over(s_.plan->generation.opened_at_ns, now_ns_, settling_ns))
+  if (is_over(s_.plan->generation.settling_since_ns, now_ns_, settling_ns))
     judge_.see(current->message.seq, message.run);
 }
 
@@ -369,12 +369,16 @@ void model_flight::take(const event& happened) {
 void model_flight::take_and_crash(const event& happened) {
   switch (draw_.between(0, 2)) {
   case 0: // the process dies before the event is handled, and the event with it
+    ++lost_;
     return crash();
   case 1: { // the actor dies while it handles the event, which is put back
     auto unwritten = s_;
     static_cast<void>(handle(unwritten, happened, now_ns_));
     crash();
-    return let_out(handle(s_, happened, now_ns_));
+    let_out(handle(s_, happened, now_ns_));
+    if (std::holds_alternative<upload_intended>(happened))
+      upload_ = upload_phase::intended; // nothing had been sent, and the intent is there now
+    return;
   }
   default: { // the process dies when the new state and its effects are written, and lets them out when it is back
     const auto written = handle(s_, happened, now_ns_);

@@ -40,6 +40,7 @@ public:
   static constexpr int one_event_in_crashes = 40;
   static constexpr int max_calm_turns = 400;
   static constexpr int patient_turns = 5; // a message that is under way has come by then
+  static constexpr int ending_turns = 12; // what waits for a REACHED is settled by then
 
 private:
   struct model_item {
@@ -111,6 +112,7 @@ private:
 
   bool is_calm_ = true;
   std::uint64_t events_ = 0;
+  std::uint64_t lost_ = 0; // events, in crashes
   bool notes_events_ = false;
 };
 

@@ -10,7 +10,11 @@ namespace {
 using namespace test;
 
 followed_plan plan_of(const flavour& vehicle, std::optional<std::uint32_t> id) {
-  return {.map = map_of(vehicle, {"A", "B"}), .vehicle_plan_id = id, .id_before = 100U, .last_reached = {}, .generation = {}};
+  return {.map = map_of(vehicle, {"A", "B"}),
+          .vehicle_plan_id = id,
+          .id_before = 100U,
+          .last_reached = {},
+          .generation = {}};
 }
 
 TEST(standing, with_plan_ids_the_id_decides) {

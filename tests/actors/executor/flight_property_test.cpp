@@ -1,0 +1,195 @@
+// Any order of crashes, pilots, pauses, replans and reboots, on every vehicle: what must hold whatever happens.
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using mission::progress_kind;
+using tests::flight_world;
+
+enum class trouble { crash, pilot, pause, assignment, reboot, refusal };
+constexpr int kinds_of_trouble = 6;
+constexpr int most_troubles = 6;
+
+std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality::px4 ? 0x00030000 : 0; }
+
+class random_flight {
+public:
+  explicit random_flight(std::uint64_t seed)
+      : dice_(seed), who_(static_cast<sim::personality>(dice_() % 3)), mission_(tests::short_mission(who_)),
+        world_({.who = who_, .start = start_policy::automatic, .arm_on_start = true, .speed = 10}) {}
+
+  void fly() {
+    world_.load(mission_);
+    const auto troubles = dice_() % (most_troubles + 1);
+    for (std::size_t i = 0; i < troubles && !is_over(); ++i) {
+      world_.run_for(0.05 * static_cast<double>(dice_() % 200));
+      make(static_cast<trouble>(dice_() % kinds_of_trouble));
+      judge();
+    }
+    for (int i = 0; i < 20 && !is_over(); ++i) {
+      (void)world_.run_until([&] { return is_over() || is_waiting_for_person(); }, 120);
+      judge();
+      help();
+    }
+    judge();
+  }
+
+  [[nodiscard]] std::string story() const { return world_.story(); }
+  [[nodiscard]] bool is_over() const {
+    const auto at = world_.durable().standing.now;
+    return at == phase::done || at == phase::aborted;
+  }
+  [[nodiscard]] bool was_disturbed_for_good() const { return rebooted_; }
+
+private:
+  [[nodiscard]] bool is_waiting_for_person() const { return world_.durable().standing.now == phase::paused; }
+
+  void make(trouble what) {
+    switch (what) {
+    case trouble::crash: {
+      const auto starts = starts_so_far();
+      const bool was_under_way = world_.durable().standing.in_flight;
+      world_.crash();
+      world_.run_for(1);
+      if (was_under_way) {
+        EXPECT_EQ(starts_so_far(), starts) << "a restart starts nothing\n" << story();
+      }
+      break;
+    }
+    case trouble::pilot:
+      take_over();
+      break;
+    case trouble::pause:
+      (void)world_.say(operator_words::verb::pause);
+      break;
+    case trouble::assignment:
+      assign();
+      break;
+    case trouble::reboot:
+      if (!world_.vehicle().describe().in_air) {
+        world_.vehicle().reboot(world_.now_ns());
+        rebooted_ = true;
+      }
+      break;
+    case trouble::refusal:
+      world_.vehicle().refuse_command(176, 4, 1 + static_cast<int>(dice_() % 2)); // DO_SET_MODE fails
+      break;
+    }
+  }
+
+  void take_over() {
+    if (!world_.durable().standing.in_flight)
+      return;
+    world_.switch_mode(pilot_mode(who_));
+    if (!world_.run_until_phase(phase::paused, 8))
+      return; // it had landed meanwhile
+    const auto commands = world_.commands().size();
+    world_.run_for(3);
+    if (world_.durable().standing.cause == pause_cause::taken_over) {
+      EXPECT_EQ(world_.commands().size(), commands) << "nothing is sent after a takeover\n" << story();
+    }
+  }
+
+  void assign() {
+    if (!world_.durable().mission)
+      return;
+    mission::assignment wish;
+    const auto& now = *world_.durable().mission;
+    wish.assignment_id = "11111111-2222-4333-8444-" + std::to_string(100'000'000'000 + ++assignments_);
+    wish.base_revision = now.revision;
+    wish.revision = now.revision + 1;
+    wish.replace_after_item_id = dice_() % 2 == 0 ? "w1" : "w2";
+    const bool drives = who_ == sim::personality::rover;
+    const auto name = "n" + std::to_string(assignments_);
+    wish.items = {tests::place(name + "a", 20, 20, drives ? 0 : 20),
+                  tests::place(name + "b", -30, 20, drives ? 0 : 20)};
+    if (!drives)
+      wish.items.emplace_back(mission::return_home{"home"});
+    world_.assign(wish);
+  }
+
+  // Whoever stands beside it brings it back.
+  void help() {
+    const auto& at = world_.durable().standing;
+    if (needs_hand_back(at.cause))
+      (void)world_.say(operator_words::verb::hand_back);
+    world_.run_for(1);
+    if (is_waiting_for_person())
+      (void)world_.say(operator_words::verb::resume);
+  }
+
+  [[nodiscard]] int starts_so_far() const {
+    int result = 0;
+    for (const auto each : world_.commands())
+      result += each == 300 || each == 400 || each == 22 ? 1 : 0;
+    return result;
+  }
+
+  void judge() const {
+    std::uint32_t number = 0;
+    std::uint32_t generation = 0;
+    std::map<std::uint32_t, std::uint32_t> last_index;
+    std::set<std::int32_t> complete;
+    for (const auto& each : world_.reports()) {
+      ASSERT_EQ(each.report_no, ++number) << story();
+      ASSERT_GE(each.generation, generation) << "no report of an old generation\n" << story();
+      generation = each.generation;
+      if (each.item_index && each.kind != progress_kind::skipped) {
+        auto& last = last_index[generation];
+        ASSERT_GE(*each.item_index, last) << "the index never goes back\n" << story();
+        last = *each.item_index;
+      }
+      if (each.kind == progress_kind::complete) {
+        ASSERT_TRUE(complete.insert(each.revision).second) << "complete once\n" << story();
+      }
+    }
+    std::set<std::string> answered;
+    for (const auto& each : world_.answers())
+      ASSERT_TRUE(answered.insert(each.assignment_id).second) << "one answer to an assignment\n" << story();
+  }
+
+  std::mt19937_64 dice_;
+  sim::personality who_;
+  mission::document mission_;
+  flight_world world_;
+  int assignments_ = 0;
+  bool rebooted_ = false;
+};
+
+int wanted_flights() { return std::getenv("GODWIT_FULL") != nullptr ? 100'000 : 1'000; }
+
+TEST(any_flight, keeps_its_promises_whatever_happens) {
+  int over = 0;
+  const int flights = wanted_flights();
+  for (int seed = 1; seed <= flights; ++seed) {
+    random_flight flight(static_cast<std::uint64_t>(seed));
+    flight.fly();
+    over += flight.is_over() ? 1 : 0;
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
+    if (!flight.is_over() && !flight.was_disturbed_for_good())
+      ADD_FAILURE() << "seed " << seed << " has no end\n" << flight.story();
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+  EXPECT_GT(over, flights / 2);
+}
+
+TEST(any_flight, is_the_same_again_with_the_same_seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    random_flight once(seed);
+    once.fly();
+    random_flight again(seed);
+    again.fly();
+    ASSERT_EQ(once.story(), again.story()) << "seed " << seed;
+  }
+}
+
+} // namespace
+} // namespace godwit::executor

@@ -140,6 +140,7 @@ private:
   void task_failed(effects& out, const task& what, const std::string& why);
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
   [[nodiscard]] steps start_steps() const;
+  [[nodiscard]] steps going_on_steps() const;
   [[nodiscard]] steps deploy_steps(const progress::plan_map& map, bool goes_on) const;
   [[nodiscard]] preflight::report look_at_all(instant now);
   void answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason);

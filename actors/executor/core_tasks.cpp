@@ -7,12 +7,14 @@
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/preflight/report.hpp"
 #include "actors/executor/remaining.hpp"
+#include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
 namespace {
 
 using flight::mode_kind;
 using io::mavlink::mav_autopilot;
+using io::mavlink::number;
 
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
@@ -211,6 +213,8 @@ bool core::answer_assignment(effects& out, instant now) {
                                                         at == phase::ready || at == phase::disconnected);
   if (s_.waiting.empty() || !s_.mission || !(may_change || is_waiting_on_ground))
     return false;
+  if (may_change && !view_.is_under_way())
+    return false; // on the ground with turning motors: a plan that is replaced now would never take off
   const auto wish = s_.waiting.front();
   const auto reject = [&](const std::string& why) {
     out.emplace_back(note{assignment_rejected{wish.assignment_id, why}});
@@ -285,11 +289,23 @@ bool core::begin_wished(effects& out, instant now) {
   return false;
 }
 
+// Back into the plan that the vehicle holds. One by the MAVLink text alone holds in its mission mode until a plan that
+// was brought to it in flight is started.
+steps core::going_on_steps() const {
+  const bool is_new = s_.progress.plan && view_.current() &&
+                      view_.current()->mission_state == number(io::mavlink::mission_state::not_started);
+  const auto autopilot = view_.owner().autopilot;
+  if (is_new && autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega)
+    return {start_plan{s_.progress.plan->generation.start_sequence}};
+  return {change_mode{mode_kind::mission}};
+}
+
+// The vehicle is held with the new plan; whether it was told where to begin is not known.
 void core::begin_going_on(effects& out) {
-  if (view_.keeps_plan_ids() || !s_.progress.plan)
-    return begin(out, task_kind::resume, {change_mode{mode_kind::mission}});
-  begin(out, task_kind::resume,
-        {choose_item{s_.progress.plan->generation.start_sequence}, change_mode{mode_kind::mission}});
+  auto way = going_on_steps();
+  if (view_.owner().autopilot == mav_autopilot::ardupilotmega && s_.progress.plan)
+    way.insert(way.begin(), choose_item{s_.progress.plan->generation.start_sequence});
+  begin(out, task_kind::resume, std::move(way));
 }
 
 bool core::begin_wanted(effects& out, task_kind what) {
@@ -302,7 +318,7 @@ bool core::begin_wanted(effects& out, task_kind what) {
   if (what == task_kind::hold)
     begin(out, what, {change_mode{mode_kind::hold}});
   else if (what == task_kind::resume)
-    begin(out, what, {change_mode{mode_kind::mission}});
+    begin(out, what, going_on_steps());
   else
     begin(out, what, {change_mode{mode_kind::returning}});
   return true;

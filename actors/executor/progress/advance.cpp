@@ -157,9 +157,10 @@ void begin(turn& t) {
   report_item(t, progress_kind::started, plan.map.items[*position], false);
 }
 
-void open_generation(turn& t, std::uint16_t start, const std::vector<mapped_item>& left_out) {
+void open_generation(turn& t, generation_origin origin, std::uint16_t start, const std::vector<mapped_item>& left_out) {
   auto& plan = *t.s.plan;
   plan.generation = {.number = ++t.s.last_generation,
+                     .origin = origin,
                      .start_sequence = start,
                      .settling_since_ns = t.now_ns,
                      .moved_to = {},

@@ -36,6 +36,7 @@ void begin(turn& t);
 
 // A new generation of the plan that is there, numbered next, from START on. Items in front of it that no generation of
 // this plan has settled are skipped, and so are those that the plan leaves out.
-void open_generation(turn& t, std::uint16_t start, const std::vector<mapped_item>& left_out = {});
+void open_generation(turn& t, generation_origin origin, std::uint16_t start,
+                     const std::vector<mapped_item>& left_out = {});
 
 } // namespace godwit::executor::progress

@@ -55,8 +55,7 @@ void cut_over(turn& t, std::optional<std::uint32_t> plan_id) {
                            .id_before = upload.intent.id_before,
                            .last_reached = last_reached,
                            .generation = {}};
-  open_generation(t, start, skipped);
-  t.s.plan->generation.is_same_content = is_same;
+  open_generation(t, is_same ? generation_origin::same_plan : generation_origin::new_plan, start, skipped);
   release_held(t);
 }
 

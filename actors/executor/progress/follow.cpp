@@ -26,11 +26,29 @@ void hold(turn& t, const mission_current& message) {
     ++t.s.dropped_held;
 }
 
+bool says_complete(const mission_current& message) {
+  return message.mission_state == io::mavlink::number(io::mavlink::mission_state::complete);
+}
+
+// Where commands stand in front, a vehicle is seen behind them, but not when it may have come there otherwise: it goes
+// on in a plan with the same content, says with its old sequence that the old plan is complete, or says in a late
+// message without an id where it was in the old plan.
+bool is_at_start(const turn& t, const mission_current& message) {
+  const auto& plan = *t.s.plan;
+  const auto& g = plan.generation;
+  if (g.origin == generation_origin::same_plan)
+    return message.seq == g.start_sequence && !is_settling(t);
+  if (message.seq == g.start_sequence)
+    return true;
+  const bool may_be_older = g.origin == generation_origin::new_plan && !plan.vehicle_plan_id && is_settling(t);
+  return is_start(plan.map, g.start_sequence, message.seq) && !says_complete(message) && !may_be_older;
+}
+
 // Armed from now on, if this is the start.
 void try_to_arm(turn& t, const mission_current& message) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
-  if (message.seq == g.start_sequence || (!g.is_same_content && is_start(plan.map, g.start_sequence, message.seq))) {
+  if (is_at_start(t, message)) {
     if (!is_settling(t))
       g.settling_since_ns = t.now_ns; // it has just come there from elsewhere
     g.is_armed = true;
@@ -49,23 +67,33 @@ void try_to_arm(turn& t, const mission_current& message) {
 void note_mission_state(generation_state& g, const mission_current& message) {
   using io::mavlink::mission_state;
   g.is_active = message.mission_state == io::mavlink::number(mission_state::active);
-  g.was_incomplete = g.was_incomplete || (message.mission_state != io::mavlink::number(mission_state::unknown) &&
-                                          message.mission_state != io::mavlink::number(mission_state::complete));
+  g.is_complete = says_complete(message);
+  g.was_active = g.was_active || g.is_active;
+}
+
+// While it settles: whether it is seen at its start, or nearer to it than it was when it was armed, which was by the
+// sequence of the plan before then.
+bool is_still_at_start(turn& t, const mission_current& message) {
+  auto& g = t.s.plan->generation;
+  if (!is_start(t.s.plan->map, g.start_sequence, message.seq) || message.seq > g.current)
+    return false;
+  if (!g.started_position)
+    g.current = message.seq;
+  return message.seq == g.current;
 }
 
 void follow_armed(turn& t, const mission_current& message) {
-  using io::mavlink::mission_state;
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
   const bool is_in_plan = has_sequence(plan.map, message.seq);
-  if (is_settling(t) && !is_start(plan.map, g.start_sequence, message.seq))
+  if (is_settling(t) && !is_still_at_start(t, message))
     return;
   note_mission_state(g, message);
   if (is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
     catch_up(t);
   if (is_in_plan && message.seq > g.moved_to.value_or(g.current))
     move_on(t, message.seq);
-  if (g.was_incomplete && !is_settling(t) && message.mission_state == io::mavlink::number(mission_state::complete))
+  if (g.was_active && !is_settling(t) && g.is_complete)
     note_complete(t, message.seq);
   if (!g.moved_to)
     begin(t);
@@ -86,21 +114,31 @@ void follow(turn& t, const mission_current& message) {
     follow_armed(t, message);
 }
 
-// Just after a generation was opened it may be of another plan.
+// Just after a new plan came it may be of the one before.
 void note_reached(turn& t, std::uint16_t sequence) {
-  if (!t.s.plan || is_settling(t))
+  if (!t.s.plan)
     return;
-  t.s.plan->last_reached = sequence;
-  auto& stale = t.s.plan->generation.stale_reached;
-  if (stale != sequence)
-    stale.reset();
+  auto& g = t.s.plan->generation;
+  if (g.origin != generation_origin::new_plan || !is_settling(t))
+    t.s.plan->last_reached = sequence;
+  if (g.stale_reached != sequence && !is_settling(t))
+    g.stale_reached.reset();
+}
+
+// Who has completed the mission before, and begins nothing, may still say what it reached then.
+bool may_be_older(const generation_state& g, std::uint16_t sequence) {
+  return sequence == g.stale_reached || (g.origin != generation_origin::new_plan && g.is_complete && !g.was_active);
+}
+
+bool counts(const turn& t, std::uint16_t sequence) {
+  if (!t.s.plan || t.s.paused || !t.s.plan->generation.is_armed || is_settling(t))
+    return false;
+  const auto& g = t.s.plan->generation;
+  return !may_be_older(g, sequence) && sequence >= g.current && sequence <= g.moved_to.value_or(g.current);
 }
 
 void arrive_if_it_counts(turn& t, std::uint16_t sequence) {
-  if (!t.s.plan || t.s.paused || !t.s.plan->generation.is_armed || is_settling(t))
-    return;
-  const auto& g = t.s.plan->generation;
-  if (sequence >= g.current && sequence <= g.moved_to.value_or(g.current) && sequence != g.stale_reached)
+  if (counts(t, sequence))
     arrive(t, sequence);
 }
 
@@ -119,16 +157,7 @@ void follow_during_upload(turn& t, const mission_current& message) {
 
 // What may be seen of a start before its answer comes: all but what can only be the progress before it.
 bool may_be_started(const turn& t, const mission_current& message) {
-  if (!t.s.start || !t.s.plan)
-    return false;
-  const auto& g = t.s.plan->generation;
-  const auto target = t.s.start->sequence;
-  const auto place = g.moved_to.value_or(g.current);
-  if (!g.is_armed)
-    return true;
-  if (target > place)
-    return message.seq >= target;
-  return message.seq < place || is_start(t.s.plan->map, target, message.seq);
+  return t.s.start && t.s.plan && (!t.s.plan->generation.is_armed || message.seq >= t.s.start->sequence);
 }
 
 } // namespace
@@ -144,10 +173,12 @@ void take(turn& t, const current_told& what) {
 
 void take(turn& t, const reached_told& what) {
   note_reached(t, what.sequence);
+  if (t.s.start && !t.s.held.empty() && what.sequence >= t.s.start->sequence)
+    return; // the vehicle seems to have begun there already
   const bool has_ids = t.s.plan && t.s.plan->vehicle_plan_id;
   if (!t.s.upload || !has_ids)
     arrive_if_it_counts(t, what.sequence);
-  else if (t.s.held.empty())
+  else if (t.s.held.empty() && counts(t, what.sequence))
     t.s.upload->unconfirmed_reached = what.sequence;
 }
 

@@ -17,7 +17,7 @@
 // While an upload is under way, a vehicle with plan ids goes on with the old plan: MISSION_CURRENT with another id is
 // held until the upload is settled, and a REACHED waits until the old id is seen again. A vehicle without them is held
 // in place: its MISSION_CURRENT means nothing then, a REACHED is of what it flew before. While a start is under way,
-// MISSION_CURRENT that may come of it is held. Thread: one at a time.
+// MISSION_CURRENT that may come of it is held, and a REACHED behind it counts nothing. Thread: one at a time.
 #pragma once
 
 #include "actors/executor/progress/turn.hpp"

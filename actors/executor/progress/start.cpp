@@ -19,11 +19,13 @@ void take(turn& t, const start_ended& what) {
   if (!t.s.start)
     return;
   const auto start = *std::exchange(t.s.start, std::nullopt);
-  if (what.is_accepted && t.s.paused != pause_reason::foreign_plan) {
-    catch_up(t);
-    t.s.paused.reset();
-    open_generation(t, start.sequence);
+  if (!what.is_accepted || t.s.paused == pause_reason::foreign_plan) {
+    t.s.held.clear(); // what was true then comes again if it is still true
+    return;
   }
+  catch_up(t);
+  t.s.paused.reset();
+  open_generation(t, generation_origin::start, start.sequence);
   release_held(t);
 }
 

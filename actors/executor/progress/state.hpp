@@ -43,14 +43,27 @@ struct mission_record {
                 io::field("completed_revision", &mission_record::completed_revision));
 };
 
+enum class generation_origin {
+  new_plan,
+  same_plan, // with the content of the one before: the vehicle may just go on in it
+  start
+};
+
+constexpr auto enum_names(generation_origin) {
+  return io::names<generation_origin>({{generation_origin::new_plan, "new_plan"},
+                                       {generation_origin::same_plan, "same_plan"},
+                                       {generation_origin::start, "start"}});
+}
+
 struct generation_state {
   std::uint32_t number = 0;
+  generation_origin origin = generation_origin::new_plan;
   std::uint16_t start_sequence = 0;
-  bool is_same_content = false; // as the plan before: the vehicle may just go on in it, so that only the start arms
   std::int64_t settling_since_ns = 0; // its opening, or when it was armed if that came later than settling_ns
   bool is_armed = false;
   bool is_active = false;            // the vehicle said last that it flies it
-  bool was_incomplete = false;       // the vehicle has said so: a MISSION_STATE complete is not the old plan's
+  bool is_complete = false;          // the vehicle said last that it has completed the mission
+  bool was_active = false;           // the vehicle has said so: a MISSION_STATE complete is not an older one
   bool is_finished = false;          // all items that move the vehicle are done
   bool is_not_at_start_told = false; // once is enough
   std::uint16_t current = 0;         // of an armed one: where the vehicle is
@@ -66,11 +79,10 @@ struct generation_state {
   std::optional<std::uint32_t> started_position; // the last item that was reported as started
   static constexpr auto fields = io::table(
       "executor.progress_generation_state", io::field("number", &generation_state::number),
-      io::field("start_sequence", &generation_state::start_sequence),
-      io::field("is_same_content", &generation_state::is_same_content),
+      io::field("start_sequence", &generation_state::start_sequence), io::field("origin", &generation_state::origin),
       io::field("settling_since_ns", &generation_state::settling_since_ns),
       io::field("is_armed", &generation_state::is_armed), io::field("is_active", &generation_state::is_active),
-      io::field("was_incomplete", &generation_state::was_incomplete),
+      io::field("is_complete", &generation_state::is_complete), io::field("was_active", &generation_state::was_active),
       io::field("is_finished", &generation_state::is_finished),
       io::field("is_not_at_start_told", &generation_state::is_not_at_start_told),
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),

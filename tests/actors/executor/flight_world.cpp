@@ -6,6 +6,7 @@
 
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages.hpp"
+#include "runtime/assert.hpp"
 
 namespace godwit::tests {
 namespace {
@@ -109,6 +110,10 @@ void flight_world::step() {
   }
   const auto next = std::min(
       {time_.now_ns() + executor_period_ns, vehicle_->next_deadline_ns(), link_.next_deadline_ns(), time_.next_ns()});
+  still_ = next <= time_.now_ns() ? still_ + 1 : 0;
+  GODWIT_ASSERT(still_ < 1'000, "time stands still: vehicle " + std::to_string(vehicle_->next_deadline_ns()) + ", link " +
+                                    std::to_string(link_.next_deadline_ns()) + ", line " +
+                                    std::to_string(time_.next_ns()) + ", phase " + std::string(io::name_of(link_.describe(link_now()).phase)) + ", now " + std::to_string(time_.now_ns()));
   time_.advance_to(next);
   while (time_.next_ns() <= time_.now_ns())
     time_.run_next();
@@ -143,7 +148,7 @@ void flight_world::let_out(const executor::durable_core::effect& each) {
         else if constexpr (std::is_same_v<M, mission_client::respond_to_assignment>)
           answers_.push_back(m);
         else if constexpr (std::is_same_v<M, executor::stood>)
-          said_.push_back(std::string(io::name_of(m.now)) + (m.reason.empty() ? "" : ": " + m.reason));
+          said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) + (m.reason.empty() ? "" : ": " + m.reason));
         else if constexpr (std::is_same_v<M, executor::preflight::phase_changed>)
           said_.push_back("preflight " + m.sentence);
         else if constexpr (requires { core_->on_durable(m, now()); })

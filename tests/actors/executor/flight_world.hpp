@@ -110,6 +110,7 @@ private:
   std::vector<std::string> said_;
   std::vector<std::uint16_t> commands_;
   int pushes_ = 0;
+  int still_ = 0; // steps in which no time passed
 };
 
 } // namespace godwit::tests

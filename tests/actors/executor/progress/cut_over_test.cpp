@@ -135,6 +135,32 @@ TEST(cut_over, a_reached_that_is_repeated_over_a_plan_with_the_same_content_coun
   EXPECT_EQ(d.said(), texts{});
 }
 
+TEST(cut_over, a_reached_that_was_lost_does_not_count_for_a_plan_with_the_same_content) {
+  desk d;
+  d.fly({"A"});
+  d.said();
+  d.intend(map_of(px4, {"A"}), 2);
+  d.take(upload_ended{upload_verdict::accepted, d.plan_id, {}});
+  for (int i = 0; i < 8; ++i) {
+    d.current(0, mission_state::complete);
+    d.reached(0);
+    d.wait_s(1);
+  }
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST(cut_over, a_plan_with_the_same_content_is_armed_when_late_messages_are_over) {
+  desk d;
+  d.fly({"A", "B"});
+  d.intend(map_of(px4, {"A", "B"}), 2);
+  d.take(upload_ended{upload_verdict::accepted, d.plan_id, {}});
+  d.current(0); // may be late, and the vehicle at B
+  EXPECT_FALSE(d.is_armed());
+  d.wait_s(2);
+  d.current(0);
+  EXPECT_TRUE(d.is_armed());
+}
+
 TEST(cut_over, in_a_plan_with_the_same_content_commands_in_front_are_not_taken_for_done) {
   auto map = map_of(px4, {"speed", "A", "B"});
   map.items[0].first_nav_sequence.reset();

@@ -109,9 +109,56 @@ TEST_P(follow_any, commands_in_front_of_the_first_movement_need_not_be_seen) {
   map.items[0].first_nav_sequence.reset();
   map.items[0].last_nav_sequence.reset();
   d.upload(map);
+  d.wait_s(2);
   d.current(1, mission_state::not_started);
   EXPECT_TRUE(d.is_armed());
   EXPECT_EQ(d.said(), texts{});
+  d.current(1);
+  EXPECT_EQ(d.said(), (texts{"reached speed#0 g1 inferred", "started A#1 g1"}));
+}
+
+TEST(follow, without_ids_a_late_message_of_the_old_plan_does_not_pass_for_commands_in_front_being_done) {
+  desk d(ardupilot);
+  d.fly({"A", "B"});
+  d.said();
+  auto map = map_of(ardupilot, {"speed", "X"}, 2);
+  map.items[0].first_nav_sequence.reset();
+  map.items[0].last_nav_sequence.reset();
+  d.upload(map, 2);
+  d.current(1); // at B still; the new plan has as many items
+  EXPECT_FALSE(d.is_armed());
+  d.current(0);
+  EXPECT_TRUE(d.is_armed());
+}
+
+TEST(follow, a_reached_during_an_upload_has_to_count_when_it_is_said) {
+  desk d;
+  d.fly({"A", "B"});
+  d.start_at(0);
+  d.started();
+  d.current(0);
+  d.said();
+  d.intend(map_of(px4, {"X"}, 1));
+  d.reached(0); // just behind the start: of the flight before it, perhaps
+  d.wait_s(3);
+  d.current(0);
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST_P(follow_any, the_old_sequence_does_not_pass_for_commands_in_front_being_done) {
+  auto map = map_of(d.vehicle, {"speed", "A", "B"});
+  map.items[0].first_nav_sequence.reset();
+  map.items[0].last_nav_sequence.reset();
+  d.upload(map);
+  d.current(1, mission_state::complete); // the new plan, and the sequence and the state of the old one
+  d.current(0, mission_state::paused);
+  d.current(1, mission_state::complete);
+  d.wait_s(3);
+  d.reached(1);
+  d.current(0, mission_state::paused);
+  EXPECT_EQ(d.said(), texts{});
+  d.current(1);
+  d.wait_s(1);
   d.current(1);
   EXPECT_EQ(d.said(), (texts{"reached speed#0 g1 inferred", "started A#1 g1"}));
 }

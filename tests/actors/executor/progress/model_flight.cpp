@@ -210,6 +210,9 @@ void model_flight::intend_upload(plan_map map) {
   plans_.push_back({std::move(map), id, upload_revision_});
   if (!kind_.has_ids)
     vehicle_.hold();
+  else if (id_of(vehicle_.plan()) == id)
+    vehicle_.mark_run(); // what it flies during the upload counts for the new plan too
+  upload_run_ = vehicle_.run();
   upload_ = upload_phase::intended;
   judge_.note("upload intended, revision " + std::to_string(upload_revision_));
   const assignment_key key{"a" + std::to_string(plans_.size()), "k"};
@@ -235,11 +238,12 @@ void model_flight::go_on_with_upload() {
   } else if (upload_ == upload_phase::intended) {
     upload_ = upload_phase::switched;
     const auto& plan = plans_.back();
-    if (id_of(vehicle_.plan()) == plan.id && (kind_.goes_on || vehicle_.is_active()))
+    if (id_of(vehicle_.plan()) == plan.id && (kind_.goes_on || vehicle_.is_active())) {
       vehicle_.keep(plan, plans_.size() - 1);
-    else
+    } else {
       vehicle_.load(plan, plans_.size() - 1);
-    upload_run_ = vehicle_.run();
+      upload_run_ = vehicle_.run();
+    }
   } else if (upload_ == upload_phase::switched && draw_.one_in(6)) { // the acknowledgement was lost
     upload_ = upload_phase::looked_at;
     take(upload_ended{upload_verdict::unknown, {}, "timed out"});
@@ -424,7 +428,8 @@ void model_flight::note(const news& what) {
 void model_flight::check_end() {
   if (!violation().empty())
     return;
-  judge_.end_generation();
+  if (!s_.plan->generation.moved_to && !s_.plan->generation.complete_upto)
+    judge_.end_generation();
   judge_.fail_if(!is_done(), "the mission is never complete");
   judge_.fail_if(!judge_.is_everything_answered(), "an assignment is never answered");
   for (const auto& each : items_)

@@ -46,6 +46,10 @@ void model_vehicle::load(const model_plan& plan, std::size_t number) {
     say_current();
 }
 
+void model_vehicle::mark_run() {
+  runs_.push_back({runs_.back().plan, std::vector<bool>(plan_->map.items.size()), plan_->is_foreign, true});
+}
+
 void model_vehicle::keep(const model_plan& plan, std::size_t number) {
   plan_ = plan;
   runs_.push_back({number, std::vector<bool>(plan.map.items.size()), plan.is_foreign, true});

@@ -62,6 +62,8 @@ public:
 
   void hold();
   void load(const model_plan& plan, std::size_t number);
+  // What it flies from now on is a run of its own.
+  void mark_run();
   // The same content again.
   void keep(const model_plan& plan, std::size_t number);
   void jump(std::uint16_t sequence);

@@ -80,6 +80,29 @@ TEST_P(start_any, a_start_where_the_vehicle_is_counts_from_its_answer_on) {
   EXPECT_EQ(d.said(), texts{"started X#4 g3"});
 }
 
+TEST_P(start_any, old_news_that_was_held_is_no_news_when_a_start_is_refused) {
+  d.upload(map_of(d.vehicle, {"X"}, 4), 2);
+  d.current(0);
+  d.said();
+  d.start_at(0);
+  d.current(0, mission_state::complete); // of the plan before
+  d.wait_s(3);
+  d.started(false);
+  d.current(0);
+  d.wait_s(2);
+  d.current(0);
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST_P(start_any, a_reached_behind_the_place_of_a_start_may_be_of_it_and_does_not_count_before_its_answer) {
+  d.start_at(2);
+  d.current(2);
+  d.reached(2);
+  EXPECT_EQ(d.said(), texts{});
+  d.started();
+  EXPECT_EQ(d.said(), (texts{"skipped B#1 g2", "started C#2 g2"}));
+}
+
 TEST_P(start_any, its_own_progress_goes_on_until_the_answer) {
   d.start_at(3);
   d.reached(1);
@@ -88,12 +111,14 @@ TEST_P(start_any, its_own_progress_goes_on_until_the_answer) {
   EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "started C#2 g1", "skipped C#2 g2"}));
 }
 
-TEST_P(start_any, a_refused_start_changes_nothing_and_what_was_held_counts) {
+TEST_P(start_any, a_refused_start_changes_nothing_and_what_was_held_counts_when_it_is_said_again) {
   d.start_at(2);
   d.reached(1);
   d.current(2);
   EXPECT_EQ(d.said(), texts{"reached B#1 g1"});
   d.started(false);
+  EXPECT_EQ(d.said(), texts{});
+  d.current(2);
   EXPECT_EQ(d.said(), texts{"started C#2 g1"});
   EXPECT_EQ(d.s.last_generation, 1U);
 }
@@ -137,6 +162,23 @@ TEST(start, a_reached_that_is_only_repeated_behind_a_start_counts_nothing) {
     d.wait_s(1);
     d.reached(1);
     d.current(1, mission_state::complete);
+  }
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST(start, a_reached_that_was_never_told_before_a_start_counts_nothing_while_the_vehicle_says_complete) {
+  desk d;
+  d.fly({"A"});
+  d.said();
+  d.current(0, mission_state::complete);
+  d.take(mission_aborted{});
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1 inferred", "complete g1 inferred"}));
+  d.start_at(0);
+  d.started();
+  for (int i = 0; i < 8; ++i) {
+    d.current(0, mission_state::complete);
+    d.reached(0);
+    d.wait_s(1);
   }
   EXPECT_EQ(d.said(), texts{});
 }

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-result with(mission::document mission) {
+result with(const mission::document& mission) {
   auto seen = good_facts();
   seen.mission.document = &mission;
   seen.mission.return_point = plan::return_point_violations(mission);

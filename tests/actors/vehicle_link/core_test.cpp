@@ -104,6 +104,23 @@ TEST(vehicle_link_core, tells_of_each_change_of_the_connection_once) {
   EXPECT_EQ(c.it.health(at(7 * s)).how, wellness::well);
 }
 
+TEST(vehicle_link_core, without_a_vehicle_it_has_nothing_to_do_but_to_beat) {
+  core it({}, {}, {});
+  (void)it.on_link(link_up(), at(0));
+  vehicle_voice vehicle;
+  const auto wakes_of = [&](std::int64_t from, std::int64_t to) {
+    int wakes = 0;
+    for (auto now = from; now < to && wakes < 1'000; now = it.next_deadline_ns(), ++wakes)
+      (void)it.on_time(at(now));
+    return wakes;
+  };
+  EXPECT_LE(wakes_of(0, 10 * s), 12) << "before one is heard";
+  (void)vehicle.beat(it, 10 * s);
+  (void)wakes_of(10 * s, 20 * s);
+  ASSERT_EQ(it.describe(at(20 * s)).phase, connection_phase::lost);
+  EXPECT_LE(wakes_of(20 * s, 30 * s), 12) << "while its link is lost";
+}
+
 TEST(vehicle_link_core, what_is_not_on_the_list_is_counted_and_goes_no_further) {
   connected c;
   EXPECT_TRUE(c.vehicle.say(c.it, mavlink::param_value{}, 0).empty());

@@ -12,7 +12,7 @@ namespace godwit::mission_client {
 
 namespace {
 
-std::string kind_of(destination to) { return "delivering " + std::string(io::name_of(to)); }
+std::string kind_of(destination to) { return std::string(delivering).append(io::name_of(to)); }
 
 // The lane's rows that wait, from the one with this key on.
 std::vector<std::string> all_behind(const state& s, const std::string& key) {
@@ -256,6 +256,11 @@ bool deliveries::has_tried_enough(destination to, const std::string& mission_id,
 std::size_t deliveries::blocked() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(lanes_, [](const auto& each) { return each.second.is_blocked; }));
+}
+
+bool deliveries::is_blocked(const std::string& mission_id) const {
+  return std::ranges::any_of(
+      lanes_, [&](const auto& each) { return each.second.is_blocked && each.first.second == mission_id; });
 }
 
 std::uint32_t deliveries::rows_in_batches() const {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,9 @@
 #include "actors/mission_client/judgement.hpp"
 
 namespace godwit::mission_client {
+
+// Each kind of delivery begins with this where its last error is kept.
+inline constexpr std::string_view delivering = "delivering ";
 
 // Of the lanes that nobody waits for. The connections bound it; the rest is for changes and the long poll.
 inline constexpr std::size_t max_deliveries_under_way = 4;
@@ -39,6 +43,7 @@ public:
   [[nodiscard]] bool has_tried_enough(destination to, const std::string& mission_id, int tries) const;
   // Of lanes that are not allowed.
   [[nodiscard]] std::size_t blocked() const;
+  [[nodiscard]] bool is_blocked(const std::string& mission_id) const;
   // Rows of the map that are taken into batches and not delivered, as far as this incarnation has seen them.
   [[nodiscard]] std::uint32_t rows_in_batches() const;
 

@@ -14,7 +14,9 @@ namespace http = io::http;
 
 constexpr const char* json = "application/json";
 
-// A proxy is the network on the way here; nothing that can be read as an answer of the service came from it.
+// A proxy is the network on the way here; nothing that can be read as an answer of the service came from it. A
+// certificate that can not be verified may be good once the clock of a vehicle that has just started is set, which
+// nobody has to do by hand.
 ending ending_of(http::errc code) {
   switch (code) {
   case http::errc::wrong_content_type:
@@ -25,7 +27,7 @@ ending ending_of(http::errc code) {
     return ending::bad_answer;
   default:
     return http::is_transient(code) || code == http::errc::closing || code == http::errc::too_many ||
-                   code == http::errc::cancelled
+                   code == http::errc::cancelled || code == http::errc::tls_not_verified
                ? ending::not_reached
                : ending::misconfigured;
   }
@@ -98,16 +100,14 @@ std::uint64_t http_service::send(service_call call) {
   {
     const std::lock_guard guard(mutex_);
     number = next_number_++;
-    if (client_ == nullptr) {
-      refused = http::error{http::errc::closing, "the program ends", {}};
-    } else if (const auto sent =
-                   client_->send(request_of(std::move(call)),
-                                 [this, number](http::result<http::response> got) { take(number, std::move(got)); });
-               sent) {
+    if (client_ == nullptr)
+      return number;
+    const auto sent = client_->send(request_of(std::move(call)),
+                                    [this, number](http::result<http::response> got) { take(number, std::move(got)); });
+    if (sent)
       under_way_.emplace(number, *sent);
-    } else {
+    else
       refused = sent.error();
-    }
   }
   if (refused)
     put(failed(number, *refused));
@@ -132,12 +132,17 @@ http::client_counters http_service::counters() const {
   return client_ == nullptr ? http::client_counters{} : client_->counters();
 }
 
-// In the client's thread. It may come before send() has noted the request; the lock there makes it wait.
+// In the client's thread. It may come before send() has noted the request; the lock there makes it wait. A call that
+// our own end cuts off says nothing about the service: as a failed try it would count against what is delivered.
 void http_service::take(std::uint64_t number, http::result<http::response> got) {
+  bool ends = false;
   {
     const std::lock_guard guard(mutex_);
     under_way_.erase(number);
+    ends = client_ == nullptr;
   }
+  if (!got && ends)
+    return;
   put(got ? answered(number, std::move(*got)) : failed(number, got.error()));
 }
 

@@ -39,7 +39,8 @@ public:
 
   // From now on the actor is woken when an answer comes. The gateway is used by the connection's thread alone.
   void attach(runtime::gateway gateway, wake_handle actor);
-  // Ends what is under way; later calls are answered as not reached. Before the actors are stopped.
+  // Ends what is under way. What it cuts off, and later calls, get no answer: the next process makes them again. Before
+  // the actors are stopped.
   void close();
 
   [[nodiscard]] std::uint64_t send(service_call call) override;

@@ -47,10 +47,11 @@ void planner::on_disk(const mission_client::on_disk& news) {
   looking_up_.free();
 }
 
-std::string planner::last_error() const {
+std::string planner::last_error(std::string_view kinds) const {
   std::string result;
   for (const auto& [kind, sentence] : book_.troubles)
-    result.append(result.empty() ? "" : "; ").append(kind).append(": ").append(sentence);
+    if (kind.starts_with(kinds))
+      result.append(result.empty() ? "" : "; ").append(kind).append(": ").append(sentence);
   return result;
 }
 
@@ -67,7 +68,9 @@ service_status planner::status(const state& s) const {
           .pending = counts.pending,
           .orphaned = counts.orphaned,
           .expired = counts.expired,
-          .last_error = last_error()};
+          .last_error = last_error(),
+          .delivery_error = last_error(delivering),
+          .may_deliver = !deliveries_.is_blocked(s.mission_id)};
 }
 
 condition planner::health(const state& s) const {

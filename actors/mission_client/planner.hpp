@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "actors/mission_client/deliveries.hpp"
 #include "actors/mission_client/desk.hpp"
@@ -46,7 +47,8 @@ public:
 
 private:
   [[nodiscard]] part* take_waiting(ticket number);
-  [[nodiscard]] std::string last_error() const;
+  // Of all kinds of call that begin so.
+  [[nodiscard]] std::string last_error(std::string_view kinds = {}) const;
 
   settings settings_;
   runtime::random_source random_;

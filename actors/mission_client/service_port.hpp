@@ -30,7 +30,8 @@ public:
   service_port& operator=(const service_port&) = delete;
   virtual ~service_port() = default;
 
-  // The number of the call. Exactly one answer with this number comes into the box later, unless it is cancelled.
+  // The number of the call. Exactly one answer with this number comes into the box later, unless it is cancelled
+  // or the process ends.
   [[nodiscard]] virtual std::uint64_t send(service_call call) = 0;
   // Nobody waits for the answer any more; it may come all the same.
   virtual void cancel(std::uint64_t number) = 0;

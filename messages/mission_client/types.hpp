@@ -127,7 +127,9 @@ struct service_status {
   std::uint32_t pending = 0;      // rows of the outbox
   std::uint32_t orphaned = 0;
   std::uint32_t expired = 0;
-  std::string last_error; // sentence for people; empty when the last call of each kind went well
+  std::string last_error;     // sentence for people; empty when the last call of each kind went well
+  std::string delivery_error; // what of it is about deliveries
+  bool may_deliver = true;    // false: a delivery for this mission was answered with 401 or 403, and waits for a person
   static constexpr auto fields = io::table(
       "mission_client.service_status", io::field("mission_id", &service_status::mission_id),
       io::field("revision", &service_status::revision), io::field("schema_version", &service_status::schema_version),
@@ -135,7 +137,9 @@ struct service_status {
       io::field("fetch_errors", &service_status::fetch_errors), io::field("connection", &service_status::connection),
       io::field("pull", &service_status::pull), io::field("push_pending", &service_status::push_pending),
       io::field("pending", &service_status::pending), io::field("orphaned", &service_status::orphaned),
-      io::field("expired", &service_status::expired), io::field("last_error", &service_status::last_error));
+      io::field("expired", &service_status::expired), io::field("last_error", &service_status::last_error),
+      io::field("delivery_error", &service_status::delivery_error),
+      io::field("may_deliver", &service_status::may_deliver));
 };
 
 // -- told to the one who flies --------------------------------------------------------------------

@@ -22,7 +22,7 @@ line_printer::~line_printer() {
 void line_printer::push(std::string_view line) {
   {
     const std::lock_guard lock(mutex_);
-    if (waiting_.size() == max_waiting) {
+    if (waiting_.size() >= max_waiting) { // by one above it, when a line and the news of lost ones came together
       ++dropped_;
       ++untold_;
       return;

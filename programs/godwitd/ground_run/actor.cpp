@@ -101,6 +101,8 @@ void actor::look_again() {
   const auto now = core_.now();
   if (now == phase::loading || now == phase::pulling)
     carry_out(has_service_ ? steps{look{}} : steps{choose{}});
+  if (now == phase::pushing)
+    carry_out(look{});
   if (wants_owed_)
     carry_out(count_owed{});
   if (!has_news_of_vehicle_)

@@ -1,5 +1,7 @@
 #include "programs/godwitd/ground_run/core.hpp"
 
+#include <algorithm>
+
 #include "programs/godwitd/ground_run/sentences.hpp"
 
 namespace godwit::ground_run {
@@ -58,6 +60,8 @@ steps core::on_pulled(const mission_client::map_pulled& news, std::optional<doub
 steps core::on_status(const mission_client::service_status& now) {
   if (!is_mine(now.mission_id) || now.revision == 0)
     return {};
+  if (phase_ == phase::pushing)
+    return look_at_push(now);
   steps result;
   if (phase_ == phase::loading) {
     phase_ = phase::pulling;
@@ -71,6 +75,20 @@ steps core::on_status(const mission_client::service_status& now) {
   for (auto& each : go_on_seeing())
     result.push_back(std::move(each));
   return result;
+}
+
+steps core::look_at_push(const mission_client::service_status& now) {
+  if (now.delivery_error.empty())
+    return {};
+  auto sentence = delivery_sentence(now);
+  if (!now.may_deliver && wanted_.once)
+    return end({false, std::move(sentence)});
+  if (std::ranges::find(told_errors_, sentence) != told_errors_.end())
+    return {};
+  if (told_errors_.size() >= max_told_errors)
+    told_errors_.erase(told_errors_.begin());
+  told_errors_.push_back(sentence);
+  return {announce{std::move(sentence), true}};
 }
 
 steps core::go_on_seeing() {

@@ -10,16 +10,19 @@
 // It remembers nothing over a restart and needs nothing: what it begins is said again by every run and counts once, and
 // how far mission_client is can be asked. A word that belongs to an earlier state is passed over; so `settled` of an
 // earlier run does not end this one, and after the right one the store is asked whether all is gone. What a push does
-// not move, because the mission was deleted for instance, is not pushed for ever: it is kept, and said.
+// not move, because the mission was deleted for instance, is not pushed for ever: it is kept, and said. Why a push does
+// not get on is asked and said too; a service that does not allow it (401, 403) ends a run that is to end.
 //
 // Thread: one. Pure: no clock, no I/O.
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "messages/mapobjects_store/delivery.hpp"
 #include "messages/mission_client/types.hpp"
@@ -30,6 +33,9 @@ namespace godwit::ground_run {
 
 // Without the network at the start nobody has to come back to the vehicle: the fetch begins anew.
 inline constexpr std::chrono::seconds retry_after{60};
+
+// So many different errors of deliveries are remembered as told: each is told once, and not with each try.
+inline constexpr std::size_t max_told_errors = 32;
 
 struct settings {
   std::string mission_id;
@@ -75,6 +81,7 @@ public:
 private:
   [[nodiscard]] bool is_mine(const std::string& mission_id) const { return mission_id == wanted_.mission_id; }
   [[nodiscard]] steps go_on_seeing();
+  [[nodiscard]] steps look_at_push(const mission_client::service_status& now);
   [[nodiscard]] steps end(finish how);
   [[nodiscard]] steps settled();
 
@@ -82,7 +89,8 @@ private:
   phase phase_ = phase::loading;
   sighting_counts sightings_;
   mission_client::mission_settled settled_;
-  std::uint64_t left_on_map_ = 0; // rows that the store still has for the mission, by its last answer
+  std::uint64_t left_on_map_ = 0;        // rows that the store still has for the mission, by its last answer
+  std::vector<std::string> told_errors_; // oldest first
 };
 
 } // namespace godwit::ground_run

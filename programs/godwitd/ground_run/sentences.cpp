@@ -89,6 +89,14 @@ std::string sentence_of(const sighting_counts& counts) {
   return result;
 }
 
+std::string delivery_sentence(const mission_client::service_status& now) {
+  if (now.may_deliver)
+    return "the delivery fails, and is tried again: " + now.delivery_error;
+  return "the service does not allow the delivery: " + now.delivery_error +
+         "\nWhat is owed is kept on board. Put the right token into the token file; then "
+         "`godwitd ctl outbox-retry` tries again, or the next start of godwitd.";
+}
+
 std::string kept_sentence(const mission_client::mission_settled& news, std::uint64_t on_map) {
   std::string result = counted(news.orphaned, "delivery", "deliveries") + " orphaned, " + std::to_string(news.expired) +
                        " expired, " + counted(on_map, "row", "rows") + " left on the map";

@@ -17,6 +17,8 @@ namespace godwit::ground_run {
 // Of a pull that an earlier run has ended.
 [[nodiscard]] std::string sentence_of(mission_client::pull_state ended);
 [[nodiscard]] std::string sentence_of(const sighting_counts& counts);
+// Why the delivery does not get on, and what to do about it.
+[[nodiscard]] std::string delivery_sentence(const mission_client::service_status& now);
 // What was not delivered and is kept; ON_MAP: rows that the map still has for the mission.
 [[nodiscard]] std::string kept_sentence(const mission_client::mission_settled& news, std::uint64_t on_map);
 [[nodiscard]] std::string sentence_of(const mission_client::change_outcome& news);

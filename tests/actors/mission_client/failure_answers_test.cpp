@@ -62,11 +62,15 @@ TEST(mission_client_answers, not_allowed_waits_for_a_person_and_shows_red) {
   p.advance(120s);
   EXPECT_EQ(around.service.count("/progress"), 1);
   EXPECT_EQ(p.health().colour, health_colour::red);
+  EXPECT_FALSE(p.status().may_deliver);
+  EXPECT_NE(p.status().delivery_error.find("401"), std::string::npos);
   around.service.faults.clear();
   EXPECT_EQ(p.retry().tried_now, 1U);
   p.advance(1s);
   EXPECT_EQ(around.service.at(mission_a).reports.size(), 1U);
   EXPECT_EQ(p.health().colour, health_colour::green);
+  EXPECT_TRUE(p.status().may_deliver);
+  EXPECT_EQ(p.status().delivery_error, "");
 }
 
 TEST(mission_client_answers, what_the_service_calls_wrong_is_not_repeated) {

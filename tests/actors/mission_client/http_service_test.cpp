@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <fstream>
 #include <memory>
 #include <mutex>
 
@@ -70,9 +71,10 @@ protected:
     server_ = std::make_unique<test::http_server>(std::move(answer));
     open_at(server_->url());
   }
-  void open_at(const std::string& url) {
+  void open_at(const std::string& url, const std::string& issuer_file = {}) {
     io::http::settings where;
     where.base_url = url;
+    where.ca_file = issuer_file;
     auto opened = http_service::open(where);
     ASSERT_TRUE(opened) << opened.error();
     service_ = *opened;
@@ -177,16 +179,25 @@ TEST_F(http_service_test, nobody_there_is_not_reached_and_says_so) {
   EXPECT_NE(got.error, "");
 }
 
-TEST_F(http_service_test, after_close_calls_are_answered_as_not_reached) {
+TEST_F(http_service_test, a_certificate_that_is_not_valid_yet_is_for_later_and_the_clock_is_named) {
+  const auto issuer = test::make_tls_identity({.common_name = "issuer", .is_issuer = true});
+  const auto issuer_file = testing::TempDir() + "http_service_test_issuer.pem";
+  std::ofstream(issuer_file) << issuer.certificate;
+  const test::certificate_wish wish{.common_name = "a", .hosts = {"IP:127.0.0.1"}, .begins_s = 3600, .ends_s = 7200};
+  server_ = std::make_unique<test::http_server>([](test::http_peer& peer, const test::http_request&) { peer.close(); },
+                                                test::http_server_options{test::make_tls_identity(wish, &issuer), {}});
+  open_at(server_->url(), issuer_file);
+  const auto got = answer_to(get());
+  EXPECT_EQ(judge(got), judgement::transient);
+  EXPECT_NE(got.error.find("is the clock of this computer right?"), std::string::npos) << got.error;
+}
+
+TEST_F(http_service_test, our_own_end_is_no_answer_and_so_no_failed_try) {
   open([](test::http_peer& peer, const test::http_request&) { peer.wait_until_gone(); });
   (void)service_->send(get());
   service_->close();
   (void)service_->send(get());
-  for (int i = 0; i < 2; ++i) {
-    const auto got = service_->answers().take();
-    ASSERT_TRUE(got);
-    EXPECT_EQ(got->how, ending::not_reached);
-  }
+  EXPECT_FALSE(service_->answers().take());
 }
 
 TEST_F(http_service_test, a_cancelled_call_ends_at_once) {

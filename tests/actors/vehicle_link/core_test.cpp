@@ -104,6 +104,23 @@ TEST(vehicle_link_core, tells_of_each_change_of_the_connection_once) {
   EXPECT_EQ(c.it.health(at(7 * s)).how, wellness::well);
 }
 
+TEST(vehicle_link_core, an_autopilot_that_restarts_while_it_is_lost_does_not_keep_the_link_busy) {
+  core it({}, {}, {});
+  vehicle_voice vehicle;
+  (void)it.on_link(link_up(), at(0));
+  (void)vehicle.beat(it, 0);
+  (void)vehicle.say(it, mavlink::attitude{.time_boot_ms = 60'000}, 0);
+  for (auto now = it.next_deadline_ns(); now < 10 * s; now = it.next_deadline_ns())
+    (void)it.on_time(at(now));
+  ASSERT_EQ(it.describe(at(10 * s)).phase, connection_phase::lost);
+  // Its telemetry is back before its heartbeat, and says that it has restarted.
+  ASSERT_EQ(announced<vehicle_restarted>(vehicle.say(it, mavlink::attitude{.time_boot_ms = 500}, 10 * s)).size(), 1U);
+  int wakes = 0;
+  for (auto now = 10 * s; now < 20 * s && wakes < 1'000; now = it.next_deadline_ns(), ++wakes)
+    (void)it.on_time(at(now));
+  EXPECT_LE(wakes, 12) << "to beat once a second is all that there is to do";
+}
+
 TEST(vehicle_link_core, what_is_not_on_the_list_is_counted_and_goes_no_further) {
   connected c;
   EXPECT_TRUE(c.vehicle.say(c.it, mavlink::param_value{}, 0).empty());

@@ -134,6 +134,29 @@ TEST_F(daemon_run, what_flew_for_an_earlier_mission_is_delivered_before_the_next
   EXPECT_EQ(world.service->rows(mission_id(0), row_kind::observation).size(), 20U);
 }
 
+TEST_F(daemon_run, a_push_that_fails_says_why_and_goes_on_when_it_can) {
+  const auto seen = world.folder.write("seen", sighting_lines(5));
+  ASSERT_TRUE(world.service->set_fault("status 503 on post-mapobjects"));
+  program daemon(godwitd, world.words("here") + std::vector<std::string>{"--sightings", seen, "--once"});
+  ASSERT_TRUE(daemon.waits_for("the delivery fails, and is tried again")) << daemon.said();
+  EXPECT_NE(daemon.said().find("503"), std::string::npos) << daemon.said();
+  world.service->clear_faults();
+  EXPECT_EQ(daemon.ends(), 0) << daemon.said();
+}
+
+TEST_F(daemon_run, a_push_that_is_not_allowed_ends_a_run_that_is_to_end_with_the_reason) {
+  const auto seen = world.folder.write("seen", sighting_lines(5));
+  ASSERT_TRUE(world.service->set_fault("status 401 on post-mapobjects"));
+  program daemon(godwitd, world.words("here") + std::vector<std::string>{"--sightings", seen, "--once"});
+  EXPECT_EQ(daemon.ends(), 1) << daemon.said();
+  EXPECT_NE(daemon.said().find("the service does not allow the delivery"), std::string::npos) << daemon.said();
+  EXPECT_NE(daemon.said().find("401"), std::string::npos) << daemon.said();
+  world.service->clear_faults();
+  program next(godwitd, world.words("here") + std::vector<std::string>{"--sightings", seen, "--once"});
+  EXPECT_EQ(next.ends(), 0) << next.said();
+  EXPECT_EQ(world.service->rows(mission_id(0), row_kind::observation).size(), 5U);
+}
+
 // The programs as people start them: both real, over TCP.
 TEST(daemon_and_sim, the_real_programs_work_together) {
   const scratch folder;

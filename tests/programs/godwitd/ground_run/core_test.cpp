@@ -145,6 +145,51 @@ TEST(ground_run_core, without_once_it_stays_when_all_is_delivered) {
   EXPECT_EQ(run.now(), phase::over);
 }
 
+mission_client::service_status failing(const std::string& why, bool may_deliver = true) {
+  auto result = status(pull_state::synced);
+  result.delivery_error = why;
+  result.may_deliver = may_deliver;
+  return result;
+}
+
+TEST(ground_run_core, while_it_pushes_each_error_of_a_delivery_is_said_once) {
+  auto run = seeing(forever);
+  EXPECT_TRUE(run.on_status(failing("503")).empty()); // nothing is pushed yet
+  (void)run.on_sightings_over({1, 0, 0});
+  EXPECT_TRUE(run.on_status(failing("")).empty());
+  const auto first = run.on_status(failing("503"));
+  ASSERT_NE(find<announce>(first), nullptr);
+  EXPECT_TRUE(find<announce>(first)->is_warning);
+  EXPECT_NE(find<announce>(first)->sentence.find("503"), std::string::npos);
+  EXPECT_NE(find<announce>(run.on_status(failing("no network"))), nullptr);
+  EXPECT_TRUE(run.on_status(failing("503")).empty());
+}
+
+TEST(ground_run_core, of_the_errors_that_were_said_the_newest_are_remembered) {
+  auto run = seeing(forever);
+  (void)run.on_sightings_over({1, 0, 0});
+  for (std::size_t i = 0; i <= max_told_errors; ++i)
+    EXPECT_FALSE(run.on_status(failing("error " + std::to_string(i))).empty());
+  EXPECT_TRUE(run.on_status(failing("error " + std::to_string(max_told_errors))).empty());
+  EXPECT_FALSE(run.on_status(failing("error 0")).empty());
+}
+
+TEST(ground_run_core, a_delivery_that_is_not_allowed_ends_a_run_that_is_to_end_and_is_said_by_one_that_stays) {
+  auto run = seeing(once);
+  (void)run.on_sightings_over({1, 0, 0});
+  const auto last = run.on_status(failing("401", false));
+  ASSERT_NE(find<finish>(last), nullptr);
+  EXPECT_FALSE(find<finish>(last)->well);
+  EXPECT_NE(find<finish>(last)->why.find("401"), std::string::npos);
+  EXPECT_NE(find<finish>(last)->why.find("token"), std::string::npos);
+  run = seeing(forever);
+  (void)run.on_sightings_over({1, 0, 0});
+  const auto news = run.on_status(failing("401", false));
+  EXPECT_EQ(find<finish>(news), nullptr);
+  EXPECT_NE(find<announce>(news), nullptr);
+  EXPECT_EQ(run.now(), phase::pushing);
+}
+
 TEST(ground_run_core, a_refused_mission_ends_a_run_that_is_to_end) {
   core run(once);
   (void)run.on_start();

@@ -177,7 +177,7 @@ preflight::report core::look_at_all(instant now) {
   if (view_.place_heard_ns() != 0)
     vehicle.position_age_ns = now.now_ns - view_.place_heard_ns();
   vehicle.is_home_known = view_.home().has_value();
-  vehicle.battery_percent = view_.battery_percent();
+  vehicle.battery_percent = view_.battery_percent(); // absent before the first word of it
   vehicle.own = view_.own_checks();
   seen.mission.document = s_.mission ? &*s_.mission : nullptr;
   seen.mission.refusal = refusal_;
@@ -329,11 +329,11 @@ std::string core::why_not_start(effects& out, instant now) {
   if (s_.standing.now != phase::ready || !s_.progress.plan || !s_.mission)
     return sentence();
   const preflight::looked look{look_at_all(now)};
+  auto why = preflight::why_not_start(s_.preflight, look.what, now.wall_ns);
   if (preflight::matters(s_.preflight, look, now.wall_ns))
     out.emplace_back(note{look});
-  if (look.what.overall == preflight::verdict::fail ||
-      !preflight::is_passed(s_.preflight, s_.mission->mission_id, s_.mission->revision))
-    return preflight::sentence_of(s_.preflight);
+  if (!why.empty())
+    return why;
   if (!view_.is_armed() && !settings_.arm_on_start)
     return "the vehicle is disarmed, and starting does not arm it (arm_on_start)";
   return {};
@@ -393,9 +393,7 @@ bool core::prepare(effects& out, instant now) {
     checked_ns_ = 0; // and what comes of it at once
     return true;
   }
-  const bool is_passed = look.what.overall != preflight::verdict::fail &&
-                         preflight::is_passed(s_.preflight, s_.mission->mission_id, s_.mission->revision);
-  if (!is_passed)
+  if (!preflight::why_not_start(s_.preflight, look.what, now.wall_ns).empty())
     return false;
   if (at == phase::preflight && plans_ && *plans_) {
     const auto& first = (*plans_)->front();

@@ -47,7 +47,7 @@ public:
   [[nodiscard]] const std::optional<plan::vehicle_home>& home() const { return home_; }
   [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
   [[nodiscard]] std::int64_t current_heard_ns() const { return current_heard_ns_; }
-  [[nodiscard]] int battery_percent() const { return battery_percent_; }
+  [[nodiscard]] const std::optional<std::int32_t>& battery_percent() const { return battery_percent_; }
   [[nodiscard]] std::uint8_t fix_type() const { return fix_type_; }
   [[nodiscard]] int satellites() const { return satellites_; }
   [[nodiscard]] preflight::own_checks own_checks() const { return own_checks_; }
@@ -65,7 +65,7 @@ private:
   std::optional<plan::vehicle_home> home_;
   std::optional<io::mavlink::mission_current> current_;
   std::int64_t current_heard_ns_ = 0;
-  int battery_percent_ = -1;
+  std::optional<std::int32_t> battery_percent_;
   std::uint8_t fix_type_ = 0;
   int satellites_ = -1;
   preflight::own_checks own_checks_ = preflight::own_checks::unknown;

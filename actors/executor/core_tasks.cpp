@@ -228,8 +228,8 @@ bool core::answer_assignment(effects& out, instant now) {
       return false; // its answer goes out with the upload
     out.emplace_back(note{mission_taken{std::move(wanted->mission), wish.assignment_id}});
     out.emplace_back(note{preflight::mission_changed{s_.mission->mission_id, wish.revision}});
-    if (at == phase::ready)
-      stand(out, phase::connected);
+    if (at != phase::disconnected)
+      stand(out, phase::connected); // and from there through the checks again
     return true;
   }
   const auto where = setting(now);

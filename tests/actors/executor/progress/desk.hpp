@@ -42,7 +42,7 @@ inline const flavour rover{"rover", 0, true, false}; // that keeps to the text o
 
 class desk {
 public:
-  explicit desk(flavour vehicle = px4);
+  explicit desk(flavour which = px4);
 
   effects take(const event& happened);
   void wait_ms(std::int64_t ms) { now_ns += ms * 1'000'000; }

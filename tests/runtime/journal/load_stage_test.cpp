@@ -50,6 +50,7 @@ TEST_F(load_stage_test, all_rows_come_and_the_flip_is_last) {
 TEST_F(load_stage_test, a_write_does_not_wait_for_the_load) {
   std::promise<commit_result> done;
   auto finished = done.get_future();
+  const auto began = std::chrono::steady_clock::now();
   journal->load(rows(300'000, done));
   std::int64_t committed = 0;
   std::chrono::steady_clock::duration longest{};
@@ -59,8 +60,8 @@ TEST_F(load_stage_test, a_write_does_not_wait_for_the_load) {
     longest = std::max(longest, std::chrono::steady_clock::now() - start);
   }
   EXPECT_GE(committed, 20) << "commits passed while the load ran";
-  EXPECT_LT(longest, std::chrono::milliseconds(500));
   ASSERT_TRUE(finished.get());
+  EXPECT_LT(longest, (std::chrono::steady_clock::now() - began) / 2) << "of the time that the load took";
 }
 
 TEST_F(load_stage_test, a_load_ends_while_writes_never_cease) {

@@ -36,6 +36,10 @@ actor::behavior_type actor::handlers() {
           [this](const mission_client::mission_deleted& m) { then(core_->on_deleted(m, now())); }),
       on<mission_client::mission_settled>(
           [this](const mission_client::mission_settled& m) { then(core_->on_delivered(m, now())); }),
+      on<failsafe::stance>([this](const failsafe::stance& m) {
+        core_->on_stance(m);
+        after_turn();
+      }),
       on<operator_words::word>([this](const operator_words::word& m) {
         auto answer = core_->on_operator(m, now());
         tell(me(), next_note{});
@@ -63,6 +67,7 @@ actor::behavior_type actor::handlers() {
       on<tick>([this](const tick&) {
         tell_after(tick_period, me(), tick{});
         look_at_service();
+        ask_for_stance();
         after_turn();
       }),
       on<next_note>([this](const next_note&) { after_turn(); })};
@@ -78,8 +83,25 @@ void actor::started() {
         then(core_->on_vehicle(vehicle_link::connection_changed{m.phase, m.reason}, now()));
       },
       [](const runtime::ask_error&) {}); // its next change is told
+  ask_for_stance();
   tell(me(), next_note{});
   tell_after(tick_period, me(), tick{});
+}
+
+// What is told at a change may have been told to the incarnation before.
+void actor::ask_for_stance() {
+  if (!core_->wants_stance() || is_asking_stance_)
+    return;
+  is_asking_stance_ = true;
+  ask(
+      others_->failsafe, stance_patience, failsafe::get_stance{},
+      [this](const failsafe::stance& m) {
+        is_asking_stance_ = false;
+        if (core_->wants_stance())
+          core_->on_stance(m);
+        after_turn();
+      },
+      [this](const runtime::ask_error&) { is_asking_stance_ = false; });
 }
 
 void actor::look_at_service() {
@@ -148,6 +170,15 @@ void actor::send(std::uint64_t number, const vehicle_link::send_command& what) {
 
 void actor::send(std::uint64_t number, const vehicle_link::set_current_item& what) { command_vehicle(number, what); }
 
+void actor::send(std::uint64_t number, const failsafe::guard_mission& what) {
+  ask(
+      others_->failsafe, stance_patience, what,
+      [this, number](const failsafe::guard_answer& answer) { then(core_->on_guarded(number, answer, true, now())); },
+      [this, number](const runtime::ask_error&) {
+        then(core_->on_guarded(number, {false, "it does not answer"}, false, now()));
+      });
+}
+
 template <class Q>
 void actor::transfer_plan(std::uint64_t number, const Q& what) {
   ask(
@@ -163,6 +194,10 @@ void actor::transfer_plan(std::uint64_t number, const Q& what) {
 }
 
 void actor::carry_out(const give_up_transfer&) { tell(others_->vehicle, vehicle_link::cancel_transfer{}); }
+
+void actor::carry_out(const say_to_failsafe& each) {
+  std::visit([this](const auto& what) { tell(others_->failsafe, what); }, each.what);
+}
 
 void actor::carry_out(const say_to_client& each) {
   if (others_->client)

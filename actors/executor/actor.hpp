@@ -14,6 +14,7 @@
 
 #include "actors/executor/core.hpp"
 #include "messages/executor/handle.hpp"
+#include "messages/failsafe/handle.hpp"
 #include "messages/ground_port/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
@@ -24,6 +25,7 @@ namespace godwit::executor {
 // Filled in while the process is composed, before the actors start.
 struct neighbours {
   vehicle_link::handle vehicle;
+  failsafe::handle failsafe;
   std::optional<mission_client::flight_handle> client; // none without a service
   std::optional<ground_port::handle> port;             // none without ground stations
 };
@@ -39,6 +41,8 @@ class actor final : public runtime::persistent_cell<own_handle, durable_core> {
 public:
   // A command has its outcome by then; vehicle_link answers earlier.
   static constexpr std::chrono::seconds command_patience{15};
+  // The failsafe answers within a tick of its own.
+  static constexpr std::chrono::milliseconds stance_patience{1'000};
   // A thousand items over a slow radio with losses.
   static constexpr std::chrono::seconds transfer_patience{600};
   static constexpr std::chrono::milliseconds tick_period{200};
@@ -63,17 +67,20 @@ private:
   void carry_out(const note& each) { to_commit_.push_back(each.what); }
   void carry_out(const order& each);
   void carry_out(const give_up_transfer&);
+  void carry_out(const say_to_failsafe& each);
   void carry_out(const say_to_client& each);
   void carry_out(const announce& each) { world_.tell_people(each); }
   void send(std::uint64_t number, const vehicle_link::send_command& what);
   void send(std::uint64_t number, const vehicle_link::set_current_item& what);
   void send(std::uint64_t number, const vehicle_link::upload_plan& what) { transfer_plan(number, what); }
   void send(std::uint64_t number, const vehicle_link::download_plan& what) { transfer_plan(number, what); }
+  void send(std::uint64_t number, const failsafe::guard_mission& what);
   template <class Q>
   void command_vehicle(std::uint64_t number, const Q& what);
   template <class Q>
   void transfer_plan(std::uint64_t number, const Q& what);
   void look_at_service();
+  void ask_for_stance();
   void commit_next();
   void post_health();
   [[nodiscard]] flight_status describe() const;
@@ -84,6 +91,7 @@ private:
   std::optional<core> core_;
   std::deque<durable_core::event> to_commit_; // bounded by what one turn can note
   bool is_asking_service_ = false;
+  bool is_asking_stance_ = false;
   std::string posted_;
 };
 

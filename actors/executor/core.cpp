@@ -59,7 +59,7 @@ effects core::advance(instant now) {
   effects out;
   for (bool goes_on = open_notes_ == 0; goes_on;) {
     const auto before = out.size();
-    static_cast<void>(recover(out, now) || settle(out, now) || heed_pilot(out) || run_task(out, now) ||
+    static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out) || run_task(out, now) ||
                       end_flight(out) || answer_assignment(out, now) || begin_wished(out, now) || prepare(out, now));
     const bool has_notes =
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
@@ -88,11 +88,14 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
     was_up_ = true;
   if (!has_looked_ || !is_in_flight() || !view_.is_armed())
     return {};
+  effects out;
   if (is_at_plan_end())
-    modes_.plan_ends();
-  if (modes_.is_taken_over_by(*view_.mode(), now.now_ns))
+    plan_ends(out);
+  if (stance_ && stance_->reacts)
+    modes_.adopt(*view_.mode());
+  else if (modes_.is_taken_over_by(*view_.mode(), now.now_ns))
     has_pilot_ = true;
-  return {};
+  return counted(std::move(out));
 }
 
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
@@ -126,6 +129,14 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
     runner_.on_transfer(world(now, out), number, outcome);
   else if (s_.progress.upload) // of a task that was dropped
     out.emplace_back(note{end_of(outcome)});
+  return counted(std::move(out));
+}
+
+void core::on_stance(const failsafe::stance& m) { stance_ = m; }
+
+effects core::on_guarded(std::uint64_t number, const failsafe::guard_answer& answer, bool is_answered, instant now) {
+  effects out;
+  runner_.on_guarded(world(now, out), number, answer.taken ? std::string() : answer.reason, is_answered);
   return counted(std::move(out));
 }
 
@@ -342,7 +353,7 @@ bool core::is_at_plan_end() const {
 bool core::recover(effects& out, instant now) {
   if (has_looked_)
     return false;
-  if (!view_.is_seen())
+  if (!view_.is_seen() || !stance_)
     return true;
   has_looked_ = true;
   was_up_ = view_.is_under_way();
@@ -388,6 +399,10 @@ void core::recover_in_flight(effects& out) {
   modes_.adopt(*view_.mode());
   if (!is_ours || is_paused_for_person())
     return;
+  if (stance_->reacts || stance_->taken_over) {
+    stand_as(out, phase::flying, true); // heed_others says the rest
+    return;
+  }
   const bool is_held = view_.is_in(mode_kind::hold);
   const bool meant_to_go_on =
       doing && (doing->kind == task_kind::resume || (doing->kind == task_kind::deploy && doing->goes_on));
@@ -407,7 +422,7 @@ void core::recover_in_flight(effects& out) {
 
 // What an upload or a start came to, where its answer was lost.
 bool core::settle(effects& out, instant now) {
-  if (looking_ == question::none)
+  if (looking_ == question::none || (is_in_flight() && is_paused_for_person()))
     return false;
   if (!view_.is_connected())
     return true;
@@ -438,22 +453,50 @@ bool core::settle(effects& out, instant now) {
   return true;
 }
 
-bool core::heed_pilot(effects& out) {
-  if (!has_pilot_)
+// A pilot, or a failsafe. A pilot is one who either of the two watches has seen.
+bool core::heed_others(effects& out) {
+  const bool is_ours_to_lose = is_in_flight() || (s_.doing && s_.doing->kind == task_kind::start);
+  const bool has_pilot = std::exchange(has_pilot_, false) || (stance_ && stance_->taken_over);
+  if (!is_ours_to_lose || is_paused_for_person() || !view_.mode())
     return false;
-  has_pilot_ = false;
-  if (!is_in_flight() || is_paused_for_person())
+  if (stance_ && stance_->reacts) {
+    const auto& acts = *stance_->reacts;
+    yield(out, pause_cause::failsafe,
+          "a failsafe acts (" + std::string(io::name_of(acts.why)) + ": " + std::string(io::name_of(acts.what)) +
+              "); nothing else is sent until an operator hands the vehicle back");
+  } else if (has_pilot) {
+    yield(out, pause_cause::taken_over,
+          "a pilot has the vehicle (mode " + std::string(io::name_of(view_.mode()->kind)) +
+              "); nothing is sent until an operator hands it back");
+  } else {
     return false;
+  }
+  return true;
+}
+
+void core::yield(effects& out, pause_cause to, const std::string& why) {
   runner_.drop({s_, view_, modes_, 0, out});
-  if (s_.doing)
+  if (s_.doing) {
+    if (s_.doing->start_key)
+      answer_start(out, *s_.doing->start_key, start_verdict::failed, why);
     out.emplace_back(note{task_ended{s_.doing->number}});
+  }
   asked_start_.reset();
   wanted_.reset();
   is_start_wanted_ = false;
-  stand_paused(out, pause_cause::taken_over,
-               "a pilot has the vehicle (mode " + std::string(io::name_of(view_.mode()->kind)) +
-                   "); nothing is sent until an operator hands it back");
-  return true;
+  finishes_intent_ = false;
+  if (is_in_flight())
+    stand_paused(out, to, why);
+  else
+    out.emplace_back(note{stood{phase::paused, to, why, view_.is_under_way()}});
+}
+
+// What the plan leads to by itself is nobody's takeover.
+void core::plan_ends(effects& out) {
+  if (!modes_.plan_ends())
+    return;
+  for (const auto kind : {mode_kind::hold, mode_kind::returning, mode_kind::landing})
+    out.emplace_back(say_to_failsafe{failsafe::expect_mode{kind, 0}});
 }
 
 bool core::run_task(effects& out, instant now) {

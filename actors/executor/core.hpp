@@ -12,7 +12,8 @@
 //
 // Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
 // it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight that no word of
-// ours has caused is a pilot's: from then on nothing is sent until an operator hands back. What a step can not get done
+// ours has caused is a pilot's: from then on nothing is sent until an operator hands back, and neither while a failsafe
+// acts. What a step can not get done
 // in a few tries ends in a pause with a reason.
 //
 // Pure: no clock, no actor, no I/O. Thread: one at a time.
@@ -76,6 +77,13 @@ public:
   [[nodiscard]] effects on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now);
   [[nodiscard]] effects on_transfer(std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
 
+  // -- the failsafe
+  // Told at each change, and asked for by who begins anew: nothing is done before it is known.
+  void on_stance(const failsafe::stance& m);
+  [[nodiscard]] bool wants_stance() const { return !stance_; }
+  [[nodiscard]] effects on_guarded(std::uint64_t number, const failsafe::guard_answer& answer, bool is_answered,
+                                   instant now);
+
   // -- the service
   [[nodiscard]] effects on_mission(const mission_client::mission_loaded& m, instant now);
   [[nodiscard]] effects on_refused(const mission_client::mission_refused& m, instant now);
@@ -113,13 +121,15 @@ private:
   // core.cpp: in this order; true: something is under way, and the rest waits.
   [[nodiscard]] bool recover(effects& out, instant now);
   [[nodiscard]] bool settle(effects& out, instant now);
-  [[nodiscard]] bool heed_pilot(effects& out);
+  [[nodiscard]] bool heed_others(effects& out);
   [[nodiscard]] bool run_task(effects& out, instant now);
   [[nodiscard]] bool end_flight(effects& out);
   [[nodiscard]] bool answer_assignment(effects& out, instant now);
   [[nodiscard]] bool prepare(effects& out, instant now);
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 
+  void plan_ends(effects& out);
+  void yield(effects& out, pause_cause to, const std::string& why);
   void recover_on_ground(effects& out);
   void recover_in_flight(effects& out);
   void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
@@ -162,6 +172,7 @@ private:
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   std::int64_t began_ns_ = 0;
   bool has_pilot_ = false;
+  std::optional<failsafe::stance> stance_;
   question looking_ = question::none;
   std::int64_t looking_since_ns_ = 0;
   std::uint64_t reading_back_ = 0; // the number of the download

@@ -78,8 +78,8 @@ steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
     return {bring_plan{}};
   const auto autopilot = view_.owner().autopilot;
   if (autopilot == mav_autopilot::px4)
-    return goes_on ? steps{bring_plan{}, change_mode{mode_kind::mission}} : steps{bring_plan{}};
-  steps result{change_mode{mode_kind::hold}, bring_plan{}};
+    return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
+  steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
   if (autopilot == mav_autopilot::ardupilotmega) {
     result.emplace_back(choose_item{map.start_sequence});
     if (goes_on)
@@ -92,7 +92,7 @@ steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
 
 // ArduPilot's Copter can not be armed in AUTO.
 steps core::start_steps() const {
-  steps result;
+  steps result{guard{}};
   const auto& who = view_.owner();
   if (!view_.is_armed()) {
     if (who.autopilot == mav_autopilot::ardupilotmega && who.vehicle == flight::vehicle_class::multirotor)
@@ -128,7 +128,7 @@ void core::task_done(effects& out, const task& what) {
     stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
     return;
   case task_kind::come_home:
-    modes_.plan_ends();
+    plan_ends(out);
     out.emplace_back(note{progress::mission_aborted{}});
     stand(out, phase::landing, pause_cause::none, "the vehicle returns");
     return;
@@ -250,6 +250,11 @@ bool core::begin_wished(effects& out, instant now) {
     is_handed_back_ = false;
     if (!is_paused_for_person())
       return false;
+    out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+    if (stance_) { // what still holds then is told anew
+      stance_->taken_over = false;
+      stance_->reacts.reset();
+    }
     if (view_.mode())
       modes_.adopt(*view_.mode());
     if (is_in_flight() && view_.is_in(mode_kind::mission))

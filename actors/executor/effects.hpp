@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actors/executor/state.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/mission_client/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 
@@ -17,12 +18,17 @@ struct note {
   durable_core::event what;
 };
 
-// To the vehicle; its outcome comes back with the number.
+// To the vehicle, or (guard_mission) to the failsafe; its outcome comes back with the number.
 struct order {
   std::uint64_t number = 0;
   std::variant<vehicle_link::send_command, vehicle_link::set_current_item, vehicle_link::upload_plan,
-               vehicle_link::download_plan>
+               vehicle_link::download_plan, failsafe::guard_mission>
       what;
+};
+
+// To the failsafe: whose the next mode is, and that an operator has handed the vehicle back.
+struct say_to_failsafe {
+  std::variant<failsafe::expect_mode, failsafe::hand_back> what;
 };
 
 // The transfer under way is given up.
@@ -39,7 +45,7 @@ struct announce {
   bool is_warning = false;
 };
 
-using effect = std::variant<note, order, give_up_transfer, say_to_client, announce>;
+using effect = std::variant<note, order, give_up_transfer, say_to_failsafe, say_to_client, announce>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::executor

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "messages/flight/flight_mode.hpp"
 
@@ -24,8 +25,8 @@ class mode_watch {
 public:
   // Before the word goes out.
   void expect(mode_kind kind, std::int64_t now_ns);
-  // The plan ends: holding, returning and landing are its own doing. Until the flight ends.
-  void plan_ends() { plan_ends_ = true; }
+  // The plan ends: holding, returning and landing are its own doing. Until the flight ends. True: that is new.
+  bool plan_ends() { return !std::exchange(plan_ends_, true); }
   void forget();
 
   // MODE is heard in flight. True: a pilot has taken the vehicle.

@@ -1,9 +1,9 @@
 // What a task is made of: steps that the vehicle is brought through one after the other.
 //
 //   deploy, on the ground                note upload, upload
-//   deploy, under way, with plan ids     note upload, upload, mission mode
-//   deploy, under way, without           hold, note upload, upload, choose the first item, mission mode
-//   start                                (guided, arm,) start
+//   deploy, under way, with plan ids     note upload, upload, guard, mission mode
+//   deploy, under way, without           hold, note upload, upload, guard, choose the first item, mission mode
+//   start                                guard, (guided, arm,) start
 //   hold, resume, come home              that mode
 //
 // A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
@@ -24,6 +24,7 @@ namespace godwit::executor {
 struct change_mode {
   flight::mode_kind to = flight::mode_kind::hold;
 };
+struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
 struct choose_item {
   std::uint16_t sequence = 0;
@@ -33,7 +34,7 @@ struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, bring_plan, choose_item, arm, start_plan>;
+using step = std::variant<change_mode, guard, bring_plan, choose_item, arm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step

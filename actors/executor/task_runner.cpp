@@ -138,6 +138,8 @@ std::string task_runner::wish() const {
     return "to go to item " + std::to_string(item->sequence);
   if (std::holds_alternative<arm>(what))
     return "to arm";
+  if (std::holds_alternative<guard>(what))
+    return "to be guarded";
   return std::holds_alternative<bring_plan>(what) ? "to take the plan" : "to start the mission";
 }
 
@@ -188,8 +190,18 @@ void task_runner::ask(const world& w, const change_mode& what) {
   const auto command = flight::mode_command(w.view.owner(), what.to);
   if (!command)
     return fail("this vehicle has no mode " + wish().substr(std::string("to change to ").size()));
-  w.modes.expect(what.to, w.now_ns);
+  expect(w, what.to);
   give_order(w, *command);
+}
+
+// The plan and the failsafe count heights from the same place, the vehicle's home.
+void task_runner::ask(const world& w, const guard&) {
+  failsafe::guard_mission limits;
+  if (w.durable.flown) {
+    limits.geofences = w.durable.flown->mission.geofences;
+    limits.land_start = w.durable.flown->landing_sequence;
+  }
+  w.out.emplace_back(order{++last_order_, std::move(limits)});
 }
 
 void task_runner::ask(const world& w, const bring_plan&) {
@@ -212,9 +224,15 @@ void task_runner::ask(const world& w, const arm&) {
 void task_runner::ask(const world& w, const start_plan&) {
   vehicle_link::send_command command;
   command.command = number(mav_cmd::mission_start);
-  w.modes.expect(flight::mode_kind::mission, w.now_ns);
-  w.modes.expect(flight::mode_kind::take_off, w.now_ns);
+  expect(w, flight::mode_kind::mission);
+  expect(w, flight::mode_kind::take_off);
   give_order(w, command);
+}
+
+// Also told to the failsafe, before the command goes out.
+void task_runner::expect(const world& w, flight::mode_kind kind) {
+  w.modes.expect(kind, w.now_ns);
+  w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{kind, expected_for_ns / 1'000'000}});
 }
 
 void task_runner::give_order(const world& w, vehicle_link::send_command what) {
@@ -233,6 +251,16 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))
     return was_obeyed(w);
   enter(stage::showing, w.now_ns + shown_within_ns);
+}
+
+void task_runner::on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final) {
+  if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
+    return;
+  if (refused.empty())
+    return was_obeyed(w);
+  if (!is_final && tries_ < max_tries)
+    return enter(stage::pausing, w.now_ns + pause_between_ns);
+  fail("the failsafe does not watch over this flight: " + refused);
 }
 
 void task_runner::on_transfer(const world& w, std::uint64_t number, const transfer::outcome& outcome) {

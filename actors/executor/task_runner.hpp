@@ -49,6 +49,8 @@ public:
 
   void on_marked(std::uint64_t ticket);
   void on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome);
+  // REFUSED: why the failsafe does not take the limits; empty: it does. No answer is a reason as well.
+  void on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final);
   void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
 
   [[nodiscard]] bool is_busy() const { return task_.has_value(); }
@@ -68,10 +70,12 @@ private:
   void begin_step(const world& w);
   void ask(const world& w);
   void ask(const world& w, const change_mode& what);
+  void ask(const world& w, const guard& what);
   void ask(const world& w, const bring_plan& what);
   void ask(const world& w, const choose_item& what);
   void ask(const world& w, const arm& what);
   void ask(const world& w, const start_plan& what);
+  static void expect(const world& w, flight::mode_kind kind);
   void give_order(const world& w, vehicle_link::send_command what);
   void was_obeyed(const world& w);
   void was_not_done(const world& w, const std::string& why, bool is_final);

@@ -22,7 +22,6 @@ inline constexpr float altitude_tolerance_m = 0.02F;
 // The first item in which the two differ; the length of the shorter one if it is the beginning of the other. Nothing:
 // they mean the same. FIRST_IS_HOME: item 0 is not compared.
 [[nodiscard]] std::optional<std::size_t> first_difference(std::span<const mission_item_int> ours,
-                                                          std::span<const mission_item_int> theirs,
-                                                          bool first_is_home);
+                                                          std::span<const mission_item_int> theirs, bool first_is_home);
 
 } // namespace godwit::io::mavlink

@@ -10,6 +10,7 @@
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/types.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/vehicle_link/types.hpp"
@@ -44,7 +45,7 @@ using own_handle = mission_client::listener_handle::extend<
     runtime::tells<io::mavlink::extended_sys_state>::signature, runtime::tells<io::mavlink::mission_current>::signature,
     runtime::tells<io::mavlink::mission_item_reached>::signature,
     runtime::tells<vehicle_link::connection_changed>::signature,
-    runtime::tells<vehicle_link::vehicle_restarted>::signature, runtime::tells<tick>::signature,
-    runtime::tells<next_note>::signature>;
+    runtime::tells<vehicle_link::vehicle_restarted>::signature, runtime::tells<failsafe::stance>::signature,
+    runtime::tells<tick>::signature, runtime::tells<next_note>::signature>;
 
 } // namespace godwit::executor

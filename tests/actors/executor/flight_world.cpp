@@ -4,6 +4,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "actors/failsafe/senses.hpp"
+#include "actors/failsafe/vehicle_words.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages.hpp"
 #include "runtime/assert.hpp"
@@ -20,6 +22,9 @@ constexpr io::mavlink::sender station{255, 190};
 
 // Frames from anybody else than the vehicle do not reach vehicle_link here, and its requests have numbers of ours.
 constexpr io::link::peer_id line = 1;
+
+// Requests of the failsafe have numbers above those of the executor.
+constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 
 } // namespace
 
@@ -46,7 +51,9 @@ mission::document short_mission(sim::personality who) {
   return result;
 }
 
-flight_world::flight_world(const options& wanted) : link_({}, {}, {}) {
+flight_world::flight_world(const options& wanted)
+    : failsafe_settings_(wanted.failsafe), link_(new_link()), dice_(wanted.seed),
+      lost_(wanted.lost), doubled_(wanted.doubled), most_delay_ms_(wanted.most_delay_ms) {
   settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
   settings_.start = wanted.start;
@@ -57,8 +64,23 @@ flight_world::flight_world(const options& wanted) : link_({}, {}, {}) {
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(),
                                             [this](std::span<const std::byte> frame) { hear(frame); });
   core_ = std::make_unique<executor::core>(settings_, state_);
-  take(link_.on_link(io::link::link_status{io::link::link_phase::up, {}, 0}, link_now()));
+  failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
+  begin_link();
+  begin_executor();
+}
+
+std::unique_ptr<vehicle_link::core> flight_world::new_link() {
+  return std::make_unique<vehicle_link::core>(vehicle_link::settings{}, io::mavlink::signing_settings{},
+                                              io::mavlink::signing_time{});
+}
+
+void flight_world::begin_link() {
+  take(link_->on_link(io::link::link_status{io::link::link_phase::up, {}, 0}, link_now()));
+}
+
+void flight_world::begin_executor() {
   core_->on_house(house());
+  core_->on_stance(failsafe_->told());
   take(core_->on_start(now()));
   settle();
 }
@@ -92,11 +114,64 @@ operator_words::answer flight_world::say(operator_words::verb what) {
 void flight_world::crash() {
   notes_.clear();
   core_ = std::make_unique<executor::core>(settings_, state_);
-  core_->on_house(house());
   take(core_->on_vehicle(
-      vehicle_link::connection_changed{link_.describe(link_now()).phase, link_.describe(link_now()).reason}, now()));
-  take(core_->on_start(now()));
+      vehicle_link::connection_changed{link_->describe(link_now()).phase, link_->describe(link_now()).reason}, now()));
+  begin_executor();
+}
+
+void flight_world::crash_failsafe() {
+  failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
+  core_->on_stance(failsafe_->told());
   settle();
+}
+
+void flight_world::crash_all() {
+  notes_.clear();
+  ++link_age_;
+  link_ = new_link();
+  failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
+  core_ = std::make_unique<executor::core>(settings_, state_);
+  begin_link();
+  begin_executor();
+}
+
+void flight_world::cut_line(double seconds) {
+  cut_until_ns_ = time_.now_ns() + static_cast<std::int64_t>(seconds * 1e9);
+}
+
+// -- the failsafe -----------------------------------------------------------------------------------
+
+void flight_world::tick_failsafe() {
+  failsafe_due_ns_ = time_.now_ns() + failsafe::tick_ms * failsafe::ns_per_ms;
+  take(failsafe_->tick(failsafe_now()));
+}
+
+void flight_world::take(const failsafe::effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { take(what); }, each);
+}
+
+// Behind the stance that says whose it is, as the actor does it.
+void flight_world::take(const failsafe::command_vehicle& each) {
+  core_->on_stance(failsafe_->told());
+  reactions_.push_back(each);
+  if (const auto words = failsafe::words_for(each, owner_))
+    take(link_->on_command(first_of_failsafe + each.number, *words, link_now()));
+}
+
+void flight_world::take(const failsafe::stance_changed& each) { core_->on_stance(each.now); }
+
+void flight_world::take(const failsafe::guard_settled& each) {
+  take(core_->on_guarded(each.request_id, each.answer, true, now()));
+}
+
+void flight_world::take(const failsafe::remember& each) {
+  static_cast<void>(failsafe::durable_core::handle(record_, each.what, now().wall_ns));
+}
+
+void flight_world::take(const executor::say_to_failsafe& each) {
+  std::visit([this](const auto& what) { failsafe_->take(what, failsafe_now()); }, each.what);
+  tick_failsafe();
 }
 
 // -- time -------------------------------------------------------------------------------------------
@@ -108,18 +183,37 @@ void flight_world::step() {
     status.pull = mission_client::pull_state::synced;
     core_->on_service(status);
   }
-  const auto next = std::min(
-      {time_.now_ns() + executor_period_ns, vehicle_->next_deadline_ns(), link_.next_deadline_ns(), time_.next_ns()});
+  const auto next = std::min({time_.now_ns() + executor_period_ns, failsafe_due_ns_, vehicle_->next_deadline_ns(),
+                              link_->next_deadline_ns(), time_.next_ns()});
   still_ = next <= time_.now_ns() ? still_ + 1 : 0;
-  GODWIT_ASSERT(still_ < 1'000, "time stands still: vehicle " + std::to_string(vehicle_->next_deadline_ns()) + ", link " +
-                                    std::to_string(link_.next_deadline_ns()) + ", line " +
-                                    std::to_string(time_.next_ns()) + ", phase " + std::string(io::name_of(link_.describe(link_now()).phase)) + ", now " + std::to_string(time_.now_ns()));
+  GODWIT_ASSERT(still_ < 1'000, "time stands still: vehicle " + std::to_string(vehicle_->next_deadline_ns()) +
+                                    ", link " + std::to_string(link_->next_deadline_ns()) + ", line " +
+                                    std::to_string(time_.next_ns()) + ", phase " +
+                                    std::string(io::name_of(link_->describe(link_now()).phase)) + ", now " +
+                                    std::to_string(time_.now_ns()));
   time_.advance_to(next);
   while (time_.next_ns() <= time_.now_ns())
     time_.run_next();
   vehicle_->on_time(time_.now_ns());
-  take(link_.on_time(link_now()));
+  take(link_->on_time(link_now()));
+  if (failsafe_due_ns_ <= time_.now_ns())
+    tick_failsafe();
   settle();
+}
+
+// The line between link and vehicle, with its faults.
+void flight_world::carry(
+    std::span<const std::byte> frame,
+    std::function<void(const std::vector<std::byte>&)> deliver) { // NOLINT(performance-unnecessary-value-param): kept
+  const auto falls = [&](double share) { return share > 0 && std::uniform_real_distribution<>(0, 1)(dice_) < share; };
+  if (time_.now_ns() < cut_until_ns_ || falls(lost_))
+    return;
+  const std::vector<std::byte> bytes(frame.begin(), frame.end());
+  for (int copies = falls(doubled_) ? 2 : 1; copies > 0; --copies) {
+    const auto delay_ms =
+        most_delay_ms_ <= 1 ? 1 : std::uniform_int_distribution<std::int64_t>(1, most_delay_ms_)(dice_);
+    time_.at(time_.now_ns() + delay_ms * 1'000'000, [bytes, deliver] { deliver(bytes); });
+  }
 }
 
 // What is noted is applied one by one, and then the core goes on.
@@ -148,7 +242,8 @@ void flight_world::let_out(const executor::durable_core::effect& each) {
         else if constexpr (std::is_same_v<M, mission_client::respond_to_assignment>)
           answers_.push_back(m);
         else if constexpr (std::is_same_v<M, executor::stood>)
-          said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) + (m.reason.empty() ? "" : ": " + m.reason));
+          said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) +
+                          (m.reason.empty() ? "" : ": " + m.reason));
         else if constexpr (std::is_same_v<M, executor::preflight::phase_changed>)
           said_.push_back("preflight " + m.sentence);
         else if constexpr (requires { core_->on_durable(m, now()); })
@@ -167,15 +262,18 @@ void flight_world::take(const executor::effects& wanted) {
 void flight_world::take(const executor::order& each) {
   std::visit(
       [&]<class M>(const M& what) {
-        if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
+        if constexpr (std::is_same_v<M, failsafe::guard_mission>) {
+          failsafe_->take(failsafe::asked_guard{each.number, what}, failsafe_now());
+          tick_failsafe();
+        } else if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
           commands_.push_back(what.command);
-          take(link_.on_command(each.number, what, link_now()));
+          take(link_->on_command(each.number, what, link_now()));
         } else if constexpr (std::is_same_v<M, vehicle_link::set_current_item>) {
-          take(link_.on_set_current(each.number, what, link_now()));
+          take(link_->on_set_current(each.number, what, link_now()));
         } else if constexpr (std::is_same_v<M, vehicle_link::upload_plan>) {
-          take(link_.on_upload(each.number, what, link_now()));
+          take(link_->on_upload(each.number, what, link_now()));
         } else {
-          take(link_.on_download(each.number, what, link_now()));
+          take(link_->on_download(each.number, what, link_now()));
         }
       },
       each.what);
@@ -198,20 +296,26 @@ void flight_world::take(const vehicle_link::effects& wanted) {
 }
 
 void flight_world::take(const vehicle_link::transmission& each) {
-  const std::vector<std::byte> bytes(each.frame.span().begin(), each.frame.span().end());
-  time_.at(time_.now_ns() + 1'000'000, [this, bytes] {
+  carry(each.frame.span(), [this](const std::vector<std::byte>& bytes) {
     to_vehicle_.feed(bytes,
                      [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
   });
 }
 
 void flight_world::hear(std::span<const std::byte> frame) {
-  const std::vector<std::byte> bytes(frame.begin(), frame.end());
-  time_.at(time_.now_ns() + 1'000'000, [this, bytes] { take(link_.on_bytes(line, true, bytes, link_now())); });
+  carry(frame, [this, age = link_age_](const std::vector<std::byte>& bytes) {
+    if (age == link_age_)
+      take(link_->on_bytes(line, true, bytes, link_now()));
+  });
 }
 
 void flight_world::take(const vehicle_link::settled_command& each) {
-  if (each.asked_by.kind == vehicle_link::asker_kind::outside)
+  if (each.asked_by.kind != vehicle_link::asker_kind::outside)
+    return;
+  if (each.asked_by.request_id >= first_of_failsafe)
+    failsafe_->take(failsafe::command_settled{each.asked_by.request_id - first_of_failsafe, each.outcome.verdict},
+                    failsafe_now());
+  else
     take(core_->on_command(each.asked_by.request_id, each.outcome, now()));
 }
 
@@ -222,6 +326,10 @@ void flight_world::take(const vehicle_link::settled_transfer& each) {
 void flight_world::take(const vehicle_link::observation& each) {
   std::visit(
       [this](const auto& m) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::heartbeat>)
+          owner_ = flight::owner_of(m);
+        if constexpr (requires { failsafe::sense(m); })
+          failsafe_->take(failsafe::sense(m), failsafe_now());
         if constexpr (
             requires(executor::vehicle_view view) { view.take(m); } ||
             requires(executor::vehicle_view view) { view.take(m, std::int64_t{}); } ||

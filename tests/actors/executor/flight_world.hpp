@@ -1,6 +1,7 @@
 // A whole flight in virtual time: the executor's decisions, the link to the vehicle, and a simulated vehicle.
 //
-//   executor::core + its durable state  <->  vehicle_link::core  <->  sim::vehicle
+//   executor::core + its durable state ─┬─> vehicle_link::core  <->  sim::vehicle
+//   failsafe::core + its record        ─┘
 //
 // Notes are applied one in each turn, as the actor does it; crash() takes the core and the notes that were not written,
 // and the durable state begins anew. What the service would have got is kept in order. Thread: one.
@@ -8,12 +9,15 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "actors/executor/core.hpp"
+#include "actors/failsafe/core.hpp"
 #include "actors/vehicle_link/core.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
 #include "tests/support/virtual_time.hpp"
@@ -33,6 +37,12 @@ public:
     bool arm_on_start = true;
     double speed = 5; // of the vehicle's world
     bool has_service = true;
+    failsafe::settings failsafe = {};
+    // Of the line between link and vehicle, both ways; of each frame.
+    double lost = 0;
+    double doubled = 0;
+    std::int64_t most_delay_ms = 1; // frames overtake each other when it is above 1
+    std::uint64_t seed = 1;
   };
 
   explicit flight_world(const options& wanted);
@@ -41,6 +51,9 @@ public:
   void assign(const mission::assignment& wish);
   [[nodiscard]] operator_words::answer say(operator_words::verb what);
   void crash(); // of the executor; it begins anew at once
+  void crash_failsafe();
+  void crash_all(); // the process: executor, failsafe, and the link to the vehicle
+  void cut_line(double seconds);
 
   // Until CONDITION, or for so long. True: it held.
   template <class Condition>
@@ -68,6 +81,8 @@ public:
   [[nodiscard]] const std::vector<std::string>& said() const { return said_; }
   // Commands that went to the vehicle, by number of MAV_CMD, in order.
   [[nodiscard]] const std::vector<std::uint16_t>& commands() const { return commands_; }
+  // Those of the failsafe.
+  [[nodiscard]] const std::vector<failsafe::command_vehicle>& reactions() const { return reactions_; }
   [[nodiscard]] int pushes() const { return pushes_; }
   // "waypoint 2 reached, ..." for messages of tests.
   [[nodiscard]] std::string story() const;
@@ -77,13 +92,28 @@ public:
 private:
   [[nodiscard]] executor::instant now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] io::mavlink::instant link_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
+  [[nodiscard]] static std::unique_ptr<vehicle_link::core> new_link();
+  void begin_link();
+  void begin_executor();
   void step();
   void settle();
   void take(const executor::effects& wanted);
   void take(const executor::note& each) { notes_.push_back(each.what); }
   void take(const executor::order& each);
-  void take(const executor::give_up_transfer&) { take(link_.on_cancel_transfer(link_now())); }
+  void take(const executor::give_up_transfer&) { take(link_->on_cancel_transfer(link_now())); }
   void take(const executor::say_to_client& each);
+  void take(const executor::say_to_failsafe& each);
+  void take(const failsafe::effects& wanted);
+  void take(const failsafe::command_vehicle& each);
+  void take(const failsafe::stance_changed& each);
+  void take(const failsafe::guard_settled& each);
+  void take(const failsafe::override_settled&) {}
+  void take(const failsafe::warning& each) { said_.push_back("failsafe: " + each.text); }
+  void take(const failsafe::health_changed&) {}
+  void take(const failsafe::remember& each);
+  void tick_failsafe();
+  void carry(std::span<const std::byte> frame, std::function<void(const std::vector<std::byte>&)> deliver);
+  [[nodiscard]] failsafe::instant failsafe_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   void take(const executor::announce& each) { said_.push_back(each.sentence); }
   void take(const vehicle_link::effects& wanted);
   void take(const vehicle_link::transmission& each);
@@ -101,7 +131,18 @@ private:
   executor::settings settings_;
   executor::state state_;
   std::unique_ptr<executor::core> core_;
-  vehicle_link::core link_;
+  failsafe::settings failsafe_settings_;
+  failsafe::state record_;
+  std::unique_ptr<failsafe::core> failsafe_;
+  flight::mode_owner owner_;
+  std::int64_t failsafe_due_ns_ = 0;
+  std::unique_ptr<vehicle_link::core> link_;
+  std::mt19937_64 dice_;
+  double lost_ = 0;
+  double doubled_ = 0;
+  std::int64_t most_delay_ms_ = 1;
+  std::int64_t cut_until_ns_ = 0;
+  std::uint64_t link_age_ = 0; // frames on their way to a link that has died are lost
   std::unique_ptr<sim::vehicle> vehicle_;
   io::mavlink::scanner to_vehicle_;
   std::deque<executor::durable_core::event> notes_;
@@ -109,6 +150,7 @@ private:
   std::vector<mission_client::respond_to_assignment> answers_;
   std::vector<std::string> said_;
   std::vector<std::uint16_t> commands_;
+  std::vector<failsafe::command_vehicle> reactions_;
   int pushes_ = 0;
   int still_ = 0; // steps in which no time passed
 };

@@ -20,16 +20,19 @@ using namespace test;
 
 constexpr int flights = 10'000;
 constexpr int flights_if_full = 100'000;
+constexpr int kinds_of_vehicle = 3; // these flights are shared among them
 constexpr int one_in_is_played_twice = 50;
+constexpr int one_in_has_a_calm_one_too = 6;
 
 std::uint64_t first_seed() {
   const char* given = std::getenv("GODWIT_SEED");
   return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
 }
 
-int number_of_flights() {
+int flights_of_each_kind() {
   const char* full = std::getenv("GODWIT_FULL");
-  return full != nullptr && std::string(full) == "1" ? flights_if_full : flights;
+  const bool is_full = full != nullptr && std::string(full) == "1";
+  return ((is_full ? flights_if_full : flights) + kinds_of_vehicle - 1) / kinds_of_vehicle;
 }
 
 // Of the same flight again, with each event.
@@ -44,7 +47,7 @@ class progress_flights : public testing::TestWithParam<flavour> {};
 
 TEST_P(progress_flights, are_reported_truthfully_whatever_happens) {
   const auto first = first_seed();
-  const int count = number_of_flights() / 3; // of each kind of vehicle
+  const int count = flights_of_each_kind();
   std::uint64_t events = 0;
   const auto began = std::clock();
   for (int i = 0; i < count; ++i) {
@@ -64,7 +67,7 @@ TEST_P(progress_flights, are_reported_truthfully_whatever_happens) {
 
 TEST_P(progress_flights, that_are_calm_have_nothing_inferred) {
   const auto first = first_seed();
-  for (int i = 0; i < number_of_flights() / 20; ++i) {
+  for (int i = 0; i < flights_of_each_kind() / one_in_has_a_calm_one_too; ++i) {
     const auto seed = first + static_cast<std::uint64_t>(i);
     model_flight flight(seed, GetParam());
     flight.play_calmly();

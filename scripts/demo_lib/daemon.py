@@ -1,0 +1,43 @@
+"""godwitd in the demo: started with the demo's configuration, asked over its control socket."""
+
+import json
+import socket
+import subprocess
+
+from demo_lib.children import Child, Trouble, environment
+
+ANSWER_S = 5
+
+
+class Daemon:
+    def __init__(self, programs, folder, config, service, vehicle_uri, sightings):
+        self.program = programs / "godwitd"
+        self.socket = folder / "godwit.control"
+        self.child = Child(
+            "godwitd",
+            [self.program, "--config", config, "--allow-crash", "--vehicle", vehicle_uri]
+            + ["--service", service.url, "--token-file", service.token, "--mission-id", service.mission_id]
+            + ["--sightings", sightings, "--journal", folder / "godwit.db", "--trace", folder / "trace"]
+            + ["--control", self.socket],
+            folder,
+        )
+
+    def status(self):
+        """What it tells of itself; None while it does not answer."""
+        try:
+            with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
+                connection.settimeout(ANSWER_S)
+                connection.connect(str(self.socket))
+                connection.sendall(b'{"do": "status"}\n')
+                return json.loads(connection.makefile().readline())
+        except (OSError, ValueError):
+            return None
+
+    def ctl(self, *words):
+        """A word of `godwitd ctl`."""
+        command = [self.program, "ctl", *words, "--control", self.socket]
+        result = subprocess.run(
+            command, capture_output=True, text=True, timeout=4 * ANSWER_S, check=False, env=environment()
+        )
+        if result.returncode != 0:
+            raise Trouble(f"'godwitd ctl {' '.join(words)}' is refused: {(result.stderr or result.stdout).strip()}")

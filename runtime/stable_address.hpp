@@ -134,8 +134,9 @@ public:
   // Gives up an incarnation that does not answer: mail is parked from now on. Returns how many messages are stranded in
   // it.
   std::size_t abandon();
-  bool kill();  // ends the incarnation between two messages; false: there is none
-  void close(); // final: everything waiting is answered with an error and counted as refused
+  [[nodiscard]] bool is_running() const; // there is one
+  bool kill();                           // ends the incarnation between two messages; false: there is none
+  void close();                          // final: everything waiting is answered with an error and counted as refused
 
   // -- anybody ------------------------------------------------------------------------------------
   [[nodiscard]] address_counters counters() const;

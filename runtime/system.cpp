@@ -129,6 +129,20 @@ caf::mailbox_element_ptr kill_message() {
                                    caf::exit_msg{caf::actor_addr{}, caf::exit_reason::kill});
 }
 
+std::vector<system::child_standing> system::standings() const {
+  std::vector<child_standing> result;
+  for (const auto& each : children_)
+    result.push_back({address_of(each.address).actor_name(), address_of(each.address).is_running()});
+  return result;
+}
+
+bool system::kill_child(std::string_view name) {
+  for (const auto& each : children_)
+    if (address_of(each.address).actor_name() == name)
+      return address_of(each.address).kill();
+  return false;
+}
+
 void system::kill_all() {
   {
     const std::lock_guard guard(mutex_);

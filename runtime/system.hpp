@@ -19,6 +19,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -82,6 +83,15 @@ public:
 
   // A way in for a thread that is not an actor; one for each thread.
   [[nodiscard]] gateway make_gateway(const std::string& name);
+
+  struct child_standing {
+    std::string name;
+    bool is_running = false;
+  };
+  // All that were declared. Thread: any.
+  [[nodiscard]] std::vector<child_standing> standings() const;
+  // For drills: ends the incarnation of NAME between two messages, as a crash would. False: there is none. Thread: any.
+  bool kill_child(std::string_view name);
 
   [[nodiscard]] std::uint64_t restarts() const { return status_->restarts.load(); }
   [[nodiscard]] address_counters counters(std::size_t child) const {

@@ -66,6 +66,7 @@ actor::behavior_type actor::handlers() {
       hears<vehicle_link::vehicle_restarted>(),
       on<tick>([this](const tick&) {
         tell_after(tick_period, me(), tick{});
+        vouch();
         look_at_service();
         ask_for_stance();
         after_turn();
@@ -75,6 +76,7 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, current_state());
+  world_.on_standing(current_state().standing);
   core_->on_house(world_.look_at_house());
   carry_out(core_->on_start(now()));
   ask(
@@ -102,6 +104,14 @@ void actor::ask_for_stance() {
         after_turn();
       },
       [this](const runtime::ask_error&) { is_asking_stance_ = false; });
+}
+
+// The vehicle hears our heartbeat only while somebody is here who decides.
+void actor::vouch() {
+  if (now_ns() - vouched_ns_ < vouch_every_ns)
+    return;
+  vouched_ns_ = now_ns();
+  tell(others_->vehicle, vehicle_link::vouch{actor_name()});
 }
 
 void actor::look_at_service() {

@@ -34,7 +34,7 @@ struct neighbours {
 struct outside_world {
   std::function<void(const announce& said)> tell_people;
   std::function<house()> look_at_house;
-  std::function<void(const stood& standing)> on_standing;
+  std::function<void(const stood& standing)> on_standing; // at each change, and as each incarnation begins
 };
 
 class actor final : public runtime::persistent_cell<own_handle, durable_core> {
@@ -46,6 +46,7 @@ public:
   // A thousand items over a slow radio with losses.
   static constexpr std::chrono::seconds transfer_patience{600};
   static constexpr std::chrono::milliseconds tick_period{200};
+  static constexpr std::int64_t vouch_every_ns = 1'000'000'000;
 
   actor(runtime::actor_config& config, runtime::birth born, settings configured,
         std::shared_ptr<const neighbours> others, outside_world world)
@@ -79,6 +80,7 @@ private:
   void command_vehicle(std::uint64_t number, const Q& what);
   template <class Q>
   void transfer_plan(std::uint64_t number, const Q& what);
+  void vouch();
   void look_at_service();
   void ask_for_stance();
   void commit_next();
@@ -90,6 +92,7 @@ private:
   outside_world world_;
   std::optional<core> core_;
   std::deque<durable_core::event> to_commit_; // bounded by what one turn can note
+  std::int64_t vouched_ns_ = -vouch_every_ns;
   bool is_asking_service_ = false;
   bool is_asking_stance_ = false;
   std::string posted_;

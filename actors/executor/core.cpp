@@ -19,10 +19,16 @@ using mission_client::pull_state;
 constexpr std::uint64_t first_reading_back = 1ULL << 32U;
 constexpr std::int64_t read_again_after_ns = 2'000'000'000;
 constexpr std::int64_t check_period_ns = 1'000'000'000;
+constexpr std::int64_t last_word_within_ns = 4'000'000'000; // MISSION_CURRENT comes once a second, and may be lost
 
 bool is_before_start(phase now) {
   return now == phase::disconnected || now == phase::connected || now == phase::preflight || now == phase::uploading ||
          now == phase::ready;
+}
+
+// A plan may leave the vehicle in these.
+bool ends_plans(mode_kind kind) {
+  return kind == mode_kind::hold || kind == mode_kind::returning || kind == mode_kind::landing;
 }
 
 bool is_over(phase now) { return now == phase::post_flight || now == phase::done || now == phase::aborted; }
@@ -59,8 +65,9 @@ effects core::advance(instant now) {
   effects out;
   for (bool goes_on = open_notes_ == 0; goes_on;) {
     const auto before = out.size();
-    static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out) || run_task(out, now) ||
-                      end_flight(out) || answer_assignment(out, now) || begin_wished(out, now) || prepare(out, now));
+    static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out, now) || run_task(out, now) ||
+                      end_flight(out, now) || answer_assignment(out, now) || begin_wished(out, now) ||
+                      prepare(out, now));
     const bool has_notes =
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
@@ -93,8 +100,10 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
     plan_ends(out);
   if (stance_ && stance_->reacts)
     modes_.adopt(*view_.mode());
-  else if (modes_.is_taken_over_by(*view_.mode(), now.now_ns))
-    has_pilot_ = true;
+  else if (!modes_.is_taken_over_by(*view_.mode(), now.now_ns))
+    unclear_since_ns_ = 0;
+  else if (unclear_since_ns_ == 0)
+    unclear_since_ns_ = now.now_ns;
   return counted(std::move(out));
 }
 
@@ -454,12 +463,23 @@ bool core::settle(effects& out, instant now) {
 }
 
 // A pilot, or a failsafe. A pilot is one who either of the two watches has seen.
-bool core::heed_others(effects& out) {
+bool core::heed_others(effects& out, instant now) {
   const bool is_ours_to_lose = is_in_flight() || (s_.doing && s_.doing->kind == task_kind::start);
-  const bool has_pilot = std::exchange(has_pilot_, false) || (stance_ && stance_->taken_over);
-  if (!is_ours_to_lose || is_paused_for_person() || !view_.mode())
+  if (!is_ours_to_lose || is_paused_for_person() || !view_.mode()) {
+    unclear_since_ns_ = 0;
     return false;
-  if (stance_ && stance_->reacts) {
+  }
+  const bool led_there = is_at_plan_end() && ends_plans(view_.mode()->kind);
+  if (unclear_since_ns_ != 0 && !led_there && ends_plans(view_.mode()->kind) &&
+      view_.current_heard_ns() <= unclear_since_ns_ && now.now_ns - unclear_since_ns_ < last_word_within_ns)
+    return true; // after a silence: whether the plan led there is told next, and nothing is sent before
+  const bool has_pilot = !led_there && (unclear_since_ns_ != 0 || stance_->taken_over);
+  if (unclear_since_ns_ != 0 && led_there) {
+    plan_ends(out);
+    modes_.adopt(*view_.mode());
+  }
+  unclear_since_ns_ = 0;
+  if (stance_->reacts) {
     const auto& acts = *stance_->reacts;
     yield(out, pause_cause::failsafe,
           "a failsafe acts (" + std::string(io::name_of(acts.why)) + ": " + std::string(io::name_of(acts.what)) +
@@ -501,6 +521,13 @@ void core::plan_ends(effects& out) {
 
 bool core::run_task(effects& out, instant now) {
   const auto what = runner_.doing();
+  const bool is_pointless = what && what->kind == task_kind::deploy && what->goes_on && is_plan_finished() &&
+                            !s_.progress.upload && s_.progress.last_generation == deploying_over_;
+  if (is_pointless) { // the plan ended before another one could take its place
+    runner_.drop(world(now, out));
+    out.emplace_back(note{task_ended{what->number}});
+    return true;
+  }
   switch (runner_.advance(world(now, out))) {
   case task_runner::verdict::idle:
     return false;
@@ -517,23 +544,35 @@ bool core::run_task(effects& out, instant now) {
 }
 
 // Disarmed, or down behind the end of the plan; a rover: at the end of its plan.
-bool core::end_flight(effects& out) {
-  if (!is_in_flight() || !view_.is_connected() || !view_.mode())
-    return false;
+bool core::is_down() const {
   const bool is_rover = view_.owner().vehicle == flight::vehicle_class::rover;
-  const bool is_down = !view_.is_armed() || (is_plan_finished() && (is_rover || (was_up_ && !view_.is_under_way())));
-  if (!is_down)
+  return !view_.is_armed() || (is_plan_finished() && (is_rover || (was_up_ && !view_.is_under_way())));
+}
+
+bool core::end_flight(effects& out, instant now) {
+  if (!view_.is_connected() || !view_.mode())
     return false;
+  if (!is_in_flight()) {
+    if (s_.standing.now != phase::paused || !is_mission_finished() || s_.doing)
+      return false;
+    end_mission(out); // its last word came behind the end of the flight
+    return true;
+  }
+  if (!is_down()) {
+    down_since_ns_ = 0;
+    return false;
+  }
+  if (down_since_ns_ == 0)
+    down_since_ns_ = now.now_ns;
+  if (!is_plan_finished() && now.now_ns - down_since_ns_ < last_word_within_ns)
+    return false; // how far it came is told after it is down, where the line was silent before
+  down_since_ns_ = 0;
   modes_.forget();
   was_up_ = false;
-  has_pilot_ = false;
   if (s_.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::flight_ended{}});
   if (is_mission_finished() || s_.progress.paused == progress::pause_reason::aborted) {
-    const bool is_aborted = !is_mission_finished();
-    if (settings_.has_service)
-      out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
-    stand_as(out, is_aborted ? phase::aborted : settings_.has_service ? phase::post_flight : phase::done, false);
+    end_mission(out);
   } else if (is_plan_finished()) {
     stand_as(out, phase::connected, false); // the next plan of the mission
   } else {
@@ -541,6 +580,16 @@ bool core::end_flight(effects& out) {
                                 "the flight ended before its plan; resume prepares the rest of it", false}});
   }
   return true;
+}
+
+void core::end_mission(effects& out) {
+  if (settings_.has_service)
+    out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
+  stand_as(out,
+           !is_mission_finished()  ? phase::aborted
+           : settings_.has_service ? phase::post_flight
+                                   : phase::done,
+           false);
 }
 
 } // namespace godwit::executor

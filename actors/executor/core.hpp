@@ -121,13 +121,15 @@ private:
   // core.cpp: in this order; true: something is under way, and the rest waits.
   [[nodiscard]] bool recover(effects& out, instant now);
   [[nodiscard]] bool settle(effects& out, instant now);
-  [[nodiscard]] bool heed_others(effects& out);
+  [[nodiscard]] bool heed_others(effects& out, instant now);
   [[nodiscard]] bool run_task(effects& out, instant now);
-  [[nodiscard]] bool end_flight(effects& out);
+  [[nodiscard]] bool end_flight(effects& out, instant now);
   [[nodiscard]] bool answer_assignment(effects& out, instant now);
   [[nodiscard]] bool prepare(effects& out, instant now);
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 
+  [[nodiscard]] bool is_down() const;
+  void end_mission(effects& out);
   void plan_ends(effects& out);
   void yield(effects& out, pause_cause to, const std::string& why);
   void recover_on_ground(effects& out);
@@ -171,7 +173,7 @@ private:
 
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   std::int64_t began_ns_ = 0;
-  bool has_pilot_ = false;
+  std::int64_t unclear_since_ns_ = 0; // since when it is in a mode that nobody of ours has asked for; 0: it is not
   std::optional<failsafe::stance> stance_;
   question looking_ = question::none;
   std::int64_t looking_since_ns_ = 0;
@@ -179,9 +181,11 @@ private:
   std::int64_t read_again_ns_ = 0;
   std::uint16_t looking_for_sequence_ = 0;
   std::uint64_t last_reading_back_ = 1ULL << 32U;
-  bool was_up_ = false;           // it has been in the air, as far as this incarnation knows
-  bool finishes_intent_ = false;  // of an earlier incarnation: it is held, and meant to fly on
-  bool must_choose_item_ = false; // it holds the plan, and is elsewhere in it
+  std::int64_t down_since_ns_ = 0;   // 0: it is not
+  bool was_up_ = false;              // it has been in the air, as far as this incarnation knows
+  std::uint32_t deploying_over_ = 0; // the generation that the deployment under way takes the place of
+  bool finishes_intent_ = false;     // of an earlier incarnation: it is held, and meant to fly on
+  bool must_choose_item_ = false;    // it holds the plan, and is elsewhere in it
   std::optional<start_mission> asked_start_;
   bool is_start_wanted_ = false;    // by an operator
   std::optional<task_kind> wanted_; // by an operator: hold, resume, come home

@@ -61,6 +61,7 @@ void core::begin_deploy(effects& out, deployment brings, const plan::flight_plan
         progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};
   out.emplace_back(note{task_begun{doing, std::move(brings)}});
   must_choose_item_ = false;
+  deploying_over_ = s_.progress.last_generation;
   runner_.begin(doing, deploy_steps(what.map, goes_on), std::move(intent));
 }
 
@@ -211,15 +212,20 @@ bool core::answer_assignment(effects& out, instant now) {
   const bool may_change = at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked);
   const bool is_waiting_on_ground = !is_in_flight() && (at == phase::connected || at == phase::preflight ||
                                                         at == phase::ready || at == phase::disconnected);
-  if (s_.waiting.empty() || !s_.mission || !(may_change || is_waiting_on_ground))
+  if (s_.waiting.empty() || !s_.mission)
     return false;
-  if (may_change && !view_.is_under_way())
+  const bool is_too_late = is_mission_finished() || at == phase::aborted;
+  if (!is_too_late && !(may_change || is_waiting_on_ground))
+    return false;
+  if (!is_too_late && may_change && !view_.is_under_way())
     return false; // on the ground with turning motors: a plan that is replaced now would never take off
   const auto wish = s_.waiting.front();
   const auto reject = [&](const std::string& why) {
     out.emplace_back(note{assignment_rejected{wish.assignment_id, why}});
     return true;
   };
+  if (is_too_late)
+    return reject("the mission was over before the assignment came");
   auto wanted = reassign(*s_.mission, wish, last_done(s_));
   if (!wanted)
     return reject(wanted.error());
@@ -314,12 +320,12 @@ void core::begin_going_on(effects& out) {
 }
 
 bool core::begin_wanted(effects& out, task_kind what) {
-  if (what == task_kind::resume && !is_in_flight()) {
+  if (!is_in_flight()) {
+    if (what != task_kind::resume || s_.standing.now != phase::paused)
+      return false;
     stand(out, phase::connected);
     return true;
   }
-  if (!is_in_flight())
-    return false;
   if (what == task_kind::hold)
     begin(out, what, {change_mode{mode_kind::hold}});
   else if (what == task_kind::resume)

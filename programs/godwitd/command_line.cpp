@@ -14,9 +14,9 @@ namespace {
 using runtime::exit_code;
 
 constexpr const char* about =
-    "The onboard daemon. In this form it fetches a mission, pulls its map, takes sightings from a file, and delivers "
-    "what is owed to the missions service, also over crashes. It does not fly: it sends the vehicle nothing but its "
-    "heartbeat and which telemetry it wants.";
+    "The onboard daemon: fetches a mission, checks it, uploads it to the autopilot and flies it, follows its progress, "
+    "takes sightings, and delivers what is owed to the missions service, also over crashes. It starts a flight when it "
+    "is told to (`godwitd ctl start`, or a ground station) and arms nothing, unless its settings say otherwise.";
 
 constexpr const char* examples =
     R"(Each option with a value is also a variable of the environment: --token-file is GODWIT_TOKEN_FILE. The command line
@@ -25,10 +25,11 @@ stands above the environment, that above the file of --config.
 Examples:
   godwitd --service https://missions.example.org --token-file token --vehicle udpin://0.0.0.0:14550 \
           --mission-id 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42
+  godwitd --mission survey.plan --vehicle serial:///dev/ttyAMA0:921600 --ground udpin://0.0.0.0:14555
   godwitd --config godwit.json --sightings seen.ndjson --once
-  godwitd --mission survey.plan --vehicle serial:///dev/ttyAMA0:921600
   godwitd --outbox --journal godwit.db
   godwitd ctl status
+  godwitd ctl start
   godwitd ctl outbox-retry
   godwitd convert survey.plan survey.json
 
@@ -58,12 +59,43 @@ void add_options(CLI::App& app, invocation& to) {
              flag, [&to, name](const std::string& text) { to.options[name] = text; }, std::string(row.help))
           ->type_name(std::string(row.type_name));
   }
-  app.add_flag("--fly", to.fly, "Not there yet: an error that says so");
   app.add_flag_callback(
       "--outbox", [&to] { to.what = task::list_outbox; },
       "Lists what is owed to the service, also beside a running godwitd, and ends");
   app.add_flag("--json", to.json, "Lists and answers as JSON");
   app.set_version_flag("--version", std::string("godwitd ") + GODWIT_VERSION);
+}
+
+struct verb_row {
+  operator_words::verb verb;
+  const char* name;
+  const char* help;
+};
+
+constexpr verb_row verbs[] = {
+    {operator_words::verb::start, "start", "Flies the plan that is ready."},
+    {operator_words::verb::pause, "pause", "Holds where it is."},
+    {operator_words::verb::resume, "resume", "Goes on with the mission; on the ground: prepares the rest of it."},
+    {operator_words::verb::come_home, "come-home", "Returns, and ends the mission."},
+    {operator_words::verb::hand_back, "hand-back", "After a pilot or a failsafe: godwit has the vehicle again."},
+    {operator_words::verb::check, "check", "Looks at the preflight checks anew."},
+    {operator_words::verb::acknowledge, "ack", "Flies although this preflight report is degraded."}};
+
+void add_words(CLI::App& ctl, invocation& to) {
+  for (const auto& row : verbs) {
+    auto* const word = ctl.add_subcommand(row.name, row.help);
+    word->fallthrough();
+    if (row.verb == operator_words::verb::acknowledge)
+      word->add_option("REPORT", to.said.report, "Its number, as `ctl status` shows it")->required();
+    word->callback([&to, verb = row.verb] {
+      to.what = task::say_word;
+      to.said.verb = verb;
+    });
+  }
+  auto* const crash = ctl.add_subcommand("crash", "Ends an actor as a crash would; only with --allow-crash.");
+  crash->fallthrough();
+  crash->add_option("ACTOR", to.actor, "Its name, such as executor")->required();
+  crash->callback([&to] { to.what = task::crash_actor; });
 }
 
 void add_control(CLI::App& app, invocation& to) {
@@ -78,6 +110,7 @@ void add_control(CLI::App& app, invocation& to) {
   retry->fallthrough();
   retry->add_option("ID", to.outbox_key, "The key of one row (all)");
   retry->callback([&to] { to.what = task::retry_outbox; });
+  add_words(*ctl, to);
 }
 
 void add_convert(CLI::App& app, invocation& to) {

@@ -7,21 +7,23 @@
 
 #include <tl/expected.hpp>
 
+#include "messages/operator/types.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/convert_command.hpp"
 #include "runtime/process.hpp"
 
 namespace godwit::daemon {
 
-enum class task { run, list_outbox, convert, ask_status, retry_outbox };
+enum class task { run, list_outbox, convert, ask_status, retry_outbox, say_word, crash_actor };
 
 struct invocation {
   task what = task::run;
-  given_texts options;     // by the names of option_table.hpp
-  bool json = false;       // answers for programs
-  bool fly = false;        // asked for, and not there
-  convert_arguments files; // convert
-  std::string outbox_key;  // retry_outbox; empty: all
+  given_texts options;       // by the names of option_table.hpp
+  bool json = false;         // answers for programs
+  convert_arguments files;   // convert
+  std::string outbox_key;    // retry_outbox; empty: all
+  operator_words::word said; // say_word; by is left empty
+  std::string actor;         // crash_actor
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
 };
 

@@ -1,12 +1,17 @@
 #include "programs/godwitd/composition.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <random>
 #include <utility>
 
 #include <sys/eventfd.h>
 
+#include "actors/executor/actor.hpp"
+#include "actors/failsafe/actor.hpp"
+#include "actors/ground_port/actor.hpp"
 #include "actors/mapobjects_store/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
 #include "io/http/secret_file.hpp"
@@ -28,6 +33,9 @@ std::uint64_t fresh_seed() {
 constexpr runtime::child_policy essential{.essential = true, .restart = {}};
 constexpr runtime::child_policy replaceable{};
 
+constexpr const char* executor_name = "executor";
+constexpr const char* failsafe_name = "failsafe";
+
 } // namespace
 
 tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted,
@@ -47,6 +55,12 @@ checked composition::open_files() {
     if (!key)
       return tl::make_unexpected(key.error().message());
     signing_.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
+  }
+  if (!wanted_.ground_key_file.empty()) {
+    auto key = io::mavlink::load_key_file(wanted_.ground_key_file);
+    if (!key)
+      return tl::make_unexpected(key.error().message());
+    ground_signing_.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
   }
   if (wanted_.service) {
     if (!wanted_.service->token_file.empty())
@@ -83,6 +97,8 @@ checked composition::load_mission() {
     return tl::make_unexpected(std::move(loaded.error()));
   const auto& mission = loaded->mission;
   wanted_.mission_id = mission.mission_id;
+  wanted_.flight.mission_id = mission.mission_id;
+  file_mission_ = mission;
   announce({"mission " + mission.mission_id + " from " + wanted_.mission_file + ": " +
                 std::to_string(mission.items.size()) + " items, " + std::to_string(mission.geofences.size()) +
                 " geofences",
@@ -94,38 +110,85 @@ checked composition::load_mission() {
 
 void composition::add_actors() {
   auto& actors = host_->actors();
-  const auto ears = std::make_shared<vehicle_link::listeners>();
-  const auto of_client = std::make_shared<mission_client::neighbours>();
-  const auto of_run = std::make_shared<ground_run::neighbours>();
   vehicle_link::settings link;
   link.watch.system = wanted_.vehicle_system;
-
+  if (wanted_.flies)
+    link.vouchers = {executor_name, failsafe_name};
   vehicle_ = actors.add<vehicle_link::actor>({.name = "vehicle_link"}, essential, link, signing_,
                                              std::static_pointer_cast<io::link::wire>(vehicle_port_),
-                                             std::shared_ptr<const vehicle_link::listeners>(ears));
+                                             std::shared_ptr<const vehicle_link::listeners>(ears_));
+  if (wanted_.flies)
+    failsafe_ = actors.add<failsafe::actor>({.name = failsafe_name}, essential, wanted_.failsafe, vehicle_,
+                                            std::shared_ptr<const failsafe::neighbours>(of_failsafe_));
   store_ = actors.add<mapobjects_store::actor>({.name = "mapobjects_store"}, replaceable, map_port_);
   if (service_)
     client_ =
         actors.add<mission_client::actor>({.name = "mission_client"}, replaceable, wanted_.client,
                                           std::static_pointer_cast<mission_client::service_port>(service_),
-                                          std::shared_ptr<const mission_client::neighbours>(of_client), fresh_seed());
-  run_ = actors.add<ground_run::actor>({.name = "ground_run"}, essential, settings_of_run(),
-                                       std::shared_ptr<const ground_run::neighbours>(of_run), feed_, world_of_run());
+                                          std::shared_ptr<const mission_client::neighbours>(of_client_), fresh_seed());
   control::neighbours of_desk;
   of_desk.store = store_;
   of_desk.vehicle = vehicle_;
-  of_desk.run = run_;
-  if (service_) {
+  if (service_)
     of_desk.client = client_;
-    of_run->client = client_;
-  }
+  of_client_->map = store_;
+  if (wanted_.flies)
+    add_flight(of_desk);
+  else
+    add_ground_run(of_desk);
+  if (wanted_.allow_crash)
+    of_desk.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
   desk_ = actors.add<control::desk>({.name = "control_desk"}, replaceable, of_desk, control_answers_);
+}
 
-  of_client->listener = run_;
-  of_client->map = store_;
+void composition::add_ground_run(control::neighbours& of_desk) {
+  const auto of_run = std::make_shared<ground_run::neighbours>();
+  run_ = host_->actors().add<ground_run::actor>({.name = "ground_run"}, essential, settings_of_run(),
+                                                std::shared_ptr<const ground_run::neighbours>(of_run), feed_,
+                                                world_of_run());
   of_run->store = store_;
   of_run->vehicle = vehicle_;
-  ears->add(run_);
+  if (service_)
+    of_run->client = client_;
+  of_client_->listener = run_;
+  of_desk.run = run_;
+  ears_->add(run_);
+}
+
+void composition::add_flight(control::neighbours& of_desk) {
+  auto& actors = host_->actors();
+  const auto of_executor = std::make_shared<executor::neighbours>();
+  const auto of_ground = std::make_shared<ground_port::neighbours>();
+  executor_ = actors.add<executor::actor>({.name = executor_name}, essential, wanted_.flight,
+                                          std::shared_ptr<const executor::neighbours>(of_executor), world_of_flight());
+  if (wanted_.ground) {
+    ground_port::settings settings;
+    settings.as.system = std::max<std::uint8_t>(wanted_.vehicle_system, 1);
+    settings.autopilot_is_on_this_line = false;
+    ground_ = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings, ground_signing_,
+                                             std::static_pointer_cast<io::link::wire>(ground_line_),
+                                             std::shared_ptr<const ground_port::neighbours>(of_ground));
+    of_executor->port = ground_;
+    of_ground->executor = executor_;
+    of_ground->operator_ears.emplace_back(failsafe_);
+    of_failsafe_->people.emplace_back(ground_);
+    ears_->add(ground_);
+  }
+  feeder_ = actors.add<sightings::feeder>({.name = "sightings"}, replaceable,
+                                          sightings::feeder_settings{wanted_.mission_id, service_ == nullptr},
+                                          mapobjects_store::handle(store_), feed_, [this](const std::string& sentence) {
+                                            announce({sentence, true});
+                                          });
+  of_executor->vehicle = vehicle_;
+  of_executor->failsafe = failsafe_;
+  if (service_)
+    of_executor->client = client_;
+  of_failsafe_->ears.emplace_back(executor_);
+  of_client_->listener = executor_;
+  of_desk.flight = executor_;
+  of_desk.sightings = feeder_;
+  ears_->add(failsafe_);
+  ears_->add(executor_);
 }
 
 checked composition::open() {
@@ -138,7 +201,10 @@ checked composition::open() {
     service_->attach(host_->actors().make_gateway("missions_service"), client_);
   host_->actors().start();
   open_vehicle();
+  if (wanted_.flies)
+    open_ground();
   open_feed();
+  hand_over_mission();
   return {};
 }
 
@@ -173,10 +239,36 @@ void composition::open_feed() {
   if (!feed_)
     return;
   const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("sighting_feed"));
-  feed_->start([way_in, run = run_] { way_in->tell(run, ground_run::woken{}); },
-               [this](const std::string& sentence) {
-                 announce({sentence, true});
-               });
+  feed_->start(
+      [this, way_in] {
+        if (wanted_.flies)
+          way_in->tell(feeder_, sightings::woken{});
+        else
+          way_in->tell(run_, ground_run::woken{});
+      },
+      [this](const std::string& sentence) {
+        announce({sentence, true});
+      });
+}
+
+// A line that can not be opened is no reason not to fly.
+void composition::open_ground() {
+  if (!wanted_.ground)
+    return;
+  if (const auto opened = ground_line_->open(*wanted_.ground, {}, host_->actors().make_gateway("ground_line"), ground_);
+      !opened)
+    announce({"the line for ground stations can not be opened: " + opened.error() +
+                  "\ngodwitd goes on without them; mend it and start godwitd again",
+              true});
+}
+
+// The mission of a file is told to whoever flies it, as the service's would be.
+void composition::hand_over_mission() {
+  if (!wanted_.flies || !file_mission_)
+    return;
+  mission_client::mission_loaded loaded;
+  loaded.document = *file_mission_;
+  host_->actors().make_gateway("mission_file").tell(executor_, loaded);
 }
 
 ground_run::settings composition::settings_of_run() const {
@@ -191,6 +283,35 @@ ground_run::run_world composition::world_of_run() {
           }};
 }
 
+executor::outside_world composition::world_of_flight() {
+  return {[this](const executor::announce& said) {
+            announce({said.sentence, said.is_warning});
+          },
+          [this] { return look_at_house(); },
+          [this](const executor::stood& standing) {
+            if (feed_)
+              feed_->set_gate(standing.in_flight);
+            announce({"flight: " + std::string(io::name_of(standing.now)) +
+                          (standing.reason.empty() ? "" : " (" + standing.reason + ")"),
+                      standing.now == executor::phase::paused});
+          }};
+}
+
+// Whether a disk has room changes slowly, and is asked of the system at each look all the same: it costs a microsecond.
+executor::house composition::look_at_house() const {
+  executor::house result;
+  std::error_code unknown;
+  const auto folder = std::filesystem::absolute(wanted_.process.journal.path, unknown).parent_path();
+  const auto space = std::filesystem::space(folder, unknown);
+  result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
+  result.journal.is_writable = !host_->journal().status().failing;
+  if (!unknown)
+    result.journal.free_bytes = space.available;
+  for (auto& each : host_->actors().standings())
+    result.actors.push_back({std::move(each.name), each.is_running});
+  return result;
+}
+
 void composition::announce(const ground_run::announce& said) {
   printer_.push((said.is_warning ? "warning: " : "") + said.sentence);
 }
@@ -200,6 +321,7 @@ int composition::close(runtime::exit_code code) {
   if (feed_)
     feed_->stop();
   vehicle_port_->close();
+  ground_line_->close();
   if (service_)
     service_->close();
   map_port_->close();

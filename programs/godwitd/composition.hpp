@@ -9,6 +9,9 @@
 
 #include <tl/expected.hpp>
 
+#include "actors/executor/actor.hpp"
+#include "actors/failsafe/actor.hpp"
+#include "actors/ground_port/link_port.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/actor.hpp"
 #include "actors/mission_client/http_service.hpp"
@@ -22,7 +25,7 @@
 #include "programs/godwitd/ground_run/actor.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
-#include "programs/godwitd/sightings/sighting_feed.hpp"
+#include "programs/godwitd/sightings/feeder.hpp"
 
 namespace godwit::daemon {
 
@@ -53,10 +56,16 @@ private:
   [[nodiscard]] tl::expected<void, std::string> open_files();
   [[nodiscard]] tl::expected<void, std::string> load_mission();
   void add_actors();
+  void add_flight(control::neighbours& of_desk);
+  void add_ground_run(control::neighbours& of_desk);
   void open_vehicle();
+  void open_ground();
   void open_feed();
+  void hand_over_mission();
   [[nodiscard]] tl::expected<void, std::string> open_map();
   [[nodiscard]] tl::expected<void, std::string> open_control();
+  [[nodiscard]] executor::outside_world world_of_flight();
+  [[nodiscard]] executor::house look_at_house() const;
   [[nodiscard]] ground_run::run_world world_of_run();
   [[nodiscard]] ground_run::settings settings_of_run() const;
   void announce(const ground_run::announce& said);
@@ -65,18 +74,30 @@ private:
   sim::line_printer& printer_;
   run_end end_;
   io::mavlink::signing_settings signing_;
+  io::mavlink::signing_settings ground_signing_;
+  std::optional<mission::document> file_mission_; // none with a service
 
   std::shared_ptr<sighting_feed> feed_;                   // none without sightings
   std::shared_ptr<mission_client::http_service> service_; // none without a service
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
+  std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();
   std::shared_ptr<control::answer_box> control_answers_;
+
+  // Whom each actor speaks with; filled in before the actors start.
+  std::shared_ptr<vehicle_link::listeners> ears_ = std::make_shared<vehicle_link::listeners>();
+  std::shared_ptr<mission_client::neighbours> of_client_ = std::make_shared<mission_client::neighbours>();
+  std::shared_ptr<failsafe::neighbours> of_failsafe_ = std::make_shared<failsafe::neighbours>();
 
   std::unique_ptr<runtime::process> host_;
   vehicle_link::own_handle vehicle_;
   mapobjects_store::own_handle store_;
   mission_client::own_handle client_;
-  ground_run::own_handle run_;
+  ground_run::own_handle run_; // of a run on the ground; else those of a flight
+  executor::own_handle executor_;
+  failsafe::own_handle failsafe_;
+  ground_port::own_handle ground_; // none without a line for ground stations
+  sightings::feeder_handle feeder_;
   control::desk_handle desk_;
 
   std::unique_ptr<control::server> control_;

@@ -3,8 +3,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
+#include "io/fields/field_table.hpp"
 #include "programs/godwitd/command_line.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/console.hpp"
@@ -52,6 +54,23 @@ exit_code ask_running(const json& configuration, const json& question, bool as_j
   return is_done ? exit_code::ok : exit_code::failed;
 }
 
+std::string taken_text(const json&) { return "done"; }
+
+// Who says it, as far as the system tells: the socket is open to nobody else than the user of the daemon.
+std::string speaker() {
+  for (const auto* name : {"SUDO_USER", "USER", "LOGNAME"})
+    if (const char* user = std::getenv(name); user != nullptr && *user != '\0') // NOLINT(concurrency-mt-unsafe): alone
+      return user;
+  return "the operator";
+}
+
+json question_of(const operator_words::word& said) {
+  json result{{"do", io::name_of(said.verb)}, {"by", speaker()}};
+  if (said.verb == operator_words::verb::acknowledge)
+    result["report"] = said.report;
+  return result;
+}
+
 exit_code run_configured(const invocation& asked, const add_more& more) {
   const auto configuration = effective_configuration(asked.options, godwit_variables());
   if (!configuration)
@@ -63,6 +82,10 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
     return ask_running(*configuration, {{"do", "status"}}, asked.json, status_text);
   case task::retry_outbox:
     return ask_running(*configuration, {{"do", "outbox_retry"}, {"key", asked.outbox_key}}, asked.json, retry_text);
+  case task::say_word:
+    return ask_running(*configuration, question_of(asked.said), asked.json, taken_text);
+  case task::crash_actor:
+    return ask_running(*configuration, {{"do", "crash"}, {"actor", asked.actor}}, asked.json, taken_text);
   default:
     break;
   }
@@ -79,9 +102,6 @@ int run_program(int argc, const char* const* argv, const add_more& more) {
   const auto asked = read_command_line(argc, argv);
   if (!asked)
     return static_cast<int>(asked.error());
-  if (asked->fly)
-    return static_cast<int>(fail(
-        exit_code::usage, "--fly: godwitd does not fly missions yet; it fetches them, keeps the map and delivers"));
   if (asked->what == task::convert)
     return static_cast<int>(run_convert(asked->files, asked->has("allow-partial")));
   return static_cast<int>(run_configured(*asked, more));

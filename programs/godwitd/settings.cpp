@@ -6,6 +6,7 @@
 
 #include "actors/domain/mission/convert/convert.hpp"
 #include "actors/domain/uuid/uuid.hpp"
+#include "io/fields/field_table.hpp"
 #include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {
@@ -92,6 +93,50 @@ checked read_vehicle(const json& vehicle, daemon_settings& to) {
   return {};
 }
 
+checked read_flight(const json& configuration, daemon_settings& to) {
+  const auto& flight = configuration.at("flight");
+  to.flies = !flight.at("ground_run").get<bool>() && !to.once;
+  to.allow_crash = flight.at("allow_crash").get<bool>();
+  to.flight.mission_id = to.mission_id;
+  to.flight.has_service = to.service.has_value();
+  to.flight.start = io::value_of<executor::start_policy>(text(flight, "start")).value();
+  to.flight.arm_on_start = flight.at("arm_on_start").get<bool>();
+  to.flight.own_loiter_radius_m = flight.at("own_loiter_radius_m").get<double>();
+  to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();
+  to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
+  to.flight.checks.battery_margin_percent = flight.at("battery_margin_percent").get<std::int32_t>();
+  if (to.flight.start == executor::start_policy::automatic && !to.flight.arm_on_start)
+    return wrong("start", "automatic starts a flight without a person, and so has to be allowed to arm: set "
+                          "--arm-on-start as well, or leave it on_command");
+  return {};
+}
+
+checked read_failsafe(const json& given, daemon_settings& to) {
+  auto& result = to.failsafe;
+  result.operator_link = io::value_of<failsafe::operator_link_policy>(text(given, "operator_link")).value();
+  result.link_degraded_ms = given.at("link_degraded_ms").get<std::int64_t>();
+  result.link_lost_ms = given.at("link_lost_ms").get<std::int64_t>();
+  result.battery_low_percent = given.at("battery_low_percent").get<std::int32_t>();
+  result.battery_critical_percent = given.at("battery_critical_percent").get<std::int32_t>();
+  result.failsafe_in_manual = given.at("in_manual").get<bool>();
+  to.flight.checks.battery_return_percent = result.battery_low_percent;
+  if (const auto objection = failsafe::objection_to(result))
+    return tl::make_unexpected("failsafe: " + *objection);
+  return {};
+}
+
+checked read_ground(const json& ground, daemon_settings& to) {
+  const auto where = text(ground, "uri");
+  to.ground_key_file = text(ground, "key_file");
+  if (where.empty())
+    return {};
+  auto parsed = io::link::parse_uri(where);
+  if (!parsed)
+    return wrong("ground", parsed.error());
+  to.ground = *std::move(parsed);
+  return {};
+}
+
 void read_map(const json& configuration, daemon_settings& to) {
   const auto& map = configuration.at("map");
   to.map.store.file.path = map_path(configuration);
@@ -115,13 +160,19 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
     return tl::make_unexpected(std::move(source.error()));
   if (auto vehicle = read_vehicle(configuration.at("vehicle"), result); !vehicle)
     return tl::make_unexpected(std::move(vehicle.error()));
+  result.once = configuration.at("sightings").at("once").get<bool>();
+  if (auto flight = read_flight(configuration, result); !flight)
+    return tl::make_unexpected(std::move(flight.error()));
+  if (auto failsafe = read_failsafe(configuration.at("failsafe"), result); !failsafe)
+    return tl::make_unexpected(std::move(failsafe.error()));
+  if (auto ground = read_ground(configuration.at("ground"), result); !ground)
+    return tl::make_unexpected(std::move(ground.error()));
   read_map(configuration, result);
   read_delivery(configuration, result);
   if (const auto objection = mission_client::objection_to(result.client))
     return tl::make_unexpected(*objection);
   result.control_path = control_path(configuration);
   result.sightings_file = text(configuration.at("sightings"), "file");
-  result.once = configuration.at("sightings").at("once").get<bool>();
   return result;
 }
 

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "actors/executor/settings.hpp"
+#include "actors/failsafe/settings.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mission_client/settings.hpp"
 #include "io/http/settings.hpp"
@@ -28,10 +30,16 @@ struct daemon_settings {
   io::link::uri vehicle;
   std::uint8_t vehicle_system = 0;
   std::string signing_key_file; // empty: nothing is signed
+  bool flies = true;            // false: a run on the ground
+  executor::settings flight;
+  failsafe::settings failsafe;
+  std::optional<io::link::uri> ground; // none: no ground station is spoken to
+  std::string ground_key_file;         // empty: nothing is signed there
   mapobjects_store::map_writer_options map;
   std::string control_path;
   std::string sightings_file; // "-": standard input; empty: none
   bool once = false;
+  bool allow_crash = false; // `godwitd ctl crash` is obeyed: for drills
 };
 
 // CONFIGURATION is complete and valid by its schema.

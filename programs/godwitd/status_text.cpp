@@ -38,13 +38,31 @@ std::string vehicle_line(const json& vehicle) {
          in_brackets(text(vehicle, "reason"));
 }
 
+std::string flight_line(const json& flight) {
+  const auto mission = text(flight, "mission_id");
+  auto result = text(flight, "sentence");
+  if (!mission.empty())
+    result += "; mission " + mission + " revision " + number(flight, "revision") + ": " + number(flight, "items_done") +
+              " of " + number(flight, "items") + " items, " + number(flight, "reports") + " reports";
+  if (const auto mode = text(flight, "mode"); !mode.empty())
+    result += "; " + mode + (flight.value("is_armed", false) ? ", armed" : ", disarmed");
+  if (flight.value("preflight_report", 0U) != 0)
+    result += "; preflight report " + number(flight, "preflight_report") + " waits for `ctl ack`";
+  return result;
+}
+
+std::string sightings_line(const json& seen) {
+  return number(seen, "recorded") + " recorded, " + number(seen, "refused") + " refused, " +
+         number(seen, "unreadable") + " unreadable";
+}
+
 struct part_row {
   const char* key;
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {
-    {"run", run_line}, {"service", service_line}, {"map", map_line}, {"vehicle", vehicle_line}};
+constexpr part_row parts[] = {{"run", run_line}, {"flight", flight_line},       {"service", service_line},
+                              {"map", map_line}, {"sightings", sightings_line}, {"vehicle", vehicle_line}};
 
 } // namespace
 
@@ -55,7 +73,7 @@ std::string status_text(const json& answer) {
     if (part == answer.end() || !part->is_object())
       continue;
     result += (result.empty() ? "" : "\n") + std::string(row.key) +
-              std::string(9 - std::char_traits<char>::length(row.key), ' ') +
+              std::string(11 - std::char_traits<char>::length(row.key), ' ') +
               (part->contains("error") && !part->contains("sync") ? text(*part, "error") : row.line(*part));
   }
   return result;

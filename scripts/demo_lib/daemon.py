@@ -5,6 +5,7 @@ import socket
 import subprocess
 
 from demo_lib.children import Child, Trouble, environment
+from demo_lib.restarts import Restarts
 
 ANSWER_S = 5
 
@@ -21,9 +22,11 @@ class Daemon:
             + ["--control", self.socket],
             folder,
         )
+        self.kills = 0
+        self.restarts = Restarts(folder / "trace")
 
     def status(self):
-        """What it tells of itself; None while it does not answer."""
+        """What it tells of itself; empty while it does not answer."""
         try:
             with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
                 connection.settimeout(ANSWER_S)
@@ -31,7 +34,12 @@ class Daemon:
                 connection.sendall(b'{"do": "status"}\n')
                 return json.loads(connection.makefile().readline())
         except (OSError, ValueError):
-            return None
+            return {}
+
+    def kill_and_start(self):
+        self.child.kill()
+        self.kills += 1
+        self.child.start()
 
     def ctl(self, *words):
         """A word of `godwitd ctl`."""

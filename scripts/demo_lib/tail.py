@@ -7,6 +7,7 @@ import math
 
 EARTH_M_PER_DEG = 111_195
 SIDEWAYS_M = (25, -25, 12, -12, 6, -6)
+MARGIN_M = 10  # corners are not flown to the decimetre
 MAX_ID = 64  # characters, as in the schema of items
 
 
@@ -85,14 +86,18 @@ def middle(points):
     return sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points)
 
 
-def detour(before, behind, plane, fences):
+def around(point):
+    return [(point[0] + east, point[1] + north) for east in (-MARGIN_M, MARGIN_M) for north in (-MARGIN_M, MARGIN_M)]
+
+
+def detour(before, behind, fences):
     """A point beside the way from one of BEFORE to one of BEHIND, from and to which each way is free."""
     a, b = middle(before), middle(behind)
     centre = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
     length = math.dist(a, b) or 1
     for offset in SIDEWAYS_M:
         point = (centre[0] - (b[1] - a[1]) / length * offset, centre[1] + (b[0] - a[0]) / length * offset)
-        if all(is_free(each, point, fences) for each in before + behind):
+        if all(is_free(each, corner, fences) for each in before + behind for corner in around(point)):
             return point
     return centre
 
@@ -102,7 +107,7 @@ def other_tail(mission, index, number):
     plane = Plane(mission["return_point"])
     fences = [(each["kind"], [plane.point(corner) for corner in each["vertices"]]) for each in mission["geofences"]]
     flown, rest = mission["items"][: index + 1], mission["items"][index + 1 :]
-    point = detour(first_points(flown[::-1], plane), first_points(rest, plane), plane, fences)
+    point = detour(first_points(flown[::-1], plane), first_points(rest, plane), fences)
     look = {
         "id": f"detour-{number}",
         "kind": "waypoint",

@@ -19,12 +19,25 @@ void desk::take(const control_request& asked) {
   case request_kind::outbox_retry:
     retry(asked);
     return;
+  case request_kind::word:
+    say(asked);
+    return;
+  case request_kind::crash:
+    crash(asked);
+    return;
   }
 }
 
 void desk::collect_status(std::uint64_t ticket) {
-  collecting_[ticket] = {{{"ok", true}}, others_.client ? 4 : 3};
-  collect(ticket, "run", others_.run, ground_run::get_run{});
+  auto& half = collecting_[ticket] = {{{"ok", true}}, 2};
+  half.missing +=
+      (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0);
+  if (others_.run)
+    collect(ticket, "run", *others_.run, ground_run::get_run{});
+  if (others_.flight)
+    collect(ticket, "flight", *others_.flight, executor::get_flight{});
+  if (others_.sightings)
+    collect(ticket, "sightings", *others_.sightings, sightings::get_sightings{});
   collect(ticket, "map", others_.store, mapobjects_store::get_map{});
   collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});
   if (others_.client)
@@ -69,6 +82,35 @@ void desk::retry(const control_request& asked) {
       [this, ticket = asked.ticket](const ask_error& why) {
         answer_with(ticket, {{"ok", false}, {"error", "mission_client does not answer: " + why.what + "; ask again"}});
       });
+}
+
+void desk::say(const control_request& asked) {
+  if (!others_.flight) {
+    answer_with(asked.ticket, {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}});
+    return;
+  }
+  ask(
+      *others_.flight, answer_timeout, asked.said,
+      [this, ticket = asked.ticket](const operator_words::answer& answer) {
+        json document{{"ok", answer.is_taken}};
+        if (!answer.is_taken)
+          document["error"] = answer.reason;
+        answer_with(ticket, document);
+      },
+      [this, ticket = asked.ticket](const ask_error& why) {
+        answer_with(ticket, {{"ok", false},
+                             {"error", "the executor does not answer: " + why.what +
+                                           "; ask for the status before you say it again"}});
+      });
+}
+
+void desk::crash(const control_request& asked) {
+  if (!others_.crash)
+    answer_with(asked.ticket, {{"ok", false}, {"error", "crashes are for drills: start godwitd with --allow-crash"}});
+  else if (!others_.crash(asked.key))
+    answer_with(asked.ticket, {{"ok", false}, {"error", "no actor \"" + asked.key + "\" runs"}});
+  else
+    answer_with(asked.ticket, {{"ok", true}});
 }
 
 void desk::answer_with(std::uint64_t ticket, const json& document) {

@@ -7,18 +7,22 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "messages/executor/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "programs/godwitd/control/answer_box.hpp"
 #include "programs/godwitd/control/messages.hpp"
 #include "programs/godwitd/ground_run/handle.hpp"
+#include "programs/godwitd/sightings/messages.hpp"
 #include "runtime/cell.hpp"
 
 namespace godwit::control {
@@ -30,7 +34,10 @@ struct neighbours {
   mission_client::operator_handle client; // none without a service
   mapobjects_store::operator_handle store;
   vehicle_handle vehicle;
-  ground_run::status_handle run;
+  std::optional<ground_run::status_handle> run;       // of a run on the ground
+  std::optional<executor::operator_handle> flight;    // else
+  std::optional<sightings::status_handle> sightings;  // with a flight
+  std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
 };
 
 class desk final : public runtime::cell<desk_handle> {
@@ -52,6 +59,8 @@ private:
   void take(const control_request& asked);
   void collect_status(std::uint64_t ticket);
   void retry(const control_request& asked);
+  void say(const control_request& asked);
+  void crash(const control_request& asked);
   template <class Handle, class Question>
   void collect(std::uint64_t ticket, const char* part, const Handle& who, Question question);
   void put(std::uint64_t ticket, const char* part, nlohmann::json what);

@@ -5,22 +5,32 @@
 #include <string>
 
 #include "io/fields/field_table.hpp"
+#include "messages/operator/types.hpp"
 
 namespace godwit::control {
 
-enum class request_kind { status, outbox_retry };
+enum class request_kind {
+  status,
+  outbox_retry,
+  word, // of an operator
+  crash // an actor, for drills
+};
 
 constexpr auto enum_names(request_kind) {
-  return io::names<request_kind>({{request_kind::status, "status"}, {request_kind::outbox_retry, "outbox_retry"}});
+  return io::names<request_kind>({{request_kind::status, "status"},
+                                  {request_kind::outbox_retry, "outbox_retry"},
+                                  {request_kind::word, "word"},
+                                  {request_kind::crash, "crash"}});
 }
 
 struct control_request {
   std::uint64_t ticket = 0; // whom the answer is for
   request_kind what = request_kind::status;
-  std::string key; // outbox_retry: of one row; empty: all
-  static constexpr auto fields =
-      io::table("control.request", io::field("ticket", &control_request::ticket),
-                io::field("what", &control_request::what), io::field("key", &control_request::key));
+  std::string key;           // outbox_retry: of one row; empty: all. crash: the name of the actor
+  operator_words::word said; // word
+  static constexpr auto fields = io::table(
+      "control.request", io::field("ticket", &control_request::ticket), io::field("what", &control_request::what),
+      io::field("key", &control_request::key), io::field("said", &control_request::said));
 };
 
 } // namespace godwit::control

@@ -1,4 +1,10 @@
-// A line of the control socket: {"do": "status"}, {"do": "outbox_retry", "key": "..."}, {"do": "start"}.
+// A line of the control socket:
+//
+//   {"do": "status"}
+//   {"do": "outbox_retry", "key": "..."}
+//   {"do": "start", "by": "anna"}                    and the other words of messages/operator
+//   {"do": "acknowledge", "by": "anna", "report": 1}
+//   {"do": "crash", "actor": "executor"}
 //
 // Errors: a sentence. Thread: pure.
 #pragma once

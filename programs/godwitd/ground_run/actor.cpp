@@ -34,17 +34,16 @@ actor::behavior_type actor::handlers() {
             has_news_of_vehicle_ = true;
             carry_out(announce{sentence_of(m)});
           }),
-          on<woken>([this](const woken&) { flow(); }),
+          on<woken>([this](const woken&) { flow_->go_on(); }),
           on<tick>([this](const tick&) { look_again(); }),
           on<retry_due>([this](const retry_due&) { carry_out(core_.on_retry()); }),
           on<get_run>([this](const get_run&) {
-            return run_status{mission_id_, core_.now(), feed_ ? feed_->counts() : sighting_counts{}};
+            return run_status{mission_id_, core_.now(), flow_->counts()};
           })};
 }
 
 void actor::started() {
-  if (feed_)
-    feed_->take_back_all();
+  flow_.emplace(feed_, ways_of_flow());
   carry_out(core_.on_start());
   tell_after(tick_period, me(), tick{});
 }
@@ -74,10 +73,7 @@ void actor::carry_out(const look&) {
       [this](const mission_client::service_status& now) { carry_out(core_.on_status(now)); }, [](const ask_error&) {});
 }
 
-void actor::carry_out(const see&) {
-  is_seeing_ = true;
-  flow();
-}
+void actor::carry_out(const see&) { flow_->begin(); }
 
 void actor::carry_out(const push&) { tell(others_->client, mission_client::push_map{mission_id_}); }
 
@@ -107,8 +103,7 @@ void actor::look_again() {
     carry_out(count_owed{});
   if (!has_news_of_vehicle_)
     look_at_vehicle();
-  is_resting_ = false;
-  flow();
+  flow_->look_again();
   tell_after(tick_period, me(), tick{});
 }
 
@@ -125,55 +120,17 @@ void actor::look_at_vehicle() {
       [](const ask_error&) {});
 }
 
-void actor::flow() {
-  if (!is_seeing_)
-    return;
-  while (!is_resting_ && under_way_ < max_under_way) {
-    const auto each = feed_->take();
-    if (!each)
-      break;
-    record(*each);
-  }
-  if (!feed_->is_over())
-    return;
-  is_seeing_ = false;
-  carry_out(core_.on_sightings_over(feed_->counts()));
-}
-
-void actor::record(const daemon::sighting_feed::numbered& each) {
-  ++under_way_;
-  ask(
-      others_->store, answer_timeout, each.seen,
-      [this, number = each.number](const mapobjects_store::sighting_answer& answer) {
-        --under_way_;
-        answered(number, answer);
-        flow();
+daemon::sighting_flow::ways actor::ways_of_flow() {
+  return {
+      [this](const mapobjects_store::sighting& seen, daemon::sighting_flow::taker then, std::function<void()> failed) {
+        ask(others_->store, answer_timeout, seen, std::move(then),
+            [failed = std::move(failed)](const ask_error&) { failed(); });
       },
-      [this, number = each.number](const ask_error&) {
-        --under_way_;
-        feed_->take_back(number);
-        is_resting_ = true;
-      });
-}
-
-void actor::answered(std::uint64_t number, const mapobjects_store::sighting_answer& answer) {
-  switch (answer.failure) {
-  case map_failure::none:
-    feed_->settle(number, true);
-    return;
-  case map_failure::busy:
-    feed_->take_back(number);
-    is_resting_ = true;
-    return;
-  case map_failure::broken:
-    is_seeing_ = false;
-    carry_out(core_.on_map_broken(answer.error));
-    return;
-  default:
-    feed_->settle(number, false);
-    if (feed_->counts().refused <= max_told_refusals)
-      carry_out(announce{"a sighting is refused: " + answer.error, true});
-  }
+      [this](std::string sentence) {
+        carry_out(announce{std::move(sentence), true});
+      },
+      [this] { carry_out(core_.on_sightings_over(flow_->counts())); },
+      [this](const std::string& error) { carry_out(core_.on_map_broken(error)); }};
 }
 
 // There is no plan on the vehicle that could be changed. The key follows from the assignment, so that turning it down

@@ -1,9 +1,8 @@
 // The run on the ground as an actor: stands in the place of what flies the mission, listens to mission_client, and
 // feeds the sightings to the map store.
 //
-// The course is core.hpp's. A sighting is asked again, under the same id, until the store has answered it; those under
-// way are bounded. Nothing of it is durable: see core.hpp. Errors: told to people, or the end of the run. Thread: as
-// cell.
+// The course is core.hpp's, the flow of the sightings sighting_flow's. Nothing of it is durable: see core.hpp. Errors:
+// told to people, or the end of the run. Thread: as cell.
 #pragma once
 
 #include <functional>
@@ -13,7 +12,7 @@
 
 #include "messages/mapobjects_store/handle.hpp"
 #include "programs/godwitd/ground_run/handle.hpp"
-#include "programs/godwitd/sightings/sighting_feed.hpp"
+#include "programs/godwitd/sightings/sighting_flow.hpp"
 #include "runtime/cell.hpp"
 
 namespace godwit::ground_run {
@@ -35,12 +34,8 @@ struct run_world {
 
 class actor final : public runtime::cell<own_handle> {
 public:
-  // More would wait in the store's queue and not in the file.
-  static constexpr std::size_t max_under_way = 128;
   static constexpr std::chrono::seconds tick_period{1};
   static constexpr std::chrono::seconds answer_timeout{10};
-  // Of sightings that the store refuses so many are told one by one; all are counted.
-  static constexpr std::uint64_t max_told_refusals = 10;
 
   // FEED: null without sightings.
   actor(runtime::actor_config& config, runtime::birth born, settings wanted, std::shared_ptr<const neighbours> others,
@@ -64,9 +59,7 @@ private:
   void carry_out(const announce& said) { world_.tell_people(said); }
   void carry_out(const finish& how) { world_.end(how); }
 
-  void flow();
-  void record(const daemon::sighting_feed::numbered& each);
-  void answered(std::uint64_t number, const mapobjects_store::sighting_answer& answer);
+  [[nodiscard]] daemon::sighting_flow::ways ways_of_flow();
   void look_again();
   void look_at_vehicle();
   void turn_down(const mission_client::assignment_arrived& wish);
@@ -77,11 +70,9 @@ private:
   std::shared_ptr<const neighbours> others_;
   std::shared_ptr<daemon::sighting_feed> feed_;
   run_world world_;
-  std::optional<std::int64_t> loaded_ns_; // in this run
-  std::size_t under_way_ = 0;
-  bool is_seeing_ = false;
-  bool is_resting_ = false; // the store was busy: until the next tick
-  bool wants_owed_ = false; // the store did not say what is left
+  std::optional<std::int64_t> loaded_ns_;     // in this run
+  std::optional<daemon::sighting_flow> flow_; // from started() on
+  bool wants_owed_ = false;                   // the store did not say what is left
   bool has_news_of_vehicle_ = false;
 };
 

@@ -9,6 +9,7 @@
 // sighting is passed over, counted and reported by number. Thread: open, start, stop by the owner; the rest from any.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -52,6 +53,10 @@ public:
   void start(waker wake, complainer complain); // once
   void stop();                                 // WAKE is not called any more
 
+  // Closed at first, and while it is nothing is handed out to who asks whether it is open.
+  void set_gate(bool open) { is_gate_open_.store(open); }
+  [[nodiscard]] bool is_gate_open() const { return is_gate_open_.load(); }
+
   // Nothing: come again when woken.
   [[nodiscard]] std::optional<numbered> take();
   void settle(std::uint64_t number, bool is_recorded);
@@ -85,6 +90,7 @@ private:
   bool is_too_long_ = false;
   std::uint64_t line_number_ = 1;
 
+  std::atomic<bool> is_gate_open_{false};
   mutable std::mutex mutex_;
   std::condition_variable room_;
   std::deque<numbered> waiting_;

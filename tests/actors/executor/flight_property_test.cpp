@@ -14,8 +14,8 @@ namespace {
 using mission::progress_kind;
 using tests::flight_world;
 
-enum class trouble { crash, pilot, pause, assignment, reboot, refusal };
-constexpr int kinds_of_trouble = 6;
+enum class trouble { crash, pilot, pause, assignment, reboot, refusal, crash_of_failsafe, kill, silence };
+constexpr int kinds_of_trouble = 9;
 constexpr int most_troubles = 6;
 
 std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality::px4 ? 0x00030000 : 0; }
@@ -24,7 +24,7 @@ class random_flight {
 public:
   explicit random_flight(std::uint64_t seed)
       : dice_(seed), who_(static_cast<sim::personality>(dice_() % 3)), mission_(tests::short_mission(who_)),
-        world_({.who = who_, .start = start_policy::automatic, .arm_on_start = true, .speed = 10}) {}
+        world_(any_world(dice_, who_)) {}
 
   void fly() {
     world_.load(mission_);
@@ -40,6 +40,8 @@ public:
       help();
     }
     judge();
+    if (is_over())
+      judge_items();
   }
 
   [[nodiscard]] std::string story() const { return did_ + world_.story(); }
@@ -52,19 +54,48 @@ public:
 private:
   [[nodiscard]] bool is_waiting_for_person() const { return world_.durable().standing.now == phase::paused; }
 
+  // Half of the lines lose, double and reorder frames.
+  static flight_world::options any_world(std::mt19937_64& dice, sim::personality who) {
+    flight_world::options result{.who = who, .start = start_policy::automatic, .arm_on_start = true, .speed = 10};
+    result.seed = dice();
+    if (dice() % 2 == 0)
+      return result;
+    result.lost = 0.01 * static_cast<double>(dice() % 11);
+    result.doubled = 0.01 * static_cast<double>(dice() % 11);
+    result.most_delay_ms = 1 + static_cast<std::int64_t>(dice() % 90); // its clock is ten times as fast: just below what
+                                                                       // would be a restart
+    return result;
+  }
+
+  // Dies and comes back; nothing starts or returns because of it.
+  template <class Crash>
+  void crash(Crash die) {
+    const auto starts = starts_so_far();
+    const auto reactions = world_.reactions().size();
+    const bool was_under_way = world_.durable().standing.in_flight;
+    die();
+    world_.run_for(1);
+    if (was_under_way) {
+      EXPECT_EQ(starts_so_far(), starts) << "a restart starts nothing\n" << story();
+    }
+    EXPECT_EQ(world_.reactions().size(), reactions) << "a restart brings nothing home\n" << story();
+  }
+
   void make(trouble what) {
     did_ += std::to_string(world_.now_ns() / 1'000'000) + " ms: " + std::to_string(static_cast<int>(what)) + "\n";
     switch (what) {
-    case trouble::crash: {
-      const auto starts = starts_so_far();
-      const bool was_under_way = world_.durable().standing.in_flight;
-      world_.crash();
-      world_.run_for(1);
-      if (was_under_way) {
-        EXPECT_EQ(starts_so_far(), starts) << "a restart starts nothing\n" << story();
-      }
+    case trouble::crash:
+      crash([this] { world_.crash(); });
       break;
-    }
+    case trouble::crash_of_failsafe:
+      crash([this] { world_.crash_failsafe(); });
+      break;
+    case trouble::kill:
+      crash([this] { world_.crash_all(); });
+      break;
+    case trouble::silence:
+      world_.cut_line(0.1 * static_cast<double>(dice_() % 150));
+      break;
     case trouble::pilot:
       take_over();
       break;
@@ -155,6 +186,18 @@ private:
     std::set<std::string> answered;
     for (const auto& each : world_.answers())
       ASSERT_TRUE(answered.insert(each.assignment_id).second) << "one answer to an assignment\n" << story();
+  }
+
+  // All that the mission has is told of, as reached or as skipped.
+  void judge_items() const {
+    if (world_.durable().standing.now != phase::done)
+      return;
+    std::set<std::string> told;
+    for (const auto& each : world_.reports())
+      if (each.kind == progress_kind::reached || each.kind == progress_kind::skipped)
+        told.insert(each.item_id.value_or(""));
+    for (const auto& each : world_.durable().mission->items)
+      EXPECT_TRUE(told.contains(mission::id_of(each))) << mission::id_of(each) << "\n" << story();
   }
 
   std::mt19937_64 dice_;

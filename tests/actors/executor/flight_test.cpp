@@ -159,6 +159,99 @@ TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
+// -- told apart by the reports alone ----------------------------------------------------------------
+
+// A, then B, then home; B is replaced by Z.
+mission::document a_then_b(sim::personality who) {
+  auto result = tests::short_mission(who);
+  const double up_m = who == sim::personality::rover ? 0 : 20;
+  result.items.clear();
+  if (who != sim::personality::rover)
+    result.items.emplace_back(mission::takeoff{"up", 20});
+  result.items.push_back(tests::place("a", 60, 0, up_m));
+  result.items.push_back(tests::place("b", 60, 60, up_m));
+  result.items.push_back(tests::place("end", 0, 60, up_m));
+  return result;
+}
+
+mission::assignment z_instead_of_b(const mission::document& mission) {
+  mission::assignment result;
+  result.assignment_id = "33333333-2222-4333-8444-555555555555";
+  result.base_revision = mission.revision;
+  result.revision = mission.revision + 1;
+  result.replace_after_item_id = "a";
+  result.items = {tests::place("z", 20, 20, mission.items.size() == 3 ? 0 : 20)};
+  return result;
+}
+
+bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
+  return std::any_of(world.reports().begin(), world.reports().end(),
+                     [&](const auto& each) { return each.kind == kind && each.item_id == item; });
+}
+
+// What the service hears of B and Z, and nothing else of the flight: "b reached r1 g2, z reached r2 g3".
+std::vector<std::string> told_of_b_and_z(const flight_world& world) {
+  std::vector<std::string> result;
+  for (const auto& each : world.reports())
+    if (each.kind == progress_kind::reached && (each.item_id == "b" || each.item_id == "z"))
+      result.push_back(*each.item_id + " of revision " + std::to_string(each.revision));
+  return result;
+}
+
+TEST_P(every_vehicle, z_assigned_before_b_was_reached_is_told_apart_by_the_reports) {
+  flight_world world({.who = GetParam()});
+  const auto mission = a_then_b(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "b"); }, 600)) << world.story();
+  world.assign(z_instead_of_b(mission));
+  ASSERT_TRUE(world.run_until([&] { return world.reports().back().kind == progress_kind::complete; }, 600))
+      << world.story();
+  EXPECT_EQ(told_of_b_and_z(world), std::vector<std::string>{"z of revision 2"}) << world.story();
+  ASSERT_EQ(world.answers().size(), 1U);
+  EXPECT_EQ(world.answers().front().response.last_progress->item_id, "b") << "it had started on it" << world.story();
+  EXPECT_EQ(world.answers().front().response.last_progress->kind, progress_kind::started) << world.story();
+}
+
+TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_reports) {
+  flight_world world({.who = GetParam()});
+  const auto mission = a_then_b(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "b"); }, 600)) << world.story();
+  world.assign(z_instead_of_b(mission));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "z"); }, 600)) << world.story();
+  EXPECT_EQ(told_of_b_and_z(world), (std::vector<std::string>{"b of revision 1", "z of revision 2"})) << world.story();
+  ASSERT_EQ(world.answers().size(), 1U);
+  const auto& last = *world.answers().front().response.last_progress;
+  EXPECT_TRUE(last.item_id == "b" || last.item_id == "end") << world.story();
+}
+
+// -- the failsafe -----------------------------------------------------------------------------------
+
+TEST_P(every_vehicle, while_a_failsafe_acts_the_executor_sends_nothing) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+  world.vehicle().set_battery(20, world.now_ns());
+  ASSERT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 60)) << world.story();
+  const auto commands = world.commands().size();
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::failsafe) << world.story();
+  EXPECT_FALSE(world.say(operator_words::verb::resume).is_taken) << "only after a hand-back";
+  world.crash();
+  world.run_for(20);
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+}
+
+TEST_P(every_vehicle, a_fence_of_the_mission_is_watched_from_the_start) {
+  flight_world world({.who = GetParam()});
+  auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 600)) << world.story();
+  EXPECT_TRUE(world.durable().flown);
+  EXPECT_EQ(world.guarded(), mission.geofences) << world.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(each, every_vehicle,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
 

@@ -83,6 +83,8 @@ public:
   [[nodiscard]] const std::vector<std::uint16_t>& commands() const { return commands_; }
   // Those of the failsafe.
   [[nodiscard]] const std::vector<failsafe::command_vehicle>& reactions() const { return reactions_; }
+  // What the failsafe watches over.
+  [[nodiscard]] const std::vector<mission::geofence>& guarded() const { return record_.limits.geofences; }
   [[nodiscard]] int pushes() const { return pushes_; }
   // "waypoint 2 reached, ..." for messages of tests.
   [[nodiscard]] std::string story() const;

@@ -1,0 +1,62 @@
+#include "programs/godwitd/sightings/feeder.hpp"
+
+#include <utility>
+
+namespace godwit::sightings {
+
+using mapobjects_store::map_failure;
+using runtime::ask_error;
+
+feeder::behavior_type feeder::handlers() {
+  return {on<woken>([this](const woken&) { look(); }), on<tick>([this](const tick&) {
+            if (settings_.chooses_mission && !is_chosen_)
+              choose();
+            look();
+            if (has_begun_)
+              flow_->look_again();
+            tell_after(tick_period, me(), tick{});
+          }),
+          on<get_sightings>([this](const get_sightings&) { return flow_->counts(); })};
+}
+
+void feeder::started() {
+  flow_.emplace(feed_, ways_of_flow());
+  tell(me(), tick{});
+}
+
+// What comes after the gate was closed again may wait for the next flight.
+void feeder::look() {
+  const bool is_open = feed_ && feed_->is_gate_open() && (is_chosen_ || !settings_.chooses_mission);
+  if (!is_open || is_broken_)
+    return;
+  if (std::exchange(has_begun_, true))
+    flow_->go_on();
+  else
+    flow_->begin();
+}
+
+void feeder::choose() {
+  ask(
+      store_, answer_timeout, mapobjects_store::choose_mission{settings_.mission_id},
+      [this](const mapobjects_store::map_answer& answer) {
+        is_chosen_ = answer.failure == map_failure::none;
+        if (answer.failure == map_failure::broken && !std::exchange(is_broken_, true))
+          complain_("the map can not be used, and sightings are not recorded: " + answer.error);
+      },
+      [](const ask_error&) {}); // asked again with the next tick
+}
+
+daemon::sighting_flow::ways feeder::ways_of_flow() {
+  return {
+      [this](const mapobjects_store::sighting& seen, daemon::sighting_flow::taker then, std::function<void()> failed) {
+        ask(store_, answer_timeout, seen, std::move(then),
+            [failed = std::move(failed)](const ask_error&) { failed(); });
+      },
+      [this](const std::string& sentence) { complain_(sentence); }, [] {}, // the count of them says it
+      [this](const std::string& error) {
+        is_broken_ = true;
+        complain_("the map can not be used, and sightings are not recorded any more: " + error);
+      }};
+}
+
+} // namespace godwit::sightings

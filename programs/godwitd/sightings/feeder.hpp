@@ -1,0 +1,59 @@
+// The sightings of a flight as an actor: while the gate is open they flow from the feed into the map store.
+//
+// The gate is in the feed, which outlives the incarnations; whoever knows where the flight stands opens and closes it.
+// Without a missions service nobody else tells the map store which mission it is, and so the feeder does. Nothing of it
+// is durable: what was not settled is handed out again. Errors: told to people. Thread: as cell.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "messages/mapobjects_store/handle.hpp"
+#include "programs/godwitd/sightings/messages.hpp"
+#include "programs/godwitd/sightings/sighting_flow.hpp"
+#include "runtime/cell.hpp"
+
+namespace godwit::sightings {
+
+struct feeder_settings {
+  std::string mission_id;
+  bool chooses_mission = false; // there is no service
+};
+
+// May be called by any thread and does not block.
+using complainer = std::function<void(const std::string& sentence)>;
+
+class feeder final : public runtime::cell<feeder_handle> {
+public:
+  static constexpr std::chrono::milliseconds tick_period{500};
+  static constexpr std::chrono::seconds answer_timeout{10};
+
+  // FEED: null without sightings.
+  feeder(runtime::actor_config& config, runtime::birth born, feeder_settings configured, mapobjects_store::handle store,
+         std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
+      : cell(config, std::move(born)), settings_(std::move(configured)), store_(std::move(store)),
+        feed_(std::move(feed)), complain_(std::move(complain)) {}
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+
+private:
+  [[nodiscard]] daemon::sighting_flow::ways ways_of_flow();
+  void look();
+  void choose();
+
+  feeder_settings settings_;
+  mapobjects_store::handle store_;
+  std::shared_ptr<daemon::sighting_feed> feed_;
+  complainer complain_;
+  std::optional<daemon::sighting_flow> flow_; // from started() on
+  bool has_begun_ = false;
+  bool is_chosen_ = false;
+  bool is_broken_ = false;
+};
+
+} // namespace godwit::sightings

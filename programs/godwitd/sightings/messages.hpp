@@ -1,0 +1,28 @@
+// What is said to the feeder. Thread: plain values.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+#include "programs/godwitd/sightings/sighting_counts.hpp"
+#include "runtime/seam.hpp"
+
+namespace godwit::sightings {
+
+// The feed has sightings again, or has ended.
+struct woken {
+  static constexpr auto fields = io::table("sightings.woken");
+};
+
+struct tick {
+  static constexpr auto fields = io::table("sightings.tick");
+};
+
+struct get_sightings {
+  static constexpr auto fields = io::table("sightings.get_sightings");
+};
+
+using waking_handle = runtime::mailbox<runtime::tells<woken>>;
+using status_handle = runtime::mailbox<runtime::asks<get_sightings, daemon::sighting_counts>>;
+using feeder_handle = runtime::mailbox<runtime::tells<woken>, runtime::tells<tick>,
+                                       runtime::asks<get_sightings, daemon::sighting_counts>>;
+
+} // namespace godwit::sightings

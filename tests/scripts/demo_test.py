@@ -1,0 +1,227 @@
+#!/usr/bin/python3
+"""The demo counts doubled and lost reports truthfully, keeps its detours clear of fences, and leaves nothing behind."""
+
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "scripts"))
+sys.dont_write_bytecode = True
+
+from demo_lib import children, faults, restarts, service, sightings, tail, watch  # noqa: E402
+
+MISSION = {"items": [{"id": "up", "kind": "takeoff"}, {"id": "w1", "kind": "waypoint"}]}
+HOME = {"latitude": 47.4, "longitude": 8.5, "altitude_m": 0}
+
+
+def report(number, kind, item=None, generation=1):
+    what = {"report_no": number, "kind": kind, "generation": generation}
+    return {**what, "item_id": item} if item else what
+
+
+FLOWN = [report(1, "started", "up"), report(2, "reached", "up"), report(3, "reached", "w1"), report(4, "complete")]
+
+
+class Doubled(unittest.TestCase):
+    def doubled(self, *reports, deliveries=1):
+        return service.doubled([(each, deliveries) for each in reports])
+
+    def test_a_flight_without_repetitions_has_none(self):
+        self.assertEqual(self.doubled(*FLOWN), 0)
+
+    def test_a_number_that_came_twice_is_one(self):
+        self.assertEqual(self.doubled(report(1, "reached", "up"), deliveries=2), 1)
+
+    def test_the_same_item_of_the_same_plan_under_another_number_is_one(self):
+        self.assertEqual(self.doubled(*FLOWN, report(5, "reached", "w1")), 1)
+
+    def test_an_item_that_begins_again_in_another_plan_is_none(self):
+        self.assertEqual(self.doubled(report(1, "started", "w1"), report(2, "started", "w1", generation=2)), 0)
+
+    def test_a_mission_that_is_complete_twice_is_one_in_any_plan(self):
+        self.assertEqual(self.doubled(report(1, "complete"), report(2, "complete", generation=2)), 1)
+
+
+class Lost(unittest.TestCase):
+    def test_a_whole_flight_has_none(self):
+        self.assertEqual(service.lost(FLOWN, 4, MISSION), 0)
+
+    def test_a_gap_is_one(self):
+        self.assertEqual(service.lost([FLOWN[0], *FLOWN[2:]], 4, {"items": []}), 1)
+
+    def test_what_was_made_and_did_not_come_is_lost(self):
+        self.assertEqual(service.lost(FLOWN[:2], 4, MISSION), 2)
+        self.assertEqual(service.lost([], 3, MISSION), 3)
+
+    def test_an_item_of_a_complete_mission_that_no_report_names_is_one(self):
+        self.assertEqual(service.lost([report(1, "reached", "up"), report(2, "complete")], 2, MISSION), 1)
+
+    def test_an_item_that_was_skipped_is_not_lost(self):
+        reports = [report(1, "skipped", "up"), report(2, "reached", "w1"), report(3, "complete")]
+        self.assertEqual(service.lost(reports, 3, MISSION), 0)
+
+
+def box(west, south, east, north):
+    return [(west, south), (east, south), (east, north), (west, north)]
+
+
+class Ways(unittest.TestCase):
+    def test_a_way_inside_of_an_inclusion_is_free_and_one_out_of_it_is_not(self):
+        fences = [("INCLUSION", box(0, 0, 100, 100))]
+        self.assertTrue(tail.is_free((10, 10), (90, 90), fences))
+        self.assertFalse(tail.is_free((10, 10), (110, 90), fences))
+        self.assertFalse(tail.is_free((110, 10), (110, 90), fences))
+
+    def test_a_way_through_or_in_an_exclusion_is_not_free(self):
+        fences = [("EXCLUSION", box(40, 40, 60, 60))]
+        self.assertFalse(tail.is_free((0, 50), (100, 50), fences))
+        self.assertFalse(tail.is_free((45, 45), (55, 55), fences))
+        self.assertTrue(tail.is_free((0, 30), (100, 30), fences))
+
+    def test_a_way_may_not_leave_a_dented_inclusion_in_between(self):
+        dented = [(0, 0), (100, 0), (100, 100), (50, 10), (0, 100)]
+        self.assertFalse(tail.is_free((5, 80), (95, 80), [("INCLUSION", dented)]))
+
+
+def waypoint(name, east, north):
+    return {"id": name, "kind": "waypoint", "at": {**tail.Plane(HOME).place((east, north)), "altitude_m": 20}}
+
+
+class Tail(unittest.TestCase):
+    def mission(self, *fences):
+        items = [{"id": "up", "kind": "takeoff", "altitude_m": 20}, waypoint("a", 0, 50), waypoint("b", 100, 50)]
+        plane = tail.Plane(HOME)
+        fences = [{"kind": kind, "vertices": [plane.place(at) for at in corners]} for kind, corners in fences]
+        return {"items": [*items, {"id": "home", "kind": "return"}], "geofences": fences, "return_point": HOME}
+
+    def test_a_detour_comes_first_and_then_all_that_was_to_be_flown_under_new_names(self):
+        items = tail.other_tail(self.mission(), 1, 3)
+        self.assertEqual([each["id"] for each in items], ["detour-3", "b-anew-3", "home-anew-3"])
+
+    def test_the_detour_lies_beside_the_way_at_the_height_of_the_way(self):
+        at = tail.other_tail(self.mission(), 1, 1)[0]["at"]
+        east, north = tail.Plane(HOME).point(at)
+        self.assertAlmostEqual(east, 50, delta=0.1)
+        self.assertAlmostEqual(abs(north - 50), 25, delta=0.1)
+        self.assertEqual(at["altitude_m"], 20)
+
+    def test_the_detour_takes_the_side_that_the_fences_leave_free(self):
+        for fence in (box(20, 60, 80, 90), box(20, 10, 80, 40)):
+            at = tail.other_tail(self.mission(("EXCLUSION", fence)), 1, 1)[0]["at"]
+            _, north = tail.Plane(HOME).point(at)
+            self.assertLess(math.dist((0, north), (0, 50)), 26)
+            self.assertFalse(fence[0][1] <= north <= fence[2][1], fence)
+
+    def test_names_keep_the_length_that_the_schema_allows(self):
+        mission = self.mission()
+        mission["items"][2]["id"] = "x" * 64
+        self.assertTrue(all(len(each["id"]) <= 64 for each in tail.other_tail(mission, 1, 1)))
+
+    def test_each_shipped_mission_has_a_free_detour_behind_each_item_that_is_flown(self):
+        for name in ("survey", "delivery", "patrol"):
+            mission = json.loads((ROOT / "missions" / f"{name}.json").read_text(encoding="utf-8"))
+            plane = tail.Plane(mission["return_point"])
+            fences = [(each["kind"], [plane.point(at) for at in each["vertices"]]) for each in mission["geofences"]]
+            items = mission["items"]
+            for index in range(1, len(items) - 1):
+                if items[index]["kind"] in faults.FLOWN and items[index + 1]["kind"] in faults.FLOWN:
+                    at = plane.point(tail.other_tail(mission, index, 1)[0]["at"])
+                    for each in tail.first_points(items[index::-1], plane):
+                        self.assertTrue(tail.is_free(each, at, fences), (name, items[index]["id"]))
+
+
+class Moments(unittest.TestCase):
+    MISSION = {"revision": 1, "items": [{"kind": kind} for kind in ("takeoff", "waypoint", "waypoint", "land")]}
+
+    def is_moment(self, done, **other):
+        flight = {"phase": "flying", "is_armed": True, "revision": 1, "items_done": done, **other}
+        return faults.is_moment(flight, self.MISSION)
+
+    def test_on_the_way_is_one(self):
+        self.assertTrue(self.is_moment(1))
+
+    def test_take_off_and_the_way_to_a_landing_are_none(self):
+        self.assertEqual([self.is_moment(done) for done in (0, 2, 3, 4)], [False] * 4)
+
+    def test_another_phase_or_revision_is_none(self):
+        self.assertFalse(self.is_moment(1, phase="paused"))
+        self.assertFalse(self.is_moment(1, revision=2))
+        self.assertFalse(self.is_moment(1, is_armed=False))
+
+
+class StandingStill(unittest.TestCase):
+    def judge(self, cause):
+        look = watch.Watch(None, [], None)
+        look.stuck_since = -watch.STUCK_S  # longer ago than it may be
+        look.judge({"phase": "paused", "cause": cause, "sentence": "why"})
+
+    def test_a_pause_that_waits_for_a_person_ends_the_demo(self):
+        with self.assertRaisesRegex(children.Trouble, "why"):
+            self.judge("not_done")
+
+    def test_a_pause_that_was_asked_for_does_not(self):
+        self.judge("asked")
+
+
+class Children(unittest.TestCase):
+    def test_one_that_does_not_end_when_asked_is_killed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            command = ["/bin/bash", "-c", "trap '' TERM; echo ready; while :; do sleep 0.05; done"]
+            child = children.Child("stubborn", command, Path(folder))
+            child.wait_for("ready", 10)
+            children.PATIENCE_S, before = 0.2, children.PATIENCE_S
+            self.addCleanup(setattr, children, "PATIENCE_S", before)
+            self.assertEqual(child.end(), -9)
+
+    def test_one_that_ends_by_itself_is_reported_with_what_it_said_last(self):
+        with tempfile.TemporaryDirectory() as folder:
+            child = children.Child("short", ["/bin/bash", "-c", "echo no such port; exit 3"], Path(folder))
+            with self.assertRaisesRegex(children.Trouble, "(?s)ended with 3.*no such port"):
+                child.wait_for("listening", 10)
+
+
+class Pipe(unittest.TestCase):
+    def test_a_reader_that_was_killed_gets_all_lines_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            seen = sightings.Sightings(Path(folder) / "pipe", HOME)
+            self.addCleanup(seen.stop)
+            seen.lines = [b'{"id": 1}\n', b'{"id": 2}\n']
+            seen.again()
+            with open(seen.path, "rb") as reader:
+                self.assertEqual([reader.readline(), reader.readline()], seen.lines)
+
+
+class Trace(unittest.TestCase):
+    EVENT = '{"actor":"executor","message":{"name":"executor","kind":"%s","incarnation":%d,"reason":""}}'
+
+    def test_incarnations_behind_the_first_are_counted_once_while_the_trace_grows(self):
+        with tempfile.TemporaryDirectory() as folder:
+            counted = restarts.Restarts(Path(folder))
+            self.assertEqual(counted.count(), 0)
+            again = self.EVENT % ("up", 2)
+            pieces = [self.EVENT % ("up", 1) + self.EVENT % ("crashed", 1) + again[:60], again[60:], "x" * 1000]
+            with open(Path(folder) / "1.mcap", "a", encoding="utf-8") as record:
+                for piece, count in zip(pieces, (0, 1, 1)):
+                    record.write(piece)
+                    record.flush()
+                    self.assertEqual(counted.count(), count)
+            (Path(folder) / "2.mcap").write_text(self.EVENT % ("up", 3), encoding="utf-8")
+            self.assertEqual(counted.count(), 2)
+
+
+class CommandLine(unittest.TestCase):
+    def test_mistakes_are_refused_before_anything_is_started(self):
+        for words in (("--personality", "plane"), ("--bin", "/nowhere"), ("--speed", "x"), ("now",)):
+            command = ["/usr/bin/python3", "-B", str(ROOT / "scripts/demo"), *words]
+            result = subprocess.run(command, capture_output=True, text=True, timeout=30, check=False)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), words)
+            self.assertIn("usage: demo", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

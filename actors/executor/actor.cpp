@@ -29,7 +29,8 @@ actor::behavior_type actor::handlers() {
       on<mission_client::mission_refused>(
           [this](const mission_client::mission_refused& m) { then(core_->on_refused(m, now())); }),
       on<mission_client::map_pulled>([this](const mission_client::map_pulled& m) { then(core_->on_map(m, now())); }),
-      on<mission_client::change_outcome>([](const mission_client::change_outcome&) {}),
+      on<mission_client::change_outcome>(
+          [this](const mission_client::change_outcome& m) { then(core_->on_change(m, now())); }),
       on<mission_client::assignment_arrived>(
           [this](const mission_client::assignment_arrived& m) { then(core_->on_assignment(m, now())); }),
       on<mission_client::mission_deleted>(
@@ -218,7 +219,9 @@ void actor::let_out(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, mission_client::report_progress> ||
-                      std::is_same_v<M, mission_client::respond_to_assignment>) {
+                      std::is_same_v<M, mission_client::respond_to_assignment> ||
+                      std::is_same_v<M, mission_client::insert_waypoint> ||
+                      std::is_same_v<M, mission_client::replace_tail>) {
           if (others_->client)
             tell(*others_->client, m);
         } else if constexpr (std::is_same_v<M, start_answer>) {

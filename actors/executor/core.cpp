@@ -66,8 +66,8 @@ effects core::advance(instant now) {
   for (bool goes_on = open_notes_ == 0; goes_on;) {
     const auto before = out.size();
     static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out, now) || run_task(out, now) ||
-                      end_flight(out, now) || answer_assignment(out, now) || begin_wished(out, now) ||
-                      prepare(out, now));
+                      end_flight(out, now) || answer_assignment(out, now) || deploy_arrived(out, now) ||
+                      begin_wished(out, now) || prepare(out, now));
     const bool has_notes =
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
@@ -110,7 +110,7 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   view_.take(m, now.now_ns);
   effects out;
-  const progress::current_told told{m};
+  const progress::current_told told{m, !view_.is_armed()};
   if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
     out.emplace_back(note{told});
   return counted(std::move(out));
@@ -241,7 +241,7 @@ effects core::on_station(const start_mission& m, instant now) {
   return counted(std::move(out));
 }
 
-operator_words::answer core::on_operator(const operator_words::word& m, instant) {
+operator_words::answer core::on_operator(const operator_words::word& m, instant now) {
   using operator_words::verb;
   const auto refuse = [](const std::string& why) { return operator_words::answer{false, why}; };
   const bool belongs_to_person = is_in_flight() && is_paused_for_person();
@@ -257,6 +257,11 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant)
   case verb::check:
     wants_checks_ = true;
     return {true, {}};
+  case verb::go_to:
+  case verb::cancel:
+  case verb::insert:
+    return belongs_to_person ? refuse("the vehicle has to be handed back first: " + s_.standing.reason)
+                             : take_change(m, now);
   case verb::start:
     if (s_.standing.now != phase::ready)
       return refuse("the flight is not ready: " + sentence());
@@ -503,6 +508,8 @@ void core::yield(effects& out, pause_cause to, const std::string& why) {
   }
   asked_start_.reset();
   wanted_.reset();
+  wanted_change_.reset();
+  is_held_for_change_ = false;
   is_start_wanted_ = false;
   finishes_intent_ = false;
   if (is_in_flight())
@@ -546,6 +553,9 @@ bool core::run_task(effects& out, instant now) {
 // Disarmed, or down behind the end of the plan; a rover: at the end of its plan.
 bool core::is_down() const {
   const bool is_rover = view_.owner().vehicle == flight::vehicle_class::rover;
+  const bool was_called_home = s_.progress.paused == progress::pause_reason::aborted;
+  if (is_rover && was_called_home && view_.is_in(mode_kind::hold))
+    return true;
   return !view_.is_armed() || (is_plan_finished() && (is_rover || (was_up_ && !view_.is_under_way())));
 }
 
@@ -564,7 +574,8 @@ bool core::end_flight(effects& out, instant now) {
   }
   if (down_since_ns_ == 0)
     down_since_ns_ = now.now_ns;
-  if (!is_plan_finished() && now.now_ns - down_since_ns_ < last_word_within_ns)
+  const bool is_told = is_plan_finished() || s_.progress.paused == progress::pause_reason::aborted;
+  if (!is_told && now.now_ns - down_since_ns_ < last_word_within_ns)
     return false; // how far it came is told after it is down, where the line was silent before
   down_since_ns_ = 0;
   modes_.forget();

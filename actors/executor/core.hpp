@@ -23,6 +23,9 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
 
 #include "actors/executor/effects.hpp"
 #include "actors/executor/mode_watch.hpp"
@@ -92,6 +95,7 @@ public:
   void on_service(const mission_client::service_status& m);
   [[nodiscard]] bool wants_service() const;
   [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m, instant now);
+  [[nodiscard]] effects on_change(const mission_client::change_outcome& m, instant now);
   [[nodiscard]] effects on_deleted(const mission_client::mission_deleted& m, instant now);
   [[nodiscard]] effects on_delivered(const mission_client::mission_settled& m, instant now);
 
@@ -112,6 +116,11 @@ public:
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
 
 private:
+  // At the place to which an operator has sent the vehicle; then the mission is over.
+  static constexpr double stay_s = 3'600;
+  // After so many in a row the policy for refused inserts counts.
+  static constexpr int max_refused_inserts = 3;
+
   // What a restart or a lost answer left open about the vehicle.
   enum class question { none, plan_id, read_back, start };
 
@@ -135,6 +144,26 @@ private:
   void recover_on_ground(effects& out);
   void recover_in_flight(effects& out);
   void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
+
+  // core_changes.cpp
+  struct wished_change {
+    change_kind kind = change_kind::go_to;
+    std::optional<std::string> after_item_id; // absent: in front of all items
+    std::vector<mission::item> items;
+    std::vector<mission::item> set_aside;
+  };
+  using change_or_reason = tl::expected<wished_change, std::string>;
+  [[nodiscard]] operator_words::answer take_change(const operator_words::word& m, instant now);
+  [[nodiscard]] change_or_reason wish_to_go(const mission::position& to, instant now) const;
+  [[nodiscard]] change_or_reason wish_to_cancel() const;
+  [[nodiscard]] change_or_reason wish_to_insert(const operator_words::word& m) const;
+  [[nodiscard]] tl::expected<mission::document, std::string> changed(const wished_change& wish) const;
+  [[nodiscard]] std::string why_not_changed(const wished_change& wish, instant now) const;
+  [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
+                                                                            instant now) const;
+  [[nodiscard]] bool begin_change(effects& out, instant now);
+  void drop_change(effects& out, const std::string& why);
+  [[nodiscard]] bool deploy_arrived(effects& out, instant now);
 
   // core_tasks.cpp
   void stand_as(effects& out, phase now, bool in_flight);
@@ -189,6 +218,9 @@ private:
   std::optional<start_mission> asked_start_;
   bool is_start_wanted_ = false;    // by an operator
   std::optional<task_kind> wanted_; // by an operator: hold, resume, come home
+  std::optional<wished_change> wanted_change_;
+  bool is_held_for_change_ = false;
+  int refused_inserts_ = 0; // in a row
   bool is_handed_back_ = false;
   bool wants_checks_ = false;
   std::optional<preflight::acknowledged> acknowledged_;

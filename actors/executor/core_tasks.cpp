@@ -285,6 +285,8 @@ bool core::begin_wished(effects& out, instant now) {
           {choose_item{s_.progress.plan->generation.start_sequence}, change_mode{mode_kind::mission}});
     return true;
   }
+  if (wanted_change_)
+    return begin_change(out, now);
   if (wanted_)
     return begin_wanted(out, *std::exchange(wanted_, {}));
   if (asked_start_)
@@ -314,6 +316,11 @@ steps core::going_on_steps() const {
 // The vehicle is held with the new plan; whether it was told where to begin is not known.
 void core::begin_going_on(effects& out) {
   auto way = going_on_steps();
+  if (std::holds_alternative<start_plan>(way.front())) { // a start, which nothing but a person's word may cause
+    stand_paused(out, pause_cause::asked,
+                 "godwit was restarted while it replaced the plan; resume starts the new one");
+    return;
+  }
   if (view_.owner().autopilot == mav_autopilot::ardupilotmega && s_.progress.plan)
     way.insert(way.begin(), choose_item{s_.progress.plan->generation.start_sequence});
   begin(out, task_kind::resume, std::move(way));
@@ -326,6 +333,8 @@ bool core::begin_wanted(effects& out, task_kind what) {
     stand(out, phase::connected);
     return true;
   }
+  if (s_.change) // an operator who says something else waits for the service no longer
+    out.emplace_back(note{change_settled{s_.change->key, false}});
   if (what == task_kind::hold)
     begin(out, what, {change_mode{mode_kind::hold}});
   else if (what == task_kind::resume)
@@ -413,7 +422,8 @@ bool core::prepare(effects& out, instant now) {
     return true;
   }
   const bool starts_itself = settings_.start == start_policy::automatic && settings_.arm_on_start;
-  if (at == phase::ready && starts_itself && !view_.is_under_way()) {
+  const bool stands = !view_.is_under_way() || view_.owner().vehicle == flight::vehicle_class::rover;
+  if (at == phase::ready && starts_itself && stands) {
     begin_start(out, {});
     return true;
   }

@@ -18,11 +18,20 @@ constexpr auto enum_names(start_policy) {
   return io::names<start_policy>({{start_policy::on_command, "on_command"}, {start_policy::automatic, "automatic"}});
 }
 
+// What follows when the service refuses to insert a waypoint, again and again.
+enum class refusal_policy { go_on, come_home };
+
+constexpr auto enum_names(refusal_policy) {
+  return io::names<refusal_policy>({{refusal_policy::go_on, "go_on"}, {refusal_policy::come_home, "come_home"}});
+}
+
 struct settings {
   std::string mission_id; // that the service is asked for; empty: missions come from elsewhere
   bool has_service = true;
   start_policy start = start_policy::on_command;
   bool arm_on_start = false; // else a person arms
+  refusal_policy refused_inserts = refusal_policy::go_on;
+  double fence_margin_m = 10; // of the way to where an operator sends the vehicle
   double own_loiter_radius_m = 80;
   double return_altitude_m = 0;
   preflight::settings checks;

@@ -29,12 +29,26 @@ void give(effects& out, const M& other) {
   out.emplace_back(other);
 }
 
+// With the mission back nothing is set aside any more.
+void settle_change(state& s, bool is_done) {
+  if (!s.change)
+    return;
+  const bool has_mission_back = is_done == (s.change->kind == change_kind::cancel);
+  if (has_mission_back && s.change->kind != change_kind::insert && s.change->sets_aside)
+    s.set_aside.clear();
+  s.change.reset();
+}
+
 // An upload that is over leaves either the new mission or the one before.
 void settle_deployment(state& s, std::uint32_t generation_before) {
   if (s.progress.upload || !s.brings)
     return;
   if (s.progress.last_generation != generation_before) {
     s.mission = s.brings->mission;
+    if (s.arrived && s.arrived->mission_id == s.mission->mission_id && s.arrived->revision <= s.mission->revision)
+      s.arrived.reset();
+    if (s.change && s.mission->revision > s.change->base_revision)
+      settle_change(s, true);
     s.flown = std::move(s.brings);
   }
   s.brings.reset();
@@ -56,8 +70,10 @@ effects take(state& s, const M& happened, std::int64_t now_ns) {
   for (const auto& each : progress::handle(s.progress, progress::event(happened), now_ns))
     std::visit([&](const auto& what) { give(out, what); }, each);
   if constexpr (std::is_same_v<M, progress::upload_intended>) {
-    if (happened.assignment)
+    if (happened.assignment) {
       forget_wish(s, happened.assignment->assignment_id);
+      s.set_aside.clear(); // the service wants something else now
+    }
     s.assigned.reset();
   }
   if (was_uploading)
@@ -111,6 +127,33 @@ effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
     s.assigned = happened.assignment;
   }
   return take(s, progress::mission_opened{happened.mission.mission_id, happened.mission.revision}, now_ns);
+}
+
+effects take(state& s, const change_asked& happened, std::int64_t) {
+  s.change = happened.what;
+  s.change->sets_aside = !happened.set_aside.empty() || happened.what.kind == change_kind::cancel;
+  if (!happened.set_aside.empty())
+    s.set_aside = happened.set_aside;
+  const auto& id = s.mission->mission_id;
+  const auto& what = happened.what;
+  if (what.kind == change_kind::insert)
+    return {mission_client::insert_waypoint{
+        id, {what.key, what.base_revision, happened.after_item_id, happened.items.front()}}};
+  return {mission_client::replace_tail{
+      id, {what.key, what.base_revision, happened.after_item_id, happened.items, happened.reason}}};
+}
+
+effects take(state& s, const change_settled& happened, std::int64_t) {
+  if (s.change && s.change->key == happened.key)
+    settle_change(s, happened.is_done);
+  return {};
+}
+
+effects take(state& s, const arrival_refused& happened, std::int64_t) {
+  if (s.arrived && s.arrived->revision == happened.revision)
+    s.arrived.reset();
+  settle_change(s, false);
+  return {};
 }
 
 effects take(state& s, const task_begun& happened, std::int64_t) {

@@ -6,6 +6,7 @@
 //   those of preflight            what operators have to know
 //   mission_arrived, _taken       none
 //   assignment_kept, _rejected    the answer that turns it down
+//   change_asked                  what the service is to change; _settled: none
 //   task_begun, task_ended        none; a task is on the disk before its first word goes to the vehicle
 //   stood                         the flight's new standing, to whoever watches
 //   start_settled                 start_answer to who asked
@@ -94,10 +95,55 @@ struct assignment_rejected {
                 io::field("reason", &assignment_rejected::reason));
 };
 
+// An operator wants other items, and the service numbers the revision that has them.
+enum class change_kind { go_to, cancel, insert };
+
+constexpr auto enum_names(change_kind) {
+  return io::names<change_kind>(
+      {{change_kind::go_to, "go_to"}, {change_kind::cancel, "cancel"}, {change_kind::insert, "insert"}});
+}
+
+struct mission_change {
+  std::string key;
+  change_kind kind = change_kind::go_to;
+  std::int32_t base_revision = 0;
+  bool sets_aside = false; // this one, and no earlier one, has set the rest of the mission aside; or brings it back
+  static constexpr auto fields = io::table(
+      "executor.mission_change", io::field("key", &mission_change::key), io::field("kind", &mission_change::kind),
+      io::field("base_revision", &mission_change::base_revision), io::field("sets_aside", &mission_change::sets_aside));
+};
+
+// The service is told, and answers with change_outcome and the new revision.
+struct change_asked {
+  mission_change what;
+  std::optional<std::string> after_item_id; // absent: in front of all items
+  std::vector<mission::item> items;         // insert: one
+  std::string reason;                       // for people
+  std::vector<mission::item> set_aside;     // go_to: what comes back with cancel
+  static constexpr auto fields =
+      io::table("executor.change_asked", io::field("what", &change_asked::what),
+                io::field("after_item_id", &change_asked::after_item_id), io::field("items", &change_asked::items),
+                io::field("reason", &change_asked::reason), io::field("set_aside", &change_asked::set_aside));
+};
+
+struct change_settled {
+  std::string key;
+  bool is_done = false; // the mission has them now
+  static constexpr auto fields = io::table("executor.change_settled", io::field("key", &change_settled::key),
+                                           io::field("is_done", &change_settled::is_done));
+};
+
 // The service has another mission, or another revision of this one. It waits until what goes on now is over.
 struct mission_arrived {
   mission::document mission;
   static constexpr auto fields = io::table("executor.mission_arrived", io::field("mission", &mission_arrived::mission));
+};
+
+// The mission that has come can not be flown from here.
+struct arrival_refused {
+  std::int32_t revision = 0;
+  static constexpr auto fields =
+      io::table("executor.arrival_refused", io::field("revision", &arrival_refused::revision));
 };
 
 struct task_begun {
@@ -144,6 +190,8 @@ struct state {
   std::vector<mission::assignment> waiting;   // oldest first, bounded by max_waiting
   std::optional<std::string> assigned;        // carried out by the mission, and by no plan yet
   std::optional<std::string> last_assignment; // that was answered, or will be with its upload
+  std::optional<mission_change> change;       // that the service was asked for, and has not settled
+  std::vector<mission::item> set_aside;       // by go_to: what the mission had left
   std::optional<deployment> brings;           // of the upload under way
   std::optional<deployment> flown;            // on the vehicle
   std::optional<task> doing;
@@ -154,7 +202,10 @@ struct state {
 
   static constexpr int version = 1;
   static constexpr auto fields =
-      io::table("executor.state", io::field("mission", &state::mission), io::field("brings", &state::brings),
+      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+                io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
+                io::field("set_aside", &state::set_aside), io::field("brings", &state::brings),
                 io::field("flown", &state::flown), io::field("doing", &state::doing),
                 io::field("last_task", &state::last_task), io::field("standing", &state::standing),
                 io::field("preflight", &state::preflight), io::field("progress", &state::progress));
@@ -169,10 +220,11 @@ struct durable_core {
                    progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
                    progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
                    preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
-                   mission_arrived, mission_taken, assignment_kept, assignment_rejected, task_begun, task_ended, stood,
-                   start_settled, marked>;
+                   mission_arrived, mission_taken, arrival_refused, change_asked, change_settled, assignment_kept,
+                   assignment_rejected, task_begun, task_ended, stood, start_settled, marked>;
   using effect =
-      std::variant<mission_client::report_progress, mission_client::respond_to_assignment, progress::look_at_vehicle,
+      std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
+                   mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                    progress::read_plan_back, progress::settle_start, progress::news, preflight::phase_changed,
                    preflight::report_opened, preflight::acknowledgement_answered, stood, start_answer, marked>;
 

@@ -147,6 +147,21 @@ void actor::carry_out(const wish_to_go& each) {
       });
 }
 
+void actor::carry_out(const word_to_say& each) {
+  const auto then = [this](const effects& wanted) {
+    carry_out(wanted);
+    after_turn();
+  };
+  ask(
+      *others_->executor, current_patience, each.what,
+      [this, then, request = each.request](const operator_words::answer& answer) {
+        then(core_->on_word_answer(request, answer, now()));
+      },
+      [this, then, request = each.request](const runtime::ask_error& why) {
+        then(core_->on_word_failed(request, sentence_for(why.code), now()));
+      });
+}
+
 void actor::carry_out(const operator_link& each) {
   for (const auto& ear : others_->operator_ears)
     tell(ear, each);

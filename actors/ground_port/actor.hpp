@@ -1,9 +1,9 @@
 // The port for ground stations as an actor: the vehicle's role towards them, played for the executor.
 //
 // The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
-// effects: frames to the wire, events to the journal, wishes to the executor, the operator's link to those who listen.
-// A crash loses no line and no queue (they are the port's) and nothing that a station was told; a transfer under way is
-// forgotten, and the station asks again. Thread: as cell.
+// effects: frames to the wire, events to the journal, wishes and words to the executor, the operator's link to those
+// who listen. A crash loses no line and no queue (they are the port's) and nothing that a station was told; a transfer
+// under way is forgotten, and the station asks again. Thread: as cell.
 #pragma once
 
 #include <chrono>
@@ -24,7 +24,7 @@ using io::link::wire;
 
 // So much of what came in is handled in one turn, before other mail has its own.
 inline constexpr int max_chunks_per_turn = 32;
-// The executor's mode change has an answer by then.
+// The executor has answered a wish or a word by then, also where the vehicle changes its mode first.
 inline constexpr std::chrono::seconds current_patience{3};
 
 // Whom the port speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not
@@ -59,6 +59,7 @@ private:
   void carry_out(const transmission& each) { outgoing_.push_back(each); }
   void carry_out(const durable_event& each) { to_commit_.push_back(each); }
   void carry_out(const wish_to_go& each);
+  void carry_out(const word_to_say& each);
   void carry_out(const operator_link& each);
   void after_turn();
   void commit_next();

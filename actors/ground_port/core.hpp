@@ -2,7 +2,7 @@
 //
 //   bytes ──> channel ──frames of stations──> station_table (who is there, is the operator)
 //                          ├────> mission_server (plans up and down)
-//                          ├────> commands: start_ledger, start item, messages and their rates
+//                          ├────> commands: start_ledger, word_ledger, start item, messages and their rates
 //                          └────> parameters, TIMESYNC, PING
 //   what the vehicle says ──> forward_gate ──> stations
 //   what the executor says ──> MISSION_CURRENT, MISSION_ITEM_REACHED, STATUSTEXT
@@ -33,8 +33,10 @@
 #include "actors/ground_port/vehicle_role/current_report.hpp"
 #include "actors/ground_port/vehicle_role/order.hpp"
 #include "actors/ground_port/vehicle_role/param_table.hpp"
+#include "actors/ground_port/word_ledger.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/ground_port/types.hpp"
+#include "messages/operator/types.hpp"
 
 namespace godwit::ground_port {
 
@@ -81,6 +83,8 @@ public:
   [[nodiscard]] effects on_current_answer(std::uint64_t request, const executor::current_answer& m, instant now);
   // The executor did not answer. REASON is a sentence for people.
   [[nodiscard]] effects on_current_failed(std::uint64_t request, const std::string& reason, instant now);
+  [[nodiscard]] effects on_word_answer(std::uint64_t request, const operator_words::answer& m, instant now);
+  [[nodiscard]] effects on_word_failed(std::uint64_t request, const std::string& reason, instant now);
 
   // On the disk now, in this life or an earlier one.
   [[nodiscard]] effects on_durable(const plan_settled& m, instant now);
@@ -129,6 +133,11 @@ private:
   [[nodiscard]] bool set_interval(std::uint32_t id, float interval_us, std::int64_t now_ns);
   void note_foreign_command(turn& t, station& from);
 
+  // core_words.cpp
+  [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
+  void say_word(turn& t, const vehicle_role::order& what);
+  void end_word(turn& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
+
   // core_mission.cpp
   struct current_wish {
     std::optional<vehicle_role::order> by_command; // none: by MISSION_SET_CURRENT
@@ -162,6 +171,7 @@ private:
   forward_gate gate_;
   text_queue texts_;
   start_ledger starts_;
+  word_ledger words_;
   vehicle_role::current_report report_;
   vehicle_role::param_table params_;
 

@@ -1,13 +1,12 @@
 // The part of the core that is about commands of stations.
 //
-// | Command                            | Answer |
-// |------------------------------------|-------------------------------------------------------------------------------|
-// | MISSION_START                      | see vehicle_role/mission_start.hpp and start_ledger.hpp | |
-// DO_SET_MISSION_CURRENT             | out of range DENIED; not running: the start item; running: the executor's     |
-// | REQUEST_MESSAGE, 410, 519, 520     | ACCEPTED and the message; DENIED: not one of ours; FAILED: nothing heard yet |
-// | SET_MESSAGE_INTERVAL               | ACCEPTED, or DENIED for what is not forwarded | | any other to us |
-// UNSUPPORTED; nothing, when all systems are meant                              | | to the autopilot | nothing: it is
-// not us. The station is told once a minute that none is passed  |
+//   MISSION_START                    see vehicle_role/mission_start.hpp and start_ledger.hpp
+//   DO_REPOSITION, _PAUSE_CONTINUE   see word_reading.hpp and word_ledger.hpp
+//   DO_SET_MISSION_CURRENT           out of range DENIED; not running: the start item; running: the executor's
+//   REQUEST_MESSAGE, 410, 519, 520   ACCEPTED and the message; DENIED: not one of ours; FAILED: nothing heard yet
+//   SET_MESSAGE_INTERVAL             ACCEPTED, or DENIED for what is not forwarded
+//   any other to us                  UNSUPPORTED; nothing, when all systems are meant
+//   to the autopilot                 nothing: it is not us. The station is told once a minute that none is passed on
 #include <cmath>
 #include <limits>
 #include <string>
@@ -70,6 +69,9 @@ void core::obey(turn& t, const vehicle_role::order& what, bool is_for_all_system
   switch (what.command) {
   case mavlink::number(mav_cmd::mission_start):
     return start(t, what);
+  case mavlink::number(mav_cmd::do_reposition):
+  case mavlink::number(mav_cmd::do_pause_continue):
+    return say_word(t, what);
   case mavlink::number(mav_cmd::do_set_mission_current): {
     constexpr std::int64_t keep_current = -1;
     const auto index = integer_in(what.param1, keep_current, std::numeric_limits<std::uint16_t>::max());

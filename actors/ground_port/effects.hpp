@@ -10,6 +10,7 @@
 #include "io/mavlink/frame.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/operator_link.hpp"
+#include "messages/operator/types.hpp"
 
 namespace godwit::ground_port {
 
@@ -24,10 +25,16 @@ struct wish_to_go {
   executor::set_current what;
 };
 
+// The same of an operator's word.
+struct word_to_say {
+  std::uint64_t request = 0;
+  operator_words::word what;
+};
+
 // To be made durable. What comes of it is given to on_durable.
 using durable_event = durable_core::event;
 
-using effect = std::variant<transmission, wish_to_go, durable_event, operator_link>;
+using effect = std::variant<transmission, wish_to_go, word_to_say, durable_event, operator_link>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::ground_port

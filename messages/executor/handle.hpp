@@ -20,7 +20,8 @@ namespace godwit::executor {
 
 // What a ground station can cause.
 using station_handle = runtime::mailbox<runtime::tells<start_mission>, runtime::asks<set_current, current_answer>,
-                                        runtime::tells<plan_taken>, runtime::tells<plan_cleared>>;
+                                        runtime::tells<plan_taken>, runtime::tells<plan_cleared>,
+                                        runtime::asks<operator_words::word, operator_words::answer>>;
 
 // What an operator can cause, and see.
 using operator_handle = runtime::mailbox<runtime::asks<operator_words::word, operator_words::answer>,

@@ -5,10 +5,10 @@ import time
 from demo_lib.children import Trouble
 from demo_lib.tail import other_tail
 
-MOMENT_S = 90  # a mission with a landing in the middle has its next moment in the next flight
 OVER_S = 20
+BETWEEN_S = 1  # flown undisturbed before each fault, so that it can be told from the next one
 MAX_TAILS = 3  # the vehicle may reach the next item while an assignment is on its way, and rightly refuse it
-FLOWN = ("waypoint", "loiter", "change_speed", "survey")
+FLOWN = ("waypoint", "loiter", "survey")  # what takes a while
 
 
 def is_moment(flight, mission):
@@ -19,18 +19,24 @@ def is_moment(flight, mission):
     kinds = [item["kind"] for item in mission["items"][done : done + 2]]
     if done == 0 or len(kinds) < 2 or kinds[0] not in FLOWN:
         return False
-    return kinds[0] == "survey" or kinds[1] in FLOWN
+    return kinds[0] == "survey" or kinds[1] in (*FLOWN, "change_speed")
 
 
-def wait_for_moment(watch, service, what):
+def wait_for_moment(watch, service, what, seconds):
+    """(flight, mission). A mission with a landing in the middle may have its next moment in the next flight."""
+    not_before = time.monotonic() + BETWEEN_S
     mission = service.mission()
-    return watch.wait_for(f"a moment for {what}", lambda flight: is_moment(flight, mission), MOMENT_S), mission
+
+    def is_now(flight):
+        return time.monotonic() >= not_before and is_moment(flight, mission)
+
+    return watch.wait_for(f"a moment for {what}", is_now, seconds), mission
 
 
-def reassign(watch, service):
+def reassign(watch, service, seconds):
     """The service replaces what is behind the item that is flown now."""
     for number in range(1, MAX_TAILS + 1):
-        flight, mission = wait_for_moment(watch, service, "another tail")
+        flight, mission = wait_for_moment(watch, service, "another tail", seconds)
         after = mission["items"][flight["items_done"]]["id"]
         tail = other_tail(mission, flight["items_done"], number)
         made = service.assign(after, tail)
@@ -60,8 +66,8 @@ def wait_for_answer(watch, service, assignment_id):
     return answers[-1]
 
 
-def crash_executor(watch, service):
-    flight, _ = wait_for_moment(watch, service, "the crash")
+def crash_executor(watch, service, seconds):
+    flight, _ = wait_for_moment(watch, service, "the crash", seconds)
     before = watch.daemon.restarts.count()
     watch.line.tell("fault: the executor crashes (godwitd ctl crash executor)")
     asked = time.monotonic()
@@ -74,8 +80,8 @@ def crash_executor(watch, service):
     watch.line.tell(f"over: the executor follows the flight again, {time.monotonic() - asked:.1f} s after it")
 
 
-def kill_daemon(watch, service, sightings):
-    flight, _ = wait_for_moment(watch, service, "the kill")
+def kill_daemon(watch, service, seconds, sightings):
+    flight, _ = wait_for_moment(watch, service, "the kill", seconds)
     watch.line.tell("fault: godwitd is killed (SIGKILL), and started again with the same command line")
     asked = time.monotonic()
     watch.daemon.kill_and_start()

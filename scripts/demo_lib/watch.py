@@ -8,6 +8,7 @@ from demo_lib.children import Trouble
 
 PERIOD_S = 0.1
 STUCK_S = 4  # so long a pause that nobody has asked for is looked at before it is called the end
+WIDTHS = (11, 17, 10, 10, 0)  # of the parts of the line, for a terminal of 80 columns
 OVER = ("post_flight", "done", "aborted")
 
 
@@ -41,12 +42,14 @@ class Line:
 
 
 def text_of(flight):
-    parts = [flight["phase"] if flight["cause"] in ("", "none") else f"{flight['phase']} ({flight['cause']})"]
-    parts.append(f"{flight['mode']}, {'armed' if flight['is_armed'] else 'disarmed'}")
-    parts.append(f"item {min(flight['items_done'] + 1, flight['items'])} of {flight['items']}")
-    parts.append(f"{flight['reports']} reports")
-    parts.append(f"revision {flight['revision']}, plan {flight['generation']}")
-    return "  ".join(f"{part:<{width}}" for part, width in zip(parts, (12, 24, 13, 11, 0)))
+    if not flight["mission_id"]:
+        return f"{flight['phase']}, no mission yet"
+    paused = "" if flight["cause"] in ("", "none") else f" ({flight['cause']})"
+    mode = f"{flight['mode']}, {'armed' if flight['is_armed'] else 'disarmed'}" if flight["mode"] else "not heard"
+    item = f"item {min(flight['items_done'] + 1, flight['items'])}/{flight['items']}"
+    last = f"revision {flight['revision']}, plan {flight['generation']}"
+    parts = (flight["phase"] + paused, mode, item, f"{flight['reports']} reports", last)
+    return "  ".join(f"{part:<{width}}" for part, width in zip(parts, WIDTHS))
 
 
 class Watch:

@@ -44,6 +44,9 @@ tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::do
     if (writers.back().ends_on_ground())
       writers.push_back(writer_behind(writers.back(), setting));
     item_planner planner(mission, setting, writers.back());
+    if (const auto altitude_m = take_off_before(mission, i);
+        altitude_m && i == from.item_index && !setting.is_under_way && setting.vehicle == vehicle_class::multirotor)
+      planner.take_off_again(*altitude_m);
     if (auto problem = planner.write(i, i == from.item_index ? from.lines_before : 0))
       return failure(*std::move(problem));
     if (writers.back().size() > max_plan_items)

@@ -48,6 +48,12 @@ std::optional<plan_error> item_planner::write(std::size_t index, std::uint32_t l
   lines_before_ = lines_before;
   const auto& item = mission_.items.at(index);
   writer_.begin_item(mission::id_of(item), static_cast<std::uint32_t>(index));
+  if (take_off_first_m_) {
+    auto up = writer_.start();
+    up.altitude_m = *take_off_first_m_;
+    writer_.climb_to(up.altitude_m);
+    writer_.add_take_off(takeoff_item(up, setting_));
+  }
   return std::visit([&](const auto& each) { return plan(each); }, item);
 }
 

@@ -54,6 +54,10 @@ public:
   // it can not be said to this vehicle; the plan is of no use then.
   [[nodiscard]] std::optional<plan_error> write(std::size_t index, std::uint32_t lines_before);
 
+  // From now on the item that is written next takes off first, in its own name: the flight that it belongs to was broken
+  // off, and the vehicle stands on the ground. For multirotors, which need no runway.
+  void take_off_again(double altitude_m) { take_off_first_m_ = altitude_m; }
+
 private:
   using outcome = std::optional<plan_error>;
 
@@ -87,6 +91,7 @@ private:
   plan_writer& writer_;
   std::size_t index_ = 0;
   std::uint32_t lines_before_ = 0;
+  std::optional<double> take_off_first_m_;
 };
 
 } // namespace godwit::executor::plan

@@ -51,6 +51,19 @@ std::optional<double> speed_before(const mission::document& mission, std::size_t
   return speed_mps;
 }
 
+std::optional<double> take_off_before(const mission::document& mission, std::size_t index) {
+  for (std::size_t i = index; i < mission.items.size(); ++i) {
+    if (std::holds_alternative<mission::takeoff>(mission.items[i]))
+      return std::nullopt;
+    if (!std::holds_alternative<mission::change_speed>(mission.items[i]))
+      break;
+  }
+  for (std::size_t i = index; i > 0; --i)
+    if (const auto* begin = std::get_if<mission::takeoff>(&mission.items[i - 1]))
+      return begin->altitude_m;
+  return std::nullopt;
+}
+
 bool leads_to_landing(const mission::document& mission, std::size_t index) {
   for (std::size_t i = index + 1; i < mission.items.size(); ++i)
     if (!std::holds_alternative<mission::change_speed>(mission.items[i]))

@@ -19,6 +19,9 @@ namespace godwit::executor::plan {
 // The speed that the items before INDEX have asked for last.
 [[nodiscard]] std::optional<double> speed_before(const mission::document& mission, std::size_t index);
 
+// How high the flight took off that had begun before item INDEX; none where a take-off of its own comes next.
+[[nodiscard]] std::optional<double> take_off_before(const mission::document& mission, std::size_t index);
+
 // Nothing is flown between item INDEX and a landing.
 [[nodiscard]] bool leads_to_landing(const mission::document& mission, std::size_t index);
 

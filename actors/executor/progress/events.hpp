@@ -123,8 +123,10 @@ struct start_ended {
 
 struct current_told {
   io::mavlink::mission_current message;
+  bool is_disarmed = false; // the vehicle flies nothing, whatever its mode (PX4 lands and stays in that of its mission)
   static constexpr auto fields =
-      io::table("executor.progress_current_told", io::field("message", &current_told::message));
+      io::table("executor.progress_current_told", io::field("message", &current_told::message),
+                io::field("is_disarmed", &current_told::is_disarmed));
 };
 
 struct reached_told {

@@ -99,13 +99,19 @@ void follow_armed(turn& t, const mission_current& message) {
     begin(t);
 }
 
+// Whose plan the vehicle holds.
+standing look_for_foreign(turn& t, const mission_current& message) {
+  const auto whose = standing_of(message, *t.s.plan);
+  if (whose == standing::other && !is_settling(t))
+    pause(t, pause_reason::foreign_plan);
+  return whose;
+}
+
 void follow(turn& t, const mission_current& message) {
   if (!t.s.plan || t.s.paused)
     return;
   const auto& plan = *t.s.plan;
-  const auto whose = standing_of(message, plan);
-  if (whose == standing::other && !is_settling(t))
-    pause(t, pause_reason::foreign_plan);
+  const auto whose = look_for_foreign(t, message);
   if (whose != standing::ours || message.seq >= end_sequence(plan.map))
     return;
   if (!plan.generation.is_armed)
@@ -162,8 +168,13 @@ bool may_be_started(const turn& t, const mission_current& message) {
 
 } // namespace
 
+// A vehicle that stands begins nothing: what it says then counts for a plan that it has flown.
 void take(turn& t, const current_told& what) {
-  if (t.s.upload)
+  const bool has_begun = t.s.plan && t.s.plan->generation.is_armed;
+  if (what.is_disarmed && !has_begun) {
+    if (t.s.plan && !t.s.paused && !t.s.upload && !t.s.start)
+      static_cast<void>(look_for_foreign(t, what.message));
+  } else if (t.s.upload)
     follow_during_upload(t, what.message);
   else if (may_be_started(t, what.message))
     hold(t, what.message);

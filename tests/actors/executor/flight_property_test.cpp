@@ -1,4 +1,5 @@
 // Any order of crashes, pilots, pauses, replans and reboots, on every vehicle: what must hold whatever happens.
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <random>
@@ -14,8 +15,8 @@ namespace {
 using mission::progress_kind;
 using tests::flight_world;
 
-enum class trouble { crash, pilot, pause, assignment, reboot, refusal, crash_of_failsafe, kill, silence };
-constexpr int kinds_of_trouble = 9;
+enum class trouble { crash, pilot, pause, assignment, reboot, refusal, crash_of_failsafe, kill, silence, change };
+constexpr int kinds_of_trouble = 10;
 constexpr int most_troubles = 6;
 
 std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality::px4 ? 0x00030000 : 0; }
@@ -35,7 +36,9 @@ public:
       judge();
     }
     for (int i = 0; i < 20 && !is_over(); ++i) {
-      (void)world_.run_until([&] { return is_over() || is_waiting_for_person(); }, 120);
+      (void)world_.run_until(
+          [&] { return is_over() || is_waiting_for_person() || !world_.durable().set_aside.empty(); }, 120);
+      world_.set_changes(mission_client::change_verdict::done);
       judge();
       help();
     }
@@ -62,8 +65,8 @@ private:
       return result;
     result.lost = 0.01 * static_cast<double>(dice() % 11);
     result.doubled = 0.01 * static_cast<double>(dice() % 11);
-    result.most_delay_ms = 1 + static_cast<std::int64_t>(dice() % 90); // its clock is ten times as fast: just below what
-                                                                       // would be a restart
+    result.most_delay_ms = 1 + static_cast<std::int64_t>(dice() % 90); // its clock is ten times as fast: just below
+                                                                       // what would be a restart
     return result;
   }
 
@@ -72,7 +75,10 @@ private:
   void crash(Crash die) {
     const auto starts = starts_so_far();
     const auto reactions = world_.reactions().size();
-    const bool was_under_way = world_.durable().standing.in_flight;
+    const auto& before = world_.durable();
+    // A rover by the MAVLink text takes a new plan in flight with a start; that is what was asked for, then.
+    const bool is_asked_for = !before.waiting.empty() || before.arrived || before.change;
+    const bool was_under_way = before.standing.in_flight && !is_asked_for;
     die();
     world_.run_for(1);
     if (was_under_way) {
@@ -92,6 +98,9 @@ private:
       break;
     case trouble::kill:
       crash([this] { world_.crash_all(); });
+      break;
+    case trouble::change:
+      change();
       break;
     case trouble::silence:
       world_.cut_line(0.1 * static_cast<double>(dice_() % 150));
@@ -148,14 +157,32 @@ private:
     world_.assign(wish);
   }
 
+  // A word of an operator that changes the mission; the service does it, refuses, or is not heard.
+  void change() {
+    using mission_client::change_verdict;
+    world_.set_changes(std::array{change_verdict::done, change_verdict::done, change_verdict::refused,
+                                  change_verdict::unknown}[dice_() % 4]);
+    operator_words::word word;
+    word.verb = std::array{operator_words::verb::go_to, operator_words::verb::insert}[dice_() % 2];
+    const auto at = static_cast<double>(dice_() % 80);
+    word.place =
+        std::get<mission::waypoint>(tests::place("", 40 - at, at, who_ == sim::personality::rover ? 0 : 20)).at;
+    (void)world_.say(word);
+    world_.run_for(static_cast<double>(dice_() % 10));
+  }
+
   // Whoever stands beside it brings it back.
   void help() {
     const auto& at = world_.durable().standing;
+    if (!world_.vehicle().describe().in_air)
+      world_.vehicle().set_battery(100, world_.now_ns());
     if (needs_hand_back(at.cause))
       (void)world_.say(operator_words::verb::hand_back);
     world_.run_for(1);
     if (is_waiting_for_person())
       (void)world_.say(operator_words::verb::resume);
+    if (!world_.durable().set_aside.empty())
+      (void)world_.say(operator_words::verb::cancel);
   }
 
   [[nodiscard]] int starts_so_far() const {

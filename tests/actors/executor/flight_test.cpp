@@ -225,6 +225,133 @@ TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_report
   EXPECT_TRUE(last.item_id == "b" || last.item_id == "end") << world.story();
 }
 
+// -- sent elsewhere by an operator ---------------------------------------------------------------------
+
+operator_words::word go_there(sim::personality who) {
+  operator_words::word result;
+  result.verb = operator_words::verb::go_to;
+  result.place = std::get<mission::waypoint>(tests::place("", -40, -20, who == sim::personality::rover ? 0 : 25)).at;
+  return result;
+}
+
+TEST_P(every_vehicle, sent_elsewhere_it_holds_tells_the_service_and_goes_there) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  const auto answer = world.say(go_there(GetParam()));
+  ASSERT_TRUE(answer.is_taken) << answer.reason;
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
+  const auto& items = world.durable().mission->items;
+  EXPECT_EQ(mission::id_of(items.back()).substr(0, 4), "goto") << world.story();
+  world.run_for(60);
+  EXPECT_FALSE(is_told(world, progress_kind::reached, "w3")) << world.story();
+  EXPECT_EQ(world.durable().standing.now, phase::flying) << "it stays there" << world.story();
+}
+
+TEST_P(every_vehicle, cancel_goes_on_with_the_first_item_that_is_not_done) {
+  flight_world world({.who = GetParam()});
+  const auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  ASSERT_TRUE(world.say(go_there(GetParam())).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
+  world.run_for(3);
+  world.crash();
+  world.run_for(3);
+  const auto answer = world.say(operator_words::verb::cancel);
+  ASSERT_TRUE(answer.is_taken) << answer.reason << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  for (const auto* each : {"w2", "w3"})
+    EXPECT_TRUE(is_told(world, progress_kind::reached, each)) << each << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+  EXPECT_TRUE(world.durable().set_aside.empty());
+}
+
+TEST_P(every_vehicle, where_no_way_leads_is_refused_with_the_reason_and_nothing_changes) {
+  flight_world world({.who = GetParam()});
+  auto mission = tests::short_mission(GetParam());
+  const auto to = *go_there(GetParam()).place;
+  mission::geofence around;
+  around.kind = mission::fence_kind::exclusion;
+  for (const auto& [north, east] : {std::pair(-1, -1), std::pair(-1, 1), std::pair(1, 1), std::pair(1, -1)})
+    around.vertices.push_back({to.latitude + north * 0.0001, to.longitude + east * 0.0001});
+  mission.geofences = {around};
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  const auto answer = world.say(go_there(GetParam()));
+  EXPECT_FALSE(answer.is_taken);
+  EXPECT_NE(answer.reason.find("no way there"), std::string::npos) << answer.reason;
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.durable().mission->revision, 1);
+}
+
+TEST_P(every_vehicle, what_the_service_refuses_leaves_the_vehicle_held_until_it_is_resumed) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  world.set_changes(mission_client::change_verdict::refused);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  ASSERT_TRUE(world.say(go_there(GetParam())).is_taken);
+  world.run_for(10);
+  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_TRUE(world.durable().set_aside.empty()) << "it still has its mission";
+  ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+}
+
+TEST_P(every_vehicle, without_a_service_an_operator_sends_it_elsewhere_all_the_same) {
+  flight_world world({.who = GetParam(), .has_service = false});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  ASSERT_TRUE(world.say(go_there(GetParam())).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
+  world.run_for(20);
+  ASSERT_TRUE(world.say(operator_words::verb::cancel).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_TRUE(is_told(world, progress_kind::reached, "w3")) << world.story();
+}
+
+TEST_P(every_vehicle, a_waypoint_is_inserted_and_the_mission_goes_on_behind_it) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  auto word = go_there(GetParam());
+  word.verb = operator_words::verb::insert;
+  word.after = "w2";
+  const auto answer = world.say(word);
+  ASSERT_TRUE(answer.is_taken) << answer.reason;
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  std::vector<std::string> reached;
+  for (const auto& each : world.reports())
+    if (each.kind == progress_kind::reached)
+      reached.push_back(each.item_id->substr(0, 5));
+  const auto extra = std::find(reached.begin(), reached.end(), "extra");
+  ASSERT_NE(extra, reached.end()) << world.story();
+  EXPECT_EQ(*(extra - 1), "w2") << world.story();
+  EXPECT_EQ(*(extra + 1), "w3") << world.story();
+}
+
+TEST_P(every_vehicle, inserts_that_are_refused_again_and_again_follow_the_policy) {
+  for (const auto policy : {refusal_policy::go_on, refusal_policy::come_home}) {
+    flight_world world({.who = GetParam(), .refused_inserts = policy});
+    world.load(tests::short_mission(GetParam()));
+    world.set_changes(mission_client::change_verdict::refused);
+    ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+    auto word = go_there(GetParam());
+    word.verb = operator_words::verb::insert;
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_TRUE(world.say(word).is_taken) << world.story();
+      world.run_for(0.5);
+    }
+    ASSERT_TRUE(world.run_until(
+        [&] { return world.durable().standing.now == phase::done || world.durable().standing.now == phase::aborted; },
+        600))
+        << world.story();
+    EXPECT_EQ(world.durable().standing.now == phase::aborted, policy == refusal_policy::come_home) << world.story();
+  }
+}
+
 // -- the failsafe -----------------------------------------------------------------------------------
 
 TEST_P(every_vehicle, while_a_failsafe_acts_the_executor_sends_nothing) {

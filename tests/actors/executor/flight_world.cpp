@@ -4,9 +4,12 @@
 #include <type_traits>
 #include <utility>
 
+#include "actors/executor/remaining.hpp"
 #include "actors/failsafe/senses.hpp"
 #include "actors/failsafe/vehicle_words.hpp"
 #include "io/fields/field_table.hpp"
+#include "io/fields/json_text.hpp"
+#include "io/fields/json_value.hpp"
 #include "io/mavlink/messages.hpp"
 #include "runtime/assert.hpp"
 
@@ -58,6 +61,7 @@ flight_world::flight_world(const options& wanted)
   settings_.has_service = wanted.has_service;
   settings_.start = wanted.start;
   settings_.arm_on_start = wanted.arm_on_start;
+  settings_.refused_inserts = wanted.refused_inserts;
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;
   vehicle.speed = wanted.speed;
@@ -106,13 +110,54 @@ void flight_world::assign(const mission::assignment& wish) {
 }
 
 operator_words::answer flight_world::say(operator_words::verb what) {
-  auto answer = core_->on_operator({what, 0, "test"}, now());
+  operator_words::word word;
+  word.verb = what;
+  return say(word);
+}
+
+operator_words::answer flight_world::say(const operator_words::word& what) {
+  auto said = what;
+  said.by = "test";
+  auto answer = core_->on_operator(said, now());
   settle();
   return answer;
 }
 
+// As a missions service does it: another revision, and then the answer.
+void flight_world::change_mission(const std::string& key, const std::optional<std::string>& after,
+                                  const std::vector<mission::item>& items, bool keeps_rest) {
+  mission_client::change_outcome answer{key, change_answer_, {}};
+  auto revised = *state_.mission;
+  if (answer.verdict == mission_client::change_verdict::done) {
+    ++revised.revision;
+    const auto first = executor::first_remaining(revised, after);
+    const std::vector rest(revised.items.begin() + static_cast<std::ptrdiff_t>(first), revised.items.end());
+    revised.items.resize(first);
+    revised.items.insert(revised.items.end(), items.begin(), items.end());
+    if (keeps_rest)
+      revised.items.insert(revised.items.end(), rest.begin(), rest.end());
+  } else {
+    answer.reason = "the service will not have it";
+  }
+  time_.at(time_.now_ns() + 50'000'000, [this, answer, revised] {
+    if (answer.verdict == mission_client::change_verdict::done)
+      load(revised);
+    take(core_->on_change(answer, now()));
+    settle();
+  });
+}
+
+// What a new incarnation finds is what was written: through the form in which it is.
+void flight_world::restore() {
+  const auto written = nlohmann::json::parse(io::to_json(state_));
+  state_ = {};
+  const auto read = io::read_json(written, state_);
+  GODWIT_ASSERT(read.has_value(), "the record can be read");
+}
+
 void flight_world::crash() {
   notes_.clear();
+  restore();
   core_ = std::make_unique<executor::core>(settings_, state_);
   take(core_->on_vehicle(
       vehicle_link::connection_changed{link_->describe(link_now()).phase, link_->describe(link_now()).reason}, now()));
@@ -127,6 +172,7 @@ void flight_world::crash_failsafe() {
 
 void flight_world::crash_all() {
   notes_.clear();
+  restore();
   ++link_age_;
   link_ = new_link();
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
@@ -241,6 +287,10 @@ void flight_world::let_out(const executor::durable_core::effect& each) {
           reports_.push_back(m.report);
         else if constexpr (std::is_same_v<M, mission_client::respond_to_assignment>)
           answers_.push_back(m);
+        else if constexpr (std::is_same_v<M, mission_client::insert_waypoint>)
+          change_mission(m.insert.idempotency_key, m.insert.after_item_id, {m.insert.waypoint}, true);
+        else if constexpr (std::is_same_v<M, mission_client::replace_tail>)
+          change_mission(m.tail.idempotency_key, m.tail.after_item_id, m.tail.items, false);
         else if constexpr (std::is_same_v<M, executor::stood>)
           said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) +
                           (m.reason.empty() ? "" : ": " + m.reason));

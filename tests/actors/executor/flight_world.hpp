@@ -37,6 +37,7 @@ public:
     bool arm_on_start = true;
     double speed = 5; // of the vehicle's world
     bool has_service = true;
+    executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
     failsafe::settings failsafe = {};
     // Of the line between link and vehicle, both ways; of each frame.
     double lost = 0;
@@ -50,7 +51,10 @@ public:
   void load(const mission::document& what);
   void assign(const mission::assignment& wish);
   [[nodiscard]] operator_words::answer say(operator_words::verb what);
-  void crash(); // of the executor; it begins anew at once
+  [[nodiscard]] operator_words::answer say(const operator_words::word& what);
+  // What the service answers to a change, from now on.
+  void set_changes(mission_client::change_verdict answer) { change_answer_ = answer; }
+  void crash(); // of the executor; it begins anew at once, with what its record holds
   void crash_failsafe();
   void crash_all(); // the process: executor, failsafe, and the link to the vehicle
   void cut_line(double seconds);
@@ -124,6 +128,9 @@ private:
   void take(const vehicle_link::observation& each);
   void take(const vehicle_link::announcement& each);
   void let_out(const executor::durable_core::effect& each);
+  void change_mission(const std::string& key, const std::optional<std::string>& after,
+                      const std::vector<mission::item>& items, bool keeps_rest);
+  void restore();
   void hear(std::span<const std::byte> frame);
   [[nodiscard]] executor::house house() const;
 
@@ -153,6 +160,7 @@ private:
   std::vector<std::string> said_;
   std::vector<std::uint16_t> commands_;
   std::vector<failsafe::command_vehicle> reactions_;
+  mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
   int pushes_ = 0;
   int still_ = 0; // steps in which no time passed
 };

@@ -58,14 +58,19 @@ struct executor_record {
   std::vector<executor::start_mission> starts;
   std::vector<std::uint32_t> plans; // by id; 0: cleared
   std::vector<std::uint16_t> wishes;
+  std::vector<operator_words::word> words;
+  std::string objection; // to every word; empty: they are taken
+  bool hears_words = true;
   std::vector<operator_link> operator_news;
   bool answers = true;
   handle port; // whom it answers
 };
 
-using stand_in_handle = runtime::mailbox<
-    runtime::tells<executor::start_mission>, runtime::asks<executor::set_current, executor::current_answer>,
-    runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>, runtime::tells<operator_link>>;
+using stand_in_handle =
+    runtime::mailbox<runtime::tells<executor::start_mission>,
+                     runtime::asks<executor::set_current, executor::current_answer>,
+                     runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>,
+                     runtime::asks<operator_words::word, operator_words::answer>, runtime::tells<operator_link>>;
 
 class stand_in final : public runtime::cell<stand_in_handle> {
 public:
@@ -88,6 +93,12 @@ protected:
             }),
             on<executor::plan_taken>([this](const executor::plan_taken& m) { record_->plans.push_back(m.plan_id); }),
             on<executor::plan_cleared>([this](const executor::plan_cleared&) { record_->plans.push_back(0); }),
+            on_deferred<operator_words::word, operator_words::answer>(
+                [this](const operator_words::word& m, std::uint64_t request) {
+                  record_->words.push_back(m);
+                  if (record_->hears_words)
+                    answer_later(request, operator_words::answer{record_->objection.empty(), record_->objection});
+                }),
             on<operator_link>([this](const operator_link& m) { record_->operator_news.push_back(m); })};
   }
 
@@ -247,6 +258,96 @@ TEST(ground_port_actor, a_disk_that_does_not_write_holds_back_the_acknowledgemen
   EXPECT_TRUE(executor.plans.empty());
   p.world.journal().fail_writes(false);
   EXPECT_NE(p.upload(waypoints(3)), 0U);
+}
+
+// -- words of operators -----------------------------------------------------------------------------
+
+mavlink::command_int go_to_command() {
+  return {.frame = mavlink::number(mavlink::mav_frame::global_relative_alt),
+          .command = mavlink::number(mavlink::mav_cmd::do_reposition),
+          .param1 = -1,
+          .x = 500'000'000,
+          .y = 364'000'000,
+          .z = 30};
+}
+
+TEST(ground_port_actor, a_word_is_asked_of_the_executor_and_answered_as_it_says) {
+  runtime::simulated_disk disk;
+  executor_record executor;
+  process p(disk, executor);
+  p.say(go_to_command());
+  p.world.advance(100ms);
+  ASSERT_EQ(executor.words.size(), 1U);
+  EXPECT_EQ(executor.words[0].verb, operator_words::verb::go_to);
+  EXPECT_EQ(executor.words[0].by, "station 255/190");
+  EXPECT_EQ(executor.words[0].place, (mission::position{50, 36.4, 30}));
+  ASSERT_EQ(p.line->results.size(), 1U);
+  EXPECT_EQ(p.line->results[0].command, 192);
+  EXPECT_EQ(p.line->results[0].result, 0);
+  executor.objection = "the flight is not paused";
+  p.say(test::command(mavlink::mav_cmd::do_pause_continue, 1));
+  p.world.advance(100ms);
+  EXPECT_EQ(executor.words.back().verb, operator_words::verb::resume);
+  EXPECT_EQ(p.line->results.back().result, static_cast<int>(mavlink::mav_result::temporarily_rejected));
+  EXPECT_TRUE(p.line->texts.contains("Continue: the flight is not paused"));
+}
+
+TEST(ground_port_actor, a_word_that_the_executor_does_not_answer_is_rejected_for_now_when_its_patience_ends) {
+  runtime::simulated_disk disk;
+  executor_record executor;
+  executor.hears_words = false;
+  process p(disk, executor);
+  p.say(test::command(mavlink::mav_cmd::do_pause_continue, 0));
+  p.world.advance(current_patience - 100ms);
+  EXPECT_TRUE(p.line->results.empty());
+  p.world.advance(200ms);
+  ASSERT_EQ(p.line->results.size(), 1U);
+  EXPECT_EQ(p.line->results[0].result, static_cast<int>(mavlink::mav_result::temporarily_rejected));
+  EXPECT_TRUE(p.line->texts.contains("Pause: the executor does not answer"));
+  EXPECT_EQ(executor.words.size(), 1U);
+}
+
+TEST(ground_port_actor, without_an_executor_a_word_is_rejected_for_now) {
+  runtime::simulated_disk disk;
+  executor_record executor;
+  process p(disk, executor, false);
+  p.say(test::command(mavlink::mav_cmd::do_pause_continue, 0));
+  p.world.advance(100ms);
+  ASSERT_EQ(p.line->results.size(), 1U);
+  EXPECT_EQ(p.line->results[0].result, static_cast<int>(mavlink::mav_result::temporarily_rejected));
+  EXPECT_TRUE(executor.words.empty());
+}
+
+TEST(ground_port_actor, a_word_whose_acknowledgement_was_lost_is_not_asked_again_when_it_is_repeated) {
+  runtime::simulated_disk disk;
+  executor_record executor;
+  process p(disk, executor);
+  for (int i = 0; i < 4; ++i) {
+    p.say(go_to_command());
+    p.world.advance(500ms);
+  }
+  EXPECT_EQ(executor.words.size(), 1U);
+  ASSERT_EQ(p.line->results.size(), 4U);
+  for (const auto& each : p.line->results)
+    EXPECT_EQ(each.result, 0);
+}
+
+TEST(ground_port_actor, a_word_reaches_the_executor_whatever_crashes_when_the_station_repeats_it) {
+  for (const auto point : points)
+    for (const auto* const who : {"ground_port", "executor"}) {
+      runtime::simulated_disk disk;
+      executor_record executor;
+      process p(disk, executor);
+      p.say(test::command(mavlink::mav_cmd::do_pause_continue, 0));
+      p.world.crash_at(who, point);
+      for (int i = 0; i < 16 && (p.line->results.empty() || p.line->results.back().result != 0); ++i) {
+        p.world.advance(500ms);
+        p.say(test::command(mavlink::mav_cmd::do_pause_continue, 0));
+      }
+      EXPECT_FALSE(executor.words.empty()) << who << ' ' << static_cast<int>(point);
+      ASSERT_FALSE(p.line->results.empty()) << who << ' ' << static_cast<int>(point);
+      EXPECT_EQ(p.line->results.back().result, 0) << who << ' ' << static_cast<int>(point);
+    }
 }
 
 // -- crashes --------------------------------------------------------------------------------------

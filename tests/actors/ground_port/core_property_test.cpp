@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
+#include <set>
 #include <span>
+#include <string>
 
 #include "io/mavlink/ids.hpp"
 #include "tests/actors/ground_port/port_desk.hpp"
@@ -41,6 +45,58 @@ struct happening {
   std::vector<std::uint8_t> payload;
 };
 
+// Mostly one that leads to something: COMMAND_INT and COMMAND_LONG have it at the same place.
+void name_command(std::vector<std::byte>& payload, const happening& h) {
+  constexpr std::array commands{mavlink::mav_cmd::mission_start, mavlink::mav_cmd::do_reposition,
+                                mavlink::mav_cmd::do_pause_continue};
+  const auto which = h.who / 8 % 4U;
+  if (which == commands.size())
+    return;
+  const auto number = mavlink::number(commands.at(which));
+  payload[28] = static_cast<std::byte>(number & 0xFFU);
+  payload[29] = static_cast<std::byte>(number >> 8U);
+  if (h.who < 128)
+    return;
+  // Parameters that can be taken: the default speed, pause or continue, from the first item to the last.
+  const float first = which == 1 ? -1.0F : which == 2 && h.who >= 192 ? 1.0F : 0.0F;
+  std::fill_n(payload.begin(), 16, std::byte{0});
+  std::memcpy(payload.data(), &first, sizeof first);
+  payload[32] &= std::byte{7}; // the frame, or the confirmation
+}
+
+// What the executor has been asked is a word that it can obey.
+void look_at(const operator_words::word& word) {
+  RC_ASSERT(word.by.starts_with("station "));
+  RC_ASSERT(word.place.has_value() == (word.verb == operator_words::verb::go_to));
+  if (!word.place)
+    return;
+  RC_ASSERT(std::abs(word.place->latitude) <= 90);
+  RC_ASSERT(std::abs(word.place->longitude) <= 180);
+  RC_ASSERT(std::isfinite(word.place->altitude_m));
+}
+
+// The executor as far as words go: it answers any of them, also twice.
+struct listener {
+  std::set<std::uint64_t> answered; // requests
+
+  void answer(desk& port, std::uint8_t which) {
+    if (port.words.empty())
+      return;
+    const auto place = which % port.words.size();
+    answered.insert(port.words[place].request);
+    port.executor_says(operator_words::answer{which % 2 == 0, "no"}, place);
+  }
+  void look_at_all(const desk& port) const {
+    std::set<std::string> waiting;
+    for (const auto& each : port.words) {
+      look_at(each.what);
+      if (!answered.contains(each.request))
+        RC_ASSERT(waiting.insert(each.what.by).second); // one of each station
+    }
+    RC_ASSERT(waiting.size() <= word_ledger::max_stations);
+  }
+};
+
 void say(desk& port, const happening& h) {
   const auto id = ids.at(h.what % ids.size());
   const auto* const info = mavlink::find_message(id);
@@ -52,10 +108,8 @@ void say(desk& port, const happening& h) {
     payload[target->second] = std::byte{port_id.system};
     payload[target->second + 1] = std::byte{port_id.component};
   }
-  if (id == 76 && h.what % 2 == 0) { // mostly a start
-    payload[28] = std::byte{0x2C};
-    payload[29] = std::byte{0x01};
-  }
+  if (id == 75 || id == 76)
+    name_command(payload, h);
   const mavlink::frame_buffer frame(id, info->crc_extra, payload, senders.at(h.who % senders.size()), h.what, false);
   port.bytes(io::link::only_peer, frame.span());
 }
@@ -63,18 +117,23 @@ void say(desk& port, const happening& h) {
 RC_GTEST_PROP(ground_port_property, any_story_of_messages_leaves_it_able_to_serve,
               (const std::vector<std::tuple<std::uint8_t, std::uint8_t, std::vector<std::uint8_t>>>& story)) {
   desk port;
+  listener executor;
   port.upload(3);
   for (const auto& [what, who, payload] : story) {
-    if (what >= 250)
+    if (what >= 250) {
       port.crash(what % 2 == 0);
-    else if (what >= 240)
+      executor = {};
+    } else if (what >= 240)
       port.slow_disk();
     else if (what >= 230)
       port.settle_disk();
     else if (what >= 220)
       port.advance(who * ms);
+    else if (what >= 205)
+      executor.answer(port, who);
     else
       say(port, {what, who, payload});
+    executor.look_at_all(port);
   }
   port.settle_disk();
   for (const auto& each : port.frames)

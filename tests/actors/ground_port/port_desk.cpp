@@ -113,6 +113,7 @@ void desk::crash(bool let_out_again) {
   waiting_.clear();
   is_disk_slow_ = false;
   wishes.clear();
+  words.clear();
   now_ns_ += 100 * ms;
   make_core();
   if (let_out_again)
@@ -154,6 +155,8 @@ void desk::carry_out(const effects& wanted) {
       frames.push_back(*out);
     else if (const auto* wish = std::get_if<wish_to_go>(&each))
       wishes.push_back(*wish);
+    else if (const auto* word = std::get_if<word_to_say>(&each))
+      words.push_back(*word);
     else if (const auto* news = std::get_if<operator_link>(&each))
       operator_news.push_back(*news);
     else if (is_disk_slow_)

@@ -59,6 +59,14 @@ public:
   void executor_fails_to_answer(const std::string& reason) {
     carry_out(core_->on_current_failed(wishes.back().request, reason, now()));
   }
+  // To the last word, or to the one with this place among them.
+  void executor_says(const operator_words::answer& m) { executor_says(m, words.size() - 1); }
+  void executor_says(const operator_words::answer& m, std::size_t which) {
+    carry_out(core_->on_word_answer(words.at(which).request, m, now()));
+  }
+  void executor_fails_to_hear(const std::string& reason) {
+    carry_out(core_->on_word_failed(words.back().request, reason, now()));
+  }
   // The answer to the last start that was asked for; started: with the progress that follows it.
   void executor_answers(executor::start_verdict verdict, const std::string& reason = {});
   void link_is(io::link::link_phase phase) { carry_out(core_->on_link({phase, "cut", 0}, now())); }
@@ -118,6 +126,7 @@ public:
   std::vector<executor::plan_taken> taken;
   std::vector<executor::plan_cleared> cleared;
   std::vector<wish_to_go> wishes;
+  std::vector<word_to_say> words;
   std::vector<operator_link> operator_news;
   state disk;
   std::size_t events = 0;

@@ -144,8 +144,8 @@ std::vector<std::string> movements_from(const mission::document& mission, const 
         movements.push_back(each.item_id + ": return");
         continue;
       }
-      for (int i = 0; i < each.sequence_count; ++i) {
-        const auto& item = plan.items.at(static_cast<std::size_t>(each.first_sequence + i));
+      for (std::size_t i = 0; i < each.sequence_count; ++i) {
+        const auto& item = plan.items.at(each.first_sequence + i);
         if (is_nav(item))
           movements.push_back(each.item_id + ": " + text_of(item));
       }
@@ -189,8 +189,8 @@ std::vector<std::pair<std::uint32_t, float>> speeds_of(const std::vector<flight_
   for (const auto& plan : plans) {
     float speed = 0; // a vehicle forgets it with each plan
     for (const auto& each : plan.map.items)
-      for (int i = 0; i < each.sequence_count; ++i) {
-        const auto& item = plan.items.at(static_cast<std::size_t>(each.first_sequence + i));
+      for (std::size_t i = 0; i < each.sequence_count; ++i) {
+        const auto& item = plan.items.at(each.first_sequence + i);
         if (item.command == 178)
           speed = item.param2;
         else if (item.command != 22)

@@ -194,5 +194,18 @@ TEST(builder, a_plan_has_a_bound) {
             "surveys farther apart.");
 }
 
+TEST(builder, a_flight_that_was_broken_off_takes_off_again_from_the_ground_for_its_rest) {
+  const auto setting = small_setting(mav_autopilot::px4);
+  const auto plans = build_plans(small_mission(), setting, {2, 0});
+  ASSERT_TRUE(plans) << plans.error().message();
+  EXPECT_EQ(map_of(plans->front()), "2 corner 0-2, 3 look 3-3, 4 home 4-4");
+  EXPECT_EQ(plans->front().items.front().command, 22) << "NAV_TAKEOFF";
+  EXPECT_FLOAT_EQ(plans->front().items.front().z, 40);
+  auto in_the_air = setting;
+  in_the_air.is_under_way = true;
+  in_the_air.start.altitude_m = 40;
+  EXPECT_NE(build_plans(small_mission(), in_the_air, {2, 0})->front().items.front().command, 22);
+}
+
 } // namespace
 } // namespace godwit::executor::plan

@@ -57,8 +57,9 @@ inline const plan_setting rover = setting_of(vehicle_class::rover, mav_autopilot
 // The commands of a plan in their order, home left out.
 inline std::vector<int> commands_of(const flight_plan& plan) {
   std::vector<int> commands;
-  for (auto i = plan.map.first_sequence; i < plan.items.size(); ++i)
-    commands.push_back(plan.items[i].command);
+  for (const auto& each : plan.items)
+    if (each.seq >= plan.map.first_sequence)
+      commands.push_back(each.command);
   return commands;
 }
 

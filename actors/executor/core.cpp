@@ -279,6 +279,8 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   }
   if (belongs_to_person)
     return refuse("the vehicle has to be handed back first: " + s_.standing.reason);
+  wanted_change_.reset(); // the last word counts
+  is_held_for_change_ = false;
   wanted_ = m.verb == verb::pause ? task_kind::hold : m.verb == verb::resume ? task_kind::resume : task_kind::come_home;
   return {true, {}};
 }

@@ -52,6 +52,7 @@ operator_words::answer core::take_change(const operator_words::word& m, instant 
   if (auto why = why_not_changed(*wish, now); !why.empty())
     return refused(std::move(why));
   wanted_change_ = *std::move(wish);
+  wanted_.reset(); // the last word counts
   return {true, {}};
 }
 

@@ -333,7 +333,7 @@ bool core::begin_wanted(effects& out, task_kind what) {
     stand(out, phase::connected);
     return true;
   }
-  if (s_.change) // an operator who says something else waits for the service no longer
+  if (s_.change && !s_.arrived) // an operator who says something else waits for the service no longer
     out.emplace_back(note{change_settled{s_.change->key, false}});
   if (what == task_kind::hold)
     begin(out, what, {change_mode{mode_kind::hold}});

@@ -47,7 +47,10 @@ actor::behavior_type actor::handlers() {
         then(core_->on_clear(request_id, what, now()));
       }),
       on<cancel_transfer>([this, then](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
-      on<vouch>([this](const vouch& what) { core_->on_vouch(what, now()); }),
+      on<vouch>([this](const vouch& what) {
+        core_->on_vouch(what, now());
+        set_timer();
+      }),
       on<get_connection>([this](const get_connection&) {
         auto result = core_->describe(now());
         result.dropped_in = line_->incoming().dropped_bytes();

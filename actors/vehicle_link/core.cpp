@@ -115,10 +115,13 @@ effects core::on_link(const io::link::link_status& status, instant now) {
   const bool up = status.phase == io::link::link_phase::up;
   reconnects_ = status.reconnects;
   link_reason_ = status.reason;
-  if (!up)
+  if (!up) {
     vehicle_peer_ = io::link::every_peer; // it may come back under another address
-  else if (watch_.phase() == connection_phase::down)
+    call_.end();
+  } else if (watch_.phase() == connection_phase::down) {
     next_beat_ns_ = now.monotonic_ns; // a peer that speaks only to whom it has heard must not wait for us
+    call_.begin(now.monotonic_ns);
+  }
   change_phase(t, watch_.on_transport(up, status.reason));
   return std::move(t.done);
 }
@@ -222,6 +225,7 @@ void core::change_phase(turn& t, const std::optional<connection_changed>& change
     streams_.end();
     return;
   }
+  call_.end();
   const auto& vehicle = *watch_.vehicle();
   if (!transfers_)
     transfers_.emplace(ourselves(), mavlink::sender{vehicle.system, vehicle.component},
@@ -260,6 +264,13 @@ effects core::on_time(instant now) {
   if (transfers_)
     go_on(t, transfers_->on_time(now.monotonic_ns));
   ask_for_streams(t);
+  if (call_.is_due(now.monotonic_ns)) {
+    call_.called(now.monotonic_ns);
+    t.send(mavlink::command_long{.target_system = settings_.watch.system, // 0: whoever is there
+                                 .target_component = mavlink::number(mavlink::mav_component::autopilot1),
+                                 .command = mavlink::number(mavlink::mav_cmd::request_message),
+                                 .param1 = static_cast<float>(mavlink::heartbeat::message_id)});
+  }
   if (now.monotonic_ns >= next_beat_ns_) {
     // Not "one period after the last": a late turn must not shift all later ones.
     const auto period = settings_.heartbeat_ms * ns_per_ms;
@@ -274,13 +285,21 @@ effects core::on_time(instant now) {
   return std::move(t.done);
 }
 
+// What was held back for want of a voucher does not wait for its next turn.
+void core::on_vouch(const vouch& what, instant now) {
+  gate_.on_vouch(what.who, now.monotonic_ns);
+  if (heartbeat_held_back_ && !gate_.missing(now.monotonic_ns))
+    next_beat_ns_ = now.monotonic_ns;
+}
+
 std::int64_t core::next_deadline_ns() const {
   auto result = next_beat_ns_;
   // Nobody is asked for streams while nobody is heard, however long they are overdue.
   const auto streams =
       watch_.phase() == connection_phase::connected ? streams_.next_deadline_ns() : std::optional<std::int64_t>{};
-  for (const auto& each : {watch_.next_deadline_ns(), commands_.next_deadline_ns(), current_.next_deadline_ns(),
-                           streams, transfers_ ? transfers_->next_deadline_ns() : std::nullopt})
+  for (const auto& each :
+       {watch_.next_deadline_ns(), call_.next_deadline_ns(), commands_.next_deadline_ns(), current_.next_deadline_ns(),
+        streams, transfers_ ? transfers_->next_deadline_ns() : std::nullopt})
     result = std::min(result, each.value_or(result));
   return result;
 }

@@ -19,6 +19,7 @@
 #include "actors/vehicle_link/command_ledger.hpp"
 #include "actors/vehicle_link/current_setter.hpp"
 #include "actors/vehicle_link/effects.hpp"
+#include "actors/vehicle_link/first_call.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
 #include "actors/vehicle_link/transfer/client.hpp"
@@ -69,7 +70,7 @@ public:
   [[nodiscard]] effects on_download(std::uint64_t request_id, const download_plan& what, instant now);
   [[nodiscard]] effects on_clear(std::uint64_t request_id, const clear_plan& what, instant now);
   [[nodiscard]] effects on_cancel_transfer(instant now);
-  void on_vouch(const vouch& what, instant now) { gate_.on_vouch(what.who, now.monotonic_ns); }
+  void on_vouch(const vouch& what, instant now);
 
   [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
     return channel_.wanted_reservation(now.wall_ns);
@@ -120,6 +121,7 @@ private:
   current_setter current_;
   stream_keeper streams_;
   voucher_gate gate_;
+  first_call call_;
   std::optional<transfer::client> transfers_; // with the vehicle, once it is known
   std::uint64_t transfer_request_ = 0;        // who asked for the one under way
 

@@ -19,6 +19,7 @@
 // |-------------------------------------------------------------|---------------------------------------|
 // | HEARTBEAT                                                   | once a second, while all vouch for us |
 // | COMMAND_LONG, COMMAND_INT, COMMAND_CANCEL, SET_MODE         | asked for                             |
+// | COMMAND_LONG REQUEST_MESSAGE for HEARTBEAT                  | nobody was heard yet on an open link  |
 // | MISSION_COUNT, _ITEM_INT, _ACK, _REQUEST_LIST, _REQUEST_INT, _CLEAR_ALL | a transfer is asked for   |
 // | MISSION_SET_CURRENT                                         | the vehicle has no DO_SET_MISSION_CURRENT |
 // | REQUEST_DATA_STREAM                                         | SET_MESSAGE_INTERVAL brought nothing   |

@@ -30,15 +30,18 @@ class Child:
 
     def start(self):
         with open(self.log, "ab") as out:
-            # A session of its own: Ctrl-C is for the demo, which then ends its children in order.
-            self.process = subprocess.Popen(
-                self.command,
-                stdin=subprocess.DEVNULL,
-                stdout=out,
-                stderr=subprocess.STDOUT,
-                start_new_session=True,
-                env=environment(),
-            )
+            try:
+                # A session of its own: Ctrl-C is for the demo, which then ends its children in order.
+                self.process = subprocess.Popen(
+                    self.command,
+                    stdin=subprocess.DEVNULL,
+                    stdout=out,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                    env=environment(),
+                )
+            except OSError as error:
+                raise Trouble(f"{self.name} can not be started: {error}") from error
 
     def text(self):
         return self.log.read_text(encoding="utf-8", errors="replace")

@@ -178,6 +178,11 @@ class Children(unittest.TestCase):
             self.addCleanup(setattr, children, "PATIENCE_S", before)
             self.assertEqual(child.end(), -9)
 
+    def test_one_that_can_not_be_started_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(children.Trouble, "absent can not be started"):
+                children.Child("absent", ["/nowhere/absent"], Path(folder))
+
     def test_one_that_ends_by_itself_is_reported_with_what_it_said_last(self):
         with tempfile.TemporaryDirectory() as folder:
             child = children.Child("short", ["/bin/bash", "-c", "echo no such port; exit 3"], Path(folder))

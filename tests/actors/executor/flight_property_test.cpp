@@ -180,9 +180,14 @@ private:
       (void)world_.say(operator_words::verb::hand_back);
     world_.run_for(1);
     if (is_waiting_for_person())
-      (void)world_.say(operator_words::verb::resume);
+      note_answer(world_.say(operator_words::verb::resume));
     if (!world_.durable().set_aside.empty())
-      (void)world_.say(operator_words::verb::cancel);
+      note_answer(world_.say(operator_words::verb::cancel));
+  }
+
+  void note_answer(const operator_words::answer& answer) {
+    if (!answer.is_taken)
+      did_ += std::to_string(world_.now_ns() / 1'000'000) + " ms: refused: " + answer.reason + "\n";
   }
 
   [[nodiscard]] int starts_so_far() const {
@@ -238,10 +243,16 @@ private:
 
 int wanted_flights() { return std::getenv("GODWIT_FULL") != nullptr ? 100'000 : 300; }
 
+// The first seed: GODWIT_SEED, or 1.
+int first_seed() {
+  const char* given = std::getenv("GODWIT_SEED");
+  return given != nullptr ? std::atoi(given) : 1;
+}
+
 TEST(any_flight, keeps_its_promises_whatever_happens) {
   int over = 0;
   const int flights = wanted_flights();
-  for (int seed = 1; seed <= flights; ++seed) {
+  for (int seed = first_seed(); seed < first_seed() + flights; ++seed) {
     random_flight flight(static_cast<std::uint64_t>(seed));
     flight.fly();
     over += flight.is_over() ? 1 : 0;

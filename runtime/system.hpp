@@ -83,6 +83,12 @@ public:
   // A way in for a thread that is not an actor; one for each thread.
   [[nodiscard]] gateway make_gateway(const std::string& name);
 
+  // Each actor has been up once, or was given up.
+  [[nodiscard]] bool has_begun() const { return status_->has_begun.load(); }
+  // The guardian has its turns, and sees no reason to end the process: all essential actors answer their pings.
+  // Between start() and stop().
+  [[nodiscard]] bool is_responsive();
+
   [[nodiscard]] std::uint64_t restarts() const { return status_->restarts.load(); }
   [[nodiscard]] address_counters counters(std::size_t child) const {
     return address_of(children_[child].address).counters();

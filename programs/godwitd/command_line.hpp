@@ -13,7 +13,7 @@
 
 namespace godwit::daemon {
 
-enum class task { run, list_outbox, convert, ask_status, retry_outbox };
+enum class task { run, check_config, list_outbox, convert, ask_status, retry_outbox };
 
 struct invocation {
   task what = task::run;

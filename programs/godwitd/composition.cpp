@@ -30,9 +30,8 @@ constexpr runtime::child_policy replaceable{};
 
 } // namespace
 
-tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted,
-                                                                          sim::line_printer& printer) {
-  std::unique_ptr<composition> result(new composition(std::move(wanted), printer));
+tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted, program_log& log) {
+  std::unique_ptr<composition> result(new composition(std::move(wanted), log));
   if (auto opened = result->open_files(); !opened)
     return tl::make_unexpected(std::move(opened.error()));
   result->add_actors();
@@ -86,9 +85,10 @@ checked composition::load_mission() {
   announce({"mission " + mission.mission_id + " from " + wanted_.mission_file + ": " +
                 std::to_string(mission.items.size()) + " items, " + std::to_string(mission.geofences.size()) +
                 " geofences",
-            false});
+            false},
+           "mission_file");
   if (!loaded->losses.empty())
-    announce({"taken without this:\n" + loaded->losses.message(), true});
+    announce({"taken without this:\n" + loaded->losses.message(), true}, "mission_file");
   return {};
 }
 
@@ -166,7 +166,8 @@ void composition::open_vehicle() {
       !opened)
     announce({"the link to the vehicle can not be opened: " + opened.error() +
                   "\ngodwitd goes on without a vehicle; mend it and start godwitd again",
-              true});
+              true},
+             "vehicle_link");
 }
 
 void composition::open_feed() {
@@ -175,7 +176,7 @@ void composition::open_feed() {
   const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("sighting_feed"));
   feed_->start([way_in, run = run_] { way_in->tell(run, ground_run::woken{}); },
                [this](const std::string& sentence) {
-                 announce({sentence, true});
+                 announce({sentence, true}, "sighting_feed");
                });
 }
 
@@ -191,8 +192,8 @@ ground_run::run_world composition::world_of_run() {
           }};
 }
 
-void composition::announce(const ground_run::announce& said) {
-  printer_.push((said.is_warning ? "warning: " : "") + said.sentence);
+void composition::announce(const ground_run::announce& said, std::string_view part) {
+  log_.say(said.is_warning ? log_level::warning : log_level::info, part, said.sentence);
 }
 
 int composition::close(runtime::exit_code code) {

@@ -16,10 +16,10 @@
 #include "actors/vehicle_link/listeners.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/mission/document.hpp"
-#include "programs/godwit-sim/line_printer.hpp"
 #include "programs/godwitd/control/desk.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/ground_run/actor.hpp"
+#include "programs/godwitd/log/program_log.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/sighting_feed.hpp"
@@ -28,9 +28,9 @@ namespace godwit::daemon {
 
 class composition {
 public:
-  // Opens files, and starts nothing. PRINTER outlives it.
+  // Opens files, and starts nothing. LOG outlives it.
   [[nodiscard]] static tl::expected<std::unique_ptr<composition>, std::string> make(daemon_settings wanted,
-                                                                                    sim::line_printer& printer);
+                                                                                    program_log& log);
   composition(const composition&) = delete;
   composition& operator=(const composition&) = delete;
   ~composition() = default;
@@ -48,7 +48,7 @@ public:
   [[nodiscard]] std::optional<run_end::outcome> end_of_run() const { return end_.get(); }
 
 private:
-  composition(daemon_settings wanted, sim::line_printer& printer) : wanted_(std::move(wanted)), printer_(printer) {}
+  composition(daemon_settings wanted, program_log& log) : wanted_(std::move(wanted)), log_(log) {}
 
   [[nodiscard]] tl::expected<void, std::string> open_files();
   [[nodiscard]] tl::expected<void, std::string> load_mission();
@@ -59,10 +59,11 @@ private:
   [[nodiscard]] tl::expected<void, std::string> open_control();
   [[nodiscard]] ground_run::run_world world_of_run();
   [[nodiscard]] ground_run::settings settings_of_run() const;
-  void announce(const ground_run::announce& said);
+  // PART: of whom it is said.
+  void announce(const ground_run::announce& said, std::string_view part = "ground_run");
 
   daemon_settings wanted_;
-  sim::line_printer& printer_;
+  program_log& log_;
   run_end end_;
   io::mavlink::signing_settings signing_;
 

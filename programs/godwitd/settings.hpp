@@ -14,6 +14,8 @@
 #include "actors/mission_client/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
+#include "programs/godwitd/log/log_settings.hpp"
+#include "programs/godwitd/start_ledger.hpp"
 #include "runtime/process.hpp"
 
 namespace godwit::daemon {
@@ -32,6 +34,8 @@ struct daemon_settings {
   std::string control_path;
   std::string sightings_file; // "-": standard input; empty: none
   bool once = false;
+  log_settings log;
+  start_limits restarts;
 };
 
 // CONFIGURATION is complete and valid by its schema.

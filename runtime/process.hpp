@@ -35,6 +35,7 @@ enum class exit_code : int {
   usage = 2,
   essential_given_up = 70, // an essential actor crashed too often: start the process again
   unresponsive = 71,       // an essential actor, or all workers, hang in a handler: start the process again
+  unknown_state = 72,      // what is on disk can not be trusted or read: a person has to look before the next start
 };
 
 [[nodiscard]] exit_code exit_code_for(exit_cause cause);

@@ -124,6 +124,13 @@ bool system::has_stopped() {
   return guardian_gone_;
 }
 
+bool system::is_responsive() {
+  const std::lock_guard guard(mutex_);
+  const auto silent_ns = outside_.time->monotonic_ns() - status_->last_tick_ns.load(std::memory_order_relaxed);
+  return guardian_ && !guardian_gone_ && !exit_request_ &&
+         silent_ns <= std::chrono::nanoseconds(options_.ping.fatal).count();
+}
+
 caf::mailbox_element_ptr kill_message() {
   return caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
                                    caf::exit_msg{caf::actor_addr{}, caf::exit_reason::kill});

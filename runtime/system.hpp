@@ -93,6 +93,12 @@ public:
   // For drills: ends the incarnation of NAME between two messages, as a crash would. False: there is none. Thread: any.
   bool kill_child(std::string_view name);
 
+  // Each actor has been up once, or was given up.
+  [[nodiscard]] bool has_begun() const { return status_->has_begun.load(); }
+  // The guardian has its turns, and sees no reason to end the process: all essential actors answer their pings.
+  // Between start() and stop().
+  [[nodiscard]] bool is_responsive();
+
   [[nodiscard]] std::uint64_t restarts() const { return status_->restarts.load(); }
   [[nodiscard]] address_counters counters(std::size_t child) const {
     return address_of(children_[child].address).counters();

@@ -1,7 +1,6 @@
 #include "actors/ground_port/word_reading.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "io/mavlink/frame_meaning.hpp"
 
@@ -9,11 +8,9 @@ namespace godwit::ground_port {
 
 namespace {
 
-namespace mavlink = io::mavlink;
-
-using io::mavlink::altitude_kind;
-using io::mavlink::mav_cmd;
-using io::mavlink::mav_result;
+using mavlink::altitude_kind;
+using mavlink::mav_cmd;
+using mavlink::mav_result;
 using operator_words::verb;
 using operator_words::word;
 using reading = tl::expected<word, word_refusal>;
@@ -58,7 +55,7 @@ reading read_pause_or_continue(const order& what) {
 reading read_reposition(const order& what, std::optional<double> home_altitude_m) {
   if (!what.is_in_integers)
     return refused(mav_result::command_int_only, what, "it is taken as COMMAND_INT");
-  const auto altitude = io::mavlink::altitude_in(what.frame);
+  const auto altitude = mavlink::altitude_in(what.frame);
   if (!altitude || *altitude == altitude_kind::above_terrain)
     return refused(mav_result::unsupported_mav_frame, what, "frame " + std::to_string(what.frame) + " is not taken");
   if (!is_left_open(what.param1, default_speed))

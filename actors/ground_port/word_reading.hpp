@@ -28,8 +28,10 @@
 
 namespace godwit::ground_port {
 
+namespace mavlink = io::mavlink;
+
 struct word_refusal {
-  io::mavlink::mav_result result = io::mavlink::mav_result::denied;
+  mavlink::mav_result result = mavlink::mav_result::denied;
   std::string text;
 };
 

@@ -5,6 +5,7 @@
 #include <climits>
 #include <utility>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -28,10 +29,20 @@ void line_printer::push(std::string_view line) {
       return;
     }
     if (const auto lost = std::exchange(untold_, 0); lost != 0)
-      waiting_.push_back("(" + std::to_string(lost) + " lines are missing here: they were not read fast enough)\n");
-    waiting_.push_back(std::string(line) + "\n");
+      waiting_.push_back({tell_loss_(lost) + "\n", lost});
+    waiting_.push_back({std::string(line) + "\n", 0});
   }
   changed_.notify_all();
+}
+
+std::string line_printer::plain_loss(std::uint64_t lost) {
+  return "(" + std::to_string(lost) + " lines are missing here: they were not read fast enough)";
+}
+
+bool line_printer::put_file(int opened) {
+  const std::lock_guard lock(writing_);
+  is_torn_ = false;
+  return ::dup3(opened, descriptor_, O_CLOEXEC) >= 0;
 }
 
 std::uint64_t line_printer::dropped() {
@@ -40,39 +51,53 @@ std::uint64_t line_printer::dropped() {
 }
 
 void line_printer::run() {
-  std::string line;
-  while (next(line))
-    if (!write(line))
+  for (entry taken; next(taken);) {
+    const std::lock_guard lock(writing_);
+    const auto how = write(taken.line);
+    if (how == written::nobody_takes)
       return;
+    if (how == written::refused)
+      note_loss(taken);
+  }
 }
 
-bool line_printer::next(std::string& line) {
+bool line_printer::next(entry& taken) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return is_over_ || !waiting_.empty(); });
   if (waiting_.empty())
     return false;
-  line = std::move(waiting_.front());
+  taken = std::move(waiting_.front());
   waiting_.pop_front();
   return true;
 }
 
-bool line_printer::write(std::string_view line) {
-  while (!line.empty()) {
+// The reader has gone away, or the disk is full: nobody waits, and the next line is tried anew.
+void line_printer::note_loss(const entry& taken) {
+  const std::lock_guard lock(mutex_);
+  untold_ += taken.lost == 0 ? 1 : taken.lost;
+  dropped_ += taken.lost == 0 ? 1 : 0;
+}
+
+line_printer::written line_printer::write(std::string_view line) {
+  const auto whole = (is_torn_ ? "\n" : "") + std::string(line);
+  for (std::string_view left = whole; !left.empty();) {
     if (!wait_writable())
-      return false;
-    const auto written = ::write(descriptor_, line.data(), std::min<std::size_t>(line.size(), PIPE_BUF));
-    if (written >= 0)
-      line.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR && errno != EAGAIN)
-      return false; // the reader has gone away, or the disk is full: nobody needs the rest
+      return written::nobody_takes;
+    const auto size = ::write(descriptor_, left.data(), std::min<std::size_t>(left.size(), PIPE_BUF));
+    if (size < 0 && errno != EINTR && errno != EAGAIN)
+      return written::refused;
+    if (size > 0) {
+      left.remove_prefix(static_cast<std::size_t>(size));
+      is_torn_ = !left.empty();
+    }
   }
-  return true;
+  return written::whole;
 }
 
 bool line_printer::wait_writable() {
   for (;;) {
-    pollfd entry{descriptor_, POLLOUT, 0};
-    const int ready = ::poll(&entry, 1, static_cast<int>(patience.count()));
+    pollfd watched{descriptor_, POLLOUT, 0};
+    const int ready = ::poll(&watched, 1, static_cast<int>(patience.count()));
     if (ready > 0)
       return true;
     const std::lock_guard lock(mutex_);

@@ -27,14 +27,17 @@ Examples:
           --mission-id 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42
   godwitd --mission survey.plan --vehicle serial:///dev/ttyAMA0:921600 --ground udpin://0.0.0.0:14555
   godwitd --config godwit.json --sightings seen.ndjson --once
+  godwitd --check-config --config godwit.json
   godwitd --outbox --journal godwit.db
   godwitd ctl status
   godwitd ctl start
   godwitd ctl outbox-retry
   godwitd convert survey.plan survey.json
 
+Signals: SIGTERM and SIGINT end it in order, a second one at once; SIGHUP opens the log file anew.
+
 Exit codes: 0 done, 1 it could not be done, 2 a mistake on the command line or in the configuration, 70 and 71 start it
-again.)";
+again, 72 a person has to look at what is on disk before it is started again.)";
 
 constexpr const char* convert_examples = R"(Formats, by the ending: .json (godwit), .plan (QGroundControl),
 .waypoints and .txt (QGC WPL 110), .geojson.
@@ -59,6 +62,9 @@ void add_options(CLI::App& app, invocation& to) {
              flag, [&to, name](const std::string& text) { to.options[name] = text; }, std::string(row.help))
           ->type_name(std::string(row.type_name));
   }
+  app.add_flag_callback(
+      "--check-config", [&to] { to.what = task::check_config; },
+      "Says what would keep godwitd from starting with this configuration, and ends");
   app.add_flag_callback(
       "--outbox", [&to] { to.what = task::list_outbox; },
       "Lists what is owed to the service, also beside a running godwitd, and ends");

@@ -14,7 +14,7 @@
 
 namespace godwit::daemon {
 
-enum class task { run, list_outbox, convert, ask_status, retry_outbox, say_word, crash_actor };
+enum class task { run, check_config, list_outbox, convert, ask_status, retry_outbox, say_word, crash_actor };
 
 struct invocation {
   task what = task::run;

@@ -38,9 +38,8 @@ constexpr const char* failsafe_name = "failsafe";
 
 } // namespace
 
-tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted,
-                                                                          sim::line_printer& printer) {
-  std::unique_ptr<composition> result(new composition(std::move(wanted), printer));
+tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted, program_log& log) {
+  std::unique_ptr<composition> result(new composition(std::move(wanted), log));
   if (auto opened = result->open_files(); !opened)
     return tl::make_unexpected(std::move(opened.error()));
   result->add_actors();
@@ -102,9 +101,10 @@ checked composition::load_mission() {
   announce({"mission " + mission.mission_id + " from " + wanted_.mission_file + ": " +
                 std::to_string(mission.items.size()) + " items, " + std::to_string(mission.geofences.size()) +
                 " geofences",
-            false});
+            false},
+           "mission_file");
   if (!loaded->losses.empty())
-    announce({"taken without this:\n" + loaded->losses.message(), true});
+    announce({"taken without this:\n" + loaded->losses.message(), true}, "mission_file");
   return {};
 }
 
@@ -177,7 +177,7 @@ void composition::add_flight(control::neighbours& of_desk) {
   feeder_ = actors.add<sightings::feeder>({.name = "sightings"}, replaceable,
                                           sightings::feeder_settings{wanted_.mission_id, service_ == nullptr},
                                           mapobjects_store::handle(store_), feed_, [this](const std::string& sentence) {
-                                            announce({sentence, true});
+                                            announce({sentence, true}, "sightings");
                                           });
   of_executor->vehicle = vehicle_;
   of_executor->failsafe = failsafe_;
@@ -232,7 +232,8 @@ void composition::open_vehicle() {
       !opened)
     announce({"the link to the vehicle can not be opened: " + opened.error() +
                   "\ngodwitd goes on without a vehicle; mend it and start godwitd again",
-              true});
+              true},
+             "vehicle_link");
 }
 
 void composition::open_feed() {
@@ -247,7 +248,7 @@ void composition::open_feed() {
           way_in->tell(run_, ground_run::woken{});
       },
       [this](const std::string& sentence) {
-        announce({sentence, true});
+        announce({sentence, true}, "sighting_feed");
       });
 }
 
@@ -259,7 +260,8 @@ void composition::open_ground() {
       !opened)
     announce({"the line for ground stations can not be opened: " + opened.error() +
                   "\ngodwitd goes on without them; mend it and start godwitd again",
-              true});
+              true},
+             "ground_port");
 }
 
 // The mission of a file is told to whoever flies it, as the service's would be.
@@ -285,7 +287,7 @@ ground_run::run_world composition::world_of_run() {
 
 executor::outside_world composition::world_of_flight() {
   return {[this](const executor::announce& said) {
-            announce({said.sentence, said.is_warning});
+            announce({said.sentence, said.is_warning}, executor_name);
           },
           [this] { return look_at_house(); },
           [this](const executor::stood& standing) {
@@ -293,7 +295,8 @@ executor::outside_world composition::world_of_flight() {
               feed_->set_gate(standing.in_flight);
             announce({"flight: " + std::string(io::name_of(standing.now)) +
                           (standing.reason.empty() ? "" : " (" + standing.reason + ")"),
-                      standing.now == executor::phase::paused});
+                      standing.now == executor::phase::paused},
+                     executor_name);
           }};
 }
 
@@ -312,8 +315,8 @@ executor::house composition::look_at_house() const {
   return result;
 }
 
-void composition::announce(const ground_run::announce& said) {
-  printer_.push((said.is_warning ? "warning: " : "") + said.sentence);
+void composition::announce(const ground_run::announce& said, std::string_view part) {
+  log_.say(said.is_warning ? log_level::warning : log_level::info, part, said.sentence);
 }
 
 int composition::close(runtime::exit_code code) {

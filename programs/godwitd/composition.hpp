@@ -19,10 +19,10 @@
 #include "actors/vehicle_link/listeners.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/mission/document.hpp"
-#include "programs/godwit-sim/line_printer.hpp"
 #include "programs/godwitd/control/desk.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/ground_run/actor.hpp"
+#include "programs/godwitd/log/program_log.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/feeder.hpp"
@@ -31,9 +31,9 @@ namespace godwit::daemon {
 
 class composition {
 public:
-  // Opens files, and starts nothing. PRINTER outlives it.
+  // Opens files, and starts nothing. LOG outlives it.
   [[nodiscard]] static tl::expected<std::unique_ptr<composition>, std::string> make(daemon_settings wanted,
-                                                                                    sim::line_printer& printer);
+                                                                                    program_log& log);
   composition(const composition&) = delete;
   composition& operator=(const composition&) = delete;
   ~composition() = default;
@@ -51,7 +51,7 @@ public:
   [[nodiscard]] std::optional<run_end::outcome> end_of_run() const { return end_.get(); }
 
 private:
-  composition(daemon_settings wanted, sim::line_printer& printer) : wanted_(std::move(wanted)), printer_(printer) {}
+  composition(daemon_settings wanted, program_log& log) : wanted_(std::move(wanted)), log_(log) {}
 
   [[nodiscard]] tl::expected<void, std::string> open_files();
   [[nodiscard]] tl::expected<void, std::string> load_mission();
@@ -68,10 +68,11 @@ private:
   [[nodiscard]] executor::house look_at_house() const;
   [[nodiscard]] ground_run::run_world world_of_run();
   [[nodiscard]] ground_run::settings settings_of_run() const;
-  void announce(const ground_run::announce& said);
+  // PART: of whom it is said.
+  void announce(const ground_run::announce& said, std::string_view part = "ground_run");
 
   daemon_settings wanted_;
-  sim::line_printer& printer_;
+  program_log& log_;
   run_end end_;
   io::mavlink::signing_settings signing_;
   io::mavlink::signing_settings ground_signing_;

@@ -1,44 +1,128 @@
 #include "programs/godwitd/daemon.hpp"
 
+#include <filesystem>
+
 #include <unistd.h>
 
 #include "programs/godwitd/console.hpp"
+#include "programs/godwitd/pulse.hpp"
+#include "programs/godwitd/service_manager.hpp"
+#include "programs/godwitd/start_ledger.hpp"
+#include "programs/godwitd/state_check.hpp"
 #include "programs/godwitd/stop_watch.hpp"
 
 namespace godwit::daemon {
+namespace {
 
 using runtime::exit_code;
 
-exit_code run_daemon(daemon_settings wanted, const add_more& more) {
-  stop_watch stops; // before any thread
-  sim::line_printer printer(STDOUT_FILENO);
-  auto made = composition::make(std::move(wanted), printer);
-  if (!made) {
-    say(made.error());
-    return exit_code::failed;
+constexpr std::string_view part = "godwitd"; // in the log
+
+// Whoever started it sees it on stderr, whoever looks for it later finds it in the log.
+void complain(program_log& log, const std::string& sentence) {
+  say(sentence);
+  if (!log.is_plain())
+    log.say(log_level::error, part, sentence);
+}
+
+service_manager manager_of(program_log& log) {
+  auto found = service_manager::from_environment();
+  if (!found)
+    complain(log, found.error());
+  return found ? *std::move(found) : service_manager();
+}
+
+void reopen(program_log& log) {
+  if (log.file().empty()) {
+    log.say(log_level::info, part, "SIGHUP: nothing to open anew, the log goes to standard output");
+    return;
   }
-  if (more)
-    more(**made);
-  auto& actors = (*made)->host().actors();
+  if (const auto done = log.reopen(); !done)
+    complain(log, done.error() + "; the log goes on where it was");
+  else
+    log.say(log_level::info, part, "the log file is opened anew");
+}
+
+pulse_view view_of(runtime::process& host, program_log& log) {
+  return {[&host] { return host.actors().has_begun(); }, [&host] { return host.actors().is_responsive(); },
+          [&host] { return host.health().entries(); },
+          [&log](const health_change& news) {
+            log.say(news.colour == runtime::health_colour::red ? log_level::warning : log_level::info, news.part,
+                    news.sentence);
+          }};
+}
+
+// Until the end is asked for: by a signal, the run itself or the guardian.
+exit_code wait_for_end(composition& made, program_log& log) {
+  const auto why = made.host().actors().wait_for_exit_request();
+  auto code = runtime::exit_code_for(why.cause);
+  const auto ended = made.end_of_run();
+  if (code == exit_code::ok && ended && !ended->well)
+    code = exit_code::failed;
+  if (code != exit_code::ok)
+    complain(log, ended && !ended->well ? ended->why : why.reason);
+  else if (!ended)
+    log.say(log_level::info, part, "ends: " + why.reason);
+  return code;
+}
+
+// From all parts made to all parts closed.
+exit_code run_made(composition& made, program_log& log, stop_watch& stops, start_ledger& ledger) {
+  const auto manager = manager_of(log);
+  pulse beats(manager, view_of(made.host(), log),
+              made.mission_id().empty() ? std::string() : "mission " + made.mission_id() + ": ");
   const struct before_they_go { // also a signal in the last moment must find them
     stop_watch& stops;
     ~before_they_go() { stops.end(); }
   } guard{stops};
-  stops.start([&actors](const std::string& name) { actors.request_exit({runtime::exit_cause::requested, name}); });
-  if (const auto opened = (*made)->open(); !opened) {
-    say(opened.error());
-    return static_cast<exit_code>((*made)->close(exit_code::failed));
+  stops.start(
+      [&made](const std::string& name) {
+        made.host().actors().request_exit({runtime::exit_cause::requested, name});
+      },
+      [&beats, &log] { beats.around_reload([&log] { reopen(log); }); });
+  auto code = exit_code::failed;
+  if (const auto opened = made.open(); !opened) {
+    complain(log, opened.error());
+  } else {
+    beats.start();
+    code = wait_for_end(made, log);
+    beats.end();
   }
-  const auto why = actors.wait_for_exit_request();
-  auto code = runtime::exit_code_for(why.cause);
-  const auto ended = (*made)->end_of_run();
-  if (code == exit_code::ok && ended && !ended->well)
-    code = exit_code::failed;
-  if (code != exit_code::ok)
-    say(ended && !ended->well ? ended->why : why.reason);
-  else if (!ended)
-    printer.push("ends: " + why.reason);
-  return static_cast<exit_code>((*made)->close(code));
+  manager.tell_stopping();
+  if (code != exit_code::essential_given_up && code != exit_code::unresponsive)
+    ledger.end_in_order(); // while the journal's lock is ours, and so the ledger
+  return static_cast<exit_code>(made.close(code));
+}
+
+} // namespace
+
+exit_code run_daemon(daemon_settings wanted, const add_more& more) {
+  stop_watch stops; // before any thread
+  const auto log = program_log::open(wanted.log, STDOUT_FILENO);
+  if (!log) {
+    say(log.error());
+    return exit_code::failed;
+  }
+  const auto journal = wanted.process.journal.path;
+  const auto map = wanted.map.store.file.path;
+  start_ledger ledger(std::filesystem::path(journal).replace_extension(".starts").string(), wanted.restarts);
+  const auto is_beyond_us = [&] { return objection_to_journal(journal) || objection_to_map(map); };
+  const auto made = composition::make(std::move(wanted), **log);
+  if (!made) {
+    complain(**log, made.error());
+    return is_beyond_us() ? exit_code::unknown_state : exit_code::failed;
+  }
+  const auto verdict = ledger.begin(this_moment());
+  if (!verdict.may_start) {
+    complain(**log, verdict.sentence);
+    return static_cast<exit_code>((*made)->close(exit_code::unknown_state));
+  }
+  if (!verdict.sentence.empty())
+    (*log)->say(log_level::warning, part, verdict.sentence);
+  if (more)
+    more(**made);
+  const auto code = run_made(**made, **log, stops, ledger);
+  return code == exit_code::failed && is_beyond_us() ? exit_code::unknown_state : code;
 }
 
 } // namespace godwit::daemon

@@ -65,6 +65,11 @@ inline constexpr std::array option_rows{
     option_row{"trace", "/trace/directory", option_kind::text, "FOLDER", "The record of every message (trace)"},
     option_row{"control", "/control/path", option_kind::text, "FILE",
                "The socket for `godwitd ctl` (beside the journal)"},
+    option_row{"log-file", "/log/file", option_kind::text, "FILE",
+               "The log goes there instead of standard output; SIGHUP opens it anew"},
+    option_row{"log-format", "/log/format", option_kind::text, "text|json", "How a line of the log looks (text)"},
+    option_row{"log-level", "/log/level", option_kind::text, "info|warning|error",
+               "What is logged: this, and what is worse (info)"},
     option_row{config_option, "", option_kind::text, "FILE", "Settings (config/godwit.json shows the defaults)"},
 };
 

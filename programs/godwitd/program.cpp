@@ -8,6 +8,7 @@
 
 #include "io/fields/field_table.hpp"
 #include "programs/godwitd/command_line.hpp"
+#include "programs/godwitd/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/control/client.hpp"
@@ -36,6 +37,16 @@ exit_code list_outbox(const json& configuration, bool as_json) {
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
   print(as_json ? json_of(*listing, now_ns).dump(2, ' ', false, json::error_handler_t::replace) + "\n"
                 : table_of(*listing, now_ns));
+  return exit_code::ok;
+}
+
+exit_code check_config(const daemon_settings& wanted) {
+  const auto problems = problems_of(wanted);
+  for (const auto& each : problems)
+    say(each);
+  if (!problems.empty())
+    return exit_code::usage;
+  print("the configuration can be used\n");
   return exit_code::ok;
 }
 
@@ -92,7 +103,7 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   auto settings = settings_from(*configuration);
   if (!settings)
     return fail(exit_code::usage, settings.error());
-  return run_daemon(*std::move(settings), more);
+  return asked.what == task::check_config ? check_config(*settings) : run_daemon(*std::move(settings), more);
 }
 
 } // namespace

@@ -144,6 +144,20 @@ void read_map(const json& configuration, daemon_settings& to) {
   to.map.store.rules.moved_above_m = map.at("moved_above_m").get<double>();
 }
 
+log_settings log_from(const json& log) {
+  log_settings result;
+  result.file = text(log, "file");
+  result.format = log.at("format") == "json" ? log_format::json : log_format::text;
+  const auto level = text(log, "level");
+  result.level = level == "info" ? log_level::info : level == "warning" ? log_level::warning : log_level::error;
+  return result;
+}
+
+start_limits restarts_from(const json& restarts) {
+  return {restarts.at("max_abnormal_ends").get<std::size_t>(),
+          std::chrono::seconds(restarts.at("within_s").get<std::int64_t>())};
+}
+
 } // namespace
 
 std::string journal_path(const json& configuration) { return text(configuration.at("journal"), "path"); }
@@ -173,6 +187,8 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
     return tl::make_unexpected(*objection);
   result.control_path = control_path(configuration);
   result.sightings_file = text(configuration.at("sightings"), "file");
+  result.log = log_from(configuration.at("log"));
+  result.restarts = restarts_from(configuration.at("restarts"));
   return result;
 }
 

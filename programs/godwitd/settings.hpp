@@ -16,6 +16,8 @@
 #include "actors/mission_client/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
+#include "programs/godwitd/log/log_settings.hpp"
+#include "programs/godwitd/start_ledger.hpp"
 #include "runtime/process.hpp"
 
 namespace godwit::daemon {
@@ -40,6 +42,8 @@ struct daemon_settings {
   std::string sightings_file; // "-": standard input; empty: none
   bool once = false;
   bool allow_crash = false; // `godwitd ctl crash` is obeyed: for drills
+  log_settings log;
+  start_limits restarts;
 };
 
 // CONFIGURATION is complete and valid by its schema.

@@ -23,10 +23,16 @@ sigset_t stop_signals() {
   return result;
 }
 
+sigset_t watched_signals() {
+  auto result = stop_signals();
+  sigaddset(&result, SIGHUP);
+  return result;
+}
+
 } // namespace
 
 stop_watch::stop_watch() : stop_(::eventfd(0, EFD_CLOEXEC)) {
-  const auto signals = stop_signals();
+  const auto signals = watched_signals();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   signals_ = io::link::descriptor(::signalfd(-1, &signals, SFD_CLOEXEC));
   if (!stop_.is_open() || !signals_.is_open())
@@ -42,11 +48,13 @@ void stop_watch::end() {
     thread_.join();
 }
 
-void stop_watch::start(std::function<void(const std::string& name)> on_stop) {
-  thread_ = std::thread([this, on_stop = std::move(on_stop)] { run(on_stop); });
+void stop_watch::start(std::function<void(const std::string& name)> on_stop, std::function<void()> on_hangup) {
+  thread_ =
+      std::thread([this, on_stop = std::move(on_stop), on_hangup = std::move(on_hangup)] { run(on_stop, on_hangup); });
 }
 
-void stop_watch::run(const std::function<void(const std::string& name)>& on_stop) const {
+void stop_watch::run(const std::function<void(const std::string& name)>& on_stop,
+                     const std::function<void()>& on_hangup) const {
   for (int seen = 0;;) {
     std::array<pollfd, 2> watched{pollfd{signals_.number(), POLLIN, 0}, pollfd{stop_.number(), POLLIN, 0}};
     if (::poll(watched.data(), watched.size(), -1) < 0)
@@ -56,6 +64,11 @@ void stop_watch::run(const std::function<void(const std::string& name)>& on_stop
     signalfd_siginfo came{};
     if (::read(signals_.number(), &came, sizeof came) != sizeof came)
       continue;
+    if (came.ssi_signo == SIGHUP) {
+      if (on_hangup)
+        on_hangup();
+      continue;
+    }
     if (++seen == 1) {
       on_stop(came.ssi_signo == SIGTERM ? "SIGTERM" : "SIGINT");
       continue;

@@ -90,6 +90,8 @@ private:
   void carry_out(const supervision_core::actions& actions) {
     for (const auto& each : actions)
       std::visit([this](const auto& action) { act(action); }, each);
+    if (core_.has_begun())
+      status_->has_begun.store(true, std::memory_order_relaxed);
   }
 
   void act(const start_child& action) {

@@ -63,6 +63,7 @@ struct guardian_status {
   std::atomic<std::int64_t> last_tick_ns{0}; // monotonic; 0 = not started
   std::atomic<std::uint32_t> hanging{0};     // incarnations left behind in a handler that does not return
   std::atomic<std::uint64_t> restarts{0};
+  std::atomic<bool> has_begun{false}; // each child has been up once, or was given up; stays true
 };
 
 // Spawns the guardian; it starts the children when tell_guardian_to_start() says so.

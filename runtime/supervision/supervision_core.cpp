@@ -98,6 +98,12 @@ supervision_core::actions supervision_core::want(std::size_t i, bool wanted) {
   return out;
 }
 
+bool supervision_core::has_begun() const {
+  return started_ && std::all_of(children_.begin(), children_.end(), [](const entry& each) {
+           return !each.wanted || each.been_up || each.phase == child_phase::given_up;
+         });
+}
+
 bool supervision_core::must_stop(std::size_t i) const {
   if (shutting_down_ || !children_[i].wanted)
     return true;

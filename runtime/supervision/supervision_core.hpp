@@ -77,6 +77,8 @@ public:
   [[nodiscard]] std::uint64_t restarts(std::size_t child) const { return children_[child].restarts; }
   [[nodiscard]] std::size_t size() const { return children_.size(); }
   [[nodiscard]] bool shutting_down() const { return shutting_down_; }
+  // Each child that is wanted has been up once, or was given up.
+  [[nodiscard]] bool has_begun() const;
 
 private:
   struct entry {

@@ -162,4 +162,22 @@ TEST(process, finish_handles_what_is_queued_then_writes_the_trace_then_the_journ
   EXPECT_EQ((*host)->finish(6), 6) << "a second time it has nothing to do";
 }
 
+TEST(process, its_actors_are_responsive_from_the_start_until_somebody_asks_for_the_end) {
+  const scratch_folder scratch;
+  tests::audit seen;
+  auto host = process::open(in(scratch));
+  ASSERT_TRUE(host) << host.error();
+  auto& actors = (*host)->actors();
+  (void)actors.add<tests::auditor_actor>({.name = "auditor"}, {}, &seen);
+  EXPECT_FALSE(actors.has_begun());
+  EXPECT_FALSE(actors.is_responsive());
+  actors.start();
+  EXPECT_TRUE(tests::wait_for([&] { return actors.has_begun(); }));
+  EXPECT_TRUE(actors.is_responsive());
+  actors.request_exit({exit_cause::essential_silent, "it does not answer"});
+  EXPECT_FALSE(actors.is_responsive());
+  EXPECT_TRUE(actors.has_begun());
+  EXPECT_EQ((*host)->finish(0), 0);
+}
+
 } // namespace

@@ -35,7 +35,7 @@ public:
       make(static_cast<trouble>(dice_() % kinds_of_trouble));
       judge();
     }
-    for (int i = 0; i < 20 && !is_over(); ++i) {
+    for (int i = 0; i < 60 && !is_over(); ++i) {
       (void)world_.run_until(
           [&] { return is_over() || is_waiting_for_person() || !world_.durable().set_aside.empty(); }, 120);
       world_.set_changes(mission_client::change_verdict::done);

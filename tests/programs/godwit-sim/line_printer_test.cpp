@@ -1,11 +1,18 @@
 #include "programs/godwit-sim/line_printer.hpp"
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <thread>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -81,6 +88,28 @@ TEST_F(line_printer_test, a_reader_that_has_gone_away_is_no_error) {
   reader.reset();
   printer->push("is anybody there?");
   printer.reset();
+}
+
+TEST(line_printer, what_the_disk_refuses_is_counted_and_told_when_it_takes_lines_again) {
+  io::link::descriptor full(::open("/dev/full", O_WRONLY | O_CLOEXEC));
+  ASSERT_TRUE(full.is_open());
+  std::string pattern = (std::filesystem::temp_directory_path() / "line-printer-XXXXXX").string();
+  io::link::descriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
+  ASSERT_TRUE(file.is_open());
+  {
+    line_printer printer(full.number());
+    printer.push("lost");
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (printer.dropped() == 0 && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_EQ(printer.dropped(), 1U);
+    ASSERT_TRUE(printer.put_file(file.number()));
+    printer.push("kept");
+  }
+  std::ostringstream text;
+  text << std::ifstream(pattern).rdbuf();
+  EXPECT_EQ(text.str(), line_printer::plain_loss(1) + "\nkept\n");
+  std::filesystem::remove(pattern);
 }
 
 } // namespace

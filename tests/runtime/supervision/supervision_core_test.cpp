@@ -163,6 +163,19 @@ TEST(supervision_core, a_child_given_up_before_it_was_ever_up_does_not_keep_the_
   EXPECT_EQ(in_words(core.down(0, 0)), (words{"give up 0", "start 1"}));
 }
 
+TEST(supervision_core, it_has_begun_when_each_child_has_been_up_or_was_given_up) {
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(3, with(0)), 1);
+  EXPECT_FALSE(core.has_begun());
+  (void)core.start();
+  (void)core.up(0);
+  (void)core.down(1, 0);
+  EXPECT_FALSE(core.has_begun());
+  (void)core.up(2);
+  EXPECT_TRUE(core.has_begun());
+  (void)core.down(2, 0);
+  EXPECT_TRUE(core.has_begun());
+}
+
 TEST(supervision_core, unreadable_state_gives_a_child_up_at_its_first_crash) {
   auto core = three_running(strategy::one_for_one, 100, true);
   EXPECT_EQ(in_words(core.down(2, 0, true)), (words{"give up 2", "bring down 2"}));

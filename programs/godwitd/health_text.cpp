@@ -1,0 +1,52 @@
+#include "programs/godwitd/health_text.hpp"
+
+#include <algorithm>
+
+namespace godwit::daemon {
+namespace {
+
+using runtime::health_colour;
+using runtime::health_entry;
+
+const char* word_of(health_colour colour) {
+  switch (colour) {
+  case health_colour::green:
+    return "green";
+  case health_colour::yellow:
+    return "yellow";
+  case health_colour::red:
+    break;
+  }
+  return "red";
+}
+
+std::string because(const std::string& reason) { return reason.empty() ? "" : ": " + reason; }
+
+} // namespace
+
+std::string health_in_a_line(const std::vector<health_entry>& now) {
+  const auto ill = std::ranges::count_if(now, [](const auto& each) { return each.colour != health_colour::green; });
+  if (ill == 0)
+    return "all is well";
+  const auto& worst = *std::ranges::max_element(now, {}, &health_entry::colour);
+  return word_of(worst.colour) + (": " + worst.component) + because(worst.reason) +
+         (ill > 1 ? "; and " + std::to_string(ill - 1) + " more" : "");
+}
+
+std::vector<health_change> health_changes(const std::vector<health_entry>& before,
+                                          const std::vector<health_entry>& now) {
+  std::vector<health_change> result;
+  for (const auto& each : now) {
+    const auto known = std::ranges::find(before, each.component, &health_entry::component);
+    const auto was = known == before.end() ? health_colour::green : known->colour;
+    if (each.colour == was)
+      continue;
+    result.push_back({each.component, each.colour,
+                      each.colour == health_colour::green
+                          ? each.component + " is well again"
+                          : each.component + " is " + word_of(each.colour) + because(each.reason)});
+  }
+  return result;
+}
+
+} // namespace godwit::daemon

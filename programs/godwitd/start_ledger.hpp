@@ -1,0 +1,57 @@
+// Counts the runs that did not end in order, so that godwitd does not start again and again into a state that kills it.
+//
+// A small file beside the journal: the boot's id, then a line for each run that is under way or has ended abnormally,
+// with its start in milliseconds of this boot. A run that ends in order takes its line away. When there are too many
+// lines of late, the next run does not begin before a person has removed the file or the time has passed. Only this
+// boot counts: power that comes and goes is no crash, and the clock of a boot is never set. The page cache outlives the
+// process, so nothing is synced.
+//
+// Errors: a file that can not be read or written is a sentence and no reason not to start. Thread: one owner, who has
+// the journal's lock.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace godwit::daemon {
+
+struct start_limits {
+  std::size_t max_abnormal_ends = 100; // 0: any number
+  std::chrono::seconds within{600};
+};
+
+struct boot_moment {
+  std::string boot; // its id
+  std::int64_t at_ms = 0;
+};
+
+// Source: random(4) (boot_id), clock_gettime(2) (CLOCK_BOOTTIME).
+[[nodiscard]] boot_moment this_moment();
+
+struct start_verdict {
+  bool may_start = true;
+  std::string sentence; // why not, or what is wrong with the file; empty: all is well
+};
+
+class start_ledger {
+public:
+  start_ledger(std::string file, start_limits limits) : file_(std::move(file)), limits_(limits) {}
+
+  // Notes this run, unless it must not begin.
+  [[nodiscard]] start_verdict begin(const boot_moment& now);
+  // Of a run that was noted.
+  void end_in_order();
+
+private:
+  [[nodiscard]] std::vector<std::int64_t> read(const boot_moment& now) const;
+  [[nodiscard]] bool write() const;
+
+  const std::string file_;
+  const start_limits limits_;
+  std::string boot_;
+  std::vector<std::int64_t> starts_ms_; // this run's last; at most max_abnormal_ends
+};
+
+} // namespace godwit::daemon

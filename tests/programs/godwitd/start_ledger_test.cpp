@@ -1,0 +1,97 @@
+#include "programs/godwitd/start_ledger.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/programs/godwitd/scratch.hpp"
+
+namespace {
+
+using namespace godwit::daemon;
+using godwit::test::scratch;
+using namespace std::chrono_literals;
+
+constexpr start_limits limits{3, 600s};
+
+struct ledger_test : testing::Test {
+  scratch folder;
+  std::string file = folder.file("godwit.starts");
+
+  // A run that nobody ends in order, as its process is gone.
+  start_verdict crash(std::int64_t at_ms, const std::string& boot = "boot-1") const {
+    return start_ledger(file, limits).begin({boot, at_ms});
+  }
+};
+
+TEST_F(ledger_test, after_too_many_abnormal_ends_a_run_does_not_begin_and_says_what_to_do) {
+  for (int n = 1; n <= 3; ++n)
+    EXPECT_TRUE(crash(n * 1'000).may_start) << n;
+  const auto verdict = crash(4'000);
+  EXPECT_FALSE(verdict.may_start);
+  EXPECT_NE(verdict.sentence.find("3 times"), std::string::npos) << verdict.sentence;
+  EXPECT_NE(verdict.sentence.find(file), std::string::npos) << verdict.sentence;
+  EXPECT_FALSE(crash(5'000).may_start) << "asking again is no way around";
+  std::filesystem::remove(file);
+  EXPECT_TRUE(crash(6'000).may_start);
+}
+
+TEST_F(ledger_test, a_run_that_ends_in_order_does_not_count) {
+  for (int n = 1; n <= 20; ++n) {
+    start_ledger ledger(file, limits);
+    ASSERT_TRUE(ledger.begin({"boot-1", n}).may_start);
+    ledger.end_in_order();
+  }
+}
+
+TEST_F(ledger_test, an_orderly_run_takes_no_crash_away) {
+  EXPECT_TRUE(crash(1).may_start);
+  EXPECT_TRUE(crash(2).may_start);
+  start_ledger orderly(file, limits);
+  EXPECT_TRUE(orderly.begin({"boot-1", 3}).may_start);
+  orderly.end_in_order();
+  EXPECT_TRUE(crash(4).may_start);
+  EXPECT_FALSE(crash(5).may_start);
+}
+
+TEST_F(ledger_test, what_is_long_ago_does_not_count) {
+  for (int n = 1; n <= 20; ++n)
+    EXPECT_TRUE(crash(n * 300'001).may_start) << n;
+}
+
+TEST_F(ledger_test, power_that_comes_and_goes_is_no_crash) {
+  for (int n = 1; n <= 20; ++n)
+    EXPECT_TRUE(crash(1'000, "boot-" + std::to_string(n)).may_start) << n;
+}
+
+TEST_F(ledger_test, a_file_that_is_none_of_ours_counts_for_nothing_and_is_replaced) {
+  folder.write("godwit.starts", "boot-1\n1\nwhat\n2\n3\n4\n");
+  EXPECT_TRUE(crash(10).may_start);
+  EXPECT_EQ(scratch::read(file), "boot-1\n1\n10\n");
+  folder.write("godwit.starts", std::string(100'000, '\xff'));
+  EXPECT_TRUE(crash(10).may_start);
+  EXPECT_EQ(scratch::read(file), "boot-1\n10\n");
+}
+
+TEST_F(ledger_test, a_folder_that_can_not_be_written_is_said_and_no_reason_not_to_start) {
+  start_ledger ledger(folder.file("no/godwit.starts"), limits);
+  const auto verdict = ledger.begin({"boot-1", 1});
+  EXPECT_TRUE(verdict.may_start);
+  EXPECT_NE(verdict.sentence.find("can not be written"), std::string::npos) << verdict.sentence;
+  ledger.end_in_order();
+}
+
+TEST_F(ledger_test, zero_means_any_number_and_no_file) {
+  for (int n = 1; n <= 20; ++n)
+    EXPECT_TRUE(start_ledger(file, {0, 600s}).begin({"boot-1", n}).may_start);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(boot_moment, this_moment_has_a_boot_and_goes_on) {
+  const auto first = this_moment();
+  const auto second = this_moment();
+  EXPECT_FALSE(first.boot.empty());
+  EXPECT_EQ(first.boot, second.boot);
+  EXPECT_GT(first.at_ms, 0);
+  EXPECT_LE(first.at_ms, second.at_ms);
+}
+
+} // namespace

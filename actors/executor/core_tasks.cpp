@@ -305,8 +305,8 @@ bool core::begin_wished(effects& out, instant now) {
 // Back into the plan that the vehicle holds. One by the MAVLink text alone holds in its mission mode until a plan that
 // was brought to it in flight is started.
 steps core::going_on_steps() const {
-  const bool is_new = s_.progress.plan && view_.current() &&
-                      view_.current()->mission_state == number(io::mavlink::mission_state::not_started);
+  const bool is_new = s_.progress.plan && !s_.progress.plan->generation.is_armed &&
+                      s_.progress.plan->generation.origin == progress::generation_origin::new_plan;
   const auto autopilot = view_.owner().autopilot;
   if (is_new && autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega)
     return {start_plan{s_.progress.plan->generation.start_sequence}};

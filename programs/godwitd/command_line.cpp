@@ -1,6 +1,7 @@
 #include "programs/godwitd/command_line.hpp"
 
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -85,7 +86,46 @@ constexpr verb_row verbs[] = {
     {operator_words::verb::come_home, "come-home", "Returns, and ends the mission."},
     {operator_words::verb::hand_back, "hand-back", "After a pilot or a failsafe: godwit has the vehicle again."},
     {operator_words::verb::check, "check", "Looks at the preflight checks anew."},
-    {operator_words::verb::acknowledge, "ack", "Flies although this preflight report is degraded."}};
+    {operator_words::verb::acknowledge, "ack", "Flies although this preflight report is degraded."},
+    {operator_words::verb::go_to, "goto",
+     "Flies there, clear of the fences, and stays; `cancel` goes on with the mission."},
+    {operator_words::verb::cancel, "cancel", "Of the last goto: goes on with the first item that is not done."},
+    {operator_words::verb::insert, "insert", "Inserts a waypoint into the mission."}};
+
+// "47.398,8.546,40"; nothing: it is no place.
+std::optional<mission::position> place_of(const std::string& text) {
+  mission::position result;
+  int end = 0;
+  const int fields =
+      std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &result.latitude, &result.longitude, // NOLINT(cert-err34-c)
+                  &result.altitude_m, &end);
+  if (fields != 3 || static_cast<std::size_t>(end) != text.size())
+    return std::nullopt;
+  return result;
+}
+
+void add_place(CLI::App& word, invocation& to) {
+  word.add_option_function<std::string>(
+          "LAT,LON,ALT",
+          [&to](const std::string& text) {
+            to.said.place = place_of(text);
+            if (!to.said.place)
+              throw CLI::ValidationError("\"" + text +
+                                         "\" is no place; write degrees, degrees and metres above the "
+                                         "place of take-off, such as 47.398,8.546,40");
+          },
+          "Degrees, degrees, metres above the place of take-off")
+      ->required();
+}
+
+void add_override(CLI::App& ctl, invocation& to) {
+  auto* const word = ctl.add_subcommand("override", "Keeps a failsafe from acting for a while.");
+  word->fallthrough();
+  word->add_option("RULE", to.overridden.rule, "operator_link, battery_low or fence")->required();
+  word->add_option("SECONDS", to.overridden.seconds, "For how long; an hour at most")->required();
+  word->add_option("REASON", to.overridden.reason, "Why, for the record")->required();
+  word->callback([&to] { to.what = task::override_failsafe; });
+}
 
 void add_words(CLI::App& ctl, invocation& to) {
   for (const auto& row : verbs) {
@@ -93,11 +133,16 @@ void add_words(CLI::App& ctl, invocation& to) {
     word->fallthrough();
     if (row.verb == operator_words::verb::acknowledge)
       word->add_option("REPORT", to.said.report, "Its number, as `ctl status` shows it")->required();
+    if (row.verb == operator_words::verb::go_to || row.verb == operator_words::verb::insert)
+      add_place(*word, to);
+    if (row.verb == operator_words::verb::insert)
+      word->add_option("--after", to.said.after, "The id of an item (the last one that is done)");
     word->callback([&to, verb = row.verb] {
       to.what = task::say_word;
       to.said.verb = verb;
     });
   }
+  add_override(ctl, to);
   auto* const crash = ctl.add_subcommand("crash", "Ends an actor as a crash would; only with --allow-crash.");
   crash->fallthrough();
   crash->add_option("ACTOR", to.actor, "Its name, such as executor")->required();

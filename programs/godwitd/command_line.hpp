@@ -3,6 +3,7 @@
 // Errors: exit code 2 with a sentence and the help on stderr; --help and --version end with 0. Thread: one.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -14,16 +15,33 @@
 
 namespace godwit::daemon {
 
-enum class task { run, check_config, list_outbox, convert, ask_status, retry_outbox, say_word, crash_actor };
+enum class task {
+  run,
+  check_config,
+  list_outbox,
+  convert,
+  ask_status,
+  retry_outbox,
+  say_word,
+  override_failsafe,
+  crash_actor
+};
+
+struct wanted_override {
+  std::string rule;
+  std::int64_t seconds = 0;
+  std::string reason;
+};
 
 struct invocation {
   task what = task::run;
-  given_texts options;       // by the names of option_table.hpp
-  bool json = false;         // answers for programs
-  convert_arguments files;   // convert
-  std::string outbox_key;    // retry_outbox; empty: all
-  operator_words::word said; // say_word; by is left empty
-  std::string actor;         // crash_actor
+  given_texts options;        // by the names of option_table.hpp
+  bool json = false;          // answers for programs
+  convert_arguments files;    // convert
+  std::string outbox_key;     // retry_outbox; empty: all
+  operator_words::word said;  // say_word; by is left empty
+  wanted_override overridden; // override_failsafe
+  std::string actor;          // crash_actor
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
 };
 

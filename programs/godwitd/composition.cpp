@@ -186,6 +186,7 @@ void composition::add_flight(control::neighbours& of_desk) {
   of_failsafe_->ears.emplace_back(executor_);
   of_client_->listener = executor_;
   of_desk.flight = executor_;
+  of_desk.failsafe = failsafe_;
   of_desk.sightings = feeder_;
   ears_->add(failsafe_);
   ears_->add(executor_);

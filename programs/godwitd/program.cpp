@@ -7,6 +7,8 @@
 #include <string>
 
 #include "io/fields/field_table.hpp"
+#include "io/fields/json_text.hpp"
+#include "messages/mission/item_fields.hpp"
 #include "programs/godwitd/command_line.hpp"
 #include "programs/godwitd/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
@@ -79,6 +81,10 @@ json question_of(const operator_words::word& said) {
   json result{{"do", io::name_of(said.verb)}, {"by", speaker()}};
   if (said.verb == operator_words::verb::acknowledge)
     result["report"] = said.report;
+  if (said.place)
+    result["place"] = json::parse(io::to_json(*said.place));
+  if (!said.after.empty())
+    result["after"] = said.after;
   return result;
 }
 
@@ -95,6 +101,14 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
     return ask_running(*configuration, {{"do", "outbox_retry"}, {"key", asked.outbox_key}}, asked.json, retry_text);
   case task::say_word:
     return ask_running(*configuration, question_of(asked.said), asked.json, taken_text);
+  case task::override_failsafe:
+    return ask_running(*configuration,
+                       {{"do", "override"},
+                        {"by", speaker()},
+                        {"rule", asked.overridden.rule},
+                        {"seconds", asked.overridden.seconds},
+                        {"reason", asked.overridden.reason}},
+                       asked.json, taken_text);
   case task::crash_actor:
     return ask_running(*configuration, {{"do", "crash"}, {"actor", asked.actor}}, asked.json, taken_text);
   default:

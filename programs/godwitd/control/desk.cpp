@@ -1,11 +1,19 @@
 #include "programs/godwitd/control/desk.hpp"
 
+#include <utility>
+
 #include "io/fields/json_text.hpp"
 
 namespace godwit::control {
 
 using nlohmann::json;
 using runtime::ask_error;
+
+namespace {
+
+json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
+
+} // namespace
 
 desk::behavior_type desk::handlers() {
   return {on<control_request>([this](const control_request& m) { take(m); })};
@@ -21,6 +29,9 @@ void desk::take(const control_request& asked) {
     return;
   case request_kind::word:
     say(asked);
+    return;
+  case request_kind::override_rule:
+    override_rule(asked);
     return;
   case request_kind::crash:
     crash(asked);
@@ -85,22 +96,39 @@ void desk::retry(const control_request& asked) {
 }
 
 void desk::say(const control_request& asked) {
-  if (!others_.flight) {
-    answer_with(asked.ticket, {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}});
-    return;
-  }
+  if (others_.flight)
+    pass_on<operator_words::answer>(asked.ticket, *others_.flight, asked.said,
+                                    [](const auto& answer) { return std::pair(answer.is_taken, answer.reason); });
+  else
+    answer_with(asked.ticket, on_the_ground());
+}
+
+void desk::override_rule(const control_request& asked) {
+  auto wish = asked.overridden;
+  wish.until_ns = wall_ns() + asked.lasts_s * 1'000'000'000;
+  if (others_.failsafe)
+    pass_on<failsafe::override_answer>(asked.ticket, *others_.failsafe, wish,
+                                       [](const auto& answer) { return std::pair(answer.taken, answer.reason); });
+  else
+    answer_with(asked.ticket, on_the_ground());
+}
+
+// TAKEN_AND_WHY: of the answer.
+template <class Answer, class Handle, class Question, class Reader>
+void desk::pass_on(std::uint64_t ticket, const Handle& who, const Question& question, Reader taken_and_why) {
   ask(
-      *others_.flight, answer_timeout, asked.said,
-      [this, ticket = asked.ticket](const operator_words::answer& answer) {
-        json document{{"ok", answer.is_taken}};
-        if (!answer.is_taken)
-          document["error"] = answer.reason;
+      who, answer_timeout, question,
+      [this, ticket, taken_and_why](const Answer& answer) {
+        const auto [is_taken, reason] = taken_and_why(answer);
+        json document{{"ok", is_taken}};
+        if (!is_taken)
+          document["error"] = reason;
         answer_with(ticket, document);
       },
-      [this, ticket = asked.ticket](const ask_error& why) {
-        answer_with(ticket, {{"ok", false},
-                             {"error", "the executor does not answer: " + why.what +
-                                           "; ask for the status before you say it again"}});
+      [this, ticket](const ask_error& why) {
+        answer_with(ticket,
+                    {{"ok", false},
+                     {"error", "there is no answer: " + why.what + "; ask for the status before you say it again"}});
       });
 }
 

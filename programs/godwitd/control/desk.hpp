@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "messages/executor/handle.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
@@ -30,12 +31,15 @@ namespace godwit::control {
 using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
 using desk_handle = runtime::mailbox<runtime::tells<control_request>>;
 
+using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
+
 struct neighbours {
   mission_client::operator_handle client; // none without a service
   mapobjects_store::operator_handle store;
   vehicle_handle vehicle;
   std::optional<ground_run::status_handle> run;       // of a run on the ground
   std::optional<executor::operator_handle> flight;    // else
+  std::optional<override_handle> failsafe;            // with a flight
   std::optional<sightings::status_handle> sightings;  // with a flight
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
 };
@@ -60,7 +64,10 @@ private:
   void collect_status(std::uint64_t ticket);
   void retry(const control_request& asked);
   void say(const control_request& asked);
+  void override_rule(const control_request& asked);
   void crash(const control_request& asked);
+  template <class Answer, class Handle, class Question, class Reader>
+  void pass_on(std::uint64_t ticket, const Handle& who, const Question& question, Reader taken_and_why);
   template <class Handle, class Question>
   void collect(std::uint64_t ticket, const char* part, const Handle& who, Question question);
   void put(std::uint64_t ticket, const char* part, nlohmann::json what);

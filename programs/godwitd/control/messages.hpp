@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/fields/field_table.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/operator/types.hpp"
 
 namespace godwit::control {
@@ -12,25 +13,30 @@ namespace godwit::control {
 enum class request_kind {
   status,
   outbox_retry,
-  word, // of an operator
-  crash // an actor, for drills
+  word,          // of an operator
+  override_rule, // of the failsafe
+  crash          // an actor, for drills
 };
 
 constexpr auto enum_names(request_kind) {
   return io::names<request_kind>({{request_kind::status, "status"},
                                   {request_kind::outbox_retry, "outbox_retry"},
                                   {request_kind::word, "word"},
+                                  {request_kind::override_rule, "override_rule"},
                                   {request_kind::crash, "crash"}});
 }
 
 struct control_request {
   std::uint64_t ticket = 0; // whom the answer is for
   request_kind what = request_kind::status;
-  std::string key;           // outbox_retry: of one row; empty: all. crash: the name of the actor
-  operator_words::word said; // word
+  std::string key;                    // outbox_retry: of one row; empty: all. crash: the name of the actor
+  operator_words::word said;          // word
+  failsafe::override_rule overridden; // override_rule; without its end
+  std::int64_t lasts_s = 0;           // override_rule
   static constexpr auto fields = io::table(
       "control.request", io::field("ticket", &control_request::ticket), io::field("what", &control_request::what),
-      io::field("key", &control_request::key), io::field("said", &control_request::said));
+      io::field("key", &control_request::key), io::field("said", &control_request::said),
+      io::field("overridden", &control_request::overridden), io::field("lasts_s", &control_request::lasts_s));
 };
 
 } // namespace godwit::control

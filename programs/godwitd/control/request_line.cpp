@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/fields/json_value.hpp"
+#include "messages/mission/item_fields.hpp"
+
 namespace godwit::control {
 
 using nlohmann::json;
@@ -27,12 +30,34 @@ tl::expected<control_request, std::string> read_word(const json& document, opera
   result.said.by = text_of(document, "by");
   if (result.said.by.empty())
     return tl::make_unexpected(std::string("a word to the flight says whose it is, such as \"by\": \"anna\""));
+  result.said.after = text_of(document, "after");
+  if (const auto place = document.find("place"); place != document.end())
+    if (const auto read = io::read_json(*place, result.said.place.emplace(), "place"); !read)
+      return tl::make_unexpected("the place can not be read: " + read.error().message());
+  if ((verb == operator_words::verb::go_to || verb == operator_words::verb::insert) && !result.said.place)
+    return tl::make_unexpected(std::string(
+        "a place is missing, such as \"place\": {\"latitude\": 47.398, \"longitude\": 8.546, \"altitude_m\": 40}"));
   if (verb != operator_words::verb::acknowledge)
     return result;
   const auto report = document.find("report");
   if (report == document.end() || !report->is_number_unsigned())
     return tl::make_unexpected(std::string("acknowledge names the preflight report, such as \"report\": 1"));
   result.said.report = report->get<std::uint32_t>();
+  return result;
+}
+
+tl::expected<control_request, std::string> read_override(const json& document) {
+  const auto rule = io::value_of<failsafe::rule>(text_of(document, "rule"));
+  if (!rule)
+    return tl::make_unexpected(std::string("the rule is operator_link, battery_low, fence or battery_critical"));
+  const auto seconds = document.find("seconds");
+  if (seconds == document.end() || !seconds->is_number_integer() || seconds->get<std::int64_t>() <= 0)
+    return tl::make_unexpected(std::string("\"seconds\" says for how long"));
+  control_request result;
+  result.what = request_kind::override_rule;
+  result.overridden.scope = *rule;
+  result.overridden.reason = text_of(document, "by") + ": " + text_of(document, "reason");
+  result.lasts_s = seconds->get<std::int64_t>();
   return result;
 }
 
@@ -48,10 +73,13 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
   if (what == "status")
     return control_request{};
   if (what == "outbox_retry")
-    return control_request{0, request_kind::outbox_retry, text_of(document, "key"), {}};
+    return control_request{0, request_kind::outbox_retry, text_of(document, "key"), {}, {}, 0};
+  if (what == "override")
+    return read_override(document);
   if (what == "crash")
-    return control_request{0, request_kind::crash, text_of(document, "actor"), {}};
-  return tl::make_unexpected("\"do\" is status, outbox_retry, crash, or a word to the flight: " + all_verbs());
+    return control_request{0, request_kind::crash, text_of(document, "actor"), {}, {}, 0};
+  return tl::make_unexpected("\"do\" is status, outbox_retry, override, crash, or a word to the flight: " +
+                             all_verbs());
 }
 
 std::string refusal_line(const std::string& sentence) {

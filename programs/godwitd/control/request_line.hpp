@@ -4,6 +4,8 @@
 //   {"do": "outbox_retry", "key": "..."}
 //   {"do": "start", "by": "anna"}                    and the other words of messages/operator
 //   {"do": "acknowledge", "by": "anna", "report": 1}
+//   {"do": "go_to", "by": "anna", "place": {"latitude": 47.398, "longitude": 8.546, "altitude_m": 40}}
+//   {"do": "override", "by": "anna", "rule": "operator_link", "seconds": 600, "reason": "we walk over the hill"}
 //   {"do": "crash", "actor": "executor"}
 //
 // Errors: a sentence. Thread: pure.

@@ -31,6 +31,10 @@ bool ends_plans(mode_kind kind) {
   return kind == mode_kind::hold || kind == mode_kind::returning || kind == mode_kind::landing;
 }
 
+bool holds_our_plan(pause_cause cause) {
+  return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
+}
+
 bool is_over(phase now) { return now == phase::post_flight || now == phase::done || now == phase::aborted; }
 
 } // namespace
@@ -234,6 +238,9 @@ effects core::on_station(const start_mission& m, instant now) {
   effects out;
   if (now.wall_ns > m.obey_until_ns)
     answer_start(out, m.key, start_verdict::too_late, "the request came too late");
+  else if (m.plan_id != 0) // of the station's own plan, which nobody has looked at as a mission
+    answer_start(out, m.key, start_verdict::no_such_item,
+                 "godwit does not fly plans of ground stations; its own mission is started with `godwitd ctl start`");
   else if (asked_start_ || runner_.is_busy())
     answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
   else
@@ -244,7 +251,7 @@ effects core::on_station(const start_mission& m, instant now) {
 operator_words::answer core::on_operator(const operator_words::word& m, instant now) {
   using operator_words::verb;
   const auto refuse = [](const std::string& why) { return operator_words::answer{false, why}; };
-  const bool belongs_to_person = is_in_flight() && is_paused_for_person();
+  const bool belongs_to_person = is_paused_for_person();
   switch (m.verb) {
   case verb::hand_back:
     if (!is_paused_for_person())
@@ -270,6 +277,11 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   case verb::resume:
     if (s_.standing.now != phase::paused)
       return refuse("the flight is not paused: " + sentence());
+    if (is_in_flight() && !holds_our_plan(s_.standing.cause))
+      return refuse(
+          "there is no plan of godwit's on the vehicle to go on with; bring it home (come-home), or fly it by "
+          "hand: " +
+          s_.standing.reason);
     break;
   case verb::pause:
   case verb::come_home:

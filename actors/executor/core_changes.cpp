@@ -193,8 +193,10 @@ effects core::on_change(const mission_client::change_outcome& m, instant) {
     return {};
   }
   effects out{announce{"the service does not change the mission: " + m.reason, true}};
-  if (m.verdict == change_verdict::unknown)
-    return out; // it may have: then the new revision comes as soon as the service answers
+  // It may have all the same: then the new revision comes as soon as the service answers, and who holds goes on with
+  // it.
+  if (m.verdict == change_verdict::unknown && s_.change->kind == change_kind::go_to)
+    return out;
   out.emplace_back(note{change_settled{m.key, false}});
   if (is_insert && ++refused_inserts_ >= max_refused_inserts && settings_.refused_inserts == refusal_policy::come_home)
     wanted_ = task_kind::come_home;

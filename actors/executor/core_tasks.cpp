@@ -163,6 +163,7 @@ std::optional<plan::plan_setting> core::setting(instant now) const {
   result.is_under_way = view_.is_under_way();
   result.own_loiter_radius_m = settings_.own_loiter_radius_m;
   result.return_altitude_m = settings_.return_altitude_m;
+  result.marks_landings = settings_.marks_landings;
   return result;
 }
 
@@ -305,7 +306,7 @@ bool core::begin_wished(effects& out, instant now) {
 // Back into the plan that the vehicle holds. One by the MAVLink text alone holds in its mission mode until a plan that
 // was brought to it in flight is started.
 steps core::going_on_steps() const {
-  const bool is_new = s_.progress.plan && !s_.progress.plan->generation.is_armed &&
+  const bool is_new = s_.progress.plan && !s_.progress.plan->generation.was_active &&
                       s_.progress.plan->generation.origin == progress::generation_origin::new_plan;
   const auto autopilot = view_.owner().autopilot;
   if (is_new && autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega)
@@ -317,8 +318,7 @@ steps core::going_on_steps() const {
 void core::begin_going_on(effects& out) {
   auto way = going_on_steps();
   if (std::holds_alternative<start_plan>(way.front())) { // a start, which nothing but a person's word may cause
-    stand_paused(out, pause_cause::asked,
-                 "godwit was restarted while it replaced the plan; resume starts the new one");
+    stand_paused(out, pause_cause::asked, "godwit was restarted while it replaced the plan; resume starts the new one");
     return;
   }
   if (view_.owner().autopilot == mav_autopilot::ardupilotmega && s_.progress.plan)
@@ -375,7 +375,8 @@ bool core::prepare(effects& out, instant now) {
   const auto at = s_.standing.now;
   const bool is_prepared =
       at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
-  if (is_in_flight() || !is_prepared)
+  const bool is_next = (at == phase::done || at == phase::aborted) && s_.arrived; // another mission, or revision
+  if (is_in_flight() || !(is_prepared || is_next))
     return false;
   if (!view_.is_connected() || !view_.mode()) {
     stand(out, phase::disconnected, pause_cause::none, view_.why_not_connected());

@@ -1,15 +1,15 @@
 // Where a flight stands, and where it may go from there.
 //
-//   disconnected ──> connected ──> preflight ──> uploading ──> ready ──> starting ──> flying ──> landing ──>
-//   post_flight
-//        ^               │            ^  ^           │            │          │          │           │            │
-//        └──link down────┴────────────┘  └───────────┴──changed───┘          │          │           │            v
-//                                     └──────── the next plan of the mission ┼──────────┼───────────┘          done
-//                                                                            v          v
-//                                                         paused <───────────┴──────────┘          aborted
+//   disconnected ──> connected ──> preflight ──> uploading ──> ready ──> starting ──> flying ──> landing ──┬─> aborted
+//        ^               │  ^            │            │          │           │           │          │      │
+//        └── link down ──┴──┼────────────┘            │          │           │           │          │      v
+//                           ├──── another mission, revision or assignment ───┘           │          │  post_flight
+//                           └──── the next plan of the mission ──────────────────────────┼──────────┘      │
+//                                                                                        v                 v
+//                       paused <── a pilot, a failsafe, an operator, what could not be done               done
 //
-// The same for all classes of vehicles; what differs is by_class.hpp: how each starts, and when it has landed. Paused
-// has a cause: what ends it depends on that. Thread: constants.
+// The same for all classes of vehicles; what differs is how each starts (start_steps) and when it has landed (is_down).
+// Paused has a cause: what ends it depends on that. Thread: constants.
 #pragma once
 
 #include "io/fields/field_table.hpp"

@@ -24,9 +24,10 @@ std::optional<std::string> last_done(const state& s) {
   const auto settled = std::min<std::size_t>(s.progress.plan->ever_settled, items.size());
   if (settled != 0)
     return items[settled - 1].item_id;
-  const auto first = items.front().item_index; // what stands before a plan was flown by the one before
-  return first == 0 || first > s.mission->items.size() ? std::nullopt
-                                                       : std::optional(id_of(s.mission->items[first - 1]));
+  // What stands before a plan was flown by the one before. The mission may have changed since: the plan's own counts.
+  const auto first = items.front().item_index;
+  const auto& mission = s.flown ? s.flown->mission : *s.mission;
+  return first == 0 || first > mission.items.size() ? std::nullopt : std::optional(id_of(mission.items[first - 1]));
 }
 
 std::size_t first_remaining(const mission::document& mission, const std::optional<std::string>& last_done) {

@@ -1,9 +1,9 @@
 #include "actors/mapobjects_store/pass_review.hpp"
 
+#include "actors/domain/uuid/uuid.hpp"
 #include "actors/mapobjects_store/ignore_list.hpp"
 #include "actors/mapobjects_store/object_table.hpp"
 #include "actors/mapobjects_store/observation_table.hpp"
-#include "actors/domain/uuid/uuid.hpp"
 
 namespace godwit::mapobjects_store {
 

@@ -265,8 +265,10 @@ effects core::on_time(instant now) {
     go_on(t, transfers_->on_time(now.monotonic_ns));
   ask_for_streams(t);
   if (call_.is_due(now.monotonic_ns)) {
+    // Where it is not known who is there: all, and by turns the usual one, for who does not answer to all.
+    const std::uint8_t usual = call_.calls() % 2 == 0 ? std::uint8_t{0} : usual_system;
     call_.called(now.monotonic_ns);
-    t.send(mavlink::command_long{.target_system = settings_.watch.system, // 0: whoever is there
+    t.send(mavlink::command_long{.target_system = settings_.watch.system != 0 ? settings_.watch.system : usual,
                                  .target_component = mavlink::number(mavlink::mav_component::autopilot1),
                                  .command = mavlink::number(mavlink::mav_cmd::request_message),
                                  .param1 = static_cast<float>(mavlink::heartbeat::message_id)});

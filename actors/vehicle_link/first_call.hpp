@@ -29,6 +29,7 @@ public:
     ++calls_;
     next_ns_ = now_ns + (calls_ < quick_calls ? quick_period_ns : period_ns);
   }
+  [[nodiscard]] int calls() const { return calls_; } // since begin()
   [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const { return next_ns_; }
 
 private:

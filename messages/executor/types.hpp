@@ -99,7 +99,7 @@ struct current_answer {
                                            io::field("reason", &current_answer::reason));
 };
 
-// A station has uploaded a plan, and has been or is being told that it is held. It becomes a mission of the executor.
+// A station has uploaded a plan, and has been or is being told that it is held.
 struct plan_taken {
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
   std::uint32_t plan_id = 0;

@@ -41,13 +41,13 @@ constexpr auto enum_names(verb) {
 
 struct word {
   operator_words::verb verb = operator_words::verb::pause;
-  std::uint32_t report = 0; // acknowledge
-  std::string by;           // who says it
+  std::uint32_t report = 0;               // acknowledge
+  std::string by;                         // who says it
   std::optional<mission::position> place; // go_to, insert; metres above the place that the mission counts from
   std::string after;                      // insert: the id of an item; empty: the last one that is done
-  static constexpr auto fields = io::table("operator.word", io::field("verb", &word::verb),
-                                           io::field("report", &word::report), io::field("by", &word::by),
-                                           io::field("place", &word::place), io::field("after", &word::after));
+  static constexpr auto fields =
+      io::table("operator.word", io::field("verb", &word::verb), io::field("report", &word::report),
+                io::field("by", &word::by), io::field("place", &word::place), io::field("after", &word::after));
 };
 
 struct answer {

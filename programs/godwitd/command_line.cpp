@@ -106,7 +106,7 @@ std::optional<mission::position> place_of(const std::string& text) {
 
 void add_place(CLI::App& word, invocation& to) {
   word.add_option_function<std::string>(
-          "LAT,LON,ALT",
+          "PLACE",
           [&to](const std::string& text) {
             to.said.place = place_of(text);
             if (!to.said.place)
@@ -114,7 +114,7 @@ void add_place(CLI::App& word, invocation& to) {
                                          "\" is no place; write degrees, degrees and metres above the "
                                          "place of take-off, such as 47.398,8.546,40");
           },
-          "Degrees, degrees, metres above the place of take-off")
+          "LAT,LON,ALT: degrees, degrees, metres above the place of take-off")
       ->required();
 }
 

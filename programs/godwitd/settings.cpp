@@ -103,6 +103,9 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.arm_on_start = flight.at("arm_on_start").get<bool>();
   to.flight.own_loiter_radius_m = flight.at("own_loiter_radius_m").get<double>();
   to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();
+  to.flight.fence_margin_m = flight.at("fence_margin_m").get<double>();
+  to.flight.marks_landings = flight.at("marks_landings").get<bool>();
+  to.flight.refused_inserts = io::value_of<executor::refusal_policy>(text(flight, "refused_inserts")).value();
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
   to.flight.checks.battery_margin_percent = flight.at("battery_margin_percent").get<std::int32_t>();
   if (to.flight.start == executor::start_policy::automatic && !to.flight.arm_on_start)

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/mavlink/plan_meaning.hpp"
 #include "io/mavlink/codec.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::tests {
 

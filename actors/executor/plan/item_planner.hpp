@@ -54,8 +54,8 @@ public:
   // it can not be said to this vehicle; the plan is of no use then.
   [[nodiscard]] std::optional<plan_error> write(std::size_t index, std::uint32_t lines_before);
 
-  // From now on the item that is written next takes off first, in its own name: the flight that it belongs to was broken
-  // off, and the vehicle stands on the ground. For multirotors, which need no runway.
+  // From now on the item that is written next takes off first, in its own name: the flight that it belongs to was
+  // broken off, and the vehicle stands on the ground. For multirotors, which need no runway.
   void take_off_again(double altitude_m) { take_off_first_m_ = altitude_m; }
 
 private:

@@ -67,8 +67,13 @@ void vehicle::parts::hear(mavlink::sender from, const mavlink::timesync& m) {
   out_.send(reply);
 }
 
+// Asking for a message is heard by all, whoever it is meant for in the system (PX4: evaluate_target_ok).
+bool vehicle::parts::is_asked_of_all(const mavlink::command_long& m) const {
+  return m.command == mavlink::number(mavlink::mav_cmd::request_message) && m.target_system == 0;
+}
+
 void vehicle::parts::hear(mavlink::sender from, const mavlink::command_long& m) {
-  if (is_for_us(m.target_system, m.target_component))
+  if (is_asked_of_all(m) || is_for_us(m.target_system, m.target_component))
     pilot_->take(role::read_order(from, m));
 }
 

@@ -66,6 +66,7 @@ private:
 
   // Orders, parameters and such, by their target.
   [[nodiscard]] bool is_for_us(std::uint8_t system, std::uint8_t component) const;
+  [[nodiscard]] bool is_asked_of_all(const mavlink::command_long& m) const;
   void react(const plans::reaction& to, bool was_receiving);
   [[nodiscard]] double load() const;
   void make_streams();

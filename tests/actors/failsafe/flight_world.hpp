@@ -92,13 +92,13 @@ private:
   void speak();
   void obey();
   void take(const failsafe::effects& wanted);
-  void take_one(const failsafe::command_vehicle& what);
+  void take_one(const failsafe::command_vehicle& command);
   void take_one(const failsafe::stance_changed& what);
   void take_one(const failsafe::override_settled& what) { answered.push_back(what.answer); }
   void take_one(const failsafe::guard_settled& what) { limits_answered.push_back(what.answer); }
   void take_one(const failsafe::warning& what) { warnings.push_back(what.text); }
   void take_one(const failsafe::health_changed&) {}
-  void take_one(const failsafe::remember& what);
+  void take_one(const failsafe::remember& written);
 
   failsafe::settings settings_;
   std::int64_t ms_ = 0;

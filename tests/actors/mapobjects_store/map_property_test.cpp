@@ -8,13 +8,13 @@
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/mgrs.hpp"
+#include "actors/domain/uuid/uuid.hpp"
 #include "actors/mapobjects_store/ignore_list.hpp"
 #include "actors/mapobjects_store/mission_scope.hpp"
 #include "actors/mapobjects_store/object_table.hpp"
 #include "actors/mapobjects_store/orphans.hpp"
 #include "actors/mapobjects_store/pass_review.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
-#include "actors/domain/uuid/uuid.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {

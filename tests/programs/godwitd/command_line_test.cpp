@@ -47,6 +47,28 @@ TEST(command_line, a_conversion_has_two_files) {
   EXPECT_EQ(read({"convert", "a.plan"}).error(), runtime::exit_code::usage);
 }
 
+TEST(command_line, a_word_to_the_flight_has_what_it_needs) {
+  using operator_words::verb;
+  EXPECT_EQ(read({"ctl", "hand-back"})->said.verb, verb::hand_back);
+  EXPECT_EQ(read({"ctl", "ack", "3"})->said.report, 3U);
+  EXPECT_EQ(read({"ctl", "ack"}).error(), runtime::exit_code::usage);
+  const auto go = read({"ctl", "goto", "47.398,-8.5,40"});
+  ASSERT_TRUE(go);
+  EXPECT_EQ(go->what, task::say_word);
+  EXPECT_EQ(go->said.place, (mission::position{47.398, -8.5, 40}));
+  for (const auto* wrong : {"47.398,8.5", "47.398,8.5,40,1", "here"})
+    EXPECT_EQ(read({"ctl", "goto", wrong}).error(), runtime::exit_code::usage) << wrong;
+  EXPECT_EQ(read({"ctl", "insert", "47.398,8.5,40", "--after", "w2"})->said.after, "w2");
+}
+
+TEST(command_line, an_override_has_a_rule_a_time_and_a_reason) {
+  const auto asked = read({"ctl", "override", "operator_link", "600", "we walk over the hill"});
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->what, task::override_failsafe);
+  EXPECT_EQ(asked->overridden.seconds, 600);
+  EXPECT_EQ(read({"ctl", "override", "operator_link"}).error(), runtime::exit_code::usage);
+}
+
 TEST(command_line, a_mistake_is_usage_and_help_is_not) {
   EXPECT_EQ(read({"--servce", "x"}).error(), runtime::exit_code::usage);
   EXPECT_EQ(read({"fly"}).error(), runtime::exit_code::usage);

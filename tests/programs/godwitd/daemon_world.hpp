@@ -44,8 +44,9 @@ struct daemon_world {
   [[nodiscard]] std::vector<std::string> words(const std::string& name, int mission = 0) const {
     const auto in = [&](const char* file) { return folder.file(name + "/" + file); };
     std::filesystem::create_directory(folder.file(name));
-    return {"--service", service->url(),        "--mission-id", mission_id(mission), "--token-file", token,
-            "--vehicle", "udpin://127.0.0.1:0", "--journal",    in("godwit.db"),     "--trace",      in("trace")};
+    return {"--service", service->url(), "--mission-id",        mission_id(mission), "--token-file",
+            token,       "--vehicle",    "udpin://127.0.0.1:0", "--journal",         in("godwit.db"),
+            "--trace",   in("trace"),    "--ground-run"};
   }
 
   scratch folder;

@@ -61,4 +61,34 @@ TEST(daemon_settings, a_mission_from_a_file_needs_no_service) {
   EXPECT_NE(wrong.error().find(".geojson"), std::string::npos);
 }
 
+TEST(daemon_settings, a_flight_begins_on_command_and_arms_nothing_unless_it_is_told_to) {
+  const auto usually = settings(usual());
+  ASSERT_TRUE(usually) << usually.error();
+  EXPECT_TRUE(usually->flies);
+  EXPECT_EQ(usually->flight.start, executor::start_policy::on_command);
+  EXPECT_FALSE(usually->flight.arm_on_start);
+  EXPECT_EQ(usually->flight.checks.battery_return_percent, usually->failsafe.battery_low_percent);
+  expect_blames("start", {{"start", "automatic"}});
+  auto both = usual();
+  both["start"] = "automatic";
+  both["arm-on-start"] = "true";
+  EXPECT_TRUE(settings(both));
+}
+
+TEST(daemon_settings, once_is_a_run_on_the_ground) {
+  auto options = usual();
+  options["once"] = "true";
+  EXPECT_FALSE(settings(options)->flies);
+  options.erase("once");
+  options["ground-run"] = "true";
+  EXPECT_FALSE(settings(options)->flies);
+}
+
+TEST(daemon_settings, the_line_for_ground_stations_is_a_link) {
+  auto options = usual();
+  options["ground"] = "udpin://127.0.0.1:14555";
+  EXPECT_TRUE(settings(options)->ground);
+  expect_blames("ground", {{"ground", "udp:14555"}});
+}
+
 } // namespace

@@ -15,9 +15,26 @@ TEST(status_text, each_part_is_a_line_and_a_part_without_an_answer_says_why) {
       {"vehicle", {{"error", "there is no answer: timeout"}}}};
   EXPECT_EQ(
       status_text(answer),
-      "run      mission 7d1c: seeing; sightings: 5 recorded, 1 refused, 0 unreadable\n"
-      "service  unreachable, mission revision 2, map synced; outbox: 0 pending, 0 orphaned, 0 expired (no route)\n"
-      "vehicle  there is no answer: timeout");
+      "run        mission 7d1c: seeing; sightings: 5 recorded, 1 refused, 0 unreadable\n"
+      "service    unreachable, mission revision 2, map synced; outbox: 0 pending, 0 orphaned, 0 expired (no route)\n"
+      "vehicle    there is no answer: timeout");
+}
+
+TEST(status_text, a_flight_says_how_it_stands_and_what_waits_for_a_person) {
+  const json answer{{"ok", true},
+                    {"flight",
+                     {{"sentence", "preflight: degraded"},
+                      {"mission_id", "7d1c"},
+                      {"revision", 2},
+                      {"items_done", 3},
+                      {"items", 9},
+                      {"reports", 7},
+                      {"mode", "hold"},
+                      {"is_armed", false},
+                      {"preflight_report", 4}}}};
+  EXPECT_EQ(status_text(answer),
+            "flight     preflight: degraded; mission 7d1c revision 2: 3 of 9 items, 7 reports; hold, "
+            "disarmed; preflight report 4 waits for `ctl ack`");
 }
 
 TEST(status_text, a_retry_tells_how_many_rows_it_found) {

@@ -10,8 +10,7 @@ namespace {
 
 using namespace test;
 
-class advance_any : public testing::TestWithParam<flavour> {
-protected:
+struct advance_any : testing::TestWithParam<flavour> {
   desk d{GetParam()};
 };
 

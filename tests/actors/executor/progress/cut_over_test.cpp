@@ -11,8 +11,7 @@ using namespace test;
 
 const assignment_key key{"assignment", "key"};
 
-class cut_over_any : public testing::TestWithParam<flavour> {
-protected:
+struct cut_over_any : testing::TestWithParam<flavour> {
   desk d{GetParam()};
 };
 

@@ -10,8 +10,7 @@ namespace {
 
 using namespace test;
 
-class follow_any : public testing::TestWithParam<flavour> {
-protected:
+struct follow_any : testing::TestWithParam<flavour> {
   desk d{GetParam()};
 };
 

@@ -11,8 +11,7 @@ using namespace test;
 
 const assignment_key key{"assignment", "key"};
 
-class assignment_in_flight : public testing::TestWithParam<flavour> {
-protected:
+struct assignment_in_flight : testing::TestWithParam<flavour> {
   void fly_towards_b() {
     d.fly({"A", "B"});
     d.reached(0);

@@ -10,8 +10,7 @@ namespace {
 
 using namespace test;
 
-class start_any : public testing::TestWithParam<flavour> {
-protected:
+struct start_any : testing::TestWithParam<flavour> {
   void SetUp() override {
     d.fly({"A", "B", "C", "D"});
     d.reached(0);

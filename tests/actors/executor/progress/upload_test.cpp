@@ -12,8 +12,7 @@ using namespace test;
 
 const assignment_key key{"assignment", "key"};
 
-class upload_any : public testing::TestWithParam<flavour> {
-protected:
+struct upload_any : testing::TestWithParam<flavour> {
   // A flies, and the upload of X was under way when the process died.
   void SetUp() override {
     d.fly({"A", "B"});

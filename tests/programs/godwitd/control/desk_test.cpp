@@ -18,7 +18,10 @@ using nlohmann::json;
 using everybody_handle = runtime::mailbox<runtime::asks<mission_client::retry_outbox, mission_client::retry_answer>,
                                           runtime::asks<mission_client::get_service, mission_client::service_status>,
                                           runtime::asks<vehicle_link::get_connection, vehicle_link::connection>,
-                                          runtime::asks<ground_run::get_run, ground_run::run_status>>;
+                                          runtime::asks<ground_run::get_run, ground_run::run_status>,
+                                          runtime::asks<operator_words::word, operator_words::answer>,
+                                          runtime::asks<executor::get_flight, executor::flight_status>,
+                                          runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
 class everybody final : public runtime::cell<everybody_handle> {
 public:
@@ -42,7 +45,15 @@ protected:
             }),
             late<mission_client::get_service>([](const auto&) { return mission_client::service_status{}; }),
             late<vehicle_link::get_connection>([](const auto&) { return vehicle_link::connection{}; }),
-            late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; })};
+            late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; }),
+            late<operator_words::word>([](const auto& m) {
+              const bool is_start = m.verb == operator_words::verb::start;
+              return operator_words::answer{is_start, is_start ? "" : "not now"};
+            }),
+            late<executor::get_flight>([](const auto&) { return executor::flight_status{}; }),
+            late<failsafe::override_rule>([](const auto& m) {
+              return failsafe::override_answer{m.until_ns > 0, m.reason};
+            })};
   }
 
 private:
@@ -65,12 +76,18 @@ protected:
 };
 
 struct process {
-  explicit process(bool answers, bool has_service = true) : world(disk, 1) {
+  explicit process(bool answers, bool has_service = true, bool flies = false) : world(disk, 1) {
     const auto all = world.actors().add<everybody>({.name = "everybody"}, {}, answers);
     neighbours others;
     others.store = world.actors().add<map_stand_in>({.name = "map"}, {});
     others.vehicle = all;
-    others.run = all;
+    if (flies) {
+      others.flight = all;
+      others.failsafe = all;
+      others.crash = [](const std::string& name) { return name == "executor"; };
+    } else {
+      others.run = all;
+    }
     if (has_service)
       others.client = all;
     who = world.actors().add<desk>({.name = "control_desk"}, {}, others, box);
@@ -107,12 +124,57 @@ TEST(control_desk, a_part_that_does_not_answer_holds_up_nobody_and_is_said) {
 }
 
 TEST(control_desk, a_retry_is_mission_clients_answer) {
-  const auto all = process(true).ask({0, request_kind::outbox_retry, ""});
+  const auto all = process(true).ask({0, request_kind::outbox_retry, "", {}, {}, 0});
   EXPECT_EQ(all.at("ok"), true);
   EXPECT_EQ(all.at("tried_now"), 2);
-  EXPECT_EQ(process(true).ask({0, request_kind::outbox_retry, "no such row"}).at("ok"), false);
-  EXPECT_EQ(process(false).ask({0, request_kind::outbox_retry, ""}).at("ok"), false);
-  EXPECT_EQ(process(true, false).ask({0, request_kind::outbox_retry, ""}).at("ok"), false);
+  EXPECT_EQ(process(true).ask({0, request_kind::outbox_retry, "no such row", {}, {}, 0}).at("ok"), false);
+  EXPECT_EQ(process(false).ask({0, request_kind::outbox_retry, "", {}, {}, 0}).at("ok"), false);
+  EXPECT_EQ(process(true, false).ask({0, request_kind::outbox_retry, "", {}, {}, 0}).at("ok"), false);
+}
+
+control_request word(operator_words::verb what) {
+  control_request result;
+  result.what = request_kind::word;
+  result.said.verb = what;
+  return result;
+}
+
+TEST(control_desk, a_word_is_taken_or_refused_with_the_executors_reason) {
+  EXPECT_EQ(process(true, true, true).ask(word(operator_words::verb::start)).at("ok"), true);
+  const auto refused = process(true, true, true).ask(word(operator_words::verb::pause));
+  EXPECT_EQ(refused.at("ok"), false);
+  EXPECT_EQ(refused.at("error"), "not now");
+  EXPECT_EQ(process(false, true, true).ask(word(operator_words::verb::start)).at("ok"), false) << "no answer";
+}
+
+TEST(control_desk, who_runs_on_the_ground_takes_no_word) {
+  EXPECT_EQ(process(true).ask(word(operator_words::verb::start)).at("ok"), false);
+  control_request override_it;
+  override_it.what = request_kind::override_rule;
+  EXPECT_EQ(process(true).ask(override_it).at("ok"), false);
+}
+
+TEST(control_desk, an_override_goes_to_the_failsafe_with_its_end) {
+  control_request asked;
+  asked.what = request_kind::override_rule;
+  asked.lasts_s = 60;
+  EXPECT_EQ(process(true, true, true).ask(asked).at("ok"), true);
+}
+
+TEST(control_desk, a_flight_is_a_part_of_the_status) {
+  const auto answer = process(true, true, true).ask({});
+  EXPECT_TRUE(answer.contains("flight"));
+  EXPECT_FALSE(answer.contains("run"));
+}
+
+TEST(control_desk, a_crash_is_for_drills_and_of_an_actor_that_runs) {
+  control_request crash;
+  crash.what = request_kind::crash;
+  crash.key = "executor";
+  EXPECT_EQ(process(true).ask(crash).at("ok"), false) << "not allowed";
+  EXPECT_EQ(process(true, true, true).ask(crash).at("ok"), true);
+  crash.key = "nobody";
+  EXPECT_EQ(process(true, true, true).ask(crash).at("ok"), false);
 }
 
 } // namespace

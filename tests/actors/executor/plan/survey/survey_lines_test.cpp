@@ -14,9 +14,7 @@
 namespace godwit::executor::plan {
 namespace {
 
-using route::operator+;
-using route::operator-;
-using route::operator*;
+using namespace route; // for the operators of local_point, which lives in geo
 
 const auto box = survey_of("box", tests::box(0, 0, 300, 100), 25);
 

@@ -176,7 +176,7 @@ void composition::add_flight(control::neighbours& of_desk) {
   }
   feeder_ = actors.add<sightings::feeder>({.name = "sightings"}, replaceable,
                                           sightings::feeder_settings{wanted_.mission_id, service_ == nullptr},
-                                          mapobjects_store::handle(store_), feed_, [this](const std::string& sentence) {
+                                          sightings::store_handle(store_), feed_, [this](const std::string& sentence) {
                                             announce({sentence, true}, "sightings");
                                           });
   of_executor->vehicle = vehicle_;

@@ -11,12 +11,16 @@
 #include <optional>
 #include <string>
 
-#include "messages/mapobjects_store/handle.hpp"
+#include "messages/mapobjects_store/types.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
 #include "programs/godwitd/sightings/sighting_flow.hpp"
 #include "runtime/cell.hpp"
 
 namespace godwit::sightings {
+
+// What of the map store it needs.
+using store_handle = runtime::mailbox<runtime::asks<mapobjects_store::sighting, mapobjects_store::sighting_answer>,
+                                      runtime::asks<mapobjects_store::choose_mission, mapobjects_store::map_answer>>;
 
 struct feeder_settings {
   std::string mission_id;
@@ -32,7 +36,7 @@ public:
   static constexpr std::chrono::seconds answer_timeout{10};
 
   // FEED: null without sightings.
-  feeder(runtime::actor_config& config, runtime::birth born, feeder_settings configured, mapobjects_store::handle store,
+  feeder(runtime::actor_config& config, runtime::birth born, feeder_settings configured, store_handle store,
          std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
       : cell(config, std::move(born)), settings_(std::move(configured)), store_(std::move(store)),
         feed_(std::move(feed)), complain_(std::move(complain)) {}
@@ -47,7 +51,7 @@ private:
   void choose();
 
   feeder_settings settings_;
-  mapobjects_store::handle store_;
+  store_handle store_;
   std::shared_ptr<daemon::sighting_feed> feed_;
   complainer complain_;
   std::optional<daemon::sighting_flow> flow_; // from started() on

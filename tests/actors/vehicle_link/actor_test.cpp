@@ -26,8 +26,16 @@ public:
       return false;
     if (on_frame)
       on_frame(frame);
-    scan.feed_datagram(frame, [this](const mavlink::frame_view& each) { ++sent[each.id()]; });
+    scan.feed_datagram(frame, [this](const mavlink::frame_view& each) {
+      if (!is_call(each))
+        ++sent[each.id()];
+    });
     return true;
+  }
+  // For a heartbeat, before anybody was heard: nobody's command.
+  static bool is_call(const mavlink::frame_view& each) {
+    return each.id() == mavlink::command_long::message_id &&
+           mavlink::decode<mavlink::command_long>(each).command == mavlink::number(mavlink::mav_cmd::request_message);
   }
   mavlink::scanner scan;
   std::map<std::uint32_t, int> sent; // by message id
@@ -127,6 +135,18 @@ TEST(vehicle_link, a_command_is_answered_by_the_vehicles_ack) {
   p.vehicle_says(accepted());
   EXPECT_EQ(asked->answers, 1);
   EXPECT_EQ(asked->answer.verdict, command_verdict::accepted);
+}
+
+TEST(vehicle_link, a_held_back_heartbeat_goes_out_as_soon_as_all_have_vouched) {
+  runtime::simulated_disk disk;
+  auto careful = test::quiet();
+  careful.vouchers = {"executor"};
+  process p(disk, careful);
+  p.connect();
+  EXPECT_EQ(p.line->sent[mavlink::heartbeat::message_id], 0);
+  p.world.tell(p.link, vouch{"executor"});
+  p.world.advance(50ms);
+  EXPECT_EQ(p.line->sent[mavlink::heartbeat::message_id], 1);
 }
 
 TEST(vehicle_link, a_command_without_an_answer_times_out_as_a_typed_outcome) {

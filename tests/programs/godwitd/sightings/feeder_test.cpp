@@ -1,0 +1,103 @@
+// The feeder of a flight, with a map store that is busy and a gate that is closed at first.
+#include "programs/godwitd/sightings/feeder.hpp"
+
+#include <semaphore>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "runtime/simulation/simulation.hpp"
+#include "tests/programs/godwitd/scratch.hpp"
+#include "tests/programs/godwitd/sighting_text.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace std::chrono_literals;
+using mapobjects_store::map_failure;
+
+constexpr int lines = 300; // more than may be under way
+const std::string this_mission = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+
+// Outside of the stand-in, where no crash reaches it.
+struct store_log {
+  std::set<std::string> seen;
+  int asks = 0;
+  int busy_every = 0; // 0: never
+  int chosen = 0;
+};
+
+class store_stand_in final : public runtime::cell<sightings::store_handle> {
+public:
+  store_stand_in(runtime::actor_config& config, runtime::birth born, store_log* log)
+      : cell(config, std::move(born)), log_(log) {}
+
+protected:
+  behavior_type handlers() override {
+    namespace ms = mapobjects_store;
+    return {on<ms::sighting>([this](const ms::sighting& m) {
+              ms::sighting_answer answer;
+              if (log_->busy_every != 0 && ++log_->asks % log_->busy_every == 0)
+                answer.failure = map_failure::busy;
+              else
+                log_->seen.insert(m.id);
+              return answer;
+            }),
+            on<ms::choose_mission>([this](const ms::choose_mission&) {
+              ++log_->chosen;
+              return ms::map_answer{};
+            })};
+  }
+
+private:
+  store_log* log_;
+};
+
+struct process {
+  explicit process(bool chooses) : world(disk, 1) {
+    feed = daemon::sighting_feed::open(folder.write("seen", test::sighting_lines(lines)), this_mission).value();
+    feed->start([this] { woken_up.release(); }, [](const std::string&) {});
+    for (int word = 0; word < 2; ++word) // there is something; all is read
+      EXPECT_TRUE(woken_up.try_acquire_for(20s));
+    auto& actors = world.actors();
+    const auto store = actors.add<store_stand_in>({.name = "store"}, {}, &log);
+    actors.add<sightings::feeder>({.name = "sightings"}, {}, sightings::feeder_settings{this_mission, chooses}, store,
+                                  feed, [](const std::string&) {});
+    world.start();
+    world.advance(2s);
+  }
+  test::scratch folder;
+  store_log log;
+  runtime::simulated_disk disk;
+  std::counting_semaphore<> woken_up{0};
+  std::shared_ptr<daemon::sighting_feed> feed;
+  runtime::simulation world;
+};
+
+TEST(feeder, nothing_flows_before_the_gate_is_open_and_then_all_does) {
+  process p(false);
+  EXPECT_TRUE(p.log.seen.empty());
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
+  EXPECT_EQ(p.log.chosen, 0) << "mission_client tells the map which mission it is";
+}
+
+TEST(feeder, a_store_that_is_busy_is_asked_again) {
+  process p(false);
+  p.log.busy_every = 7;
+  p.feed->set_gate(true);
+  p.world.advance(60s);
+  EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
+  EXPECT_EQ(p.feed->counts().recorded, static_cast<std::uint64_t>(lines));
+}
+
+TEST(feeder, without_a_service_it_tells_the_map_which_mission_it_is) {
+  process p(true);
+  EXPECT_EQ(p.log.chosen, 1);
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
+}
+
+} // namespace

@@ -37,7 +37,7 @@ class World(unittest.TestCase):
 
     def words(self, *more):
         return [PROGRAM, "--mission", MISSION, "--vehicle", "udpin://127.0.0.1:0", "--journal", self.path("godwit.db"),
-                "--trace", self.path("trace"), *more]
+                "--trace", self.path("trace"), "--ground-run", *more]
 
     def environment(self, **more):
         clean = {name: text for name, text in os.environ.items() if not name.startswith(("GODWIT_", "NOTIFY_"))}
@@ -268,12 +268,14 @@ class Restarts(World):
         self.assertEqual(ended.returncode, UNKNOWN_STATE, ended.stderr)
 
     def test_after_five_kills_it_does_not_start_by_itself_and_a_person_can_start_it(self):
+        pathlib.Path(self.path("godwit.json")).write_text('{"restarts": {"max_abnormal_ends": 5}}', encoding="utf-8")
+        limited = ["--config", self.path("godwit.json")]
         for _ in range(5):
-            godwitd = self.start()
+            godwitd = self.start(*limited)
             self.until_it_says(godwitd, "vehicle")
             godwitd.kill()
             godwitd.communicate(timeout=PATIENCE_S)
-        ended = self.run_it()
+        ended = self.run_it(*limited)
         self.assertEqual(ended.returncode, UNKNOWN_STATE, ended.stderr)
         self.assertIn("5 times", ended.stderr)
         self.assertIn(self.path("godwit.starts"), ended.stderr)

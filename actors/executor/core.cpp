@@ -31,10 +31,6 @@ bool ends_plans(mode_kind kind) {
   return kind == mode_kind::hold || kind == mode_kind::returning || kind == mode_kind::landing;
 }
 
-bool holds_our_plan(pause_cause cause) {
-  return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
-}
-
 bool is_over(phase now) { return now == phase::post_flight || now == phase::done || now == phase::aborted; }
 
 } // namespace
@@ -277,11 +273,6 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   case verb::resume:
     if (s_.standing.now != phase::paused)
       return refuse("the flight is not paused: " + sentence());
-    if (is_in_flight() && !holds_our_plan(s_.standing.cause))
-      return refuse(
-          "there is no plan of godwit's on the vehicle to go on with; bring it home (come-home), or fly it by "
-          "hand: " +
-          s_.standing.reason);
     break;
   case verb::pause:
   case verb::come_home:

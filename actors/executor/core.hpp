@@ -135,6 +135,7 @@ private:
   [[nodiscard]] bool end_flight(effects& out, instant now);
   [[nodiscard]] bool answer_assignment(effects& out, instant now);
   [[nodiscard]] bool prepare(effects& out, instant now);
+  [[nodiscard]] bool has_nothing_left(const mission::document& next) const;
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 
   [[nodiscard]] bool is_down() const;
@@ -174,7 +175,8 @@ private:
                     const std::optional<std::string>& assignment, bool goes_on);
   void begin_start(effects& out, std::optional<std::uint64_t> key);
   void begin_going_on(effects& out);
-  [[nodiscard]] bool begin_wanted(effects& out, task_kind what);
+  void begin_again(effects& out, instant now);
+  [[nodiscard]] bool begin_wanted(effects& out, task_kind what, instant now);
   [[nodiscard]] bool begin_asked_start(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
   void task_done(effects& out, const task& what);

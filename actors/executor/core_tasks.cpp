@@ -18,6 +18,10 @@ using io::mavlink::number;
 
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
+bool holds_our_plan(pause_cause cause) {
+  return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
+}
+
 } // namespace
 
 // -- the standing -----------------------------------------------------------------------------------
@@ -289,7 +293,7 @@ bool core::begin_wished(effects& out, instant now) {
   if (wanted_change_)
     return begin_change(out, now);
   if (wanted_)
-    return begin_wanted(out, *std::exchange(wanted_, {}));
+    return begin_wanted(out, *std::exchange(wanted_, {}), now);
   if (asked_start_)
     return begin_asked_start(out, *std::exchange(asked_start_, {}), now);
   if (is_start_wanted_) {
@@ -307,7 +311,7 @@ bool core::begin_wished(effects& out, instant now) {
 // was brought to it in flight is started.
 steps core::going_on_steps() const {
   const bool is_new = s_.progress.plan && !s_.progress.plan->generation.was_active &&
-                      s_.progress.plan->generation.origin == progress::generation_origin::new_plan;
+                      s_.progress.plan->generation.origin != progress::generation_origin::start;
   const auto autopilot = view_.owner().autopilot;
   if (is_new && autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega)
     return {start_plan{s_.progress.plan->generation.start_sequence}};
@@ -326,7 +330,16 @@ void core::begin_going_on(effects& out) {
   begin(out, task_kind::resume, std::move(way));
 }
 
-bool core::begin_wanted(effects& out, task_kind what) {
+// The vehicle holds another plan, or none: a person wants the rest of the mission flown all the same.
+void core::begin_again(effects& out, instant now) {
+  const auto plan = plan_in_flight(*s_.mission, now);
+  if (plan)
+    begin_deploy(out, {*s_.mission, plan->items, plan->landing_sequence}, *plan, {}, true);
+  else
+    out.emplace_back(announce{"the rest of the mission can not be flown from here: " + plan.error(), true});
+}
+
+bool core::begin_wanted(effects& out, task_kind what, instant now) {
   if (!is_in_flight()) {
     if (what != task_kind::resume || s_.standing.now != phase::paused)
       return false;
@@ -337,6 +350,8 @@ bool core::begin_wanted(effects& out, task_kind what) {
     out.emplace_back(note{change_settled{s_.change->key, false}});
   if (what == task_kind::hold)
     begin(out, what, {change_mode{mode_kind::hold}});
+  else if (what == task_kind::resume && !holds_our_plan(s_.standing.cause))
+    begin_again(out, now);
   else if (what == task_kind::resume)
     begin(out, what, going_on_steps());
   else
@@ -370,6 +385,11 @@ bool core::begin_asked_start(effects& out, const start_mission& asked, instant n
   return true;
 }
 
+bool core::has_nothing_left(const mission::document& next) const {
+  return s_.mission && s_.mission->mission_id == next.mission_id &&
+         first_remaining(next, last_done(s_)) >= next.items.size();
+}
+
 // On the ground: from the link to a plan that is ready.
 bool core::prepare(effects& out, instant now) {
   const auto at = s_.standing.now;
@@ -380,6 +400,10 @@ bool core::prepare(effects& out, instant now) {
     return false;
   if (!view_.is_connected() || !view_.mode()) {
     stand(out, phase::disconnected, pause_cause::none, view_.why_not_connected());
+    return true;
+  }
+  if (s_.arrived && has_nothing_left(*s_.arrived)) {
+    out.emplace_back(note{arrival_refused{s_.arrived->revision}}); // it came when all of it was flown
     return true;
   }
   if (s_.arrived) {

@@ -1,13 +1,10 @@
 """godwitd in the demo: started with the demo's configuration, asked over its control socket."""
 
-import json
-import socket
 import subprocess
 
 from demo_lib.children import Child, Trouble, environment
 from demo_lib.restarts import Restarts
-
-ANSWER_S = 5
+from demo_lib.status import ANSWER_S, ask
 
 
 class Daemon:
@@ -27,14 +24,7 @@ class Daemon:
 
     def status(self):
         """What it tells of itself; empty while it does not answer."""
-        try:
-            with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
-                connection.settimeout(ANSWER_S)
-                connection.connect(str(self.socket))
-                connection.sendall(b'{"do": "status"}\n')
-                return json.loads(connection.makefile().readline())
-        except (OSError, ValueError):
-            return {}
+        return ask(self.socket)
 
     def kill_and_start(self):
         self.child.kill()

@@ -37,7 +37,7 @@ public:
     }
     for (int i = 0; i < 60 && !is_over(); ++i) {
       (void)world_.run_until(
-          [&] { return is_over() || is_waiting_for_person() || !world_.durable().set_aside.empty(); }, 120);
+          [&] { return is_over() || is_waiting_for_person() || !world_.durable().set_aside.empty(); }, 30);
       world_.set_changes(mission_client::change_verdict::done);
       judge();
       help();

@@ -160,6 +160,7 @@ private:
   [[nodiscard]] change_or_reason wish_to_insert(const operator_words::word& m) const;
   [[nodiscard]] tl::expected<mission::document, std::string> changed(const wished_change& wish) const;
   [[nodiscard]] std::string why_not_changed(const wished_change& wish, instant now) const;
+  [[nodiscard]] std::size_t first_item(const mission::document& mission) const; // to go on with
   [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
                                                                             instant now) const;
   [[nodiscard]] bool begin_change(effects& out, instant now);

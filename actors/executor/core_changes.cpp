@@ -132,11 +132,15 @@ std::string core::why_not_changed(const wished_change& wish, instant now) const 
   return plan ? std::string() : plan.error();
 }
 
+std::size_t core::first_item(const mission::document& mission) const {
+  return s_.flown ? first_to_fly(mission, s_.flown->mission, last_done(s_)) : 0;
+}
+
 tl::expected<plan::flight_plan, std::string> core::plan_in_flight(const mission::document& mission, instant now) const {
   const auto where = setting(now);
   if (!where)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
-  auto plans = plan::build_plans(mission, *where, {first_remaining(mission, last_done(s_)), 0});
+  auto plans = plan::build_plans(mission, *where, {first_item(mission), 0});
   if (!plans)
     return tl::make_unexpected(plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), mission, where->vehicle); !found.empty())

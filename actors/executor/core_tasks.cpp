@@ -191,7 +191,7 @@ preflight::report core::look_at_all(instant now) {
   seen.mission.map = map_;
   seen.mission.map_problem = map_problem_;
   if (const auto where = setting(now); where && s_.mission) {
-    plans_ = plan::build_plans(*s_.mission, *where, {first_remaining(*s_.mission, last_done(s_)), 0});
+    plans_ = plan::build_plans(*s_.mission, *where, {first_item(*s_.mission), 0});
     seen.mission.plans = &*plans_;
     seen.mission.return_point = plan::return_point_violations(*s_.mission);
     if (*plans_) {
@@ -214,7 +214,8 @@ preflight::report core::look_at_all(instant now) {
 // One at a time, and only while a plan may be changed.
 bool core::answer_assignment(effects& out, instant now) {
   const auto at = s_.standing.now;
-  const bool may_change = at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked);
+  const bool may_change =
+      is_in_flight() && (at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked));
   const bool is_waiting_on_ground = !is_in_flight() && (at == phase::connected || at == phase::preflight ||
                                                         at == phase::ready || at == phase::disconnected);
   if (s_.waiting.empty() || !s_.mission)
@@ -386,8 +387,7 @@ bool core::begin_asked_start(effects& out, const start_mission& asked, instant n
 }
 
 bool core::has_nothing_left(const mission::document& next) const {
-  return s_.mission && s_.mission->mission_id == next.mission_id &&
-         first_remaining(next, last_done(s_)) >= next.items.size();
+  return s_.mission && s_.mission->mission_id == next.mission_id && first_item(next) >= next.items.size();
 }
 
 // On the ground: from the link to a plan that is ready.

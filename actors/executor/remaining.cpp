@@ -37,6 +37,13 @@ std::size_t first_remaining(const mission::document& mission, const std::optiona
   return place ? *place + 1 : 0;
 }
 
+std::size_t first_to_fly(const mission::document& mission, const mission::document& flown,
+                         const std::optional<std::string>& last_done) {
+  const auto is_new = [&](const mission::item& each) { return !place_of(flown, id_of(each)); };
+  const auto first_new = std::find_if(mission.items.begin(), mission.items.end(), is_new);
+  return std::min(first_remaining(mission, last_done), static_cast<std::size_t>(first_new - mission.items.begin()));
+}
+
 tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& wish,
                                                const std::optional<std::string>& last_done) {
   if (wish.base_revision != mission.revision)

@@ -23,6 +23,10 @@ namespace godwit::executor {
 [[nodiscard]] std::size_t first_remaining(const mission::document& mission,
                                           const std::optional<std::string>& last_done);
 
+// The same, but back to the first item that FLOWN, the mission of the plan on the vehicle, does not have: it came late.
+[[nodiscard]] std::size_t first_to_fly(const mission::document& mission, const mission::document& flown,
+                                       const std::optional<std::string>& last_done);
+
 struct reassigned {
   mission::document mission;
   std::size_t first_item = 0; // to go on with

@@ -40,11 +40,13 @@ void settle_change(state& s, bool is_done) {
 }
 
 // An upload that is over leaves either the new mission or the one before.
-void settle_deployment(state& s, std::uint32_t generation_before) {
+void settle_deployment(state& s, std::uint32_t generation_before, bool was_assigned) {
   if (s.progress.upload || !s.brings)
     return;
   if (s.progress.last_generation != generation_before) {
     s.mission = s.brings->mission;
+    if (was_assigned)
+      s.set_aside.clear(); // the service wants something else now
     if (s.arrived && s.arrived->mission_id == s.mission->mission_id && s.arrived->revision <= s.mission->revision)
       s.arrived.reset();
     if (s.change && s.mission->revision > s.change->base_revision)
@@ -66,18 +68,17 @@ template <of_progress M>
 effects take(state& s, const M& happened, std::int64_t now_ns) {
   const auto generation = s.progress.last_generation;
   const bool was_uploading = s.progress.upload.has_value();
+  const bool was_assigned = was_uploading && s.progress.upload->intent.assignment.has_value();
   effects out;
   for (const auto& each : progress::handle(s.progress, progress::event(happened), now_ns))
     std::visit([&](const auto& what) { give(out, what); }, each);
   if constexpr (std::is_same_v<M, progress::upload_intended>) {
-    if (happened.assignment) {
+    if (happened.assignment)
       forget_wish(s, happened.assignment->assignment_id);
-      s.set_aside.clear(); // the service wants something else now
-    }
     s.assigned.reset();
   }
   if (was_uploading)
-    settle_deployment(s, generation);
+    settle_deployment(s, generation, was_assigned);
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "actors/failsafe/actor.hpp"
 #include "actors/ground_port/actor.hpp"
 #include "actors/mapobjects_store/actor.hpp"
+#include "actors/mission_client/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
@@ -37,6 +38,11 @@ constexpr const char* executor_name = "executor";
 constexpr const char* failsafe_name = "failsafe";
 
 } // namespace
+
+composition::composition(daemon_settings wanted, program_log& log)
+    : wanted_(std::move(wanted)), log_(log), ears_(std::make_shared<vehicle_link::listeners>()),
+      of_client_(std::make_shared<mission_client::neighbours>()),
+      of_failsafe_(std::make_shared<failsafe::neighbours>()) {}
 
 tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted, program_log& log) {
   std::unique_ptr<composition> result(new composition(std::move(wanted), log));

@@ -9,16 +9,16 @@
 
 #include <tl/expected.hpp>
 
-#include "actors/executor/actor.hpp"
-#include "actors/failsafe/actor.hpp"
 #include "actors/ground_port/link_port.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
-#include "actors/mission_client/actor.hpp"
 #include "actors/mission_client/http_service.hpp"
 #include "actors/vehicle_link/link_port.hpp"
 #include "actors/vehicle_link/listeners.hpp"
 #include "io/mavlink/signing/channel.hpp"
+#include "messages/executor/handle.hpp"
+#include "messages/failsafe/handle.hpp"
 #include "messages/mission/document.hpp"
+#include "messages/mission_client/handle.hpp"
 #include "programs/godwitd/control/desk.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/ground_run/actor.hpp"
@@ -26,6 +26,19 @@
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/feeder.hpp"
+
+namespace godwit::executor {
+struct house;
+struct outside_world;
+} // namespace godwit::executor
+
+namespace godwit::failsafe {
+struct neighbours;
+}
+
+namespace godwit::mission_client {
+struct neighbours;
+}
 
 namespace godwit::daemon {
 
@@ -51,7 +64,7 @@ public:
   [[nodiscard]] std::optional<run_end::outcome> end_of_run() const { return end_.get(); }
 
 private:
-  composition(daemon_settings wanted, program_log& log) : wanted_(std::move(wanted)), log_(log) {}
+  composition(daemon_settings wanted, program_log& log);
 
   [[nodiscard]] tl::expected<void, std::string> open_files();
   [[nodiscard]] tl::expected<void, std::string> load_mission();
@@ -86,9 +99,9 @@ private:
   std::shared_ptr<control::answer_box> control_answers_;
 
   // Whom each actor speaks with; filled in before the actors start.
-  std::shared_ptr<vehicle_link::listeners> ears_ = std::make_shared<vehicle_link::listeners>();
-  std::shared_ptr<mission_client::neighbours> of_client_ = std::make_shared<mission_client::neighbours>();
-  std::shared_ptr<failsafe::neighbours> of_failsafe_ = std::make_shared<failsafe::neighbours>();
+  std::shared_ptr<vehicle_link::listeners> ears_;
+  std::shared_ptr<mission_client::neighbours> of_client_;
+  std::shared_ptr<failsafe::neighbours> of_failsafe_;
 
   std::unique_ptr<runtime::process> host_;
   vehicle_link::own_handle vehicle_;

@@ -67,7 +67,7 @@ effects core::advance(instant now) {
     const auto before = out.size();
     static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out, now) || run_task(out, now) ||
                       end_flight(out, now) || answer_assignment(out, now) || deploy_arrived(out, now) ||
-                      begin_wished(out, now) || prepare(out, now));
+                      follow_started(out) || begin_wished(out, now) || prepare(out, now));
     const bool has_notes =
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;

@@ -135,6 +135,7 @@ private:
   [[nodiscard]] bool end_flight(effects& out, instant now);
   [[nodiscard]] bool answer_assignment(effects& out, instant now);
   [[nodiscard]] bool prepare(effects& out, instant now);
+  [[nodiscard]] bool follow_started(effects& out);
   [[nodiscard]] bool has_nothing_left(const mission::document& next) const;
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 

@@ -386,6 +386,23 @@ bool core::begin_asked_start(effects& out, const start_mission& asked, instant n
   return true;
 }
 
+// Our plan is flown, and nobody here has started it: a start whose sender died came through, or somebody else has said
+// it. It is followed, and guarded; nothing else is sent.
+bool core::follow_started(effects& out) {
+  const auto at = s_.standing.now;
+  const bool waits = at == phase::ready || (at == phase::paused && s_.standing.cause == pause_cause::restarted);
+  const bool flies = view_.mode() && view_.is_under_way() && view_.is_in(mode_kind::mission) && view_.current() &&
+                     view_.current()->mission_state != number(io::mavlink::mission_state::not_started);
+  if (is_in_flight() || !waits || !flies || !s_.progress.plan || !s_.flown)
+    return false;
+  modes_.adopt(*view_.mode());
+  was_up_ = true;
+  out.emplace_back(note{preflight::took_off{}});
+  stand_as(out, phase::flying, true);
+  begin(out, task_kind::resume, {guard{}, change_mode{mode_kind::mission}});
+  return true;
+}
+
 bool core::has_nothing_left(const mission::document& next) const {
   return s_.mission && s_.mission->mission_id == next.mission_id && first_item(next) >= next.items.size();
 }

@@ -71,13 +71,14 @@ private:
   }
 
   // Dies and comes back; nothing starts or returns because of it.
+  // GOES_ON: the executor lives, and what it was doing goes on.
   template <class Crash>
-  void crash(Crash die) {
+  void crash(Crash die, bool goes_on = false) {
     const auto starts = starts_so_far();
     const auto reactions = world_.reactions().size();
     const auto& before = world_.durable();
     // A rover by the MAVLink text takes a new plan in flight with a start; that is what was asked for, then.
-    const bool is_asked_for = !before.waiting.empty() || before.arrived || before.change;
+    const bool is_asked_for = !before.waiting.empty() || before.arrived || before.change || (goes_on && before.doing);
     const bool was_under_way = before.standing.in_flight && !is_asked_for;
     die();
     world_.run_for(1);
@@ -94,7 +95,7 @@ private:
       crash([this] { world_.crash(); });
       break;
     case trouble::crash_of_failsafe:
-      crash([this] { world_.crash_failsafe(); });
+      crash([this] { world_.crash_failsafe(); }, true);
       break;
     case trouble::kill:
       crash([this] { world_.crash_all(); });

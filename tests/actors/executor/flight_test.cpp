@@ -70,6 +70,26 @@ TEST_P(every_vehicle, a_crash_on_the_ground_begins_nothing_until_an_operator_say
 
 std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality::px4 ? 0x00030000 : 0; }
 
+TEST_P(every_vehicle, a_start_that_came_through_after_a_kill_is_followed_and_not_disturbed) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return starts_in(world) > 0 && world.durable().progress.start; }, 600))
+      << world.story();
+  world.crash_all();
+  ASSERT_TRUE(world.run_until(
+      [&] { return world.durable().standing.now == phase::flying || world.durable().standing.now == phase::paused; },
+      60))
+      << world.story();
+  const auto starts = starts_in(world);
+  const bool took_off = world.run_until_phase(phase::done, 200);
+  EXPECT_EQ(starts_in(world), starts) << world.story();
+  if (took_off) {
+    EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+  } else {
+    EXPECT_FALSE(world.vehicle().describe().in_air) << "it flies, and nobody follows" << world.story();
+  }
+}
+
 TEST_P(every_vehicle, a_mode_change_that_we_did_not_command_is_a_pilot_and_nothing_is_sent) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));

@@ -137,6 +137,7 @@ private:
   [[nodiscard]] bool prepare(effects& out, instant now);
   [[nodiscard]] bool follow_started(effects& out);
   [[nodiscard]] bool has_nothing_left(const mission::document& next) const;
+  [[nodiscard]] bool is_same_mission(const mission::document& next) const;
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 
   [[nodiscard]] bool is_down() const;

@@ -152,6 +152,10 @@ tl::expected<plan::flight_plan, std::string> core::plan_in_flight(const mission:
 
 // Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there.
 bool core::begin_change(effects& out, instant now) {
+  if (!is_in_flight() || is_plan_finished()) {
+    drop_change(out, "the flight was over before");
+    return true;
+  }
   if (wanted_change_->kind == change_kind::go_to && !view_.is_in(mode_kind::hold)) {
     if (!std::exchange(is_held_for_change_, true)) {
       begin(out, task_kind::hold, {change_mode{mode_kind::hold}});

@@ -404,7 +404,11 @@ bool core::follow_started(effects& out) {
 }
 
 bool core::has_nothing_left(const mission::document& next) const {
-  return s_.mission && s_.mission->mission_id == next.mission_id && first_item(next) >= next.items.size();
+  return is_same_mission(next) && first_item(next) >= next.items.size();
+}
+
+bool core::is_same_mission(const mission::document& next) const {
+  return s_.mission && s_.mission->mission_id == next.mission_id;
 }
 
 // On the ground: from the link to a plan that is ready.
@@ -412,15 +416,17 @@ bool core::prepare(effects& out, instant now) {
   const auto at = s_.standing.now;
   const bool is_prepared =
       at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
-  const bool is_next = (at == phase::done || at == phase::aborted) && s_.arrived; // another mission, or revision
-  if (is_in_flight() || !(is_prepared || is_next))
+  const bool is_over = at == phase::done || at == phase::aborted;
+  if (is_in_flight() || !(is_prepared || (is_over && s_.arrived)))
     return false;
   if (!view_.is_connected() || !view_.mode()) {
     stand(out, phase::disconnected, pause_cause::none, view_.why_not_connected());
     return true;
   }
-  if (s_.arrived && has_nothing_left(*s_.arrived)) {
-    out.emplace_back(note{arrival_refused{s_.arrived->revision}}); // it came when all of it was flown
+  if (s_.arrived && (has_nothing_left(*s_.arrived) || (is_over && is_same_mission(*s_.arrived)))) {
+    out.emplace_back(
+        announce{"revision " + std::to_string(s_.arrived->revision) + " came when the mission was over", true});
+    out.emplace_back(note{arrival_refused{s_.arrived->revision}});
     return true;
   }
   if (s_.arrived) {

@@ -233,7 +233,10 @@ void core::change_phase(turn& t, const std::optional<connection_changed>& change
   restart_conversation(t);
 }
 
+// With a lost vehicle it begins when that is heard again: its streams would be overdue until then.
 void core::restart_conversation(turn& t) {
+  if (watch_.phase() != connection_phase::connected)
+    return;
   streams_.begin(t.now.monotonic_ns);
   ask_for_streams(t);
 }
@@ -296,12 +299,9 @@ void core::on_vouch(const vouch& what, instant now) {
 
 std::int64_t core::next_deadline_ns() const {
   auto result = next_beat_ns_;
-  // Nobody is asked for streams while nobody is heard, however long they are overdue.
-  const auto streams =
-      watch_.phase() == connection_phase::connected ? streams_.next_deadline_ns() : std::optional<std::int64_t>{};
   for (const auto& each :
        {watch_.next_deadline_ns(), call_.next_deadline_ns(), commands_.next_deadline_ns(), current_.next_deadline_ns(),
-        streams, transfers_ ? transfers_->next_deadline_ns() : std::nullopt})
+        streams_.next_deadline_ns(), transfers_ ? transfers_->next_deadline_ns() : std::nullopt})
     result = std::min(result, each.value_or(result));
   return result;
 }

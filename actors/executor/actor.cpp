@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "actors/executor/remaining.hpp"
+#include "actors/executor/station_plan.hpp"
 #include "io/fields/field_table.hpp"
 
 namespace godwit::executor {
@@ -51,10 +52,8 @@ actor::behavior_type actor::handlers() {
       on<set_current>([](const set_current&) {
         return current_answer{current_verdict::not_now, "items can not be chosen in flight yet"};
       }),
-      on<plan_taken>([this](const plan_taken&) {
-        carry_out(announce{"a plan of a ground station is kept and not flown: missions come from the service", true});
-      }),
-      on<plan_cleared>([](const plan_cleared&) {}),
+      on<plan_taken>([this](const plan_taken& m) { then(core_->on_station(m, now())); }),
+      on<plan_cleared>([this](const plan_cleared& m) { then(core_->on_station(m, now())); }),
       hears<io::mavlink::heartbeat>(),
       hears<io::mavlink::sys_status>(),
       hears<io::mavlink::gps_raw_int>(),
@@ -139,6 +138,8 @@ void actor::after_turn() {
     core_->on_house(world_.look_at_house());
     carry_out(core_->advance(now()));
   }
+  if (others_->port && to_commit_.empty())
+    carry_out(core_->tell_stations(now()));
   post_health();
   commit_next();
 }
@@ -215,6 +216,34 @@ void actor::carry_out(const say_to_client& each) {
     std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what);
 }
 
+void actor::carry_out(const say_to_port& each) {
+  if (others_->port)
+    std::visit([this](const auto& what) { tell(*others_->port, what); }, each.what);
+}
+
+void actor::carry_out(const announce& each) {
+  using io::mavlink::mav_severity;
+  world_.tell_people(each);
+  say_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
+}
+
+void actor::say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence) {
+  if (others_->port)
+    tell(*others_->port, ground_port::status_text{severity, sentence});
+}
+
+void actor::show_reached(const mission::progress_report& report) {
+  const auto reached = reached_shown(current_state(), report);
+  if (others_->port && reached)
+    tell(*others_->port, *reached);
+}
+
+void actor::show_standing(const stood& standing) {
+  using io::mavlink::mav_severity;
+  world_.on_standing(standing);
+  say_to_stations(standing.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
+}
+
 void actor::let_out(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
@@ -224,11 +253,13 @@ void actor::let_out(const durable_core::effect& each) {
                       std::is_same_v<M, mission_client::replace_tail>) {
           if (others_->client)
             tell(*others_->client, m);
+          if constexpr (std::is_same_v<M, mission_client::report_progress>)
+            show_reached(m.report);
         } else if constexpr (std::is_same_v<M, start_answer>) {
           if (others_->port)
             tell(*others_->port, m);
         } else if constexpr (std::is_same_v<M, stood>) {
-          world_.on_standing(m);
+          show_standing(m);
         } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {
           carry_out(announce{"preflight: " + m.sentence, m.now == preflight::phase::failed});
         } else if constexpr (std::is_same_v<M, preflight::report_opened>) {

@@ -70,7 +70,11 @@ private:
   void carry_out(const give_up_transfer&);
   void carry_out(const say_to_failsafe& each);
   void carry_out(const say_to_client& each);
-  void carry_out(const announce& each) { world_.tell_people(each); }
+  void carry_out(const say_to_port& each);
+  void carry_out(const announce& each);
+  void say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence);
+  void show_reached(const mission::progress_report& report);
+  void show_standing(const stood& standing);
   void send(std::uint64_t number, const vehicle_link::send_command& what);
   void send(std::uint64_t number, const vehicle_link::set_current_item& what);
   void send(std::uint64_t number, const vehicle_link::upload_plan& what) { transfer_plan(number, what); }

@@ -230,20 +230,6 @@ effects core::on_delivered(const mission_client::mission_settled& m, instant) {
 
 // -- people -----------------------------------------------------------------------------------------
 
-effects core::on_station(const start_mission& m, instant now) {
-  effects out;
-  if (now.wall_ns > m.obey_until_ns)
-    answer_start(out, m.key, start_verdict::too_late, "the request came too late");
-  else if (m.plan_id != 0) // of the station's own plan, which nobody has looked at as a mission
-    answer_start(out, m.key, start_verdict::no_such_item,
-                 "godwit does not fly plans of ground stations; its own mission is started with `godwitd ctl start`");
-  else if (asked_start_ || runner_.is_busy())
-    answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
-  else
-    asked_start_ = m;
-  return counted(std::move(out));
-}
-
 operator_words::answer core::on_operator(const operator_words::word& m, instant now) {
   using operator_words::verb;
   const auto refuse = [](const std::string& why) { return operator_words::answer{false, why}; };
@@ -568,7 +554,9 @@ bool core::end_flight(effects& out, instant now) {
   if (!view_.is_connected() || !view_.mode())
     return false;
   if (!is_in_flight()) {
-    if (s_.standing.now != phase::paused || !is_mission_finished() || s_.doing)
+    const auto at = s_.standing.now;
+    const bool is_open = at == phase::paused || is_before_start(at);
+    if (!is_open || s_.doing || !is_mission_finished() || !s_.mission || !has_nothing_left(*s_.mission))
       return false;
     end_mission(out); // its last word came behind the end of the flight
     return true;

@@ -58,7 +58,10 @@ public:
 
   [[nodiscard]] effects on_start(instant now);
   // A note is applied to the durable state.
-  void on_committed() { --open_notes_; }
+  void on_committed() {
+    --open_notes_;
+    shown_.reset();
+  }
   // Whatever comes of it now; to be asked after everything else, and no later than next_deadline_ns.
   [[nodiscard]] effects advance(instant now);
   [[nodiscard]] std::int64_t next_deadline_ns(instant now) const;
@@ -101,6 +104,10 @@ public:
 
   // -- people
   [[nodiscard]] effects on_station(const start_mission& m, instant now);
+  [[nodiscard]] effects on_station(const plan_taken& m, instant now);
+  [[nodiscard]] effects on_station(const plan_cleared& m, instant now);
+  // What stations are to be told, when it has changed and once a second; to be asked after everything else.
+  [[nodiscard]] effects tell_stations(instant now);
   // The answer tells whether the word is taken; what comes of it is told as the flight's standing.
   [[nodiscard]] operator_words::answer on_operator(const operator_words::word& m, instant now);
 
@@ -169,6 +176,20 @@ private:
   void drop_change(effects& out, const std::string& why);
   [[nodiscard]] bool deploy_arrived(effects& out, instant now);
 
+  // core_stations.cpp
+  struct shown_plan {
+    std::uint32_t plan_id = 0; // 0: none
+    std::size_t items = 0;
+    bool is_upload = false; // as it came; else as the vehicle has it
+  };
+  [[nodiscard]] const shown_plan& shown();
+  [[nodiscard]] effects take_plan(const plan_taken& m, instant now);
+  [[nodiscard]] effects take_fence(const std::vector<io::mavlink::mission_item_int>& items);
+  [[nodiscard]] effects not_taken(const std::string& why);
+  [[nodiscard]] std::string why_not_meant(const start_mission& m);
+  [[nodiscard]] bool fly_again(effects& out, instant now);
+  [[nodiscard]] bool is_flight_begun() const;
+
   // core_tasks.cpp
   void stand_as(effects& out, phase now, bool in_flight);
   void stand(effects& out, phase now, pause_cause cause = pause_cause::none, const std::string& reason = {});
@@ -234,6 +255,11 @@ private:
   std::string refusal_;
   std::optional<preflight::plan_result> plans_; // of the mission, from its first remaining item on
   std::int64_t checked_ns_ = 0;
+  std::optional<shown_plan> shown_;
+  std::uint32_t told_plan_id_ = 0;
+  std::string refused_upload_; // why the last upload of a station was not taken; empty: it was
+  ground_port::mission_progress told_progress_;
+  std::int64_t told_progress_ns_ = 0;
   house house_;
 };
 

@@ -440,8 +440,10 @@ bool core::prepare(effects& out, instant now) {
     stand(out, phase::connected);
     return true;
   }
-  if (!s_.mission)
+  if (!s_.mission) { // a station has cleared it, or there never was one
+    stand(out, phase::connected);
     return false;
+  }
   if (acknowledged_) {
     out.emplace_back(note{*std::exchange(acknowledged_, {})});
     return true;

@@ -8,6 +8,7 @@
 
 #include "actors/executor/state.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/ground_port/mission.hpp"
 #include "messages/mission_client/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 
@@ -31,6 +32,11 @@ struct say_to_failsafe {
   std::variant<failsafe::expect_mode, failsafe::hand_back> what;
 };
 
+// To ground_port.
+struct say_to_port {
+  std::variant<ground_port::set_mission, ground_port::mission_progress> what;
+};
+
 // The transfer under way is given up.
 struct give_up_transfer {};
 
@@ -45,7 +51,7 @@ struct announce {
   bool is_warning = false;
 };
 
-using effect = std::variant<note, order, give_up_transfer, say_to_failsafe, say_to_client, announce>;
+using effect = std::variant<note, order, give_up_transfer, say_to_failsafe, say_to_client, say_to_port, announce>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::executor

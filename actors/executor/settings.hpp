@@ -34,6 +34,7 @@ struct settings {
   double fence_margin_m = 10; // of the way to where an operator sends the vehicle
   double own_loiter_radius_m = 80;
   double return_altitude_m = 0;
+  bool allow_partial = false;  // of a station's plan: take what a mission can say, and tell what it can not
   bool marks_landings = false; // of fixed wings, with DO_LAND_START: see plan/setting.hpp
   preflight::settings checks;
 };

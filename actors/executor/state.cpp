@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/station_plan.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -128,6 +129,34 @@ effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
     s.assigned = happened.assignment;
   }
   return take(s, progress::mission_opened{happened.mission.mission_id, happened.mission.revision}, now_ns);
+}
+
+effects take(state& s, const station_plan_taken& happened, std::int64_t) {
+  s.station = happened.plan;
+  s.arrived = happened.mission;
+  return {};
+}
+
+// On the ground the mission is one with this fence now; one that flies keeps its own.
+effects take(state& s, const station_fence_taken& happened, std::int64_t) {
+  s.station_fences = happened.fences;
+  const bool begins = s.doing && s.doing->kind == task_kind::start;
+  if (!shows_upload(s) || s.standing.in_flight || begins)
+    return {};
+  auto fenced = s.arrived ? *s.arrived : *s.mission;
+  fenced.revision = ++s.station->revision;
+  fenced.geofences = happened.fences;
+  s.arrived = std::move(fenced);
+  return {};
+}
+
+effects take(state& s, const station_plan_dropped&, std::int64_t) {
+  if (s.arrived && s.station && s.arrived->mission_id == s.station->mission_id)
+    s.arrived.reset();
+  if (s.mission && s.station && s.mission->mission_id == s.station->mission_id)
+    s.mission.reset();
+  s.station.reset();
+  return {};
 }
 
 effects take(state& s, const change_asked& happened, std::int64_t) {

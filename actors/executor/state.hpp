@@ -6,6 +6,7 @@
 //   those of preflight            what operators have to know
 //   mission_arrived, _taken       none
 //   assignment_kept, _rejected    the answer that turns it down
+//   station_plan_taken, _dropped, and station_fence_taken: none
 //   change_asked                  what the service is to change; _settled: none
 //   task_begun, task_ended        none; a task is on the disk before its first word goes to the vehicle
 //   stood                         the flight's new standing, to whoever watches
@@ -68,6 +69,19 @@ struct deployment {
   static constexpr auto fields =
       io::table("executor.deployment", io::field("mission", &deployment::mission),
                 io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence));
+};
+
+// The plan of a ground station that is the mission, or the one that comes next.
+struct station_plan {
+  std::string mission_id;            // made for it
+  std::int32_t revision = 1;         // of the mission, as long as nobody else has changed it
+  std::uint32_t plan_id = 0;         // of the upload
+  std::uint16_t items = 0;           // of the upload
+  std::vector<std::uint16_t> places; // for each item of the mission: of the item in the upload that it was made of
+  static constexpr auto fields =
+      io::table("executor.station_plan", io::field("mission_id", &station_plan::mission_id),
+                io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
+                io::field("items", &station_plan::items), io::field("places", &station_plan::places));
 };
 
 // -- events besides those of the progress -----------------------------------------------------------
@@ -176,6 +190,26 @@ struct start_settled {
   static constexpr auto fields = io::table("executor.start_settled", io::field("answer", &start_settled::answer));
 };
 
+// A ground station has uploaded a plan, and it is the mission that comes next.
+struct station_plan_taken {
+  station_plan plan;
+  mission::document mission;
+  static constexpr auto fields = io::table("executor.station_plan_taken", io::field("plan", &station_plan_taken::plan),
+                                           io::field("mission", &station_plan_taken::mission));
+};
+
+// Its fence, which counts for its plans from now on; none: it was cleared.
+struct station_fence_taken {
+  std::vector<mission::geofence> fences;
+  static constexpr auto fields =
+      io::table("executor.station_fence_taken", io::field("fences", &station_fence_taken::fences));
+};
+
+// Its plan was cleared.
+struct station_plan_dropped {
+  static constexpr auto fields = io::table("executor.station_plan_dropped");
+};
+
 struct marked {
   std::uint64_t ticket = 0;
   static constexpr auto fields = io::table("executor.marked", io::field("ticket", &marked::ticket));
@@ -192,8 +226,10 @@ struct state {
   std::optional<std::string> last_assignment; // that was answered, or will be with its upload
   std::optional<mission_change> change;       // that the service was asked for, and has not settled
   std::vector<mission::item> set_aside;       // by go_to: what the mission had left
-  std::optional<deployment> brings;           // of the upload under way
-  std::optional<deployment> flown;            // on the vehicle
+  std::optional<station_plan> station;
+  std::vector<mission::geofence> station_fences;
+  std::optional<deployment> brings; // of the upload under way
+  std::optional<deployment> flown;  // on the vehicle
   std::optional<task> doing;
   std::uint64_t last_task = 0;
   stood standing;
@@ -205,7 +241,8 @@ struct state {
       io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
                 io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
                 io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
-                io::field("set_aside", &state::set_aside), io::field("brings", &state::brings),
+                io::field("set_aside", &state::set_aside), io::field("station", &state::station),
+                io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
                 io::field("flown", &state::flown), io::field("doing", &state::doing),
                 io::field("last_task", &state::last_task), io::field("standing", &state::standing),
                 io::field("preflight", &state::preflight), io::field("progress", &state::progress));
@@ -221,7 +258,8 @@ struct durable_core {
                    progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
                    preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
                    mission_arrived, mission_taken, arrival_refused, change_asked, change_settled, assignment_kept,
-                   assignment_rejected, task_begun, task_ended, stood, start_settled, marked>;
+                   assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped, task_begun,
+                   task_ended, stood, start_settled, marked>;
   using effect =
       std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                    mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,

@@ -170,7 +170,8 @@ void composition::add_flight(control::neighbours& of_desk) {
   if (wanted_.ground) {
     ground_port::settings settings;
     settings.as.system = std::max<std::uint8_t>(wanted_.vehicle_system, 1);
-    settings.autopilot_is_on_this_line = false;
+    if (wanted_.speaks_as_autopilot)
+      settings.as.component = io::mavlink::number(io::mavlink::mav_component::autopilot1);
     ground_ = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings, ground_signing_,
                                              std::static_pointer_cast<io::link::wire>(ground_line_),
                                              std::shared_ptr<const ground_port::neighbours>(of_ground));

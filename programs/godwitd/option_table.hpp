@@ -54,6 +54,8 @@ inline constexpr std::array option_rows{
                "Obeys `godwitd ctl crash ACTOR`: for drills only"},
     option_row{"ground", "/ground/uri", option_kind::text, "URI",
                "The line for ground stations, such as udpin://0.0.0.0:14555"},
+    option_row{"ground-as-autopilot", "/ground/as_autopilot", option_kind::flag, "",
+               "Speaks there as the autopilot: for ground stations that speak with no other component"},
     option_row{"ground-signing-key", "/ground/key_file", option_kind::text, "FILE",
                "Signs on that line with this key, and believes only what is signed with it; mode 0600"},
     option_row{"sightings", "/sightings/file", option_kind::text, "FILE",

@@ -43,6 +43,13 @@ io::http::settings http_settings(const json& service) {
   return result;
 }
 
+// A run on the ground takes no missions of ground stations, and sightings belong to a mission that is known before.
+bool stations_may_bring(const json& configuration) {
+  const auto& sightings = configuration.at("sightings");
+  const bool flies = !configuration.at("flight").at("ground_run").get<bool>() && !sightings.at("once").get<bool>();
+  return flies && text(sightings, "file").empty() && !text(configuration.at("ground"), "uri").empty();
+}
+
 checked read_source(const json& configuration, daemon_settings& to) {
   const auto& mission = configuration.at("mission");
   to.mission_id = text(mission, "id");
@@ -57,8 +64,11 @@ checked read_source(const json& configuration, daemon_settings& to) {
       return wrong("mission", to.mission_file + " has none of the endings .json, .plan, .waypoints, .txt, .geojson");
     return {};
   }
+  if (service.base_url.empty() && to.mission_id.empty() && stations_may_bring(configuration))
+    return {};
   if (service.base_url.empty())
-    return wrong("service", "is missing: name the missions service, or a file with --mission");
+    return wrong("service", "is missing: name the missions service, a file with --mission, or with --ground a line for "
+                            "ground stations that upload missions");
   if (!ids::is_uuid(to.mission_id))
     return wrong("mission-id", (to.mission_id.empty() ? "is missing" : "is \"" + to.mission_id + "\"") +
                                    "; it is a UUID in small letters, such as 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42");
@@ -104,6 +114,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.own_loiter_radius_m = flight.at("own_loiter_radius_m").get<double>();
   to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();
   to.flight.fence_margin_m = flight.at("fence_margin_m").get<double>();
+  to.flight.allow_partial = to.allow_partial;
   to.flight.marks_landings = flight.at("marks_landings").get<bool>();
   to.flight.refused_inserts = io::value_of<executor::refusal_policy>(text(flight, "refused_inserts")).value();
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
@@ -131,6 +142,7 @@ checked read_failsafe(const json& given, daemon_settings& to) {
 checked read_ground(const json& ground, daemon_settings& to) {
   const auto where = text(ground, "uri");
   to.ground_key_file = text(ground, "key_file");
+  to.speaks_as_autopilot = ground.at("as_autopilot").get<bool>();
   if (where.empty())
     return {};
   auto parsed = io::link::parse_uri(where);

@@ -36,6 +36,7 @@ struct daemon_settings {
   executor::settings flight;
   failsafe::settings failsafe;
   std::optional<io::link::uri> ground; // none: no ground station is spoken to
+  bool speaks_as_autopilot = false;    // there: for stations that speak with nobody else
   std::string ground_key_file;         // empty: nothing is signed there
   mapobjects_store::map_writer_options map;
   std::string control_path;

@@ -3,31 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include <zlib.h>
-
 #include "actors/ground_port/mission_server/item_forms.hpp"
-#include "io/mavlink/layout.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::ground_port::mission_server {
 
 using mavlink::mav_mission_type;
-
-std::uint32_t checksum_of(const std::vector<mavlink::mission_item_int>& items) {
-  auto crc = crc32(0, nullptr, 0);
-  for (auto each : items) {
-    each.target_system = 0;
-    each.target_component = 0;
-    each.mission_type = 0;
-    each.current = 0;
-    std::array<std::byte, mavlink::layout<mavlink::mission_item_int>::full_length> bytes;
-    mavlink::write_fields(each, bytes.data());
-    crc = crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
-  }
-  if (items.empty())
-    return 0;
-  return crc == 0 ? 1 : static_cast<std::uint32_t>(crc);
-}
 
 namespace {
 

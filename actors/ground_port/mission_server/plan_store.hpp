@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "actors/ground_port/mission_server/habits.hpp"
+#include "io/mavlink/plan_checksum.hpp"
 
 namespace godwit::ground_port::mission_server {
 
@@ -26,9 +27,7 @@ struct held_plan {
   std::uint32_t id = 0;
 };
 
-// CRC-32 of the items as they are kept, without what is no part of a plan: address, type, and the mark of the current
-// item. Never 0 for a plan with items.
-[[nodiscard]] std::uint32_t checksum_of(const std::vector<mavlink::mission_item_int>& items);
+using mavlink::checksum_of; // of the items as they are kept
 
 class plan_store {
 public:

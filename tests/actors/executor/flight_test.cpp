@@ -28,6 +28,23 @@ TEST_P(every_vehicle, flies_a_mission_from_the_fetch_to_the_delivery) {
   EXPECT_EQ(reached.size(), mission.items.size()) << world.story();
 }
 
+TEST_P(every_vehicle, another_mission_is_flown_behind_the_first_and_counts_its_own_reports) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  const auto first = world.reports().size();
+  auto next = tests::short_mission(GetParam());
+  next.mission_id = "0b9f6a3c-2d41-4e7a-9c55-6f1e8d2a7b30";
+  world.load(next);
+  world.run_for(1);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_EQ(world.reports().size(), 2 * first) << world.story();
+  EXPECT_EQ(world.reports()[first].mission_id, next.mission_id);
+  EXPECT_EQ(world.reports()[first].report_no, 1U);
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete);
+  EXPECT_GT(world.reports().back().generation, world.reports()[first - 1].generation);
+}
+
 // -- a restart ------------------------------------------------------------------------------------
 
 // Commands that would arm, take off or start.

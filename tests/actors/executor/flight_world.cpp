@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "actors/executor/remaining.hpp"
+#include "actors/executor/station_plan.hpp"
 #include "actors/failsafe/senses.hpp"
 #include "actors/failsafe/vehicle_words.hpp"
 #include "io/fields/field_table.hpp"
@@ -275,22 +276,45 @@ void flight_world::settle() {
     }
     const auto wanted = core_->advance(now());
     if (wanted.empty())
-      return;
+      break;
     take(wanted);
   }
+  take(core_->tell_stations(now()));
+}
+
+void flight_world::take_report(const mission::progress_report& report) {
+  reports_.push_back(report);
+  if (const auto reached = executor::reached_shown(state_, report))
+    shown_reached_.push_back(reached->sequence);
+}
+
+void flight_world::take(const executor::say_to_port& each) {
+  if (const auto* plan = std::get_if<ground_port::set_mission>(&each.what)) {
+    shown_items_ = plan->items;
+    ++times_shown_;
+  }
+  const auto* progress = std::get_if<ground_port::mission_progress>(&each.what);
+  const auto is_news = [&] {
+    const auto& last = shown_progress_.back();
+    return last.current != progress->current || last.state != progress->state || last.plan_id != progress->plan_id;
+  };
+  if (progress != nullptr && (shown_progress_.empty() || is_news()))
+    shown_progress_.push_back(*progress);
 }
 
 void flight_world::let_out(const executor::durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, mission_client::report_progress>)
-          reports_.push_back(m.report);
+          take_report(m.report);
         else if constexpr (std::is_same_v<M, mission_client::respond_to_assignment>)
           answers_.push_back(m);
         else if constexpr (std::is_same_v<M, mission_client::insert_waypoint>)
           change_mission(m.insert.idempotency_key, m.insert.after_item_id, {m.insert.waypoint}, true);
         else if constexpr (std::is_same_v<M, mission_client::replace_tail>)
           change_mission(m.tail.idempotency_key, m.tail.after_item_id, m.tail.items, false);
+        else if constexpr (std::is_same_v<M, executor::start_answer>)
+          start_answers_.push_back(m);
         else if constexpr (std::is_same_v<M, executor::stood>)
           said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) +
                           (m.reason.empty() ? "" : ": " + m.reason));

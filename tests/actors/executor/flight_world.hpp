@@ -50,6 +50,18 @@ public:
 
   void load(const mission::document& what);
   void assign(const mission::assignment& wish);
+  // What a ground station uploads, clears and starts; and what it is shown.
+  template <class M>
+  void station_says(const M& m) {
+    take(core_->on_station(m, now()));
+    settle();
+  }
+  [[nodiscard]] const std::vector<io::mavlink::mission_item_int>& shown_items() const { return shown_items_; }
+  [[nodiscard]] int times_shown() const { return times_shown_; }
+  [[nodiscard]] const std::vector<ground_port::mission_progress>& shown_progress() const { return shown_progress_; }
+  [[nodiscard]] const std::vector<std::uint16_t>& shown_reached() const { return shown_reached_; }
+  [[nodiscard]] const std::vector<executor::start_answer>& start_answers() const { return start_answers_; }
+  [[nodiscard]] std::int64_t wall_ns() const { return now().wall_ns; }
   [[nodiscard]] operator_words::answer say(operator_words::verb what);
   [[nodiscard]] operator_words::answer say(const operator_words::word& what);
   // What the service answers to a change, from now on.
@@ -109,6 +121,8 @@ private:
   void take(const executor::give_up_transfer&) { take(link_->on_cancel_transfer(link_now())); }
   void take(const executor::say_to_client& each);
   void take(const executor::say_to_failsafe& each);
+  void take(const executor::say_to_port& each);
+  void take_report(const mission::progress_report& report);
   void take(const failsafe::effects& wanted);
   void take(const failsafe::command_vehicle& each);
   void take(const failsafe::stance_changed& each);
@@ -161,6 +175,11 @@ private:
   std::vector<std::uint16_t> commands_;
   std::vector<failsafe::command_vehicle> reactions_;
   mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
+  std::vector<io::mavlink::mission_item_int> shown_items_;
+  int times_shown_ = 0;
+  std::vector<ground_port::mission_progress> shown_progress_; // where it changed
+  std::vector<std::uint16_t> shown_reached_;
+  std::vector<executor::start_answer> start_answers_;
   int pushes_ = 0;
   int still_ = 0; // steps in which no time passed
 };

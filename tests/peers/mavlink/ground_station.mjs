@@ -83,8 +83,8 @@ export class ground_station {
     return answer.message.result;
   }
 
-  async upload(items) {
-    const target = { targetSystem: 1, targetComponent: 1, missionType: 0 };
+  async upload(items, mission_type = 0) {
+    const target = { targetSystem: 1, targetComponent: 1, missionType: mission_type };
     const wanted = ["MISSION_REQUEST_INT", "MISSION_REQUEST", "MISSION_ACK"];
     let answer = await this.ask(() => this.send("MISSION_COUNT", { ...target, count: items.length }), wanted);
     while (answer.name !== "MISSION_ACK") {

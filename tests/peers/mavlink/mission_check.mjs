@@ -10,32 +10,14 @@ import { once } from "node:events";
 
 import { load_definitions } from "./definitions.mjs";
 import { ground_station, port_of } from "./ground_station.mjs";
+import { check, compare, home_text, item, nav_land, nav_takeoff, nav_waypoint, square } from "./plans.mjs";
 
-const home = { latitude: 47.397742, longitude: 8.545594, altitude: 488 };
 const speed = "20";
-const nav_waypoint = 16;
-const nav_land = 21;
-const nav_takeoff = 22;
 const mission_start = 300;
 const do_set_mode = 176;
 const arm_disarm = 400;
 const state_complete = 5;
-const relative_int = 6; // MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
-const relative = 3;     // the same, under the number that ArduPilot gives back
 
-function check(is_right, sentence) {
-  if (!is_right) throw new Error(sentence);
-}
-
-function item(command, north_m, east_m, altitude_m) {
-  const metres_per_degree = 111_319.5;
-  const latitude = home.latitude + north_m / metres_per_degree;
-  const longitude = home.longitude + east_m / (metres_per_degree * Math.cos(home.latitude * Math.PI / 180));
-  return { frame: relative_int, command, current: 0, autocontinue: 1, param1: 0, param2: 0, param3: 0, param4: 0,
-    x: Math.round(latitude * 1e7), y: Math.round(longitude * 1e7), z: altitude_m };
-}
-
-const square = (altitude_m) => [[30, 0], [30, 30], [0, 30]].map((corner) => item(nav_waypoint, ...corner, altitude_m));
 const flight = [item(nav_takeoff, 0, 0, 10), ...square(10), item(nav_land, 0, 30, 0)];
 flight[0].current = 1;
 
@@ -59,18 +41,6 @@ const personalities = {
     },
   },
 };
-
-// By meaning: autopilots number a frame differently, and leave out what means nothing.
-function compare(sent, held, first) {
-  check(held.length === sent.length, `${held.length} items are held, ${sent.length} were sent`);
-  const same_frame = (a, b) => a === b || (a === relative_int && b === relative);
-  for (let n = first; n < sent.length; ++n) {
-    check(held[n].seq === n && held[n].command === sent[n].command && same_frame(sent[n].frame, held[n].frame),
-      `item ${n} is another command or frame: ${JSON.stringify(held[n])}`);
-    for (const field of ["x", "y", "z"])
-      check(Math.abs(held[n][field] - sent[n][field]) < 1e-6, `item ${n}: ${field} is ${held[n][field]}`);
-  }
-}
 
 function reached(station) {
   const all = station.heard.filter(({ name }) => name === "MISSION_ITEM_REACHED").map(({ message }) => message.seq);
@@ -98,9 +68,8 @@ async function fly(station, { plan, first, make_ready }) {
 
 async function run(program_path, name) {
   const definitions = await load_definitions();
-  const { latitude, longitude, altitude } = home;
   const program = spawn(program_path, ["vehicle", "--personality", name, "--link", "udpin://127.0.0.1:0",
-    "--home", `${latitude},${longitude},${altitude}`, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
+    "--home", home_text, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
   program.stdout.setEncoding("utf8");
   let station;
   try {

@@ -84,6 +84,17 @@ TEST(daemon_settings, once_is_a_run_on_the_ground) {
   EXPECT_FALSE(settings(options)->flies);
 }
 
+TEST(daemon_settings, where_stations_bring_missions_nobody_else_has_to) {
+  const auto all = settings({{"vehicle", "udpin://127.0.0.1:14550"}, {"ground", "udpin://127.0.0.1:14555"}});
+  ASSERT_TRUE(all) << all.error();
+  EXPECT_FALSE(all->service);
+  EXPECT_FALSE(all->flight.has_service);
+  EXPECT_FALSE(all->speaks_as_autopilot);
+  const auto neither = settings({{"vehicle", "udpin://127.0.0.1:14550"}});
+  ASSERT_FALSE(neither);
+  EXPECT_NE(neither.error().find("--ground"), std::string::npos) << neither.error();
+}
+
 TEST(daemon_settings, the_line_for_ground_stations_is_a_link) {
   auto options = usual();
   options["ground"] = "udpin://127.0.0.1:14555";

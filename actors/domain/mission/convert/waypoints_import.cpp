@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "actors/domain/mission/convert/item_import.hpp"
+#include "actors/domain/mission/convert/item_list_import.hpp"
 #include "io/mavlink/waypoint_file/coordinate_text.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
 #include "io/mavlink/waypoint_file/waypoint_reader.hpp"
@@ -12,20 +13,6 @@
 namespace godwit::mission {
 
 namespace {
-
-using io::mavlink::mission_item_int;
-
-constexpr double units_a_degree = 1e7;
-
-vehicle_item read_item(const mission_item_int& each) {
-  const bool is_on_earth = io::mavlink::coordinates_of(each.frame) == io::mavlink::coordinate_kind::global;
-  const auto scale = is_on_earth ? units_a_degree : 1;
-  return {each.seq,
-          each.command,
-          each.frame,
-          {each.param1, each.param2, each.param3, each.param4, each.x / scale, each.y / scale, each.z},
-          each.autocontinue != 0};
-}
 
 bool is_home(const vehicle_item& first) {
   const auto none = [&](std::size_t from_1) { return !(std::abs(first.param(from_1)) > 0); };
@@ -57,7 +44,7 @@ import_result import_waypoints(std::string_view text, const import_options& opti
   std::vector<vehicle_item> all;
   all.reserve(lines->size());
   for (const auto& each : *lines)
-    all.push_back(read_item(each));
+    all.push_back(vehicle_item_of(each));
   std::span<const vehicle_item> items = all;
   loss_list losses;
   import_context context;

@@ -1,0 +1,46 @@
+// What a ground station has uploaded, item by item, to a mission; and its fence to geofences.
+//
+// The items as item_import.hpp says. A take-off climbs where the vehicle stands, wherever its item is. A fence is a run
+// of corners for each polygon, or a circle, which becomes a polygon as in fence_import.hpp. Errors: as values. Thread:
+// pure. Source: MAVLink's mission protocol; MISSION_ITEM_INT (73), MAV_CMD_NAV_FENCE_*.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "actors/domain/mission/convert/conversion.hpp"
+#include "actors/domain/mission/convert/vehicle_item.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+
+namespace godwit::mission {
+
+// Positions in degrees, whatever the item has.
+[[nodiscard]] vehicle_item vehicle_item_of(const io::mavlink::mission_item_int& each);
+
+struct item_list_options {
+  std::string mission_id;                // UUID
+  bool allow_partial = false;            // take what can be taken; else a loss is an error
+  std::optional<position> home;          // becomes the return point; absent: the first place of the list
+  std::optional<double> home_altitude_m; // above mean sea level; absent: heights above it are losses
+  std::vector<geofence> geofences;
+};
+
+struct imported_list {
+  document mission;
+  std::vector<std::uint16_t> places; // for each item of the mission: of the item in the list that it was made of
+  loss_list losses;                  // empty unless allow_partial
+};
+
+[[nodiscard]] tl::expected<imported_list, conversion_error>
+import_item_list(std::span<const io::mavlink::mission_item_int> items, const item_list_options& options);
+
+// Errors: a sentence for people.
+[[nodiscard]] tl::expected<std::vector<geofence>, std::string>
+import_fence_list(std::span<const io::mavlink::mission_item_int> items);
+
+} // namespace godwit::mission

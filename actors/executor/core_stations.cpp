@@ -1,0 +1,190 @@
+// What ground stations upload and start, and what they are shown of the mission.
+#include <utility>
+
+#include "actors/domain/mission/convert/item_list_import.hpp"
+#include "actors/domain/mission/rules.hpp"
+#include "actors/executor/core.hpp"
+#include "actors/executor/station_plan.hpp"
+#include "io/mavlink/plan_checksum.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using io::mavlink::mav_mission_type;
+
+constexpr std::int64_t tell_period_ns = 1'000'000'000;
+
+bool is_same(const ground_port::mission_progress& a, const ground_port::mission_progress& b) {
+  return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode;
+}
+
+// Each upload is a mission of its own, also when it says the same as one before: that is flown again.
+std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
+  return mission::uuid_of_text("a ground station's plan " + std::to_string(plan_id) + " at " + std::to_string(wall_ns));
+}
+
+} // namespace
+
+bool core::is_flight_begun() const { return is_in_flight() || (s_.doing && s_.doing->kind == task_kind::start); }
+
+// -- what they upload -------------------------------------------------------------------------------
+
+effects core::on_station(const plan_taken& m, instant now) {
+  switch (m.type) {
+  case mav_mission_type::mission:
+    return take_plan(m, now);
+  case mav_mission_type::fence:
+    return take_fence(m.items);
+  default:
+    return {announce{"the rally points are not used: a mission returns to one point", true}};
+  }
+}
+
+effects core::on_station(const plan_cleared& m, instant) {
+  if (m.type == mav_mission_type::fence)
+    return take_fence({});
+  if (m.type != mav_mission_type::mission)
+    return {};
+  told_plan_id_ = 0; // the port shows nothing now
+  if (!s_.station)
+    return {};
+  if (is_flight_begun() || s_.doing)
+    return {announce{"the plan was cleared while it is used, and stays", true}};
+  return counted({note{station_plan_dropped{}}});
+}
+
+// What stands here instead is shown to the station again.
+effects core::not_taken(const std::string& why) {
+  refused_upload_ = "the plan is not taken: " + why;
+  told_plan_id_ = 0;
+  return {announce{refused_upload_, true}};
+}
+
+effects core::take_plan(const plan_taken& m, instant now) {
+  if (settings_.has_service)
+    return not_taken("missions come from the missions service here");
+  if (is_flight_begun())
+    return not_taken("another one is flown; upload it after the flight");
+  if (is_paused_for_person())
+    return not_taken("the vehicle has to be handed back first");
+  mission::item_list_options options;
+  options.mission_id = new_mission_id(m.plan_id, now.wall_ns);
+  options.allow_partial = settings_.allow_partial;
+  if (const auto& home = view_.home()) {
+    options.home = mission::position{home->latitude, home->longitude, 0};
+    options.home_altitude_m = home->above_sea_m;
+  }
+  options.geofences = s_.station_fences;
+  auto taken = mission::import_item_list(m.items, options);
+  if (!taken)
+    return not_taken(taken.error().message());
+  refused_upload_.clear();
+  effects out;
+  if (!taken->losses.empty())
+    out.emplace_back(announce{"the plan is taken without this: " + taken->losses.message(), true});
+  station_plan plan{taken->mission.mission_id, taken->mission.revision, m.plan_id,
+                    static_cast<std::uint16_t>(m.items.size()), std::move(taken->places)};
+  out.emplace_back(note{station_plan_taken{std::move(plan), std::move(taken->mission)}});
+  if (s_.standing.now == phase::paused)
+    stand(out, phase::connected);
+  return counted(std::move(out));
+}
+
+effects core::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
+  if (settings_.has_service)
+    return items.empty() ? effects{} : not_taken("fences come from the missions service here");
+  auto fences = mission::import_fence_list(items);
+  if (!fences)
+    return {announce{"the fence is not taken: " + fences.error(), true}};
+  mission::document fenced;
+  fenced.geofences = *fences;
+  if (shows_upload(s_)) {
+    fenced = s_.arrived ? *s_.arrived : *s_.mission;
+    fenced.geofences = *fences;
+    if (const auto problems = mission::broken_rules(fenced); !problems.empty())
+      return {announce{"the fence is not taken: " + problems.front().message(), true}};
+  }
+  effects out{note{station_fence_taken{*std::move(fences)}}};
+  if (is_flight_begun())
+    out.emplace_back(announce{"the fence counts from the next flight on", true});
+  return counted(std::move(out));
+}
+
+// -- what they start --------------------------------------------------------------------------------
+
+effects core::on_station(const start_mission& m, instant now) {
+  effects out;
+  if (now.wall_ns > m.obey_until_ns)
+    answer_start(out, m.key, start_verdict::too_late, "the request came too late");
+  else if (const auto why = why_not_meant(m); !why.empty())
+    answer_start(out, m.key, start_verdict::no_such_item, why);
+  else if (asked_start_ || runner_.is_busy())
+    answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
+  else if (fly_again(out, now))
+    answer_start(out, m.key, start_verdict::not_ready, "it was flown, and is prepared anew; start it when it is ready");
+  else
+    asked_start_ = m;
+  return counted(std::move(out));
+}
+
+std::string core::why_not_meant(const start_mission& m) {
+  const auto& plan = shown();
+  if (m.plan_id != plan.plan_id)
+    return refused_upload_.empty() ? "another plan is here by now; load it from the vehicle" : refused_upload_;
+  if (m.first != 0)
+    return "a mission begins with its first item";
+  if (m.last + std::size_t{1} < plan.items)
+    return "a mission is flown to its last item";
+  return {};
+}
+
+// A station's plan that was flown is flown again as another mission.
+bool core::fly_again(effects& out, instant now) {
+  const bool is_over = s_.standing.now == phase::done || s_.standing.now == phase::aborted;
+  if (!is_over || !shows_upload(s_) || s_.arrived)
+    return false;
+  auto plan = *s_.station;
+  auto mission = *s_.mission;
+  plan.mission_id = new_mission_id(plan.plan_id, now.wall_ns);
+  plan.revision = 1;
+  mission.mission_id = plan.mission_id;
+  mission.revision = plan.revision;
+  mission.geofences = s_.station_fences;
+  out.emplace_back(note{station_plan_taken{std::move(plan), std::move(mission)}});
+  return true;
+}
+
+// -- what they see ----------------------------------------------------------------------------------
+
+const core::shown_plan& core::shown() {
+  if (shown_)
+    return *shown_;
+  shown_.emplace();
+  if (shows_upload(s_)) {
+    *shown_ = {s_.station->plan_id, s_.station->items, true};
+  } else if (const auto items = items_on_vehicle(s_); !items.empty()) {
+    *shown_ = {io::mavlink::checksum_of(items), items.size(), false};
+  }
+  return *shown_;
+}
+
+effects core::tell_stations(instant now) {
+  effects out;
+  const auto& plan = shown();
+  if (plan.plan_id == 0)
+    return out;
+  if (plan.plan_id != told_plan_id_) {
+    if (!plan.is_upload)
+      out.emplace_back(say_to_port{ground_port::set_mission{items_on_vehicle(s_)}});
+    told_plan_id_ = plan.plan_id;
+  }
+  const auto progress = progress_shown(s_, view_, plan.plan_id);
+  if (is_same(progress, told_progress_) && now.now_ns - told_progress_ns_ < tell_period_ns)
+    return out;
+  told_progress_ = progress;
+  told_progress_ns_ = now.now_ns;
+  out.emplace_back(say_to_port{progress});
+  return out;
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,84 @@
+#include "actors/executor/station_plan.hpp"
+
+#include <algorithm>
+
+namespace godwit::executor {
+namespace {
+
+using io::mavlink::mission_mode;
+using io::mavlink::mission_state;
+
+// Of the plan that is shown, for SEQUENCE of the vehicle.
+std::optional<std::uint16_t> shown_at(const state& s, std::uint16_t sequence) {
+  const auto& map = s.progress.plan->map;
+  if (!progress::has_sequence(map, sequence))
+    return std::nullopt;
+  if (!shows_upload(s))
+    return static_cast<std::uint16_t>(sequence - map.first_sequence);
+  const auto position = progress::position_at(map, sequence);
+  if (!position || map.items[*position].item_index >= s.station->places.size())
+    return std::nullopt;
+  return s.station->places[map.items[*position].item_index];
+}
+
+mission_state state_shown(const state& s) {
+  const auto& at = s.standing;
+  if (at.in_flight)
+    return at.now == phase::paused ? mission_state::paused : mission_state::active;
+  const bool is_flown = at.now == phase::post_flight || at.now == phase::done;
+  return is_flown ? mission_state::complete : mission_state::not_started;
+}
+
+} // namespace
+
+bool shows_upload(const state& s) {
+  const auto is_it = [&](const std::optional<mission::document>& mission) {
+    return mission && mission->mission_id == s.station->mission_id && mission->revision == s.station->revision;
+  };
+  return s.station && (s.arrived ? is_it(s.arrived) : is_it(s.mission));
+}
+
+std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s) {
+  std::vector<io::mavlink::mission_item_int> result;
+  if (!s.flown || !s.progress.plan)
+    return result;
+  const auto home = std::min<std::size_t>(s.progress.plan->map.first_sequence, s.flown->items.size());
+  result.assign(s.flown->items.begin() + static_cast<std::ptrdiff_t>(home), s.flown->items.end());
+  std::uint16_t sequence = 0;
+  for (auto& each : result) {
+    each.seq = sequence++;
+    each.current = 0;
+  }
+  return result;
+}
+
+ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view, std::uint32_t plan_id) {
+  ground_port::mission_progress result;
+  result.plan_id = plan_id;
+  result.state = state_shown(s);
+  if (view.mode())
+    result.mode = view.is_in(flight::mode_kind::mission) ? mission_mode::active : mission_mode::suspended;
+  const bool is_followed =
+      s.progress.plan && s.mission && s.flown && s.flown->mission.mission_id == s.mission->mission_id && !s.arrived;
+  if (is_followed) {
+    const auto& generation = s.progress.plan->generation;
+    const auto at = generation.is_armed ? generation.current : generation.start_sequence;
+    result.current = shown_at(s, at).value_or(0);
+  }
+  return result;
+}
+
+std::optional<ground_port::item_reached> reached_shown(const state& s, const mission::progress_report& report) {
+  const bool is_of_plan = s.progress.plan && report.generation == s.progress.plan->generation.number;
+  if (report.kind != mission::progress_kind::reached || !is_of_plan || !report.item_index)
+    return std::nullopt;
+  const auto& items = s.progress.plan->map.items;
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const auto& each) { return each.item_index == *report.item_index; });
+  if (found == items.end() || found->sequence_count == 0)
+    return std::nullopt;
+  const auto sequence = shown_at(s, progress::done_sequence(*found));
+  return sequence ? std::optional(ground_port::item_reached{*sequence}) : std::nullopt;
+}
+
+} // namespace godwit::executor

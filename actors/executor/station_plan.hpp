@@ -1,0 +1,36 @@
+// What ground stations see of a mission, in the numbers of the plan that ground_port shows them.
+//
+//   who made the plan        what is shown                         how items are counted
+//   a station                its own upload, untouched             as in its upload
+//   the service, a file      what was uploaded to the vehicle      from 0, without ArduPilot's home
+//
+// A station's plan that was changed in flight (go_to, insert) is shown as the vehicle has it, too. Pure; thread: plain
+// values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "actors/executor/state.hpp"
+#include "actors/executor/view.hpp"
+#include "messages/ground_port/mission.hpp"
+
+namespace godwit::executor {
+
+// The upload of a station is the mission, or will be as soon as it can be taken, and nobody has changed it: it is shown
+// as it came. Else items_on_vehicle are.
+[[nodiscard]] bool shows_upload(const state& s);
+
+// Of the plan that the vehicle has, from 0 on and without home. Empty: there is none.
+[[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s);
+
+// PLAN_ID is that of what is shown.
+[[nodiscard]] ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view,
+                                                           std::uint32_t plan_id);
+
+// The item that REPORT says is reached. Nothing: it says something else, or belongs to an earlier plan.
+[[nodiscard]] std::optional<ground_port::item_reached> reached_shown(const state& s,
+                                                                     const mission::progress_report& report);
+
+} // namespace godwit::executor

@@ -1,0 +1,142 @@
+#include "actors/domain/mission/convert/item_list_import.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::mission {
+namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::mission_item_int;
+
+mission_item_int item_of(std::uint16_t seq, mav_cmd command, std::uint8_t in_frame = frame::global_relative_int) {
+  mission_item_int result;
+  result.seq = seq;
+  result.command = io::mavlink::number(command);
+  result.frame = in_frame;
+  result.autocontinue = 1;
+  result.x = 473'977'420;
+  result.y = 85'455'940 + seq * 1'000;
+  result.z = 20;
+  return result;
+}
+
+item_list_options options() {
+  item_list_options result;
+  result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  result.home = position{47.39774, 8.54559, 0};
+  return result;
+}
+
+std::vector<mission_item_int> short_list() {
+  auto speed = item_of(1, mav_cmd::do_change_speed, frame::mission);
+  speed.param2 = 5;
+  return {item_of(0, mav_cmd::nav_takeoff), speed, item_of(2, mav_cmd::nav_waypoint),
+          item_of(3, mav_cmd::nav_return_to_launch, frame::mission)};
+}
+
+TEST(import_item_list, each_item_knows_its_place_in_the_upload) {
+  const auto result = import_item_list(short_list(), options());
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  ASSERT_EQ(result->mission.items.size(), 4U);
+  EXPECT_EQ(result->places, (std::vector<std::uint16_t>{0, 1, 2, 3}));
+  EXPECT_EQ(std::get<waypoint>(result->mission.items[2]).at, (position{47.397742, 8.545794, 20}));
+  EXPECT_EQ(result->mission.return_point, (position{47.39774, 8.54559, 0}));
+  EXPECT_EQ(result->mission.revision, 1);
+}
+
+TEST(import_item_list, what_can_not_be_said_is_a_loss_and_left_out_only_when_that_is_allowed) {
+  auto items = short_list();
+  items.insert(items.begin() + 2, item_of(2, mav_cmd::do_jump, frame::mission));
+  items[3].seq = 3;
+  items[4].seq = 4;
+  const auto strict = import_item_list(items, options());
+  ASSERT_FALSE(strict.has_value());
+  EXPECT_NE(strict.error().message().find("DO_JUMP"), std::string::npos) << strict.error().message();
+  auto lenient = options();
+  lenient.allow_partial = true;
+  const auto result = import_item_list(items, lenient);
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_EQ(result->places, (std::vector<std::uint16_t>{0, 1, 3, 4}));
+  EXPECT_EQ(result->losses.all.size(), 1U);
+}
+
+TEST(import_item_list, heights_above_the_sea_count_from_a_home_that_is_known) {
+  auto items = short_list();
+  items[2].frame = frame::global_int;
+  items[2].z = 520;
+  EXPECT_FALSE(import_item_list(items, options()).has_value()) << "home's height is not known";
+  auto known = options();
+  known.home_altitude_m = 488;
+  known.allow_partial = true;
+  const auto result = import_item_list(items, known);
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_EQ(std::get<waypoint>(result->mission.items[2]).at.altitude_m, 32);
+}
+
+TEST(import_item_list, without_home_the_first_place_is_returned_to) {
+  auto unknown = options();
+  unknown.home.reset();
+  const auto result = import_item_list(short_list(), unknown);
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_EQ(result->mission.return_point, (position{47.397742, 8.545594, 0}));
+}
+
+TEST(import_item_list, a_list_that_makes_no_mission_is_refused) {
+  EXPECT_FALSE(import_item_list({}, options()).has_value());
+}
+
+std::vector<mission_item_int> corners(std::uint16_t first, mav_cmd command, int count) {
+  std::vector<mission_item_int> result;
+  for (int i = 0; i < count; ++i) {
+    result.push_back(item_of(static_cast<std::uint16_t>(first + i), command));
+    result.back().param1 = static_cast<float>(count);
+    result.back().x += i % 2 * 5'000;
+  }
+  return result;
+}
+
+TEST(import_fence_list, polygons_are_runs_of_corners_and_circles_become_polygons) {
+  auto items = corners(0, mav_cmd::nav_fence_polygon_vertex_inclusion, 4);
+  const auto second = corners(4, mav_cmd::nav_fence_polygon_vertex_exclusion, 3);
+  items.insert(items.end(), second.begin(), second.end());
+  items.push_back(item_of(7, mav_cmd::nav_fence_circle_exclusion));
+  items.back().param1 = 25;
+  const auto result = import_fence_list(items);
+  ASSERT_TRUE(result.has_value()) << result.error();
+  ASSERT_EQ(result->size(), 3U);
+  EXPECT_EQ((*result)[0].kind, fence_kind::inclusion);
+  EXPECT_EQ((*result)[0].vertices.size(), 4U);
+  EXPECT_EQ((*result)[1].kind, fence_kind::exclusion);
+  EXPECT_EQ((*result)[1].vertices.size(), 3U);
+  EXPECT_EQ((*result)[1].vertices[0], (vertex{47.397742, 8.545994}));
+  EXPECT_EQ((*result)[2].vertices.size(), 32U);
+  EXPECT_TRUE(import_fence_list({})->empty());
+}
+
+TEST(import_fence_list, what_is_no_fence_is_refused_and_named) {
+  const auto sentence_for = [](const std::vector<mission_item_int>& items) {
+    const auto result = import_fence_list(items);
+    return result ? std::string("it was taken") : result.error();
+  };
+  auto cut = corners(0, mav_cmd::nav_fence_polygon_vertex_inclusion, 4);
+  cut.pop_back();
+  EXPECT_EQ(sentence_for(cut), "item 0 of the fence begins a polygon of 4 corners");
+  auto mixed = corners(0, mav_cmd::nav_fence_polygon_vertex_inclusion, 3);
+  mixed[2].command = io::mavlink::number(mav_cmd::nav_fence_polygon_vertex_exclusion);
+  EXPECT_EQ(sentence_for(mixed), "item 0 of the fence begins a polygon that is not complete");
+  EXPECT_EQ(sentence_for(corners(3, mav_cmd::nav_fence_polygon_vertex_inclusion, 2)),
+            "item 3 of the fence begins a polygon of 2 corners");
+  EXPECT_EQ(sentence_for({item_of(0, mav_cmd::nav_waypoint)}),
+            "item 0 of the fence is neither a corner nor a circle (NAV_WAYPOINT)");
+  auto point = item_of(0, mav_cmd::nav_fence_circle_inclusion);
+  EXPECT_EQ(sentence_for({point}), "item 0 of the fence is a circle of 0 m, of which no polygon is made");
+  point.param1 = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(sentence_for({point}), "it was taken");
+}
+
+} // namespace
+} // namespace godwit::mission

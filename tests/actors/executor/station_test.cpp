@@ -1,0 +1,317 @@
+// Plans of ground stations: taken, started, shown as they are flown; and the service's, which stations see and start.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/plan_checksum.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::mav_frame;
+using io::mavlink::mav_mission_type;
+using io::mavlink::mission_item_int;
+using io::mavlink::mission_state;
+using io::mavlink::number;
+using tests::flight_world;
+
+class flight_by_station : public testing::TestWithParam<sim::personality> {};
+
+using upload = std::vector<mission_item_int>;
+
+mission_item_int item_of(mav_cmd command, const mission::position& at) {
+  mission_item_int result;
+  result.command = number(command);
+  result.frame = number(mav_frame::global_relative_alt_int);
+  result.autocontinue = 1;
+  result.x = static_cast<std::int32_t>(at.latitude * 1e7);
+  result.y = static_cast<std::int32_t>(at.longitude * 1e7);
+  result.z = static_cast<float>(at.altitude_m);
+  return result;
+}
+
+mission_item_int waypoint_at(double north_m, double east_m, double up_m) {
+  return item_of(mav_cmd::nav_waypoint, std::get<mission::waypoint>(tests::place("", north_m, east_m, up_m)).at);
+}
+
+upload numbered(upload items) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    items[i].seq = static_cast<std::uint16_t>(i);
+  return items;
+}
+
+// Take-off, speed, two waypoints, return; as a station writes it.
+upload station_items(sim::personality who) {
+  const bool drives = who == sim::personality::rover;
+  const double up_m = drives ? 0 : 20;
+  upload result;
+  if (!drives)
+    result.push_back(item_of(mav_cmd::nav_takeoff, {0, 0, up_m}));
+  auto speed = item_of(mav_cmd::do_change_speed, {});
+  speed.frame = number(mav_frame::mission);
+  speed.param1 = 1;
+  speed.param2 = 4;
+  result.push_back(speed);
+  result.push_back(waypoint_at(60, 0, up_m));
+  result.push_back(waypoint_at(60, 60, up_m));
+  if (!drives) {
+    auto back = item_of(mav_cmd::nav_return_to_launch, {});
+    back.frame = number(mav_frame::mission);
+    result.push_back(back);
+  }
+  return numbered(result);
+}
+
+plan_taken taken(const upload& items, mav_mission_type type = mav_mission_type::mission) {
+  return {type, io::mavlink::checksum_of(items), items, {255, 190}};
+}
+
+start_mission start_of(const flight_world& world, const upload& items) {
+  start_mission result;
+  result.key = static_cast<std::uint64_t>(world.now_ns());
+  result.last = static_cast<std::uint16_t>(items.size() - 1);
+  result.plan_id = io::mavlink::checksum_of(items);
+  result.asked_by = {255, 190};
+  result.obey_until_ns = world.wall_ns() + 3'000'000'000;
+  return result;
+}
+
+flight_world::options by_stations(sim::personality who) {
+  return {.who = who, .start = start_policy::on_command, .has_service = false};
+}
+
+bool was_said(const flight_world& world, const std::string& words) {
+  const auto& said = world.said();
+  return std::any_of(said.begin(), said.end(),
+                     [&](const std::string& each) { return each.find(words) != std::string::npos; });
+}
+
+// The items that were shown as current, in order, of the plan of ITEMS.
+std::vector<std::uint16_t> currents(const flight_world& world, const upload& items) {
+  std::vector<std::uint16_t> result;
+  for (const auto& each : world.shown_progress())
+    if (each.plan_id == io::mavlink::checksum_of(items) && (result.empty() || result.back() != each.current))
+      result.push_back(each.current);
+  return result;
+}
+
+// -- a station's own plan -------------------------------------------------------------------------
+
+TEST_P(flight_by_station, the_plan_of_a_station_is_flown_at_its_command_and_told_in_its_numbers) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.run_for(5);
+  EXPECT_EQ(world.durable().standing.now, phase::ready) << "nothing starts by itself";
+  EXPECT_EQ(world.shown_progress().back().state, mission_state::not_started);
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_EQ(world.start_answers().size(), 1U);
+  EXPECT_EQ(world.start_answers().front().verdict, start_verdict::started) << world.start_answers().front().reason;
+  const auto seen = currents(world, items);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << world.story();
+  EXPECT_EQ(seen.back(), items.size() - 1);
+  EXPECT_EQ(world.shown_progress().back().state, mission_state::complete) << world.story();
+  std::vector<std::uint16_t> all(items.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = static_cast<std::uint16_t>(i);
+  EXPECT_EQ(world.shown_reached(), all) << world.story();
+  EXPECT_TRUE(world.shown_items().empty()) << "the station has it already";
+}
+
+TEST_P(flight_by_station, a_flown_plan_is_prepared_anew_at_the_next_start_and_flown_again) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  const auto flown = world.durable().mission->mission_id;
+  world.station_says(start_of(world, items));
+  ASSERT_EQ(world.start_answers().size(), 2U);
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::not_ready);
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  EXPECT_NE(world.durable().mission->mission_id, flown) << "another mission, with reports of its own";
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.start_answers().back().reason;
+}
+
+TEST_P(flight_by_station, after_a_crash_in_flight_the_station_goes_on_seeing_its_own_numbers) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until([&] { return world.shown_reached().size() >= 2; }, 600)) << world.story();
+  world.crash_all();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.shown_reached().size(), items.size()) << world.story();
+  EXPECT_TRUE(world.shown_items().empty()) << "what the station uploaded is still what is shown";
+}
+
+TEST_P(flight_by_station, what_a_mission_can_not_say_is_refused_with_the_reason) {
+  flight_world world(by_stations(GetParam()));
+  auto items = station_items(GetParam());
+  auto jump = item_of(mav_cmd::do_jump, {});
+  jump.frame = number(mav_frame::mission);
+  items.push_back(jump);
+  items = numbered(items);
+  world.station_says(taken(items));
+  world.run_for(5);
+  EXPECT_EQ(world.durable().standing.now, phase::connected) << world.story();
+  EXPECT_TRUE(was_said(world, "the plan is not taken")) << world.story();
+  EXPECT_TRUE(was_said(world, "DO_JUMP")) << world.story();
+  world.station_says(start_of(world, items));
+  ASSERT_EQ(world.start_answers().size(), 1U);
+  EXPECT_EQ(world.start_answers().front().verdict, start_verdict::no_such_item);
+  EXPECT_NE(world.start_answers().front().reason.find("DO_JUMP"), std::string::npos);
+}
+
+TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_in_flight) {
+  flight_world world(by_stations(GetParam()));
+  const auto first = station_items(GetParam());
+  auto second = first;
+  second.insert(second.begin() + 3, waypoint_at(30, 30, GetParam() == sim::personality::rover ? 0 : 20));
+  second = numbered(second);
+  world.station_says(taken(first));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(taken(second));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.items.size() == second.size(); }, 60))
+      << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of(world, first));
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item) << "it is another plan now";
+  world.station_says(start_of(world, second));
+  ASSERT_TRUE(world.run_until([&] { return world.shown_reached().size() >= 2; }, 600)) << world.story();
+  world.station_says(taken(first));
+  EXPECT_TRUE(was_said(world, "upload it after the flight")) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(second)) << world.story();
+}
+
+TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(plan_cleared{mav_mission_type::mission, {255, 190}});
+  EXPECT_TRUE(world.run_until_phase(phase::connected, 10)) << world.story();
+  EXPECT_FALSE(world.durable().mission);
+  world.station_says(start_of(world, items));
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
+  EXPECT_FALSE(world.say(operator_words::verb::start).is_taken);
+}
+
+TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  auto from_the_middle = start_of(world, items);
+  from_the_middle.first = 1;
+  world.station_says(from_the_middle);
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
+  auto half = start_of(world, items);
+  half.last = 1;
+  world.station_says(half);
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
+  EXPECT_EQ(world.durable().standing.now, phase::ready);
+}
+
+// -- its fence ------------------------------------------------------------------------------------
+
+upload fence_around(double half_side_m) {
+  upload result;
+  for (const auto& [north, east] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
+    auto corner = waypoint_at(north * half_side_m, east * half_side_m, 0);
+    corner.command = number(mav_cmd::nav_fence_polygon_vertex_inclusion);
+    corner.param1 = 4;
+    result.push_back(corner);
+  }
+  return numbered(result);
+}
+
+TEST_P(flight_by_station, the_fence_of_a_station_is_checked_and_watched) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  world.station_says(taken(fence_around(20), mav_mission_type::fence));
+  world.run_for(10);
+  EXPECT_EQ(world.durable().standing.now, phase::preflight) << "the waypoints are outside: " << world.story();
+  world.station_says(taken(fence_around(500), mav_mission_type::fence));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
+  EXPECT_EQ(world.guarded().size(), 1U);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_TRUE(world.reactions().empty()) << world.story();
+}
+
+TEST_P(flight_by_station, a_fence_that_comes_first_counts_for_the_plan_behind_it_until_it_is_cleared) {
+  flight_world world(by_stations(GetParam()));
+  world.station_says(taken(fence_around(20), mav_mission_type::fence));
+  world.station_says(taken(station_items(GetParam())));
+  world.run_for(10);
+  EXPECT_EQ(world.durable().standing.now, phase::preflight) << world.story();
+  world.station_says(plan_cleared{mav_mission_type::fence, {255, 190}});
+  EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+}
+
+// -- the mission of the service -------------------------------------------------------------------
+
+TEST_P(flight_by_station, stations_see_the_mission_of_the_service_and_may_start_it) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  const auto shown = world.shown_items();
+  const auto home = world.durable().progress.plan->map.first_sequence;
+  ASSERT_EQ(shown.size() + home, world.durable().flown->items.size());
+  EXPECT_EQ(shown.front().seq, 0);
+  world.station_says(start_of(world, shown));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.start_answers().back().reason;
+  const auto seen = currents(world, shown);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << world.story();
+  EXPECT_EQ(seen.back(), shown.size() - 1);
+  EXPECT_EQ(world.shown_reached().size(), world.durable().mission->items.size());
+}
+
+TEST_P(flight_by_station, with_a_service_the_plan_of_a_station_is_not_taken_and_the_mission_is_shown_again) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  const auto told = world.times_shown();
+  world.station_says(taken(station_items(GetParam())));
+  EXPECT_TRUE(was_said(world, "missions come from the missions service here")) << world.story();
+  EXPECT_EQ(world.times_shown(), told + 1) << "in place of what the station has uploaded";
+  EXPECT_EQ(world.durable().standing.now, phase::ready);
+}
+
+TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_it) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  world.station_says(taken(items));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until([&] { return world.shown_reached().size() >= 2; }, 600)) << world.story();
+  operator_words::word there;
+  there.verb = operator_words::verb::insert;
+  there.place = std::get<mission::waypoint>(tests::place("", 30, 30, 20)).at;
+  ASSERT_TRUE(world.say(there).is_taken) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
+  EXPECT_FALSE(world.shown_items().empty()) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(world.shown_items())) << world.story();
+  EXPECT_EQ(world.shown_progress().back().state, mission_state::complete);
+}
+
+INSTANTIATE_TEST_SUITE_P(each, flight_by_station,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+
+} // namespace
+} // namespace godwit::executor

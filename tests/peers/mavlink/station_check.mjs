@@ -1,0 +1,125 @@
+#!/usr/bin/env node
+// node-mavlink as a ground station of godwitd, which flies the plan of the station with a simulated vehicle:
+//
+//   node station_check.mjs GODWIT_SIM GODWITD rover|px4|ardupilot
+//
+// Uploads a fence and a plan, reads the plan back, starts it, and follows it to its end in the numbers of its own plan;
+// kills godwitd in the middle. Exit 0 if all is as it must be, 1 if not, 2 on wrong usage.
+import { spawn } from "node:child_process";
+import { createSocket } from "node:dgram";
+import { once } from "node:events";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+import { load_definitions } from "./definitions.mjs";
+import { ground_station, port_of } from "./ground_station.mjs";
+import { change_speed, check, compare, home_text, item, nav_return, nav_takeoff, square } from "./plans.mjs";
+
+const speed = "20";
+const mission_start = 300;
+const fence_corner = 5001; // NAV_FENCE_POLYGON_VERTEX_INCLUSION
+const fence_type = 1;
+const accepted = 0;
+const temporarily_rejected = 1;
+const state_active = 3;
+const state_complete = 5;
+
+const side_m = 200; // so that each leg takes seconds, at twenty times real time
+const flight = [item(nav_takeoff, 0, 0, 10), change_speed(5), ...square(10, side_m),
+  { ...item(nav_return, 0, 0, 0), frame: 2 }];
+const plans = { rover: [change_speed(5), ...square(0, side_m)], px4: flight, ardupilot: flight };
+
+const fence = [[-300, -300], [-300, 300], [300, 300], [300, -300]].map((corner) =>
+  ({ ...item(fence_corner, ...corner, 0), param1: 4 }));
+
+async function free_port() {
+  const socket = createSocket("udp4");
+  socket.bind(0, "127.0.0.1");
+  await once(socket, "listening");
+  const { port } = socket.address();
+  socket.close();
+  return port;
+}
+
+// Refused for now means that the plan is still being checked, or brought to the vehicle.
+async function start(station) {
+  for (const end = Date.now() + 60_000; Date.now() < end; await new Promise((go) => setTimeout(go, 500))) {
+    const result = await station.command(mission_start);
+    if (result === accepted) return;
+    check(result === temporarily_rejected, `MISSION_START is answered with ${result}`);
+  }
+  throw new Error("the mission can not be started within 60 s");
+}
+
+async function fly(station, plan, kill_daemon) {
+  check(await station.wait_for(["HEARTBEAT"], undefined, undefined, 0), "no heartbeat of the vehicle is forwarded");
+  check(await station.upload(fence, fence_type) === accepted, "the fence was refused");
+  check(await station.upload(plan) === accepted, "the upload was refused");
+  compare(plan, await station.download(), 0);
+  await start(station);
+  check(await station.wait_for(["MISSION_ITEM_REACHED"], ({ seq }) => seq >= 1), "no item is reached");
+  await kill_daemon();
+  const is_complete = (message) => message.missionState === state_complete;
+  check(await station.wait_for(["MISSION_CURRENT"], is_complete, 120_000), "the mission is not completed");
+  const reached = station.heard.filter(({ name }) => name === "MISSION_ITEM_REACHED").map(({ message }) => message.seq);
+  check(reached.every((seq, n) => n === 0 || reached[n - 1] < seq), `reached in the order ${reached}`);
+  check(reached.length >= plan.length - 1, `of ${plan.length} items only ${reached} were told`);
+  const active = station.heard.filter(({ name, message }) =>
+    name === "MISSION_CURRENT" && message.missionState === state_active).map(({ message }) => message.seq);
+  check(active.every((seq, n) => n === 0 || active[n - 1] <= seq), `current went back: ${active}`);
+  check(active.at(-1) === plan.length - 1, `the last current item is ${active.at(-1)}`);
+  return reached;
+}
+
+// Its end is checked only when it was asked for.
+async function end(program) {
+  if (program === undefined || program.exitCode !== null) return;
+  program.kill("SIGTERM");
+  const [code] = await once(program, "exit");
+  check(code === 0, `${program.spawnfile} ended with ${code}`);
+}
+
+async function run(vehicle_path, daemon_path, name) {
+  const definitions = await load_definitions();
+  const folder = await mkdtemp(join(tmpdir(), "godwit-station-"));
+  const ground = await free_port();
+  const vehicle = spawn(vehicle_path, ["vehicle", "--personality", name, "--link", "udpin://127.0.0.1:0",
+    "--home", home_text, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
+  vehicle.stdout.setEncoding("utf8");
+  let daemon, station;
+  try {
+    const port = await port_of(vehicle);
+    const start_daemon = () => {
+      daemon = spawn(daemon_path, ["--vehicle", `udpout://127.0.0.1:${port}`, "--ground",
+        `udpin://127.0.0.1:${ground}`, "--ground-as-autopilot", "--arm-on-start", "--journal",
+        join(folder, "godwit.db"), "--trace", join(folder, "trace")], { stdio: ["ignore", "inherit", "inherit"] });
+    };
+    start_daemon();
+    station = new ground_station(ground, definitions);
+    const began = Date.now();
+    const reached = await fly(station, plans[name], async () => {
+      daemon.kill("SIGKILL");
+      await once(daemon, "exit");
+      start_daemon();
+    });
+    console.log(`${name}: uploaded, flown and followed in ${Date.now() - began} ms; reached ${reached}`);
+  } finally {
+    station?.close();
+    await end(daemon);
+    await end(vehicle);
+    await rm(folder, { recursive: true });
+  }
+}
+
+const [vehicle_path, daemon_path, name] = process.argv.slice(2);
+if (!Object.hasOwn(plans, name ?? "")) {
+  console.error("usage: station_check.mjs GODWIT_SIM GODWITD rover|px4|ardupilot");
+  process.exit(2);
+}
+try {
+  await run(vehicle_path, daemon_path, name);
+} catch (error) {
+  console.error(`ERROR: ${error.message}`);
+  process.exitCode = 1;
+}

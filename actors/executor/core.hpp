@@ -170,6 +170,7 @@ private:
   [[nodiscard]] tl::expected<mission::document, std::string> changed(const wished_change& wish) const;
   [[nodiscard]] std::string why_not_changed(const wished_change& wish, instant now) const;
   [[nodiscard]] std::size_t first_item(const mission::document& mission) const; // to go on with
+  [[nodiscard]] plan::plan_from going_on(const mission::document& mission, std::size_t first_item) const;
   [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
                                                                             instant now) const;
   [[nodiscard]] bool begin_change(effects& out, instant now);
@@ -195,7 +196,7 @@ private:
   void stand(effects& out, phase now, pause_cause cause = pause_cause::none, const std::string& reason = {});
   void stand_paused(effects& out, pause_cause cause, const std::string& reason);
   void begin(effects& out, task_kind kind, steps way, bool goes_on = false);
-  void begin_deploy(effects& out, deployment brings, const plan::flight_plan& what,
+  void begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                     const std::optional<std::string>& assignment, bool goes_on);
   void begin_start(effects& out, std::optional<std::uint64_t> key);
   void begin_going_on(effects& out);

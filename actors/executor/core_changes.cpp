@@ -136,11 +136,16 @@ std::size_t core::first_item(const mission::document& mission) const {
   return s_.flown ? first_to_fly(mission, s_.flown->mission, last_done(s_)) : 0;
 }
 
+// A survey that was begun goes on with the line that was begun.
+plan::plan_from core::going_on(const mission::document& mission, std::size_t first_item) const {
+  return {first_item, lines_flown(s_, mission, first_item)};
+}
+
 tl::expected<plan::flight_plan, std::string> core::plan_in_flight(const mission::document& mission, instant now) const {
   const auto where = setting(now);
   if (!where)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
-  auto plans = plan::build_plans(mission, *where, {first_item(mission), 0});
+  auto plans = plan::build_plans(mission, *where, going_on(mission, first_item(mission)));
   if (!plans)
     return tl::make_unexpected(plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), mission, where->vehicle); !found.empty())
@@ -229,8 +234,7 @@ bool core::deploy_arrived(effects& out, instant now) {
     return true;
   }
   const bool was_asked_for = s_.change && s_.change->kind != change_kind::insert;
-  begin_deploy(out, {*s_.arrived, plan->items, plan->landing_sequence}, *plan, {},
-               at == phase::flying || was_asked_for);
+  begin_deploy(out, *s_.arrived, *plan, {}, at == phase::flying || was_asked_for);
   return true;
 }
 

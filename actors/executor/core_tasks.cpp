@@ -54,16 +54,15 @@ void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
   runner_.begin(what, std::move(way), {});
 }
 
-void core::begin_deploy(effects& out, deployment brings, const plan::flight_plan& what,
+void core::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                         const std::optional<std::string>& assignment, bool goes_on) {
   const task doing{s_.last_task + 1, task_kind::deploy, goes_on, {}};
-  progress::upload_intended intent{brings.mission.revision, what.map, {}, {}};
+  progress::upload_intended intent{mission.revision, what.map, {}, {}};
   if (view_.keeps_plan_ids() && view_.current())
     intent.id_before = view_.current()->mission_id;
   if (assignment)
-    intent.assignment =
-        progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};
-  out.emplace_back(note{task_begun{doing, std::move(brings)}});
+    intent.assignment = progress::assignment_key{*assignment, ids::derived_uuid(*assignment, mission.mission_id)};
+  out.emplace_back(note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys}}});
   must_choose_item_ = false;
   deploying_over_ = s_.progress.last_generation;
   runner_.begin(doing, deploy_steps(what.map, goes_on), std::move(intent));
@@ -191,7 +190,7 @@ preflight::report core::look_at_all(instant now) {
   seen.mission.map = map_;
   seen.mission.map_problem = map_problem_;
   if (const auto where = setting(now); where && s_.mission) {
-    plans_ = plan::build_plans(*s_.mission, *where, {first_item(*s_.mission), 0});
+    plans_ = plan::build_plans(*s_.mission, *where, going_on(*s_.mission, first_item(*s_.mission)));
     seen.mission.plans = &*plans_;
     seen.mission.return_point = plan::return_point_violations(*s_.mission);
     if (*plans_) {
@@ -247,13 +246,12 @@ bool core::answer_assignment(effects& out, instant now) {
   const auto where = setting(now);
   if (!where)
     return true; // until the vehicle is heard
-  auto plans = plan::build_plans(wanted->mission, *where, {wanted->first_item, 0});
+  auto plans = plan::build_plans(wanted->mission, *where, going_on(wanted->mission, wanted->first_item));
   if (!plans)
     return reject(plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), wanted->mission, where->vehicle); !found.empty())
     return reject(found.front().message);
-  deployment brings{std::move(wanted->mission), plans->front().items, plans->front().landing_sequence};
-  begin_deploy(out, std::move(brings), plans->front(), wish.assignment_id, at == phase::flying);
+  begin_deploy(out, wanted->mission, plans->front(), wish.assignment_id, at == phase::flying);
   return true;
 }
 
@@ -335,7 +333,7 @@ void core::begin_going_on(effects& out) {
 void core::begin_again(effects& out, instant now) {
   const auto plan = plan_in_flight(*s_.mission, now);
   if (plan)
-    begin_deploy(out, {*s_.mission, plan->items, plan->landing_sequence}, *plan, {}, true);
+    begin_deploy(out, *s_.mission, *plan, {}, true);
   else
     out.emplace_back(announce{"the rest of the mission can not be flown from here: " + plan.error(), true});
 }
@@ -468,7 +466,7 @@ bool core::prepare(effects& out, instant now) {
   if (at == phase::preflight && plans_ && *plans_) {
     const auto& first = (*plans_)->front();
     stand(out, phase::uploading);
-    begin_deploy(out, {*s_.mission, first.items, first.landing_sequence}, first, s_.assigned, false);
+    begin_deploy(out, *s_.mission, first, s_.assigned, false);
     return true;
   }
   const bool starts_itself = settings_.start == start_policy::automatic && settings_.arm_on_start;

@@ -44,6 +44,21 @@ std::size_t first_to_fly(const mission::document& mission, const mission::docume
   return std::min(first_remaining(mission, last_done), static_cast<std::size_t>(first_new - mission.items.begin()));
 }
 
+std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index) {
+  if (index >= mission.items.size() || !s.flown || !s.progress.plan)
+    return 0;
+  const auto& flown = s.flown->mission.items;
+  const auto& surveys = s.flown->surveys;
+  const auto found =
+      std::find_if(surveys.begin(), surveys.end(), [&](const auto& each) { return each.item_index == index; });
+  const auto end = static_cast<std::ptrdiff_t>(index) + 1;
+  if (found == surveys.end() || index >= flown.size() ||
+      !std::equal(flown.begin(), flown.begin() + end, mission.items.begin()))
+    return 0;
+  const auto& generation = s.progress.plan->generation;
+  return generation.is_armed ? plan::lines_done_at(*found, generation.current) : found->lines_before;
+}
+
 tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& wish,
                                                const std::optional<std::string>& last_done) {
   if (wish.base_revision != mission.revision)

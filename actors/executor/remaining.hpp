@@ -27,6 +27,10 @@ namespace godwit::executor {
 [[nodiscard]] std::size_t first_to_fly(const mission::document& mission, const mission::document& flown,
                                        const std::optional<std::string>& last_done);
 
+// So many lines of the item at INDEX are flown, if it is a survey that the plan on the vehicle has, too, and lays the
+// same way: behind the same items. Else 0. The line that was begun is not flown.
+[[nodiscard]] std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index);
+
 struct reassigned {
   mission::document mission;
   std::size_t first_item = 0; // to go on with

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "actors/executor/phase.hpp"
+#include "actors/executor/plan/flight_plan.hpp"
 #include "actors/executor/preflight/bit.hpp"
 #include "actors/executor/progress/core.hpp"
 #include "actors/executor/progress/state.hpp"
@@ -66,9 +67,10 @@ struct deployment {
   mission::document mission;
   std::vector<io::mavlink::mission_item_int> items;
   std::optional<std::uint16_t> landing_sequence;
-  static constexpr auto fields =
-      io::table("executor.deployment", io::field("mission", &deployment::mission),
-                io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence));
+  std::vector<plan::planned_survey> surveys;
+  static constexpr auto fields = io::table(
+      "executor.deployment", io::field("mission", &deployment::mission), io::field("items", &deployment::items),
+      io::field("landing_sequence", &deployment::landing_sequence), io::field("surveys", &deployment::surveys));
 };
 
 // The plan of a ground station that is the mission, or the one that comes next.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actors/executor/progress/plan_map.hpp"
+#include "io/fields/field_table.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
 #include "messages/mission/place.hpp"
 
@@ -35,6 +36,12 @@ struct planned_survey {
   std::uint32_t lines_before = 0; // flown by an earlier plan, and left out
   std::uint16_t first_line_sequence = 0;
   std::uint16_t line_count = 0; // in this plan
+
+  static constexpr auto fields =
+      io::table("executor.planned_survey", io::field("item_index", &planned_survey::item_index),
+                io::field("lines_before", &planned_survey::lines_before),
+                io::field("first_line_sequence", &planned_survey::first_line_sequence),
+                io::field("line_count", &planned_survey::line_count));
 };
 
 struct flight_plan {

@@ -182,6 +182,42 @@ TEST_P(every_vehicle, an_assignment_in_flight_replaces_the_tail_and_is_answered_
     EXPECT_NE(each.item_id.value_or("") == "w3" && each.kind == progress_kind::reached, true) << world.story();
 }
 
+TEST_P(every_vehicle, a_survey_that_is_replanned_goes_on_with_the_line_that_was_begun) {
+  flight_world world({.who = GetParam()});
+  auto mission = tests::short_mission(GetParam());
+  const auto corner = [](double north_m, double east_m) {
+    const auto at = std::get<mission::waypoint>(tests::place("", north_m, east_m, 0)).at;
+    return mission::vertex{at.latitude, at.longitude};
+  };
+  const double up_m = GetParam() == sim::personality::rover ? 0 : 20;
+  mission.items[mission.items.size() - 2] =
+      mission::survey{"field", {corner(60, 60), corner(60, 160), corner(160, 160), corner(160, 60)}, up_m, 20, 0};
+  world.load(mission);
+  const auto sequence_of_line = [&](std::size_t line) {
+    return world.durable().flown->surveys.at(0).first_line_sequence + 2 * line + 1;
+  };
+  ASSERT_TRUE(world.run_until(
+      [&] {
+        return world.durable().standing.now == phase::flying &&
+               world.durable().progress.plan->generation.current == sequence_of_line(2);
+      },
+      900))
+      << world.story();
+  world.assign({"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "field", {tests::place("after", 0, 0, up_m)}});
+  ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
+  ASSERT_EQ(world.durable().flown->surveys.size(), 1U);
+  EXPECT_EQ(world.durable().flown->surveys[0].lines_before, 2U);
+  world.crash_all();
+  ASSERT_TRUE(world.run_until_phase(phase::done, 1'800)) << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete);
+  const auto& reports = world.reports();
+  EXPECT_EQ(
+      std::count_if(reports.begin(), reports.end(),
+                    [](const auto& each) { return each.kind == progress_kind::reached && each.item_id == "field"; }),
+      1)
+      << world.story();
+}
+
 TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the_reason) {
   flight_world world({.who = GetParam()});
   const auto mission = tests::short_mission(GetParam());

@@ -6,6 +6,7 @@
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::executor {
@@ -450,7 +451,9 @@ bool core::settle(effects& out, instant now) {
     if (!is_news || !view_.mode())
       return true;
     looking_ = question::none;
-    out.emplace_back(note{progress::start_ended{view_.is_armed() && view_.is_in(mode_kind::mission)}});
+    out.emplace_back(note{progress::start_ended{view_.is_armed() && view_.is_in(mode_kind::mission) &&
+                                                view_.current()->mission_state !=
+                                                    io::mavlink::number(io::mavlink::mission_state::not_started)}});
     break;
   case question::none:
     break;

@@ -125,9 +125,17 @@ bool task_runner::is_shown(const vehicle_view& view) const {
     return view.is_in(mode->to);
   if (std::holds_alternative<arm>(what))
     return view.is_armed();
-  if (std::holds_alternative<start_plan>(what))
-    return view.is_armed() && view.is_in(flight::mode_kind::mission);
-  return false;
+  return std::holds_alternative<start_plan>(what) && is_start_shown(view);
+}
+
+// A vehicle that was in its mission mode before (a rover that holds there) shows by its mission alone that a start
+// whose answer was lost came through.
+bool task_runner::is_start_shown(const vehicle_view& view) const {
+  const bool is_in_mission = view.is_armed() && view.is_in(flight::mode_kind::mission);
+  if (!is_in_mission || !was_in_mission_before_ || was_accepted_)
+    return is_in_mission;
+  return view.current() && view.current_heard_ns() > asked_ns_ &&
+         view.current()->mission_state == number(io::mavlink::mission_state::active);
 }
 
 std::string task_runner::wish() const {
@@ -182,6 +190,9 @@ void task_runner::ask(const world& w) {
   ++tries_;
   last_reason_.clear();
   why_failed_.clear();
+  asked_ns_ = w.now_ns;
+  was_in_mission_before_ = w.view.is_armed() && w.view.is_in(flight::mode_kind::mission);
+  was_accepted_ = false;
   enter(stage::asked);
   std::visit([&](const auto& what) { ask(w, what); }, way_[at_]);
 }
@@ -250,6 +261,7 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
     return was_not_done(w, outcome.reason, is_final(outcome));
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))
     return was_obeyed(w);
+  was_accepted_ = outcome.verdict == command_verdict::accepted;
   enter(stage::showing, w.now_ns + shown_within_ns);
 }
 

@@ -83,6 +83,7 @@ private:
 
   [[nodiscard]] bool has_intent() const;
   [[nodiscard]] bool is_shown(const vehicle_view& view) const;
+  [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
   [[nodiscard]] std::string wish() const;
 
   std::optional<task> task_;
@@ -93,6 +94,9 @@ private:
   std::int64_t deadline_ns_ = never_ns;
   int tries_ = 0;
   bool is_intent_noted_ = false;
+  std::int64_t asked_ns_ = 0;          // the step under way, last
+  bool was_in_mission_before_ = false; // armed and in its mission mode, when it was asked
+  bool was_accepted_ = false;          // what was asked last
   std::uint64_t last_order_ = 0;
   std::uint64_t last_ticket_ = 0;
   std::uint32_t generation_before_ = 0;

@@ -200,6 +200,7 @@ private:
                     const std::optional<std::string>& assignment, bool goes_on);
   void begin_start(effects& out, std::optional<std::uint64_t> key);
   void begin_going_on(effects& out);
+  void begin_at_start(effects& out);
   void begin_again(effects& out, instant now);
   [[nodiscard]] bool begin_wanted(effects& out, task_kind what, instant now);
   [[nodiscard]] bool begin_asked_start(effects& out, const start_mission& asked, instant now);
@@ -209,6 +210,7 @@ private:
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
   [[nodiscard]] steps start_steps() const;
   [[nodiscard]] steps going_on_steps() const;
+  [[nodiscard]] bool starts_in_mission_mode() const;
   [[nodiscard]] steps deploy_steps(const progress::plan_map& map, bool goes_on) const;
   [[nodiscard]] preflight::report look_at_all(instant now);
   void answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason);
@@ -242,6 +244,7 @@ private:
   std::uint32_t deploying_over_ = 0; // the generation that the deployment under way takes the place of
   bool finishes_intent_ = false;     // of an earlier incarnation: it is held, and meant to fly on
   bool must_choose_item_ = false;    // it holds the plan, and is elsewhere in it
+  bool has_begun_task_ = false;      // since this incarnation began
   std::optional<start_mission> asked_start_;
   bool is_start_wanted_ = false;    // by an operator
   std::optional<task_kind> wanted_; // by an operator: hold, resume, come home

@@ -49,6 +49,7 @@ void core::answer_start(effects& out, std::uint64_t key, start_verdict verdict, 
 // -- tasks ------------------------------------------------------------------------------------------
 
 void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
+  has_begun_task_ = true;
   const task what{s_.last_task + 1, kind, goes_on, {}};
   out.emplace_back(note{task_begun{what, {}}});
   runner_.begin(what, std::move(way), {});
@@ -56,6 +57,7 @@ void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
 
 void core::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                         const std::optional<std::string>& assignment, bool goes_on) {
+  has_begun_task_ = true;
   const task doing{s_.last_task + 1, task_kind::deploy, goes_on, {}};
   progress::upload_intended intent{mission.revision, what.map, {}, {}};
   if (view_.keeps_plan_ids() && view_.current())
@@ -69,6 +71,7 @@ void core::begin_deploy(effects& out, const mission::document& mission, const pl
 }
 
 void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
+  has_begun_task_ = true;
   const task what{s_.last_task + 1, task_kind::start, false, key};
   stand(out, phase::starting);
   out.emplace_back(note{task_begun{what, {}}});
@@ -285,8 +288,7 @@ bool core::begin_wished(effects& out, instant now) {
   }
   if (must_choose_item_ && s_.standing.now == phase::flying && s_.progress.plan) {
     must_choose_item_ = false;
-    begin(out, task_kind::resume,
-          {choose_item{s_.progress.plan->generation.start_sequence}, change_mode{mode_kind::mission}});
+    begin_at_start(out);
     return true;
   }
   if (wanted_change_)
@@ -306,13 +308,25 @@ bool core::begin_wished(effects& out, instant now) {
   return false;
 }
 
-// Back into the plan that the vehicle holds. One by the MAVLink text alone holds in its mission mode until a plan that
-// was brought to it in flight is started.
+// One by the MAVLink text alone stays in its mission mode when it holds, and goes on only when it is started.
+bool core::starts_in_mission_mode() const {
+  const auto autopilot = view_.owner().autopilot;
+  return autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega;
+}
+
+// The vehicle has another item than the one with which it should begin. A new incarnation starts nothing.
+void core::begin_at_start(effects& out) {
+  const auto start = s_.progress.plan->generation.start_sequence;
+  const bool may_start = starts_in_mission_mode() && has_begun_task_;
+  begin(out, task_kind::resume,
+        may_start ? steps{start_plan{start}} : steps{choose_item{start}, change_mode{mode_kind::mission}});
+}
+
+// Back into the plan that the vehicle holds, or into one that was brought to it in flight.
 steps core::going_on_steps() const {
   const bool is_new = s_.progress.plan && !s_.progress.plan->generation.was_active &&
                       s_.progress.plan->generation.origin != progress::generation_origin::start;
-  const auto autopilot = view_.owner().autopilot;
-  if (is_new && autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega)
+  if (is_new && starts_in_mission_mode())
     return {start_plan{s_.progress.plan->generation.start_sequence}};
   return {change_mode{mode_kind::mission}};
 }

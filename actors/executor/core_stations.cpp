@@ -18,6 +18,13 @@ bool is_same(const ground_port::mission_progress& a, const ground_port::mission_
   return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode;
 }
 
+// Empty: nobody.
+std::string who_else_brings_missions(const settings& configured) {
+  if (configured.has_service)
+    return "the missions service";
+  return configured.mission_id.empty() ? std::string() : std::string("a file");
+}
+
 // Each upload is a mission of its own, also when it says the same as one before: that is flown again.
 std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
   return mission::uuid_of_text("a ground station's plan " + std::to_string(plan_id) + " at " + std::to_string(wall_ns));
@@ -61,8 +68,8 @@ effects core::not_taken(const std::string& why) {
 }
 
 effects core::take_plan(const plan_taken& m, instant now) {
-  if (settings_.has_service)
-    return not_taken("missions come from the missions service here");
+  if (auto elsewhere = who_else_brings_missions(settings_); !elsewhere.empty())
+    return not_taken("missions come from " + elsewhere + " here");
   if (is_flight_begun())
     return not_taken("another one is flown; upload it after the flight");
   if (is_paused_for_person())
@@ -91,15 +98,13 @@ effects core::take_plan(const plan_taken& m, instant now) {
 }
 
 effects core::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
-  if (settings_.has_service)
-    return items.empty() ? effects{} : not_taken("fences come from the missions service here");
+  if (auto elsewhere = who_else_brings_missions(settings_); !elsewhere.empty())
+    return items.empty() ? effects{} : not_taken("fences come from " + elsewhere + " here");
   auto fences = mission::import_fence_list(items);
   if (!fences)
     return {announce{"the fence is not taken: " + fences.error(), true}};
-  mission::document fenced;
-  fenced.geofences = *fences;
   if (shows_upload(s_)) {
-    fenced = s_.arrived ? *s_.arrived : *s_.mission;
+    auto fenced = s_.arrived ? *s_.arrived : *s_.mission;
     fenced.geofences = *fences;
     if (const auto problems = mission::broken_rules(fenced); !problems.empty())
       return {announce{"the fence is not taken: " + problems.front().message(), true}};

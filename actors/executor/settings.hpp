@@ -26,7 +26,7 @@ constexpr auto enum_names(refusal_policy) {
 }
 
 struct settings {
-  std::string mission_id; // that the service is asked for; empty: missions come from elsewhere
+  std::string mission_id; // that the service is asked for, or of the file; empty: ground stations bring missions
   bool has_service = true;
   start_policy start = start_policy::on_command;
   bool arm_on_start = false; // else a person arms

@@ -58,7 +58,8 @@ mission::document short_mission(sim::personality who) {
 flight_world::flight_world(const options& wanted)
     : failsafe_settings_(wanted.failsafe), link_(new_link()), dice_(wanted.seed), lost_(wanted.lost),
       doubled_(wanted.doubled), most_delay_ms_(wanted.most_delay_ms) {
-  settings_.mission_id = short_mission(wanted.who).mission_id;
+  if (wanted.has_service)
+    settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
   settings_.start = wanted.start;
   settings_.arm_on_start = wanted.arm_on_start;

@@ -233,7 +233,7 @@ void actor::say_to_stations(io::mavlink::mav_severity severity, const std::strin
 }
 
 void actor::show_reached(const mission::progress_report& report) {
-  const auto reached = reached_shown(current_state(), report);
+  const auto reached = reached_shown(current_state(), report, settings_.shows_home);
   if (others_->port && reached)
     tell(*others_->port, *reached);
 }

@@ -189,6 +189,7 @@ private:
   [[nodiscard]] effects not_taken(const std::string& why);
   [[nodiscard]] std::string why_not_meant(const start_mission& m);
   [[nodiscard]] bool fly_again(effects& out, instant now);
+  [[nodiscard]] bool begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const;
   [[nodiscard]] bool is_flight_begun() const;
 
   // core_tasks.cpp

@@ -1,10 +1,12 @@
 // What ground stations upload and start, and what they are shown of the mission.
+#include <span>
 #include <utility>
 
 #include "actors/domain/mission/convert/item_list_import.hpp"
 #include "actors/domain/mission/rules.hpp"
 #include "actors/executor/core.hpp"
 #include "actors/executor/station_plan.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_checksum.hpp"
 
 namespace godwit::executor {
@@ -67,6 +69,16 @@ effects core::not_taken(const std::string& why) {
   return {announce{refused_upload_, true}};
 }
 
+// Stations write ArduPilot's home, which it keeps itself, as the first item.
+bool core::begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const {
+  using io::mavlink::mav_frame;
+  if (!plan_has_home() || items.empty())
+    return false;
+  const auto frame = static_cast<mav_frame>(items.front().frame);
+  return items.front().command == io::mavlink::number(io::mavlink::mav_cmd::nav_waypoint) &&
+         (frame == mav_frame::global || frame == mav_frame::global_int);
+}
+
 effects core::take_plan(const plan_taken& m, instant now) {
   if (auto elsewhere = who_else_brings_missions(settings_); !elsewhere.empty())
     return not_taken("missions come from " + elsewhere + " here");
@@ -82,7 +94,7 @@ effects core::take_plan(const plan_taken& m, instant now) {
     options.home_altitude_m = home->above_sea_m;
   }
   options.geofences = s_.station_fences;
-  auto taken = mission::import_item_list(m.items, options);
+  auto taken = mission::import_item_list(std::span(m.items).subspan(begins_with_home(m.items) ? 1 : 0), options);
   if (!taken)
     return not_taken(taken.error().message());
   refused_upload_.clear();
@@ -167,7 +179,7 @@ const core::shown_plan& core::shown() {
   shown_.emplace();
   if (shows_upload(s_)) {
     *shown_ = {s_.station->plan_id, s_.station->items, true};
-  } else if (const auto items = items_on_vehicle(s_); !items.empty()) {
+  } else if (const auto items = items_on_vehicle(s_, settings_.shows_home); !items.empty()) {
     *shown_ = {io::mavlink::checksum_of(items), items.size(), false};
   }
   return *shown_;
@@ -180,10 +192,10 @@ effects core::tell_stations(instant now) {
     return out;
   if (plan.plan_id != told_plan_id_) {
     if (!plan.is_upload)
-      out.emplace_back(say_to_port{ground_port::set_mission{items_on_vehicle(s_)}});
+      out.emplace_back(say_to_port{ground_port::set_mission{items_on_vehicle(s_, settings_.shows_home)}});
     told_plan_id_ = plan.plan_id;
   }
-  const auto progress = progress_shown(s_, view_, plan.plan_id);
+  const auto progress = progress_shown(s_, view_, plan.plan_id, settings_.shows_home);
   if (is_same(progress, told_progress_) && now.now_ns - told_progress_ns_ < tell_period_ns)
     return out;
   told_progress_ = progress;

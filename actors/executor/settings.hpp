@@ -35,6 +35,7 @@ struct settings {
   double own_loiter_radius_m = 80;
   double return_altitude_m = 0;
   bool allow_partial = false;  // of a station's plan: take what a mission can say, and tell what it can not
+  bool shows_home = false;     // to stations, where the vehicle keeps its home as item 0: they take us for it
   bool marks_landings = false; // of fixed wings, with DO_LAND_START: see plan/setting.hpp
   preflight::settings checks;
 };

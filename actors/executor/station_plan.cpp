@@ -9,12 +9,12 @@ using io::mavlink::mission_mode;
 using io::mavlink::mission_state;
 
 // Of the plan that is shown, for SEQUENCE of the vehicle.
-std::optional<std::uint16_t> shown_at(const state& s, std::uint16_t sequence) {
+std::optional<std::uint16_t> shown_at(const state& s, std::uint16_t sequence, bool with_home) {
   const auto& map = s.progress.plan->map;
   if (!progress::has_sequence(map, sequence))
     return std::nullopt;
   if (!shows_upload(s))
-    return static_cast<std::uint16_t>(sequence - map.first_sequence);
+    return with_home ? sequence : static_cast<std::uint16_t>(sequence - map.first_sequence);
   const auto position = progress::position_at(map, sequence);
   if (!position || map.items[*position].item_index >= s.station->places.size())
     return std::nullopt;
@@ -38,12 +38,13 @@ bool shows_upload(const state& s) {
   return s.station && (s.arrived ? is_it(s.arrived) : is_it(s.mission));
 }
 
-std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s) {
+std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home) {
   std::vector<io::mavlink::mission_item_int> result;
   if (!s.flown || !s.progress.plan)
     return result;
-  const auto home = std::min<std::size_t>(s.progress.plan->map.first_sequence, s.flown->items.size());
-  result.assign(s.flown->items.begin() + static_cast<std::ptrdiff_t>(home), s.flown->items.end());
+  const auto before = std::min<std::size_t>(s.progress.plan->map.first_sequence, s.flown->items.size());
+  const auto first = with_home ? 0 : static_cast<std::ptrdiff_t>(before);
+  result.assign(s.flown->items.begin() + first, s.flown->items.end());
   std::uint16_t sequence = 0;
   for (auto& each : result) {
     each.seq = sequence++;
@@ -52,7 +53,8 @@ std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s) {
   return result;
 }
 
-ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view, std::uint32_t plan_id) {
+ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view, std::uint32_t plan_id,
+                                             bool with_home) {
   ground_port::mission_progress result;
   result.plan_id = plan_id;
   result.state = state_shown(s);
@@ -63,12 +65,13 @@ ground_port::mission_progress progress_shown(const state& s, const vehicle_view&
   if (is_followed) {
     const auto& generation = s.progress.plan->generation;
     const auto at = generation.is_armed ? generation.current : generation.start_sequence;
-    result.current = shown_at(s, at).value_or(0);
+    result.current = shown_at(s, at, with_home).value_or(0);
   }
   return result;
 }
 
-std::optional<ground_port::item_reached> reached_shown(const state& s, const mission::progress_report& report) {
+std::optional<ground_port::item_reached> reached_shown(const state& s, const mission::progress_report& report,
+                                                       bool with_home) {
   const bool is_of_plan = s.progress.plan && report.generation == s.progress.plan->generation.number;
   if (report.kind != mission::progress_kind::reached || !is_of_plan || !report.item_index)
     return std::nullopt;
@@ -77,7 +80,7 @@ std::optional<ground_port::item_reached> reached_shown(const state& s, const mis
       std::find_if(items.begin(), items.end(), [&](const auto& each) { return each.item_index == *report.item_index; });
   if (found == items.end() || found->sequence_count == 0)
     return std::nullopt;
-  const auto sequence = shown_at(s, progress::done_sequence(*found));
+  const auto sequence = shown_at(s, progress::done_sequence(*found), with_home);
   return sequence ? std::optional(ground_port::item_reached{*sequence}) : std::nullopt;
 }
 

@@ -2,10 +2,11 @@
 //
 //   who made the plan        what is shown                         how items are counted
 //   a station                its own upload, untouched             as in its upload
-//   the service, a file      what was uploaded to the vehicle      from 0, without ArduPilot's home
+//   the service, a file      what was uploaded to the vehicle      from 0
 //
-// A station's plan that was changed in flight (go_to, insert) is shown as the vehicle has it, too. Pure; thread: plain
-// values.
+// A station's plan that was changed in flight (go_to, insert) is shown as the vehicle has it, too. An ArduPilot keeps
+// its home as item 0, and stations that take us for one (WITH_HOME) expect it there, and leave it out of what they
+// show. Pure; thread: plain values.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +23,15 @@ namespace godwit::executor {
 // as it came. Else items_on_vehicle are.
 [[nodiscard]] bool shows_upload(const state& s);
 
-// Of the plan that the vehicle has, from 0 on and without home. Empty: there is none.
-[[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s);
+// Of the plan that the vehicle has, from 0 on. Empty: there is none.
+[[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home);
 
 // PLAN_ID is that of what is shown.
 [[nodiscard]] ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view,
-                                                           std::uint32_t plan_id);
+                                                           std::uint32_t plan_id, bool with_home);
 
 // The item that REPORT says is reached. Nothing: it says something else, or belongs to an earlier plan.
-[[nodiscard]] std::optional<ground_port::item_reached> reached_shown(const state& s,
-                                                                     const mission::progress_report& report);
+[[nodiscard]] std::optional<ground_port::item_reached>
+reached_shown(const state& s, const mission::progress_report& report, bool with_home);
 
 } // namespace godwit::executor

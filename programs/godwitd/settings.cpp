@@ -143,6 +143,7 @@ checked read_ground(const json& ground, daemon_settings& to) {
   const auto where = text(ground, "uri");
   to.ground_key_file = text(ground, "key_file");
   to.speaks_as_autopilot = ground.at("as_autopilot").get<bool>();
+  to.flight.shows_home = to.speaks_as_autopilot;
   if (where.empty())
     return {};
   auto parsed = io::link::parse_uri(where);

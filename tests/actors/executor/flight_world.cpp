@@ -64,6 +64,7 @@ flight_world::flight_world(const options& wanted)
   settings_.start = wanted.start;
   settings_.arm_on_start = wanted.arm_on_start;
   settings_.refused_inserts = wanted.refused_inserts;
+  settings_.shows_home = wanted.shows_home;
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;
   vehicle.speed = wanted.speed;
@@ -285,7 +286,7 @@ void flight_world::settle() {
 
 void flight_world::take_report(const mission::progress_report& report) {
   reports_.push_back(report);
-  if (const auto reached = executor::reached_shown(state_, report))
+  if (const auto reached = executor::reached_shown(state_, report, settings_.shows_home))
     shown_reached_.push_back(reached->sequence);
 }
 

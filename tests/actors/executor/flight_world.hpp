@@ -37,6 +37,7 @@ public:
     bool arm_on_start = true;
     double speed = 5; // of the vehicle's world
     bool has_service = true;
+    bool shows_home = false;
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
     failsafe::settings failsafe = {};
     // Of the line between link and vehicle, both ways; of each frame.

@@ -223,6 +223,37 @@ TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
   EXPECT_EQ(world.durable().standing.now, phase::ready);
 }
 
+TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_waypoint) {
+  flight_world world(by_stations(GetParam()));
+  auto items = station_items(GetParam());
+  auto home = waypoint_at(0, 0, 488);
+  home.frame = number(mav_frame::global);
+  items.insert(items.begin(), home);
+  items = numbered(items);
+  ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
+  world.station_says(taken(items));
+  if (GetParam() != sim::personality::ardupilot) {
+    EXPECT_TRUE(was_said(world, "above mean sea level")) << "elsewhere it is an item: " << world.story();
+    return;
+  }
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.shown_reached(), (std::vector<std::uint16_t>{1, 2, 3, 4, 5})) << "in the station's own numbers";
+}
+
+TEST_P(flight_by_station, who_takes_us_for_an_ardupilot_is_shown_home_as_item_0) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .shows_home = true});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  const auto shown = world.shown_items();
+  EXPECT_EQ(shown.size(), world.durable().flown->items.size());
+  world.station_says(start_of(world, shown));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.shown_reached().front(), world.durable().progress.plan->map.first_sequence);
+  EXPECT_EQ(currents(world, shown).back(), shown.size() - 1);
+}
+
 // -- its fence ------------------------------------------------------------------------------------
 
 upload fence_around(double half_side_m) {

@@ -176,13 +176,12 @@ bool core::fly_again(effects& out, instant now) {
 const core::shown_plan& core::shown() {
   if (shown_)
     return *shown_;
-  shown_.emplace();
-  if (shows_upload(s_)) {
-    *shown_ = {s_.station->plan_id, s_.station->items, true};
-  } else if (const auto items = items_on_vehicle(s_, settings_.shows_home); !items.empty()) {
-    *shown_ = {io::mavlink::checksum_of(items), items.size(), false};
-  }
-  return *shown_;
+  shown_plan next;
+  if (shows_upload(s_))
+    next = {s_.station->plan_id, s_.station->items, true};
+  else if (const auto items = items_on_vehicle(s_, settings_.shows_home); !items.empty())
+    next = {io::mavlink::checksum_of(items), items.size(), false};
+  return shown_.emplace(next);
 }
 
 effects core::tell_stations(instant now) {

@@ -13,6 +13,11 @@ else()
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")
 endif()
 
+# The libraries are for this build only: they name their object files and do not copy them, which saves a sixth of the
+# disk that a build takes.
+set(CMAKE_CXX_ARCHIVE_CREATE "<CMAKE_AR> qcT <TARGET> <LINK_FLAGS> <OBJECTS>")
+set(CMAKE_CXX_ARCHIVE_APPEND "<CMAKE_AR> qT <TARGET> <LINK_FLAGS> <OBJECTS>")
+
 # ccache is set up here and not in the presets, so that `ninja -C build/release` uses it just as `./dev build` does.
 # Relative paths (BASEDIR) let a fresh clone find what another clone has compiled; the sloppiness is what precompiled
 # headers need.

@@ -32,7 +32,7 @@ bool ends_plans(mode_kind kind) {
   return kind == mode_kind::hold || kind == mode_kind::returning || kind == mode_kind::landing;
 }
 
-bool is_over(phase now) { return now == phase::post_flight || now == phase::done || now == phase::aborted; }
+bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }
 
 } // namespace
 
@@ -44,6 +44,7 @@ effects core::counted(effects out) {
 
 effects core::on_start(instant now) {
   began_ns_ = now.now_ns;
+  last_task_before_ = s_.last_task;
   effects out;
   const bool is_fresh = !s_.doing && !is_in_flight() && !s_.progress.upload && !s_.progress.start;
   has_looked_ = is_fresh && (s_.standing.now == phase::disconnected || s_.standing.now == phase::connected ||
@@ -344,6 +345,11 @@ bool core::is_paused_for_person() const {
   return s_.standing.now == phase::paused && needs_hand_back(s_.standing.cause);
 }
 
+bool core::may_change_plan() const {
+  const auto& at = s_.standing;
+  return at.in_flight && (at.now == phase::flying || (at.now == phase::paused && at.cause == pause_cause::asked));
+}
+
 bool core::is_plan_finished() const { return s_.progress.plan && s_.progress.plan->generation.is_finished; }
 
 bool core::is_mission_finished() const { return is_plan_finished() && s_.progress.plan->map.ends_mission; }
@@ -451,9 +457,7 @@ bool core::settle(effects& out, instant now) {
     if (!is_news || !view_.mode())
       return true;
     looking_ = question::none;
-    out.emplace_back(note{progress::start_ended{view_.is_armed() && view_.is_in(mode_kind::mission) &&
-                                                view_.current()->mission_state !=
-                                                    io::mavlink::number(io::mavlink::mission_state::not_started)}});
+    out.emplace_back(note{progress::start_ended{view_.is_armed() && view_.is_in_begun_mission()}});
     break;
   case question::none:
     break;

@@ -190,7 +190,6 @@ private:
   [[nodiscard]] std::string why_not_meant(const start_mission& m);
   [[nodiscard]] bool fly_again(effects& out, instant now);
   [[nodiscard]] bool begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const;
-  [[nodiscard]] bool is_flight_begun() const;
 
   // core_tasks.cpp
   void stand_as(effects& out, phase now, bool in_flight);
@@ -218,6 +217,7 @@ private:
 
   [[nodiscard]] bool is_in_flight() const { return s_.standing.in_flight; }
   [[nodiscard]] bool is_paused_for_person() const;
+  [[nodiscard]] bool may_change_plan() const; // of a flight
   [[nodiscard]] bool is_plan_finished() const;
   [[nodiscard]] bool is_mission_finished() const;
   [[nodiscard]] bool is_at_plan_end() const;
@@ -240,12 +240,12 @@ private:
   std::int64_t read_again_ns_ = 0;
   std::uint16_t looking_for_sequence_ = 0;
   std::uint64_t last_reading_back_ = 1ULL << 32U;
-  std::int64_t down_since_ns_ = 0;   // 0: it is not
-  bool was_up_ = false;              // it has been in the air, as far as this incarnation knows
-  std::uint32_t deploying_over_ = 0; // the generation that the deployment under way takes the place of
-  bool finishes_intent_ = false;     // of an earlier incarnation: it is held, and meant to fly on
-  bool must_choose_item_ = false;    // it holds the plan, and is elsewhere in it
-  bool has_begun_task_ = false;      // since this incarnation began
+  std::int64_t down_since_ns_ = 0;     // 0: it is not
+  bool was_up_ = false;                // it has been in the air, as far as this incarnation knows
+  std::uint32_t deploying_over_ = 0;   // the generation that the deployment under way takes the place of
+  bool finishes_intent_ = false;       // of an earlier incarnation: it is held, and meant to fly on
+  bool must_choose_item_ = false;      // it holds the plan, and is elsewhere in it
+  std::uint64_t last_task_before_ = 0; // this incarnation began
   std::optional<start_mission> asked_start_;
   bool is_start_wanted_ = false;    // by an operator
   std::optional<task_kind> wanted_; // by an operator: hold, resume, come home

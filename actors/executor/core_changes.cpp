@@ -36,9 +36,7 @@ std::string_view reason_for(change_kind kind) {
 // -- a word -----------------------------------------------------------------------------------------
 
 operator_words::answer core::take_change(const operator_words::word& m, instant now) {
-  const auto at = s_.standing.now;
-  const bool may_change = at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked);
-  if (!is_in_flight() || !may_change || !s_.mission)
+  if (!may_change_plan() || !s_.mission)
     return refused("the mission can not be changed now: " + sentence());
   if (s_.change || wanted_change_ || runner_.is_busy() || !s_.waiting.empty() || s_.arrived)
     return refused("another change is under way; say it again when it is over");
@@ -218,9 +216,7 @@ effects core::on_change(const mission_client::change_outcome& m, instant) {
 
 // A new revision of the mission that is flown.
 bool core::deploy_arrived(effects& out, instant now) {
-  const auto at = s_.standing.now;
-  const bool may_change = at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked);
-  if (!s_.arrived || !s_.mission || !is_in_flight() || !may_change || !view_.is_under_way() ||
+  if (!s_.arrived || !s_.mission || !may_change_plan() || !view_.is_under_way() ||
       s_.arrived->mission_id != s_.mission->mission_id)
     return false;
   if (!view_.place(now.now_ns))
@@ -234,7 +230,7 @@ bool core::deploy_arrived(effects& out, instant now) {
     return true;
   }
   const bool was_asked_for = s_.change && s_.change->kind != change_kind::insert;
-  begin_deploy(out, *s_.arrived, *plan, {}, at == phase::flying || was_asked_for);
+  begin_deploy(out, *s_.arrived, *plan, {}, s_.standing.now == phase::flying || was_asked_for);
   return true;
 }
 

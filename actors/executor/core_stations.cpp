@@ -34,8 +34,6 @@ std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
 
 } // namespace
 
-bool core::is_flight_begun() const { return is_in_flight() || (s_.doing && s_.doing->kind == task_kind::start); }
-
 // -- what they upload -------------------------------------------------------------------------------
 
 effects core::on_station(const plan_taken& m, instant now) {
@@ -57,7 +55,7 @@ effects core::on_station(const plan_cleared& m, instant) {
   told_plan_id_ = 0; // the port shows nothing now
   if (!s_.station)
     return {};
-  if (is_flight_begun() || s_.doing)
+  if (is_in_flight() || s_.doing)
     return {announce{"the plan was cleared while it is used, and stays", true}};
   return counted({note{station_plan_dropped{}}});
 }
@@ -82,7 +80,7 @@ bool core::begins_with_home(const std::vector<io::mavlink::mission_item_int>& it
 effects core::take_plan(const plan_taken& m, instant now) {
   if (auto elsewhere = who_else_brings_missions(settings_); !elsewhere.empty())
     return not_taken("missions come from " + elsewhere + " here");
-  if (is_flight_begun())
+  if (is_flight_begun(s_))
     return not_taken("another one is flown; upload it after the flight");
   if (is_paused_for_person())
     return not_taken("the vehicle has to be handed back first");
@@ -115,14 +113,14 @@ effects core::take_fence(const std::vector<io::mavlink::mission_item_int>& items
   auto fences = mission::import_fence_list(items);
   if (!fences)
     return {announce{"the fence is not taken: " + fences.error(), true}};
-  if (shows_upload(s_)) {
-    auto fenced = s_.arrived ? *s_.arrived : *s_.mission;
+  if (const auto* uploaded = uploaded_mission(s_)) {
+    auto fenced = *uploaded;
     fenced.geofences = *fences;
     if (const auto problems = mission::broken_rules(fenced); !problems.empty())
       return {announce{"the fence is not taken: " + problems.front().message(), true}};
   }
   effects out{note{station_fence_taken{*std::move(fences)}}};
-  if (is_flight_begun())
+  if (is_flight_begun(s_))
     out.emplace_back(announce{"the fence counts from the next flight on", true});
   return counted(std::move(out));
 }
@@ -157,11 +155,11 @@ std::string core::why_not_meant(const start_mission& m) {
 
 // A station's plan that was flown is flown again as another mission.
 bool core::fly_again(effects& out, instant now) {
-  const bool is_over = s_.standing.now == phase::done || s_.standing.now == phase::aborted;
-  if (!is_over || !shows_upload(s_) || s_.arrived)
+  const auto* uploaded = uploaded_mission(s_);
+  if (!is_at_rest(s_.standing.now) || uploaded == nullptr || s_.arrived)
     return false;
   auto plan = *s_.station;
-  auto mission = *s_.mission;
+  auto mission = *uploaded;
   plan.mission_id = new_mission_id(plan.plan_id, now.wall_ns);
   plan.revision = 1;
   mission.mission_id = plan.mission_id;

@@ -49,7 +49,6 @@ void core::answer_start(effects& out, std::uint64_t key, start_verdict verdict, 
 // -- tasks ------------------------------------------------------------------------------------------
 
 void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
-  has_begun_task_ = true;
   const task what{s_.last_task + 1, kind, goes_on, {}};
   out.emplace_back(note{task_begun{what, {}}});
   runner_.begin(what, std::move(way), {});
@@ -57,7 +56,6 @@ void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
 
 void core::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                         const std::optional<std::string>& assignment, bool goes_on) {
-  has_begun_task_ = true;
   const task doing{s_.last_task + 1, task_kind::deploy, goes_on, {}};
   progress::upload_intended intent{mission.revision, what.map, {}, {}};
   if (view_.keeps_plan_ids() && view_.current())
@@ -71,7 +69,6 @@ void core::begin_deploy(effects& out, const mission::document& mission, const pl
 }
 
 void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
-  has_begun_task_ = true;
   const task what{s_.last_task + 1, task_kind::start, false, key};
   stand(out, phase::starting);
   out.emplace_back(note{task_begun{what, {}}});
@@ -216,16 +213,14 @@ preflight::report core::look_at_all(instant now) {
 // One at a time, and only while a plan may be changed.
 bool core::answer_assignment(effects& out, instant now) {
   const auto at = s_.standing.now;
-  const bool may_change =
-      is_in_flight() && (at == phase::flying || (at == phase::paused && s_.standing.cause == pause_cause::asked));
   const bool is_waiting_on_ground = !is_in_flight() && (at == phase::connected || at == phase::preflight ||
                                                         at == phase::ready || at == phase::disconnected);
   if (s_.waiting.empty() || !s_.mission)
     return false;
   const bool is_too_late = is_mission_finished() || at == phase::aborted;
-  if (!is_too_late && !(may_change || is_waiting_on_ground))
+  if (!is_too_late && !(may_change_plan() || is_waiting_on_ground))
     return false;
-  if (!is_too_late && may_change && !view_.is_under_way())
+  if (!is_too_late && may_change_plan() && !view_.is_under_way())
     return false; // on the ground with turning motors: a plan that is replaced now would never take off
   const auto wish = s_.waiting.front();
   const auto reject = [&](const std::string& why) {
@@ -317,7 +312,8 @@ bool core::starts_in_mission_mode() const {
 // The vehicle has another item than the one with which it should begin. A new incarnation starts nothing.
 void core::begin_at_start(effects& out) {
   const auto start = s_.progress.plan->generation.start_sequence;
-  const bool may_start = starts_in_mission_mode() && has_begun_task_;
+  const bool has_begun_task = s_.last_task != last_task_before_;
+  const bool may_start = starts_in_mission_mode() && has_begun_task;
   begin(out, task_kind::resume,
         may_start ? steps{start_plan{start}} : steps{choose_item{start}, change_mode{mode_kind::mission}});
 }
@@ -403,8 +399,7 @@ bool core::begin_asked_start(effects& out, const start_mission& asked, instant n
 bool core::follow_started(effects& out) {
   const auto at = s_.standing.now;
   const bool waits = at == phase::ready || (at == phase::paused && s_.standing.cause == pause_cause::restarted);
-  const bool flies = view_.mode() && view_.is_under_way() && view_.is_in(mode_kind::mission) && view_.current() &&
-                     view_.current()->mission_state != number(io::mavlink::mission_state::not_started);
+  const bool flies = view_.is_under_way() && view_.is_in_begun_mission();
   if (is_in_flight() || !waits || !flies || !s_.progress.plan || !s_.flown)
     return false;
   modes_.adopt(*view_.mode());
@@ -428,7 +423,7 @@ bool core::prepare(effects& out, instant now) {
   const auto at = s_.standing.now;
   const bool is_prepared =
       at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
-  const bool is_over = at == phase::done || at == phase::aborted;
+  const bool is_over = is_at_rest(at);
   if (is_in_flight() || !(is_prepared || (is_over && s_.arrived)))
     return false;
   if (!view_.is_connected() || !view_.mode()) {

@@ -46,6 +46,9 @@ constexpr auto enum_names(phase) {
                            {phase::aborted, "aborted"}});
 }
 
+// The mission is over, and all that was owed for it is done.
+[[nodiscard]] constexpr bool is_at_rest(phase now) { return now == phase::done || now == phase::aborted; }
+
 enum class pause_cause {
   none,
   asked,             // an operator said so

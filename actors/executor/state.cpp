@@ -140,10 +140,10 @@ effects take(state& s, const station_plan_taken& happened, std::int64_t) {
 // On the ground the mission is one with this fence now; one that flies keeps its own.
 effects take(state& s, const station_fence_taken& happened, std::int64_t) {
   s.station_fences = happened.fences;
-  const bool begins = s.doing && s.doing->kind == task_kind::start;
-  if (!shows_upload(s) || s.standing.in_flight || begins)
+  const auto* uploaded = uploaded_mission(s);
+  if (uploaded == nullptr || is_flight_begun(s))
     return {};
-  auto fenced = s.arrived ? *s.arrived : *s.mission;
+  auto fenced = *uploaded;
   fenced.revision = ++s.station->revision;
   fenced.geofences = happened.fences;
   s.arrived = std::move(fenced);
@@ -151,10 +151,9 @@ effects take(state& s, const station_fence_taken& happened, std::int64_t) {
 }
 
 effects take(state& s, const station_plan_dropped&, std::int64_t) {
-  if (s.arrived && s.station && s.arrived->mission_id == s.station->mission_id)
-    s.arrived.reset();
-  if (s.mission && s.station && s.mission->mission_id == s.station->mission_id)
-    s.mission.reset();
+  for (auto* each : {&s.arrived, &s.mission})
+    if (*each && s.station && (*each)->mission_id == s.station->mission_id)
+      each->reset();
   s.station.reset();
   return {};
 }

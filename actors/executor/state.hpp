@@ -250,6 +250,11 @@ struct state {
                 io::field("preflight", &state::preflight), io::field("progress", &state::progress));
 };
 
+// From the decision to start on.
+[[nodiscard]] inline bool is_flight_begun(const state& s) {
+  return s.standing.in_flight || (s.doing && s.doing->kind == task_kind::start);
+}
+
 // The durable core: keeps what was decided, and lets the progress decide.
 struct durable_core {
   using state = executor::state;

@@ -31,11 +31,11 @@ mission_state state_shown(const state& s) {
 
 } // namespace
 
-bool shows_upload(const state& s) {
-  const auto is_it = [&](const std::optional<mission::document>& mission) {
-    return mission && mission->mission_id == s.station->mission_id && mission->revision == s.station->revision;
-  };
-  return s.station && (s.arrived ? is_it(s.arrived) : is_it(s.mission));
+const mission::document* uploaded_mission(const state& s) {
+  const auto& next = s.arrived ? s.arrived : s.mission;
+  const bool is_it =
+      s.station && next && next->mission_id == s.station->mission_id && next->revision == s.station->revision;
+  return is_it ? &*next : nullptr;
 }
 
 std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home) {

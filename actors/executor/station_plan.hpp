@@ -19,9 +19,12 @@
 
 namespace godwit::executor {
 
-// The upload of a station is the mission, or will be as soon as it can be taken, and nobody has changed it: it is shown
-// as it came. Else items_on_vehicle are.
-[[nodiscard]] bool shows_upload(const state& s);
+// The mission that a station has uploaded, or that will be as soon as it can be taken, as long as nobody has changed
+// it. Null: it is another one.
+[[nodiscard]] const mission::document* uploaded_mission(const state& s);
+
+// The upload of a station is shown as it came. Else items_on_vehicle are.
+[[nodiscard]] inline bool shows_upload(const state& s) { return uploaded_mission(s) != nullptr; }
 
 // Of the plan that the vehicle has, from 0 on. Empty: there is none.
 [[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home);

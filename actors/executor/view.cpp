@@ -67,6 +67,11 @@ bool vehicle_view::is_under_way() const {
   return landed_ != mav_landed_state::on_ground;
 }
 
+bool vehicle_view::is_in_begun_mission() const {
+  return is_in(flight::mode_kind::mission) && current_ &&
+         current_->mission_state != io::mavlink::number(io::mavlink::mission_state::not_started);
+}
+
 bool vehicle_view::is_seen() const {
   const bool knows_ground =
       landed_ != mav_landed_state::undefined || owner_.vehicle == flight::vehicle_class::rover || place_;

@@ -39,6 +39,8 @@ public:
   [[nodiscard]] bool is_armed() const { return is_armed_; }
   // Armed and off the ground; a rover: armed.
   [[nodiscard]] bool is_under_way() const;
+  // In its mission mode, and says itself that the mission has begun.
+  [[nodiscard]] bool is_in_begun_mission() const;
   // Where it stands is known well enough to judge by it.
   [[nodiscard]] bool is_seen() const;
   [[nodiscard]] bool keeps_plan_ids() const { return owner_.autopilot == io::mavlink::mav_autopilot::px4; }

@@ -44,10 +44,15 @@ io::http::settings http_settings(const json& service) {
 }
 
 // A run on the ground takes no missions of ground stations, and sightings belong to a mission that is known before.
-bool stations_may_bring(const json& configuration) {
+bool stations_may_bring(const json& configuration, const daemon_settings& so_far) {
+  return so_far.flies && so_far.sightings_file.empty() && !text(configuration.at("ground"), "uri").empty();
+}
+
+void read_what_to_do(const json& configuration, daemon_settings& to) {
   const auto& sightings = configuration.at("sightings");
-  const bool flies = !configuration.at("flight").at("ground_run").get<bool>() && !sightings.at("once").get<bool>();
-  return flies && text(sightings, "file").empty() && !text(configuration.at("ground"), "uri").empty();
+  to.once = sightings.at("once").get<bool>();
+  to.sightings_file = text(sightings, "file");
+  to.flies = !configuration.at("flight").at("ground_run").get<bool>() && !to.once;
 }
 
 checked read_source(const json& configuration, daemon_settings& to) {
@@ -64,7 +69,7 @@ checked read_source(const json& configuration, daemon_settings& to) {
       return wrong("mission", to.mission_file + " has none of the endings .json, .plan, .waypoints, .txt, .geojson");
     return {};
   }
-  if (service.base_url.empty() && to.mission_id.empty() && stations_may_bring(configuration))
+  if (service.base_url.empty() && to.mission_id.empty() && stations_may_bring(configuration, to))
     return {};
   if (service.base_url.empty())
     return wrong("service", "is missing: name the missions service, a file with --mission, or with --ground a line for "
@@ -105,7 +110,6 @@ checked read_vehicle(const json& vehicle, daemon_settings& to) {
 
 checked read_flight(const json& configuration, daemon_settings& to) {
   const auto& flight = configuration.at("flight");
-  to.flies = !flight.at("ground_run").get<bool>() && !to.once;
   to.allow_crash = flight.at("allow_crash").get<bool>();
   to.flight.mission_id = to.mission_id;
   to.flight.has_service = to.service.has_value();
@@ -186,11 +190,11 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
   daemon_settings result;
   result.process = runtime::options_from(configuration);
   result.process.trace->program = "godwitd";
+  read_what_to_do(configuration, result);
   if (auto source = read_source(configuration, result); !source)
     return tl::make_unexpected(std::move(source.error()));
   if (auto vehicle = read_vehicle(configuration.at("vehicle"), result); !vehicle)
     return tl::make_unexpected(std::move(vehicle.error()));
-  result.once = configuration.at("sightings").at("once").get<bool>();
   if (auto flight = read_flight(configuration, result); !flight)
     return tl::make_unexpected(std::move(flight.error()));
   if (auto failsafe = read_failsafe(configuration.at("failsafe"), result); !failsafe)
@@ -202,7 +206,6 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
   if (const auto objection = mission_client::objection_to(result.client))
     return tl::make_unexpected(*objection);
   result.control_path = control_path(configuration);
-  result.sightings_file = text(configuration.at("sightings"), "file");
   result.log = log_from(configuration.at("log"));
   result.restarts = restarts_from(configuration.at("restarts"));
   return result;

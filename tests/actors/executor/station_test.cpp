@@ -89,6 +89,27 @@ bool was_said(const flight_world& world, const std::string& words) {
                      [&](const std::string& each) { return each.find(words) != std::string::npos; });
 }
 
+// A station uploads ITEMS, and they come to the vehicle.
+testing::AssertionResult bring(flight_world& world, const upload& items) {
+  world.station_says(taken(items));
+  return world.run_until_phase(phase::ready) ? testing::AssertionSuccess()
+                                             : testing::AssertionFailure() << world.story();
+}
+
+// Started, and flown until two items are reached.
+testing::AssertionResult fly_two_items(flight_world& world, const upload& items) {
+  world.station_says(start_of(world, items));
+  const bool flies = world.run_until([&] { return world.shown_reached().size() >= 2; }, 600);
+  return flies ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
+}
+
+// Started, and flown to its end.
+testing::AssertionResult fly_to_end(flight_world& world, const upload& items) {
+  world.station_says(start_of(world, items));
+  return world.run_until_phase(phase::done) ? testing::AssertionSuccess()
+                                            : testing::AssertionFailure() << world.story();
+}
+
 // The items that were shown as current, in order, of the plan of ITEMS.
 std::vector<std::uint16_t> currents(const flight_world& world, const upload& items) {
   std::vector<std::uint16_t> result;
@@ -103,13 +124,11 @@ std::vector<std::uint16_t> currents(const flight_world& world, const upload& ite
 TEST_P(flight_by_station, the_plan_of_a_station_is_flown_at_its_command_and_told_in_its_numbers) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
-  world.station_says(taken(items));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  ASSERT_TRUE(bring(world, items));
   world.run_for(5);
   EXPECT_EQ(world.durable().standing.now, phase::ready) << "nothing starts by itself";
   EXPECT_EQ(world.shown_progress().back().state, mission_state::not_started);
-  world.station_says(start_of(world, items));
-  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_TRUE(fly_to_end(world, items));
   ASSERT_EQ(world.start_answers().size(), 1U);
   EXPECT_EQ(world.start_answers().front().verdict, start_verdict::started) << world.start_answers().front().reason;
   const auto seen = currents(world, items);
@@ -126,28 +145,23 @@ TEST_P(flight_by_station, the_plan_of_a_station_is_flown_at_its_command_and_told
 TEST_P(flight_by_station, a_flown_plan_is_prepared_anew_at_the_next_start_and_flown_again) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
-  world.station_says(taken(items));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  world.station_says(start_of(world, items));
-  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_TRUE(bring(world, items));
+  ASSERT_TRUE(fly_to_end(world, items));
   const auto flown = world.durable().mission->mission_id;
   world.station_says(start_of(world, items));
   ASSERT_EQ(world.start_answers().size(), 2U);
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::not_ready);
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   EXPECT_NE(world.durable().mission->mission_id, flown) << "another mission, with reports of its own";
-  world.station_says(start_of(world, items));
-  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_TRUE(fly_to_end(world, items));
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.start_answers().back().reason;
 }
 
 TEST_P(flight_by_station, after_a_crash_in_flight_the_station_goes_on_seeing_its_own_numbers) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
-  world.station_says(taken(items));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  world.station_says(start_of(world, items));
-  ASSERT_TRUE(world.run_until([&] { return world.shown_reached().size() >= 2; }, 600)) << world.story();
+  ASSERT_TRUE(bring(world, items));
+  ASSERT_TRUE(fly_two_items(world, items));
   world.crash_all();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.shown_reached().size(), items.size()) << world.story();
@@ -178,16 +192,14 @@ TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_
   auto second = first;
   second.insert(second.begin() + 3, waypoint_at(30, 30, GetParam() == sim::personality::rover ? 0 : 20));
   second = numbered(second);
-  world.station_says(taken(first));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  ASSERT_TRUE(bring(world, first));
   world.station_says(taken(second));
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.items.size() == second.size(); }, 60))
       << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.station_says(start_of(world, first));
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item) << "it is another plan now";
-  world.station_says(start_of(world, second));
-  ASSERT_TRUE(world.run_until([&] { return world.shown_reached().size() >= 2; }, 600)) << world.story();
+  ASSERT_TRUE(fly_two_items(world, second));
   world.station_says(taken(first));
   EXPECT_TRUE(was_said(world, "upload it after the flight")) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
@@ -197,8 +209,7 @@ TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_
 TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
-  world.station_says(taken(items));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  ASSERT_TRUE(bring(world, items));
   world.station_says(plan_cleared{mav_mission_type::mission, {255, 190}});
   EXPECT_TRUE(world.run_until_phase(phase::connected, 10)) << world.story();
   EXPECT_FALSE(world.durable().mission);
@@ -210,8 +221,7 @@ TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
 TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
-  world.station_says(taken(items));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  ASSERT_TRUE(bring(world, items));
   auto from_the_middle = start_of(world, items);
   from_the_middle.first = 1;
   world.station_says(from_the_middle);
@@ -237,8 +247,7 @@ TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_wa
     return;
   }
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  world.station_says(start_of(world, items));
-  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_TRUE(fly_to_end(world, items));
   EXPECT_EQ(world.shown_reached(), (std::vector<std::uint16_t>{1, 2, 3, 4, 5})) << "in the station's own numbers";
 }
 
@@ -248,8 +257,7 @@ TEST_P(flight_by_station, who_takes_us_for_an_ardupilot_is_shown_home_as_item_0)
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   const auto shown = world.shown_items();
   EXPECT_EQ(shown.size(), world.durable().flown->items.size());
-  world.station_says(start_of(world, shown));
-  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_TRUE(fly_to_end(world, shown));
   EXPECT_EQ(world.shown_reached().front(), world.durable().progress.plan->map.first_sequence);
   EXPECT_EQ(currents(world, shown).back(), shown.size() - 1);
 }
@@ -303,8 +311,7 @@ TEST_P(flight_by_station, stations_see_the_mission_of_the_service_and_may_start_
   const auto home = world.durable().progress.plan->map.first_sequence;
   ASSERT_EQ(shown.size() + home, world.durable().flown->items.size());
   EXPECT_EQ(shown.front().seq, 0);
-  world.station_says(start_of(world, shown));
-  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  ASSERT_TRUE(fly_to_end(world, shown));
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.start_answers().back().reason;
   const auto seen = currents(world, shown);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << world.story();
@@ -326,10 +333,8 @@ TEST_P(flight_by_station, with_a_service_the_plan_of_a_station_is_not_taken_and_
 TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_it) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
-  world.station_says(taken(items));
-  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  world.station_says(start_of(world, items));
-  ASSERT_TRUE(world.run_until([&] { return world.shown_reached().size() >= 2; }, 600)) << world.story();
+  ASSERT_TRUE(bring(world, items));
+  ASSERT_TRUE(fly_two_items(world, items));
   operator_words::word there;
   there.verb = operator_words::verb::insert;
   there.place = std::get<mission::waypoint>(tests::place("", 30, 30, 20)).at;

@@ -125,6 +125,14 @@ export class ground_station {
   }
 }
 
+// Ends the program; how it ends is checked only when it was still running.
+export async function end(program) {
+  if (program === undefined || program.exitCode !== null) return;
+  program.kill("SIGTERM");
+  const [code] = await once(program, "exit");
+  if (code !== 0) throw new Error(`${program.spawnfile} ended with ${code}`);
+}
+
 // The program, and the port on which its vehicle listens.
 export async function port_of(program) {
   let text = "";

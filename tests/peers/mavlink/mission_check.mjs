@@ -6,10 +6,9 @@
 // Starts the program with a vehicle on a free port, uploads a mission, reads it back, makes the vehicle fly it, follows
 // it to its end, and reads it back again. Exit 0 if all is as it must be, 1 if not, 2 on wrong usage.
 import { spawn } from "node:child_process";
-import { once } from "node:events";
 
 import { load_definitions } from "./definitions.mjs";
-import { ground_station, port_of } from "./ground_station.mjs";
+import { end, ground_station, port_of } from "./ground_station.mjs";
 import { check, compare, home_text, item, nav_land, nav_takeoff, nav_waypoint, square } from "./plans.mjs";
 
 const speed = "20";
@@ -80,11 +79,7 @@ async function run(program_path, name) {
     console.log(`${name}: uploaded, flown and read back in ${Date.now() - began} ms; reached ${in_order}`);
   } finally {
     station?.close();
-    if (program.exitCode === null) {
-      program.kill("SIGTERM");
-      const [code] = await once(program, "exit");
-      check(code === 0, `the program ended with ${code}`);
-    }
+    await end(program);
   }
 }
 

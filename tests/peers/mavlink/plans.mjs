@@ -1,12 +1,12 @@
 // Plans around the place where the simulated vehicles begin, and how they are compared.
 
-export const home = { latitude: 47.397742, longitude: 8.545594, altitude: 488 };
+const home = { latitude: 47.397742, longitude: 8.545594, altitude: 488 };
 export const home_text = `${home.latitude},${home.longitude},${home.altitude}`;
 export const nav_waypoint = 16;
 export const nav_return = 20;
 export const nav_land = 21;
 export const nav_takeoff = 22;
-export const relative_int = 6; // MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
+const relative_int = 6; // MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
 const relative = 3; // the same, under the number that ArduPilot gives back
 const mission_frame = 2;
 

@@ -13,7 +13,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 import { load_definitions } from "./definitions.mjs";
-import { ground_station, port_of } from "./ground_station.mjs";
+import { end, ground_station, port_of } from "./ground_station.mjs";
 import { change_speed, check, compare, home_text, item, nav_return, nav_takeoff, square } from "./plans.mjs";
 
 const speed = "20";
@@ -70,14 +70,6 @@ async function fly(station, plan, kill_daemon) {
   check(active.every((seq, n) => n === 0 || active[n - 1] <= seq), `current went back: ${active}`);
   check(active.at(-1) === plan.length - 1, `the last current item is ${active.at(-1)}`);
   return reached;
-}
-
-// Its end is checked only when it was asked for.
-async function end(program) {
-  if (program === undefined || program.exitCode !== null) return;
-  program.kill("SIGTERM");
-  const [code] = await once(program, "exit");
-  check(code === 0, `${program.spawnfile} ended with ${code}`);
 }
 
 async function run(vehicle_path, daemon_path, name) {

@@ -37,14 +37,7 @@ fence_kind kind_of(const mission_item_int& each) {
 
 vertex place_of(const mission_item_int& each) { return {each.x / units_a_degree, each.y / units_a_degree}; }
 
-std::optional<position> first_place(std::span<const mission_item_int> items) {
-  for (const auto& each : items)
-    if (const auto item = vehicle_item_of(each); item.frame != frame::mission && item.has_place())
-      return position{item.latitude(), item.longitude(), 0};
-  return std::nullopt;
-}
-
-std::string source_text(std::span<const mission_item_int> items) {
+std::string source_text(std::span<const vehicle_item> items) {
   return "an upload of " + std::to_string(items.size()) + " items";
 }
 
@@ -60,14 +53,18 @@ vehicle_item vehicle_item_of(const mission_item_int& each) {
           each.autocontinue != 0};
 }
 
-tl::expected<imported_list, conversion_error> import_item_list(std::span<const mission_item_int> items,
+tl::expected<imported_list, conversion_error> import_item_list(std::span<const mission_item_int> uploaded,
                                                                const item_list_options& options) {
+  std::vector<vehicle_item> items;
+  items.reserve(uploaded.size());
+  for (const auto& each : uploaded)
+    items.push_back(vehicle_item_of(each));
   loss_list losses;
   imported_list result;
   item_importer importer({std::nullopt, options.home_altitude_m, false}, losses);
   for (const auto& each : items) {
-    importer.take(vehicle_item_of(each));
-    result.places.resize(importer.items().size(), each.seq);
+    importer.take(each);
+    result.places.resize(importer.items().size(), static_cast<std::uint16_t>(each.number));
   }
   document mission;
   mission.mission_id = options.mission_id;

@@ -37,7 +37,7 @@ struct imported_list {
 };
 
 [[nodiscard]] tl::expected<imported_list, conversion_error>
-import_item_list(std::span<const io::mavlink::mission_item_int> items, const item_list_options& options);
+import_item_list(std::span<const io::mavlink::mission_item_int> uploaded, const item_list_options& options);
 
 // Errors: a sentence for people.
 [[nodiscard]] tl::expected<std::vector<geofence>, std::string>

@@ -96,6 +96,13 @@ std::string why_no_counterpart(std::uint16_t id) {
   return row == nullptr ? "a mission has no counterpart of it" : std::string(row->why);
 }
 
+std::optional<position> first_place(std::span<const vehicle_item> items) {
+  for (const auto& each : items)
+    if (each.frame != frame::mission && each.has_place())
+      return position{each.latitude(), each.longitude(), 0};
+  return std::nullopt;
+}
+
 std::string number_text(double value) {
   std::string result;
   io::append_json_number(result, value);

@@ -9,7 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
+
+#include "messages/mission/place.hpp"
 
 namespace godwit::mission {
 
@@ -58,6 +62,9 @@ inline constexpr std::uint8_t global_relative_int = 6;
 
 // Why a mission has no counterpart of this command, as a sentence without an end.
 [[nodiscard]] std::string why_no_counterpart(std::uint16_t id);
+
+// Of the first item that has one; its height is 0.
+[[nodiscard]] std::optional<position> first_place(std::span<const vehicle_item> items);
 
 // A number as people write it: 25, 0.5.
 [[nodiscard]] std::string number_text(double value);

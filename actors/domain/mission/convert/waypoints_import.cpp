@@ -28,13 +28,6 @@ document_error error_of(const io::mavlink::waypoint_error& found, std::string_vi
                  text);
 }
 
-std::optional<position> first_place(std::span<const vehicle_item> items) {
-  for (const auto& each : items)
-    if (each.frame != frame::mission && each.has_place())
-      return position{each.latitude(), each.longitude(), 0};
-  return std::nullopt;
-}
-
 } // namespace
 
 import_result import_waypoints(std::string_view text, const import_options& options) {

@@ -14,7 +14,6 @@ namespace {
 
 using flight::mode_kind;
 using io::mavlink::mav_autopilot;
-using io::mavlink::number;
 
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 

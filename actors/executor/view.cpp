@@ -7,7 +7,6 @@ namespace godwit::executor {
 namespace {
 
 using io::mavlink::mav_landed_state;
-using vehicle_link::connection_phase;
 
 constexpr double degrees_of_unit = 1e-7;
 constexpr double metres_of_mm = 1e-3;

@@ -45,6 +45,8 @@ effects core::counted(effects out) {
 effects core::on_start(instant now) {
   began_ns_ = now.now_ns;
   last_task_before_ = s_.last_task;
+  if (const auto& plan = s_.progress.plan) // what was to be done about it died with the incarnation that was told
+    must_choose_item_ = plan->generation.is_not_at_start_told && !plan->generation.is_armed;
   effects out;
   const bool is_fresh = !s_.doing && !is_in_flight() && !s_.progress.upload && !s_.progress.start;
   has_looked_ = is_fresh && (s_.standing.now == phase::disconnected || s_.standing.now == phase::connected ||

@@ -144,6 +144,15 @@ TEST_P(every_vehicle, pause_holds_and_resume_goes_on) {
 
 // -- replans --------------------------------------------------------------------------------------
 
+bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
+  return std::any_of(world.reports().begin(), world.reports().end(),
+                     [&](const auto& each) { return each.kind == kind && each.item_id == item; });
+}
+
+const mission::item& item_of(const mission::document& mission, std::string_view id) {
+  return *std::ranges::find_if(mission.items, [&](const auto& each) { return mission::id_of(each) == id; });
+}
+
 mission::assignment other_tail(const mission::document& of) {
   mission::assignment wish;
   wish.assignment_id = "11111111-2222-4333-8444-555555555555";
@@ -232,6 +241,29 @@ TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
+// The first item of the new tail is where the vehicle is: it has passed the plan's start before that is heard of.
+TEST_P(every_vehicle, a_start_that_nobody_saw_is_made_up_for_also_when_godwit_dies_in_between) {
+  flight_world world({.who = GetParam()});
+  const auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w2"); }, 600)) << world.story();
+  auto wish = other_tail(mission);
+  std::get<mission::waypoint>(wish.items.front()).at = std::get<mission::waypoint>(item_of(mission, "w2")).at;
+  world.assign(wish);
+  ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return !world.durable().doing; }, 60)) << world.story();
+  world.switch_mode(pilot_mode(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  world.run_for(5);
+  world.crash();
+  world.run_for(5);
+  ASSERT_TRUE(world.say(operator_words::verb::hand_back).is_taken);
+  world.run_for(1);
+  ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+}
+
 // -- told apart by the reports alone ----------------------------------------------------------------
 
 // A, then B, then home; B is replaced by Z.
@@ -255,11 +287,6 @@ mission::assignment z_instead_of_b(const mission::document& mission) {
   result.replace_after_item_id = "a";
   result.items = {tests::place("z", 20, 20, mission.items.size() == 3 ? 0 : 20)};
   return result;
-}
-
-bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
-  return std::any_of(world.reports().begin(), world.reports().end(),
-                     [&](const auto& each) { return each.kind == kind && each.item_id == item; });
 }
 
 // What the service hears of B and Z, and nothing else of the flight: "b reached r1 g2, z reached r2 g3".

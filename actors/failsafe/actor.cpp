@@ -145,6 +145,7 @@ void actor::carry_out(const effects& wanted) {
 void actor::carry_out(const warning& what) {
   for (const auto& each : others_->people)
     tell(each, ground_port::status_text{what.severity, what.text});
+  others_->log(what);
 }
 
 void actor::carry_out(const remember& what) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,10 +28,12 @@ inline constexpr std::int64_t min_judged_gap_ms = 50;
 inline constexpr std::int64_t vouch_every_ms = 1'000;
 
 // Whom the failsafe speaks to besides the vehicle. Filled in while the process is composed, when the addresses of all
-// actors exist, and not changed after the actors were started.
+// actors exist, and not changed after the actors were started. LOG is called on the failsafe's thread, and waits for
+// nobody.
 struct neighbours {
-  std::vector<stance_ear> ears;      // the executor, and whoever else has to know
-  std::vector<people_handle> people; // hear its warnings
+  std::vector<stance_ear> ears;                                    // the executor, and whoever else has to know
+  std::vector<people_handle> people;                               // hear its warnings
+  std::function<void(const warning&)> log = [](const warning&) {}; // so does whoever reads what the program says
 };
 
 class actor final : public runtime::persistent_cell<own_handle, durable_core> {

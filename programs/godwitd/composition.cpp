@@ -191,6 +191,9 @@ void composition::add_flight(control::neighbours& of_desk) {
   if (service_)
     of_executor->client = client_;
   of_failsafe_->ears.emplace_back(executor_);
+  of_failsafe_->log = [this](const failsafe::warning& said) {
+    announce({said.text, said.severity <= io::mavlink::mav_severity::warning}, failsafe_name);
+  };
   of_client_->listener = executor_;
   of_desk.flight = executor_;
   of_desk.failsafe = failsafe_;

@@ -76,6 +76,7 @@ TEST(failsafe, operator_link_lost_nothing_at_25_s_and_return_at_30_s) {
     EXPECT_TRUE(f.log.commands.empty());
     EXPECT_TRUE(std::any_of(f.log.texts.begin(), f.log.texts.end(),
                             [](const std::string& each) { return each.find("silent") != std::string::npos; }));
+    EXPECT_EQ(f.log.logged, f.log.texts);
     f.process->run_s(6);
     ASSERT_EQ(f.log.returns(), 1);
     EXPECT_NEAR(static_cast<double>(f.log.commands.front().at_ns - last_heard_ns), 30e9, 0.2e9);

@@ -119,6 +119,7 @@ failsafe_process::failsafe_process(runtime::simulated_disk& disk, flown_vehicle&
                                          std::shared_ptr<const failsafe::neighbours>(others));
   others->ears.emplace_back(actors.add<executor_double>({.name = "executor"}, mortal(), &log));
   others->people.emplace_back(actors.add<people_double>({.name = "people"}, patient(), &log));
+  others->log = [&log](const failsafe::warning& said) { log.logged.push_back(said.text); };
   world.start();
   world.settle();
 }

@@ -53,8 +53,9 @@ struct flight_log {
   std::vector<command> looks;    // REQUEST_MESSAGE
   std::vector<vehicle_link::set_mode> modes;
   std::vector<failsafe::stance> stances;
-  std::vector<std::string> order; // "stance", "command"
-  std::vector<std::string> texts;
+  std::vector<std::string> order;  // "stance", "command"
+  std::vector<std::string> texts;  // to people
+  std::vector<std::string> logged; // the same, in the program's log
   int vouched = 0;
   [[nodiscard]] int returns() const;
 };

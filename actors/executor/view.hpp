@@ -43,7 +43,10 @@ public:
   [[nodiscard]] bool is_in_begun_mission() const;
   // Where it stands is known well enough to judge by it.
   [[nodiscard]] bool is_seen() const;
-  [[nodiscard]] bool keeps_plan_ids() const { return owner_.autopilot == io::mavlink::mav_autopilot::px4; }
+  // PX4 does, and who has told one.
+  [[nodiscard]] bool keeps_plan_ids() const {
+    return owner_.autopilot == io::mavlink::mav_autopilot::px4 || (current_ && current_->mission_id != 0);
+  }
 
   [[nodiscard]] std::optional<mission::position> place(std::int64_t now_ns) const;
   [[nodiscard]] const std::optional<plan::vehicle_home>& home() const { return home_; }

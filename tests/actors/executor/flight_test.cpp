@@ -241,6 +241,40 @@ TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
+TEST_P(every_vehicle, while_another_plan_comes_the_one_before_is_known_by_its_id_where_the_vehicle_tells_one) {
+  flight_world world({.who = GetParam()});
+  const auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
+  const auto before = world.durable().progress.plan->vehicle_plan_id;
+  EXPECT_EQ(before.has_value(), GetParam() != sim::personality::ardupilot);
+  world.assign(other_tail(mission));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 60)) << world.story();
+  EXPECT_EQ(world.durable().progress.upload->intent.id_before, before);
+}
+
+TEST_P(every_vehicle, a_crash_at_any_moment_of_a_replan_leaves_no_doubt_whose_plan_it_is) {
+  for (int moment = 0; moment < 30; ++moment) {
+    flight_world world({.who = GetParam()});
+    const auto mission = tests::short_mission(GetParam());
+    world.load(mission);
+    ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
+    auto wish = other_tail(mission);
+    if (wish.items.size() == 2)
+      wish.items.pop_back(); // as many items as before: only the plan's id tells the two apart
+    world.assign(wish);
+    world.run_for(0.03 * moment);
+    world.crash();
+    world.run_for(5);
+    EXPECT_NE(world.durable().standing.cause, pause_cause::foreign_plan) << moment << world.story();
+    if (world.durable().standing.now == phase::paused) {
+      ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken) << moment << world.story();
+    }
+    ASSERT_TRUE(world.run_until_phase(phase::done)) << moment << world.story();
+    EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << moment << world.story();
+  }
+}
+
 // The first item of the new tail is where the vehicle is: it has passed the plan's start before that is heard of.
 TEST_P(every_vehicle, a_start_that_nobody_saw_is_made_up_for_also_when_godwit_dies_in_between) {
   flight_world world({.who = GetParam()});

@@ -1,6 +1,7 @@
 #include "actors/executor/core.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "actors/executor/plan/fence_check.hpp"
@@ -360,14 +361,15 @@ bool core::is_at_plan_end() const {
   if (!s_.progress.plan)
     return false;
   const auto end = progress::end_sequence(s_.progress.plan->map);
-  return is_plan_finished() || (view_.current() && view_.current()->seq + 1U >= end && view_.current()->seq < end);
+  return is_plan_finished() || progress::is_at_last_movement(s_.progress) ||
+         (view_.current() && view_.current()->seq + 1U >= end && view_.current()->seq < end);
 }
 
 // A new incarnation knows what it meant to do, and not what the vehicle does. It looks first.
 bool core::recover(effects& out, instant now) {
   if (has_looked_)
     return false;
-  if (!view_.is_seen() || !stance_)
+  if (!view_.is_seen() || !stance_ || awaits_place_in_plan(now))
     return true;
   has_looked_ = true;
   was_up_ = view_.is_under_way();
@@ -383,6 +385,13 @@ bool core::recover(effects& out, instant now) {
   else
     recover_on_ground(out);
   return true;
+}
+
+// A mode into which a plan may lead: the next MISSION_CURRENT says whether it did.
+bool core::awaits_place_in_plan(instant now) const {
+  const bool may_have_led_there = is_in_flight() && s_.standing.now != phase::paused && !s_.doing &&
+                                  view_.is_under_way() && ends_plans(view_.mode()->kind);
+  return may_have_led_there && !view_.current() && !is_at_plan_end() && now.now_ns - began_ns_ < last_word_within_ns;
 }
 
 // Nothing begins by itself: whoever stands beside the vehicle has seen godwit fail.
@@ -425,6 +434,8 @@ void core::recover_in_flight(effects& out) {
     stand_as(out, phase::flying, true);
   } else if (is_held && (s_.standing.cause == pause_cause::asked || (doing && doing->kind == task_kind::hold))) {
     stand(out, phase::paused, pause_cause::asked, "held as asked");
+  } else if (s_.standing.now == phase::landing && ends_plans(view_.mode()->kind)) {
+    stand_as(out, phase::landing, true);
   } else if (view_.is_in(mode_kind::mission) || is_at_plan_end() || (doing && doing->kind == task_kind::come_home)) {
     stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
   } else {
@@ -482,6 +493,10 @@ bool core::heed_others(effects& out, instant now) {
   if (unclear_since_ns_ != 0 && led_there) {
     plan_ends(out);
     modes_.adopt(*view_.mode());
+  }
+  if (led_there && stance_->taken_over) { // the failsafe does not know where the plan leads before it is told
+    out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+    stance_->taken_over = false;
   }
   unclear_since_ns_ = 0;
   if (stance_->reacts) {
@@ -544,19 +559,34 @@ bool core::run_task(effects& out, instant now) {
     task_done(out, *what);
     break;
   case task_runner::verdict::failed:
-    task_failed(out, *what, runner_.why_failed());
+    task_failed(out, *what, runner_.why_failed(), now);
     break;
   }
   return true;
 }
 
 // Disarmed, or down behind the end of the plan; a rover: at the end of its plan.
-bool core::is_down() const {
-  const bool is_rover = view_.owner().vehicle == flight::vehicle_class::rover;
-  const bool was_called_home = s_.progress.paused == progress::pause_reason::aborted;
-  if (is_rover && was_called_home && view_.is_in(mode_kind::hold))
+bool core::is_down(instant now) const {
+  if (!view_.is_armed())
     return true;
-  return !view_.is_armed() || (is_plan_finished() && (is_rover || (was_up_ && !view_.is_under_way())));
+  const bool was_called_home = s_.progress.paused == progress::pause_reason::aborted;
+  if (view_.owner().vehicle != flight::vehicle_class::rover)
+    return is_plan_finished() && was_up_ && !view_.is_under_way();
+  if (view_.is_in(mode_kind::returning)) // ArduPilot's rover stays in that mode
+    return (was_called_home || is_plan_finished()) && view_.stands_at_home(now.now_ns);
+  return is_plan_finished() || (was_called_home && view_.is_in(mode_kind::hold));
+}
+
+// What a Copter and PX4 do not say: that the landing, or the return, with which the plan ends is done.
+bool core::was_brought_down() const {
+  if (view_.is_armed() || !s_.flown || !progress::is_at_last_movement(s_.progress))
+    return false;
+  const auto kind = view_.mode()->kind;
+  if (kind != mode_kind::mission && !ends_plans(kind))
+    return false;
+  using io::mavlink::mav_cmd;
+  return std::ranges::any_of(std::array{mav_cmd::nav_land, mav_cmd::nav_vtol_land, mav_cmd::nav_return_to_launch},
+                             [&](mav_cmd each) { return s_.flown->items.back().command == io::mavlink::number(each); });
 }
 
 bool core::end_flight(effects& out, instant now) {
@@ -570,7 +600,7 @@ bool core::end_flight(effects& out, instant now) {
     end_mission(out); // its last word came behind the end of the flight
     return true;
   }
-  if (!is_down()) {
+  if (!is_down(now)) {
     down_since_ns_ = 0;
     return false;
   }
@@ -579,6 +609,10 @@ bool core::end_flight(effects& out, instant now) {
   const bool is_told = is_plan_finished() || s_.progress.paused == progress::pause_reason::aborted;
   if (!is_told && now.now_ns - down_since_ns_ < last_word_within_ns)
     return false; // how far it came is told after it is down, where the line was silent before
+  if (was_brought_down()) {
+    out.emplace_back(note{progress::came_down{}});
+    return true;
+  }
   down_since_ns_ = 0;
   modes_.forget();
   was_up_ = false;

@@ -147,7 +147,9 @@ private:
   [[nodiscard]] bool is_same_mission(const mission::document& next) const;
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 
-  [[nodiscard]] bool is_down() const;
+  [[nodiscard]] bool is_down(instant now) const;
+  [[nodiscard]] bool was_brought_down() const;
+  [[nodiscard]] bool awaits_place_in_plan(instant now) const;
   void end_mission(effects& out);
   void plan_ends(effects& out);
   void yield(effects& out, pause_cause to, const std::string& why);
@@ -206,9 +208,13 @@ private:
   [[nodiscard]] bool begin_asked_start(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
   void task_done(effects& out, const task& what);
-  void task_failed(effects& out, const task& what, const std::string& why);
+  void task_failed(effects& out, const task& what, const std::string& why, instant now);
+  [[nodiscard]] bool is_start_tried_on(const task& what, instant now);
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
   [[nodiscard]] steps start_steps() const;
+  [[nodiscard]] bool is_copter() const;
+  [[nodiscard]] bool is_in_air() const;
+  [[nodiscard]] steps out_of_mission_steps() const;
   [[nodiscard]] steps going_on_steps() const;
   [[nodiscard]] bool starts_in_mission_mode() const;
   [[nodiscard]] steps deploy_steps(const progress::plan_map& map, bool goes_on) const;
@@ -240,12 +246,13 @@ private:
   std::int64_t read_again_ns_ = 0;
   std::uint16_t looking_for_sequence_ = 0;
   std::uint64_t last_reading_back_ = 1ULL << 32U;
-  std::int64_t down_since_ns_ = 0;     // 0: it is not
-  bool was_up_ = false;                // it has been in the air, as far as this incarnation knows
-  std::uint32_t deploying_over_ = 0;   // the generation that the deployment under way takes the place of
-  bool finishes_intent_ = false;       // of an earlier incarnation: it is held, and meant to fly on
-  bool must_choose_item_ = false;      // it holds the plan, and is elsewhere in it
-  std::uint64_t last_task_before_ = 0; // this incarnation began
+  std::int64_t down_since_ns_ = 0;          // 0: it is not
+  bool was_up_ = false;                     // it has been in the air, as far as this incarnation knows
+  std::uint32_t deploying_over_ = 0;        // the generation that the deployment under way takes the place of
+  bool finishes_intent_ = false;            // of an earlier incarnation: it is held, and meant to fly on
+  bool must_choose_item_ = false;           // it holds the plan, and is elsewhere in it
+  std::uint64_t last_task_before_ = 0;      // this incarnation began
+  std::int64_t start_refused_since_ns_ = 0; // the automatic one; 0: it is not
   std::optional<start_mission> asked_start_;
   bool is_start_wanted_ = false;    // by an operator
   std::optional<task_kind> wanted_; // by an operator: hold, resume, come home

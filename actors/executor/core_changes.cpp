@@ -219,8 +219,8 @@ bool core::deploy_arrived(effects& out, instant now) {
   if (!s_.arrived || !s_.mission || !may_change_plan() || !view_.is_under_way() ||
       s_.arrived->mission_id != s_.mission->mission_id)
     return false;
-  if (!view_.place(now.now_ns))
-    return true; // until the vehicle is heard
+  if (!setting(now))
+    return true; // until the vehicle has said where it is, and where its home is
   const auto plan = plan_in_flight(*s_.arrived, now);
   if (!plan) {
     out.emplace_back(announce{"revision " + std::to_string(s_.arrived->revision) +

@@ -77,8 +77,11 @@ void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
 // A vehicle that keeps ids activates the new plan itself, at the item that is marked in it. Others are held while
 // their plan is replaced, and told where to go on.
 steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
-  if (!view_.is_under_way())
-    return {bring_plan{}};
+  if (!view_.is_under_way()) {
+    steps result = out_of_mission_steps();
+    result.emplace_back(bring_plan{});
+    return result;
+  }
   const auto autopilot = view_.owner().autopilot;
   if (autopilot == mav_autopilot::px4)
     return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
@@ -93,13 +96,28 @@ steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
   return result;
 }
 
+bool core::is_copter() const {
+  return view_.owner().autopilot == mav_autopilot::ardupilotmega &&
+         view_.owner().vehicle == flight::vehicle_class::multirotor;
+}
+
+// A vehicle that is left in its mission mode on the ground would begin what it holds as soon as somebody arms it (PX4),
+// or does not begin at all when it is started in the mode in which it is (ArduPilot's rover). A Copter can not be armed
+// in AUTO, and leaves it with the start.
+steps core::out_of_mission_steps() const {
+  if (view_.is_armed() || is_copter() || !view_.is_in(mode_kind::mission))
+    return {};
+  return {change_mode{mode_kind::hold}};
+}
+
 // ArduPilot's Copter can not be armed in AUTO.
 steps core::start_steps() const {
   steps result{guard{}};
-  const auto& who = view_.owner();
   if (!view_.is_armed()) {
-    if (who.autopilot == mav_autopilot::ardupilotmega && who.vehicle == flight::vehicle_class::multirotor)
+    if (is_copter())
       result.emplace_back(change_mode{mode_kind::guided});
+    for (auto& each : out_of_mission_steps())
+      result.push_back(std::move(each));
     result.emplace_back(arm{});
   }
   result.emplace_back(start_plan{s_.progress.plan->map.start_sequence});
@@ -119,6 +137,7 @@ void core::task_done(effects& out, const task& what) {
   case task_kind::start:
     if (what.start_key)
       answer_start(out, *what.start_key, start_verdict::started, {});
+    start_refused_since_ns_ = 0;
     modes_.adopt(*view_.mode());
     was_up_ = view_.is_under_way();
     out.emplace_back(note{preflight::took_off{}});
@@ -130,6 +149,8 @@ void core::task_done(effects& out, const task& what) {
   case task_kind::resume:
     stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
     return;
+  case task_kind::stand_down:
+    return;
   case task_kind::come_home:
     plan_ends(out);
     out.emplace_back(note{progress::mission_aborted{}});
@@ -138,16 +159,41 @@ void core::task_done(effects& out, const task& what) {
   }
 }
 
-void core::task_failed(effects& out, const task& what, const std::string& why) {
+bool core::is_start_tried_on(const task& what, instant now) {
+  const bool is_automatic =
+      what.kind == task_kind::start && !what.start_key && settings_.start == start_policy::automatic;
+  if (!is_automatic || !runner_.was_refused_for_now())
+    return false;
+  if (start_refused_since_ns_ == 0)
+    start_refused_since_ns_ = now.now_ns;
+  if (now.now_ns - start_refused_since_ns_ < start_patience_ns)
+    return true;
+  start_refused_since_ns_ = 0;
+  return false;
+}
+
+void core::task_failed(effects& out, const task& what, const std::string& why, instant now) {
   out.emplace_back(note{task_ended{what.number}});
   if (what.start_key)
     answer_start(out, *what.start_key, start_verdict::failed, why);
+  if (what.kind == task_kind::stand_down) {
+    out.emplace_back(announce{"the vehicle stays armed: " + why, true});
+    return;
+  }
   const bool is_rejected_replan = what.kind == task_kind::deploy && is_in_flight() && view_.is_in(mode_kind::mission);
   if (is_rejected_replan) // it has never left the plan before
     out.emplace_back(announce{"the vehicle goes on with the plan that it has: " + why, true});
+  else if (is_start_tried_on(what, now))
+    stand(out, phase::ready, pause_cause::none, why + "; it is tried again");
   else
     stand_paused(out, pause_cause::not_done, why);
+  const bool is_left_armed = what.kind == task_kind::start && runner_.has_armed() && view_.is_armed() && !is_in_air();
+  if (is_left_armed && !view_.is_in(mode_kind::mission))
+    begin(out, task_kind::stand_down, {disarm{}});
 }
+
+// Of a rover, that it is armed says nothing.
+bool core::is_in_air() const { return view_.owner().vehicle != flight::vehicle_class::rover && view_.is_under_way(); }
 
 // -- planning ---------------------------------------------------------------------------------------
 
@@ -323,6 +369,8 @@ steps core::going_on_steps() const {
                       s_.progress.plan->generation.origin != progress::generation_origin::start;
   if (is_new && starts_in_mission_mode())
     return {start_plan{s_.progress.plan->generation.start_sequence}};
+  if (is_new && view_.owner().autopilot == mav_autopilot::ardupilotmega) // it goes on where it was in the plan before
+    return {choose_item{s_.progress.plan->generation.start_sequence}, change_mode{mode_kind::mission}};
   return {change_mode{mode_kind::mission}};
 }
 
@@ -333,7 +381,8 @@ void core::begin_going_on(effects& out) {
     stand_paused(out, pause_cause::asked, "godwit was restarted while it replaced the plan; resume starts the new one");
     return;
   }
-  if (view_.owner().autopilot == mav_autopilot::ardupilotmega && s_.progress.plan)
+  const bool chooses = std::holds_alternative<choose_item>(way.front());
+  if (view_.owner().autopilot == mav_autopilot::ardupilotmega && s_.progress.plan && !chooses)
     way.insert(way.begin(), choose_item{s_.progress.plan->generation.start_sequence});
   begin(out, task_kind::resume, std::move(way));
 }

@@ -40,7 +40,8 @@ enum class task_kind {
   start,  // fly the plan that it holds
   hold,
   resume,
-  come_home
+  come_home,
+  stand_down // behind a start that failed
 };
 
 constexpr auto enum_names(task_kind) {
@@ -48,7 +49,8 @@ constexpr auto enum_names(task_kind) {
                                {task_kind::start, "start"},
                                {task_kind::hold, "hold"},
                                {task_kind::resume, "resume"},
-                               {task_kind::come_home, "come_home"}});
+                               {task_kind::come_home, "come_home"},
+                               {task_kind::stand_down, "stand_down"}});
 }
 
 // What the vehicle is being brought to.
@@ -262,11 +264,11 @@ struct durable_core {
       std::variant<progress::mission_opened, progress::upload_intended, progress::start_intended,
                    progress::mission_aborted, progress::upload_ended, progress::vehicle_looked_at,
                    progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
-                   progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
-                   preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
-                   mission_arrived, mission_taken, arrival_refused, change_asked, change_settled, assignment_kept,
-                   assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped, task_begun,
-                   task_ended, stood, start_settled, marked>;
+                   progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked,
+                   preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
+                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_settled,
+                   assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
+                   task_begun, task_ended, stood, start_settled, marked>;
   using effect =
       std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                    mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,

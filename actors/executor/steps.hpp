@@ -1,10 +1,11 @@
 // What a task is made of: steps that the vehicle is brought through one after the other.
 //
-//   deploy, on the ground                note upload, upload
+//   deploy, on the ground                (hold,) note upload, upload
 //   deploy, under way, with plan ids     note upload, upload, guard, mission mode
 //   deploy, under way, without           hold, note upload, upload, guard, choose the first item, mission mode
-//   start                                guard, (guided, arm,) start
+//   start                                guard, (guided or hold, arm,) start
 //   hold, resume, come home              that mode
+//   stand down                           disarm
 //
 // A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
 // the vehicle to show it; then it has failed, and with it the task. Thread: plain values.
@@ -30,15 +31,20 @@ struct choose_item {
   std::uint16_t sequence = 0;
 };
 struct arm {};
+struct disarm {};
 struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, guard, bring_plan, choose_item, arm, start_plan>;
+using step = std::variant<change_mode, guard, bring_plan, choose_item, arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step
 inline constexpr std::int64_t shown_within_ns = 4'000'000'000;  // from the answer to the heartbeat that shows it
 inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try
+
+// An automatic start is begun anew for so long while the vehicle refuses it for now: an ArduPilot that has just been
+// switched on is ready by its own checks some 20 s before its position estimate lets it start.
+inline constexpr std::int64_t start_patience_ns = 60'000'000'000;
 
 } // namespace godwit::executor

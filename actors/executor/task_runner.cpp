@@ -45,6 +45,7 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   intent_ = std::move(intent);
   tries_ = 0;
   is_intent_noted_ = false;
+  has_armed_ = false;
   ended_.reset();
   why_failed_.clear();
   enter(stage::begin);
@@ -70,6 +71,7 @@ void task_runner::enter(stage next, std::int64_t deadline_ns) {
 }
 
 void task_runner::next_step() {
+  has_armed_ = has_armed_ || (tries_ > 0 && std::holds_alternative<arm>(way_[at_]));
   ++at_;
   tries_ = 0;
   is_intent_noted_ = false;
@@ -125,17 +127,25 @@ bool task_runner::is_shown(const vehicle_view& view) const {
     return view.is_in(mode->to);
   if (std::holds_alternative<arm>(what))
     return view.is_armed();
+  if (std::holds_alternative<disarm>(what))
+    return !view.is_armed();
+  if (const auto* item = std::get_if<choose_item>(&what))
+    return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->seq == item->sequence;
   return std::holds_alternative<start_plan>(what) && is_start_shown(view);
 }
 
 // A vehicle that was in its mission mode before (a rover that holds there) shows by its mission alone that a start
-// whose answer was lost came through.
+// whose answer was lost came through. One that was there already, at the only item of its plan, is through with it
+// before it was seen in its mode.
 bool task_runner::is_start_shown(const vehicle_view& view) const {
+  using io::mavlink::mission_state;
+  const auto says = [&](mission_state state) {
+    return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->mission_state == number(state);
+  };
   const bool is_in_mission = view.is_armed() && view.is_in(flight::mode_kind::mission);
-  if (!is_in_mission || !was_in_mission_before_ || was_accepted_)
-    return is_in_mission;
-  return view.current() && view.current_heard_ns() > asked_ns_ &&
-         view.current()->mission_state == number(io::mavlink::mission_state::active);
+  if (!is_in_mission)
+    return was_accepted_ && view.is_armed() && says(mission_state::complete);
+  return !was_in_mission_before_ || was_accepted_ || says(mission_state::active);
 }
 
 std::string task_runner::wish() const {
@@ -146,14 +156,17 @@ std::string task_runner::wish() const {
     return "to go to item " + std::to_string(item->sequence);
   if (std::holds_alternative<arm>(what))
     return "to arm";
+  if (std::holds_alternative<disarm>(what))
+    return "to disarm";
   if (std::holds_alternative<guard>(what))
     return "to be guarded";
   return std::holds_alternative<bring_plan>(what) ? "to take the plan" : "to start the mission";
 }
 
 void task_runner::begin_step(const world& w) {
-  const bool is_start = std::holds_alternative<start_plan>(way_[at_]);
-  if (is_shown(w.view) && (!is_start || tries_ > 0))
+  const bool begins_anew =
+      std::holds_alternative<start_plan>(way_[at_]) || std::holds_alternative<choose_item>(way_[at_]);
+  if (is_shown(w.view) && (!begins_anew || tries_ > 0))
     return was_obeyed(w);
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
@@ -193,6 +206,7 @@ void task_runner::ask(const world& w) {
   asked_ns_ = w.now_ns;
   was_in_mission_before_ = w.view.is_armed() && w.view.is_in(flight::mode_kind::mission);
   was_accepted_ = false;
+  was_refused_for_now_ = false;
   enter(stage::asked);
   std::visit([&](const auto& what) { ask(w, what); }, way_[at_]);
 }
@@ -231,6 +245,13 @@ void task_runner::ask(const world& w, const arm&) {
   give_order(w, command);
 }
 
+// Without force: what flies stays armed.
+void task_runner::ask(const world& w, const disarm&) {
+  vehicle_link::send_command command;
+  command.command = number(mav_cmd::component_arm_disarm);
+  give_order(w, command);
+}
+
 // All items: ArduPilot denies other values, and the plan says where it begins.
 void task_runner::ask(const world& w, const start_plan&) {
   vehicle_link::send_command command;
@@ -257,6 +278,7 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   last_reason_ = outcome.reason;
   const bool may_have_acted =
       outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
+  was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))

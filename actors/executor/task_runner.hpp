@@ -53,6 +53,11 @@ public:
   void on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final);
   void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
 
+  // What was asked last was refused, and may be done when it is asked again.
+  [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
+  // The vehicle is armed because of the task that began last.
+  [[nodiscard]] bool has_armed() const { return has_armed_; }
+
   [[nodiscard]] bool is_busy() const { return task_.has_value(); }
   [[nodiscard]] const std::optional<task>& doing() const { return task_; }
   [[nodiscard]] std::int64_t next_deadline_ns() const;
@@ -74,6 +79,7 @@ private:
   void ask(const world& w, const bring_plan& what);
   void ask(const world& w, const choose_item& what);
   void ask(const world& w, const arm& what);
+  void ask(const world& w, const disarm& what);
   void ask(const world& w, const start_plan& what);
   static void expect(const world& w, flight::mode_kind kind);
   void give_order(const world& w, vehicle_link::send_command what);
@@ -94,6 +100,8 @@ private:
   std::int64_t deadline_ns_ = never_ns;
   int tries_ = 0;
   bool is_intent_noted_ = false;
+  bool has_armed_ = false;
+  bool was_refused_for_now_ = false;   // what was asked last
   std::int64_t asked_ns_ = 0;          // the step under way, last
   bool was_in_mission_before_ = false; // armed and in its mission mode, when it was asked
   bool was_accepted_ = false;          // what was asked last

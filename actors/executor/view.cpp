@@ -1,5 +1,8 @@
 #include "actors/executor/view.hpp"
 
+#include <cmath>
+
+#include "actors/domain/geo/geodesic.hpp"
 #include "actors/executor/preflight/checks/autopilot_checks.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -10,10 +13,15 @@ using io::mavlink::mav_landed_state;
 
 constexpr double degrees_of_unit = 1e-7;
 constexpr double metres_of_mm = 1e-3;
+constexpr double metres_of_cm = 1e-2;
 constexpr std::uint8_t satellites_unknown = 255;
 
 // Without a landing detector's word, so much above home is off the ground.
 constexpr double off_the_ground_m = 1;
+
+// Where a rover stops that was told to return.
+constexpr double at_home_m = 8;
+constexpr double standing_mps = 0.2;
 
 } // namespace
 
@@ -42,6 +50,7 @@ void vehicle_view::take(const io::mavlink::gps_raw_int& m) {
 
 void vehicle_view::take(const io::mavlink::global_position_int& m, std::int64_t now_ns) {
   place_ = mission::position{m.lat * degrees_of_unit, m.lon * degrees_of_unit, m.relative_alt * metres_of_mm};
+  speed_mps_ = std::hypot(m.vx * metres_of_cm, m.vy * metres_of_cm);
   place_heard_ns_ = now_ns;
 }
 
@@ -56,6 +65,15 @@ void vehicle_view::take(const io::mavlink::extended_sys_state& m) {
 void vehicle_view::take(const io::mavlink::mission_current& m, std::int64_t now_ns) {
   current_ = m;
   current_heard_ns_ = now_ns;
+}
+
+bool vehicle_view::stands_at_home(std::int64_t now_ns) const {
+  const auto at = place(now_ns);
+  if (!at || !home_ || speed_mps_ > standing_mps)
+    return false;
+  const geo::point here{at->latitude, at->longitude};
+  const geo::point there{home_->latitude, home_->longitude};
+  return geo::is_valid(here) && geo::is_valid(there) && geo::distance_m(here, there) <= at_home_m;
 }
 
 bool vehicle_view::is_under_way() const {

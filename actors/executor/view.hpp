@@ -37,6 +37,8 @@ public:
   [[nodiscard]] bool is_in(flight::mode_kind kind) const { return mode_ && mode_->kind == kind; }
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; }
   [[nodiscard]] bool is_armed() const { return is_armed_; }
+  // Not moving, within a few metres of its home.
+  [[nodiscard]] bool stands_at_home(std::int64_t now_ns) const;
   // Armed and off the ground; a rover: armed.
   [[nodiscard]] bool is_under_way() const;
   // In its mission mode, and says itself that the mission has begun.
@@ -66,6 +68,7 @@ private:
   bool is_armed_ = false;
   io::mavlink::mav_landed_state landed_ = io::mavlink::mav_landed_state::undefined;
   std::optional<mission::position> place_;
+  double speed_mps_ = 0; // over the ground
   std::int64_t place_heard_ns_ = 0;
   std::optional<plan::vehicle_home> home_;
   std::optional<io::mavlink::mission_current> current_;

@@ -1,5 +1,6 @@
 // What a failsafe that has just started asks the vehicle to say at once, because the streams bring it only within a
-// second: who it is and in which mode, whether it is in the air, where, and how much is left in the battery.
+// second: who it is and in which mode, whether it is in the air, where, and how much is left in the battery. Its home
+// comes by itself within five seconds only; the executor plans nothing in flight before it knows that.
 //
 // REQUEST_MESSAGE, one at a time: the autopilot knows one command of a kind in flight. What comes by itself meanwhile
 // is not asked for. A vehicle that does not answer is left to its streams. Thread: pure.
@@ -37,7 +38,8 @@ private:
   static constexpr std::array all{wish{io::mavlink::heartbeat::message_id, max_look_tries},
                                   wish{io::mavlink::extended_sys_state::message_id, max_look_tries},
                                   wish{io::mavlink::global_position_int::message_id, max_look_tries},
-                                  wish{io::mavlink::sys_status::message_id, max_look_tries}};
+                                  wish{io::mavlink::sys_status::message_id, max_look_tries},
+                                  wish{io::mavlink::home_position::message_id, max_look_tries}};
 
   std::array<wish, all.size()> wanted_{};
   bool asking_ = false;

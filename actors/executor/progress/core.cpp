@@ -29,6 +29,17 @@ bool matters(const state& s, const event& happened, std::int64_t now_ns) {
   return !handle(after, happened, now_ns).empty() || !io::equal(after, s);
 }
 
+bool is_at_last_movement(const state& s) {
+  if (!s.plan || s.paused)
+    return false;
+  const auto& map = s.plan->map;
+  const auto& g = s.plan->generation;
+  const auto items = items_to_finish(map);
+  if (!g.is_armed || g.is_finished || items == 0 || !map.items[items - 1].last_nav_sequence)
+    return false;
+  return g.moved_to.value_or(g.current) >= *map.items[items - 1].last_nav_sequence;
+}
+
 std::optional<mission::progress_report> last_progress(const state& s) {
   return s.mission ? s.mission->last_report : std::nullopt;
 }

@@ -30,6 +30,9 @@ namespace godwit::executor::progress {
 // Takes as long as a copy of the state.
 [[nodiscard]] bool matters(const state& s, const event& happened, std::int64_t now_ns);
 
+// The last item that moves the vehicle is the one where it is, or was when it was heard last, and is not done.
+[[nodiscard]] bool is_at_last_movement(const state& s);
+
 // Of the open mission.
 [[nodiscard]] std::optional<mission::progress_report> last_progress(const state& s);
 

@@ -135,6 +135,13 @@ struct reached_told {
       io::table("executor.progress_reached_told", io::field("sequence", &reached_told::sequence));
 };
 
+// It stands on the ground, disarmed, and nobody has taken it from its mission: a plan that ends with a landing or a
+// return has brought it there. ArduPilot's Copter lands, disarms and sets its mission back to the first item without a
+// word that it was done; PX4 leaves its mission mode for the return.
+struct came_down {
+  static constexpr auto fields = io::table("executor.progress_came_down");
+};
+
 // Its clock since boot went back.
 struct vehicle_rebooted {
   static constexpr auto fields = io::table("executor.progress_vehicle_rebooted");
@@ -142,6 +149,6 @@ struct vehicle_rebooted {
 
 using event =
     std::variant<mission_opened, upload_intended, start_intended, mission_aborted, upload_ended, vehicle_looked_at,
-                 plan_read_back, start_ended, current_told, reached_told, vehicle_rebooted>;
+                 plan_read_back, start_ended, current_told, reached_told, came_down, vehicle_rebooted>;
 
 } // namespace godwit::executor::progress

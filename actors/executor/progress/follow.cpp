@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "actors/executor/progress/advance.hpp"
+#include "actors/executor/progress/core.hpp"
 #include "actors/executor/progress/patience.hpp"
 #include "actors/executor/progress/standing.hpp"
 #include "io/mavlink/enums.hpp"
@@ -191,6 +192,13 @@ void take(turn& t, const reached_told& what) {
     arrive_if_it_counts(t, what.sequence);
   else if (t.s.held.empty() && counts(t, what.sequence))
     t.s.upload->unconfirmed_reached = what.sequence;
+}
+
+void take(turn& t, const came_down&) {
+  if (!is_at_last_movement(t.s) || t.s.upload || t.s.start)
+    return;
+  note_complete(t, static_cast<std::uint16_t>(end_sequence(t.s.plan->map) - 1));
+  catch_up(t);
 }
 
 void take(turn& t, const vehicle_rebooted&) {

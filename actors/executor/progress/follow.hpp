@@ -26,6 +26,7 @@ namespace godwit::executor::progress {
 
 void take(turn& t, const current_told& what);
 void take(turn& t, const reached_told& what);
+void take(turn& t, const came_down& what);
 void take(turn& t, const vehicle_rebooted& what);
 
 // No intent is under way any more: what was held is looked at.

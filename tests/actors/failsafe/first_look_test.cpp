@@ -36,15 +36,16 @@ TEST(first_look, a_vehicle_that_does_not_answer_is_left_to_its_streams) {
     ++asked;
     look.settled();
   }
-  EXPECT_EQ(asked, 4 * max_look_tries);
+  EXPECT_EQ(asked, 5 * max_look_tries);
 }
 
 TEST(first_look, before_it_begins_and_after_all_was_heard_it_asks_for_nothing) {
   first_look look;
   EXPECT_FALSE(look.next());
   look.begin();
-  for (const auto id : {mavlink::heartbeat::message_id, mavlink::extended_sys_state::message_id,
-                        mavlink::global_position_int::message_id, mavlink::sys_status::message_id})
+  for (const auto id :
+       {mavlink::heartbeat::message_id, mavlink::extended_sys_state::message_id,
+        mavlink::global_position_int::message_id, mavlink::sys_status::message_id, mavlink::home_position::message_id})
     look.heard(id);
   EXPECT_FALSE(look.next());
 }

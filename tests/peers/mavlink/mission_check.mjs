@@ -9,7 +9,7 @@ import { spawn } from "node:child_process";
 
 import { load_definitions } from "./definitions.mjs";
 import { end, ground_station, port_of } from "./ground_station.mjs";
-import { check, compare, home_text, item, nav_land, nav_takeoff, nav_waypoint, square } from "./plans.mjs";
+import { check, compare, home_text, item, nav_land, nav_return, nav_takeoff, nav_waypoint, square } from "./plans.mjs";
 
 const speed = "20";
 const mission_start = 300;
@@ -31,7 +31,8 @@ const personalities = {
   rover: { plan: square(0), first: 0, make_ready: until_armed },
   px4: { plan: flight, first: 0, make_ready: async () => {} }, // arms on MISSION_START
   ardupilot: {
-    plan: [item(nav_waypoint, 0, 0, 0), ...flight], // its item 0 is home
+    // Its item 0 is home; behind a landing it would not say that the mission is complete.
+    plan: [item(nav_waypoint, 0, 0, 0), ...flight.slice(0, -1), { ...item(nav_return, 0, 0, 0), frame: 0 }],
     first: 1,
     async make_ready(station) {
       const guided = 4;

@@ -22,7 +22,7 @@ own_checks own_checks_of(const io::mavlink::sys_status& told, io::mavlink::mav_a
   if ((told.onboard_control_sensors_health & prearm_check_bit) != 0)
     return own_checks::passing;
   const bool has_them =
-      (told.onboard_control_sensors_present & prearm_check_bit) != 0 || autopilot == io::mavlink::mav_autopilot::px4;
+      (told.onboard_control_sensors_enabled & prearm_check_bit) != 0 || autopilot == io::mavlink::mav_autopilot::px4;
   return has_them ? own_checks::failing : own_checks::not_told;
 }
 

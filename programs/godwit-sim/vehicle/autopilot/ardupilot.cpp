@@ -227,7 +227,16 @@ void ardupilot::tell_reached(int sequence) {
     say(mav_severity::info, "Reached command #" + std::to_string(sequence));
 }
 
+// Its Copter disarms behind a landing, sets the mission back and takes it for running: no word that it was done.
+void ardupilot::end_by_landing() {
+  disarm();
+  phase_ = mission_phase::running;
+  is_at_beginning_ = false;
+}
+
 void ardupilot::on_happening(const happening& what) {
+  if (!state().is_armed)
+    return; // the landing has ended it
   if (const auto* begun = std::get_if<item_begun>(&what)) {
     tell_begun(begun->sequence);
   } else if (const auto* reached = std::get_if<item_reached>(&what)) {
@@ -238,8 +247,11 @@ void ardupilot::on_happening(const happening& what) {
     preflight_ends_ns_ = never_ns;
   } else if (std::holds_alternative<landed>(what)) {
     const bool goes_on = state().is_in(mode_kind::mission) && phase_ == mission_phase::running;
+    const bool is_last = run().current() + 1 == run().count();
     if (!goes_on)
       disarm();
+    else if (is_last && run().items().back().command == mavlink::number(mav_cmd::nav_land))
+      end_by_landing();
   } else if (std::holds_alternative<mission_completed>(what)) {
     phase_ = mission_phase::complete;
     say(mav_severity::notice, "Mission Complete");

@@ -60,6 +60,7 @@ private:
   // The mission is put back to its beginning, and says so by item 0.
   void reset_mission();
   [[nodiscard]] bool choose(int sequence);
+  void end_by_landing();
   void tell_begun(int sequence);
   void tell_reached(int sequence);
 

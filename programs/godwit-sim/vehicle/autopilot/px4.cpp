@@ -236,7 +236,11 @@ void px4::end_turn() {
 }
 
 void px4::on_happening(const happening& what) {
-  if (const auto* reached = std::get_if<item_reached>(&what)) {
+  if (const auto* begun = std::get_if<item_begun>(&what)) {
+    const auto& item = run().items()[static_cast<std::size_t>(begun->sequence)];
+    if (item.command == mavlink::number(mavlink::mav_cmd::nav_return_to_launch))
+      enter(mode_kind::come_back); // which is no part of the mission: nothing says that it was completed
+  } else if (const auto* reached = std::get_if<item_reached>(&what)) {
     with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(reached->sequence)});
     reached_.reach(reached->sequence, now().world_ns);
   } else if (std::holds_alternative<took_off>(what)) {

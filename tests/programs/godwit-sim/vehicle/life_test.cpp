@@ -136,7 +136,7 @@ TEST(life, of_a_px4) {
 TEST(life, of_an_ardupilot) {
   live({personality::ardupilot,
         mavlink::mav_autopilot::ardupilotmega,
-        [](const position& home) { return flight_of(3, home, personality::ardupilot); },
+        [](const position& home) { return with_return(flight_of(3, home, personality::ardupilot)); },
         {1, 2, 3, 4, 5},
         "AUTO",
         false});

@@ -248,4 +248,14 @@ plan flight_of(int count, const position& home, personality who) {
   return numbered(items);
 }
 
+plan with_return(plan items) {
+  auto& last = items.back();
+  last.command = mavlink::number(mav_cmd::nav_return_to_launch);
+  last.frame = mavlink::number(mavlink::mav_frame::mission);
+  last.x = 0;
+  last.y = 0;
+  last.z = 0;
+  return items;
+}
+
 } // namespace godwit::sim::test

@@ -166,6 +166,8 @@ struct offset {
 [[nodiscard]] plan row_of(int count, const position& home, double spacing_m = 5);
 // Take-off, COUNT waypoints, landing; item 0 is a stand-in for home where the vehicle is an ArduPilot.
 [[nodiscard]] plan flight_of(int count, const position& home, personality who);
+// Ends with a return in place of its last item.
+[[nodiscard]] plan with_return(plan items);
 [[nodiscard]] plan numbered(plan items);
 
 } // namespace godwit::sim::test

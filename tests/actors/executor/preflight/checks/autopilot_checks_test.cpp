@@ -47,6 +47,11 @@ TEST(autopilot_check, ardupilot_has_the_bit_and_sets_its_health) {
   EXPECT_EQ(told_by(mav_autopilot::ardupilotmega, 0x1331'DC2F, 0x1221'802F, 0x1311'812F), own_checks::passing);
 }
 
+// ARMING_CHECK 0: present, and neither enabled nor healthy, whatever the vehicle does.
+TEST(autopilot_check, an_ardupilot_whose_checks_are_switched_off_says_nothing) {
+  EXPECT_EQ(told_by(mav_autopilot::ardupilotmega, 0x1331'DC2F, 0x0221'802F, 0x0311'812F), own_checks::not_told);
+}
+
 TEST(autopilot_check, px4_has_the_bit_in_its_health_alone) {
   EXPECT_EQ(told_by(mav_autopilot::px4, 0x0200'402F, 0x0201'402F, 0x0320'C83F), own_checks::failing);
   EXPECT_EQ(told_by(mav_autopilot::px4, 0x0300'402F, 0x0301'402F, 0x1320'C83F), own_checks::passing);

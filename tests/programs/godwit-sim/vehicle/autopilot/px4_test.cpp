@@ -318,6 +318,17 @@ TEST(px4, takes_off_goes_comes_back_and_lands_by_command) {
   EXPECT_LT(between(world.picture().where, world.home()).distance_m, 2);
 }
 
+TEST(px4, leaves_its_mission_for_a_return_and_does_not_say_that_it_was_completed) {
+  px4_with world(0);
+  ASSERT_EQ(world.upload(with_return(flight_of(1, world.home(), personality::px4))), mav_mission_result::accepted);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  ASSERT_TRUE(world.run_until([&] { return world.picture().mode == "AUTO.RTL"; }, 100 * s));
+  EXPECT_EQ(world.picture().mission_current, 2);
+  ASSERT_TRUE(world.run_until([&] { return !world.picture().armed; }, 100 * s));
+  EXPECT_LT(between(world.picture().where, world.home()).distance_m, 2);
+  EXPECT_NE(world.last<mavlink::mission_current>()->mission_state, mavlink::number(mavlink::mission_state::complete));
+}
+
 TEST(px4, flies_no_mission_with_an_empty_battery_or_without_a_position) {
   for (const bool is_battery : {true, false}) {
     vehicle_world world(personality::px4);

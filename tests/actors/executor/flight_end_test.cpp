@@ -1,0 +1,145 @@
+// How flights begin and end on vehicles that say less than one would like.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using mission::progress_kind;
+using tests::flight_world;
+
+class flight_end : public testing::TestWithParam<sim::personality> {};
+class landing_end : public flight_end {}; // of what flies
+
+bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
+  return std::ranges::any_of(world.reports(),
+                             [&](const auto& each) { return each.kind == kind && each.item_id == item; });
+}
+
+// Take-off, one waypoint, landing there.
+mission::document with_landing() {
+  auto result = tests::short_mission(sim::personality::px4);
+  result.items.resize(2);
+  result.items.emplace_back(mission::land{"down", std::get<mission::waypoint>(result.items[1]).at});
+  return result;
+}
+
+// -- the end ------------------------------------------------------------------------------------------
+
+TEST_P(landing_end, a_landing_ends_the_mission_also_where_the_vehicle_does_not_say_that_it_is_done) {
+  flight_world world({.who = GetParam()});
+  world.load(with_landing());
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_TRUE(is_told(world, progress_kind::reached, "down")) << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+}
+
+// PX4 leaves its mission mode for the return.
+TEST_P(landing_end, killed_while_the_plan_brings_it_home_it_sees_nobodys_takeover) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w3"); }, 600)) << world.story();
+  world.run_for(3);
+  const auto commands = world.commands().size();
+  world.crash_all();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+  EXPECT_TRUE(is_told(world, progress_kind::reached, "home")) << world.story();
+}
+
+TEST_P(landing_end, on_the_way_home_that_the_plan_leads_the_failsafe_still_acts) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w3"); }, 600)) << world.story();
+  world.run_for(3);
+  world.vehicle().set_battery(3, world.now_ns());
+  EXPECT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 15)) << world.story();
+}
+
+TEST_P(flight_end, killed_after_it_was_called_home_it_sees_nobodys_takeover) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
+  ASSERT_TRUE(world.say(operator_words::verb::come_home).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::landing, 20)) << world.story();
+  const auto commands = world.commands().size();
+  world.crash_all();
+  world.run_for(2);
+  EXPECT_NE(world.durable().standing.now, phase::paused) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::aborted)) << world.story();
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+}
+
+// -- the next flight ------------------------------------------------------------------------------------
+
+// PX4 stays in its mission mode, and would begin what comes next as soon as somebody arms it.
+TEST_P(landing_end, on_the_ground_it_is_taken_out_of_its_mission_before_the_next_plan_comes) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .has_service = false});
+  world.load(with_landing());
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  ASSERT_TRUE(world.say(operator_words::verb::start).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  auto next = tests::short_mission(GetParam());
+  next.mission_id = "99999999-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  world.load(next);
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  if (GetParam() == sim::personality::px4) {
+    EXPECT_EQ(world.vehicle().describe().mode, "AUTO.LOITER");
+  }
+  ASSERT_TRUE(world.say(operator_words::verb::start).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+// -- the start ------------------------------------------------------------------------------------------
+
+constexpr std::uint16_t mission_start = 300;
+constexpr std::uint8_t failed = 4;
+
+TEST_P(flight_end, an_automatic_start_that_is_refused_for_now_is_tried_on) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.vehicle().refuse_command(mission_start, failed, 8);
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
+  EXPECT_GT(std::ranges::count(world.commands(), mission_start), 8);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(flight_end, what_was_armed_for_a_start_that_failed_is_disarmed_again) {
+  flight_world world({.who = GetParam()});
+  world.vehicle().refuse_command(mission_start, failed, -1);
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 120)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::not_done);
+  EXPECT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 4)) << world.story();
+  world.run_for(2);
+  EXPECT_FALSE(world.durable().doing) << world.story();
+}
+
+// -- a change that waits --------------------------------------------------------------------------------
+
+// The vehicle tells its home less often than its place.
+TEST_P(flight_end, a_change_that_waits_over_a_kill_waits_for_the_vehicles_home_too) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w2"); }, 600)) << world.story();
+  auto longer = tests::short_mission(GetParam());
+  longer.revision = 2;
+  longer.items.back() = tests::place("w4", 20, 60, GetParam() == sim::personality::rover ? 0 : 20);
+  world.cut_line(8);
+  world.run_for(5);
+  world.load(longer);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().arrived.has_value(); }, 1)) << world.story();
+  world.crash_all();
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(each, landing_end, testing::Values(sim::personality::px4, sim::personality::ardupilot));
+INSTANTIATE_TEST_SUITE_P(each, flight_end,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+
+} // namespace
+} // namespace godwit::executor

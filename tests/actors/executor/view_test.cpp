@@ -1,0 +1,47 @@
+#include "actors/executor/view.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::executor {
+namespace {
+
+constexpr std::int64_t now_ns = 1'000'000'000;
+
+// At home, NORTH_M metres from there, as fast as that.
+vehicle_view seen_at(double north_m, std::int16_t speed_cmps) {
+  constexpr double units_a_metre = 1e7 / 111'195.0;
+  vehicle_view result;
+  result.take(io::mavlink::home_position{.latitude = 473'977'420, .longitude = 85'455'940});
+  io::mavlink::global_position_int at;
+  at.lat = 473'977'420 + static_cast<std::int32_t>(north_m * units_a_metre);
+  at.lon = 85'455'940;
+  at.vx = speed_cmps;
+  result.take(at, now_ns);
+  return result;
+}
+
+// ArduPilot's rover stays in RTL.
+TEST(vehicle_view, stands_at_home_is_near_it_and_not_moving) {
+  EXPECT_TRUE(seen_at(5, 10).stands_at_home(now_ns));
+  EXPECT_FALSE(seen_at(5, 100).stands_at_home(now_ns)) << "it drives";
+  EXPECT_FALSE(seen_at(30, 0).stands_at_home(now_ns)) << "it is elsewhere";
+  EXPECT_FALSE(seen_at(5, 10).stands_at_home(now_ns + 2 * position_counts_ns)) << "where it is now is not known";
+  EXPECT_FALSE(vehicle_view().stands_at_home(now_ns));
+}
+
+TEST(vehicle_view, plan_ids_are_kept_by_px4_and_by_who_has_told_one) {
+  vehicle_view seen;
+  seen.take(io::mavlink::heartbeat{.autopilot = io::mavlink::number(io::mavlink::mav_autopilot::generic)}, now_ns);
+  seen.take(io::mavlink::mission_current{}, now_ns);
+  EXPECT_FALSE(seen.keeps_plan_ids());
+  seen.take(io::mavlink::mission_current{.mission_id = 7}, now_ns);
+  EXPECT_TRUE(seen.keeps_plan_ids());
+  vehicle_view px4;
+  px4.take(io::mavlink::heartbeat{.autopilot = io::mavlink::number(io::mavlink::mav_autopilot::px4)}, now_ns);
+  EXPECT_TRUE(px4.keeps_plan_ids());
+}
+
+} // namespace
+} // namespace godwit::executor

@@ -155,11 +155,16 @@ effects core::on_guarded(std::uint64_t number, const failsafe::guard_answer& ans
 }
 
 void core::take_read_back(effects& out, std::uint64_t number, const transfer::outcome& outcome, instant now) {
-  if (number != reading_back_ || looking_ != question::read_back)
+  if (number != reading_back_ || (looking_ != question::read_back && looking_ != question::plan_id))
     return;
   reading_back_ = 0;
   if (outcome.verdict != transfer::verdict::accepted) {
     read_again_ns_ = now.now_ns + read_again_after_ns;
+    return;
+  }
+  if (looking_ == question::plan_id) { // no upload goes on in the link; what the vehicle says from now on holds
+    may_upload_go_on_ = false;
+    looking_since_ns_ = now.now_ns;
     return;
   }
   const bool has_home = plan_has_home();
@@ -374,9 +379,10 @@ bool core::recover(effects& out, instant now) {
   has_looked_ = true;
   was_up_ = view_.is_under_way();
   for (const auto& each : progress::resume(s_.progress))
-    if (std::holds_alternative<progress::look_at_vehicle>(each))
+    if (std::holds_alternative<progress::look_at_vehicle>(each)) {
       static_cast<void>(on_durable(progress::look_at_vehicle{}, now));
-    else if (std::holds_alternative<progress::read_plan_back>(each))
+      may_upload_go_on_ = true;
+    } else if (std::holds_alternative<progress::read_plan_back>(each))
       static_cast<void>(on_durable(progress::read_plan_back{}, now));
     else if (const auto* start = std::get_if<progress::settle_start>(&each))
       static_cast<void>(on_durable(*start, now));
@@ -445,6 +451,14 @@ void core::recover_in_flight(effects& out) {
   }
 }
 
+// The link takes it behind the transfer that is under way.
+void core::read_back(effects& out, instant now) {
+  if (reading_back_ != 0 || now.now_ns < read_again_ns_)
+    return;
+  reading_back_ = ++last_reading_back_;
+  out.emplace_back(order{reading_back_, vehicle_link::download_plan{}});
+}
+
 // What an upload or a start came to, where its answer was lost.
 bool core::settle(effects& out, instant now) {
   if (looking_ == question::none || (is_in_flight() && is_paused_for_person()))
@@ -454,6 +468,10 @@ bool core::settle(effects& out, instant now) {
   const bool is_news = view_.current() && view_.current_heard_ns() > looking_since_ns_;
   switch (looking_) {
   case question::plan_id:
+    if (may_upload_go_on_) {
+      read_back(out, now);
+      return true;
+    }
     if (view_.keeps_plan_ids() && !is_news)
       return true;
     looking_ = question::none;
@@ -461,10 +479,7 @@ bool core::settle(effects& out, instant now) {
         view_.keeps_plan_ids() ? std::optional(view_.current()->mission_id) : std::nullopt}});
     break;
   case question::read_back:
-    if (reading_back_ == 0 && now.now_ns >= read_again_ns_) {
-      reading_back_ = ++last_reading_back_;
-      out.emplace_back(order{reading_back_, vehicle_link::download_plan{}});
-    }
+    read_back(out, now);
     break;
   case question::start:
     if (!is_news || !view_.mode())

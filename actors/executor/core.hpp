@@ -149,6 +149,7 @@ private:
 
   [[nodiscard]] bool is_down(instant now) const;
   [[nodiscard]] bool was_brought_down() const;
+  void read_back(effects& out, instant now);
   [[nodiscard]] bool awaits_place_in_plan(instant now) const;
   void end_mission(effects& out);
   void plan_ends(effects& out);
@@ -244,6 +245,7 @@ private:
   std::int64_t looking_since_ns_ = 0;
   std::uint64_t reading_back_ = 0; // the number of the download
   std::int64_t read_again_ns_ = 0;
+  bool may_upload_go_on_ = false; // in the link: one that the incarnation before has begun
   std::uint16_t looking_for_sequence_ = 0;
   std::uint64_t last_reading_back_ = 1ULL << 32U;
   std::int64_t down_since_ns_ = 0;          // 0: it is not

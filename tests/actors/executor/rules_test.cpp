@@ -1,0 +1,279 @@
+// The rules that protect people, and what an operator, a station and the service may ask for and when.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "io/mavlink/plan_checksum.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using mission::progress_kind;
+using operator_words::verb;
+using tests::flight_world;
+
+constexpr std::uint16_t arm_disarm = 400;
+constexpr std::uint16_t set_mode = 176;
+
+class rule : public testing::TestWithParam<sim::personality> {
+protected:
+  [[nodiscard]] static double up_m() { return GetParam() == sim::personality::rover ? 0 : 20; }
+  [[nodiscard]] static std::uint32_t pilot_mode() { return GetParam() == sim::personality::px4 ? 0x00030000 : 0; }
+  [[nodiscard]] static mission::document short_mission() { return tests::short_mission(GetParam()); }
+
+  // Under way to the second waypoint.
+  static testing::AssertionResult fly(flight_world& world, const mission::document& mission = short_mission()) {
+    world.load(mission);
+    const auto is_reached = [&] {
+      return std::ranges::any_of(world.reports(), [](const auto& each) {
+        return each.kind == progress_kind::reached && each.item_id == "w1";
+      });
+    };
+    return world.run_until(is_reached, 600) ? testing::AssertionSuccess()
+                                            : testing::AssertionFailure() << world.story();
+  }
+  static testing::AssertionResult take_over(flight_world& world) {
+    world.switch_mode(pilot_mode());
+    const bool is_seen = world.run_until([&] { return world.durable().standing.cause == pause_cause::taken_over; }, 10);
+    return is_seen ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
+  }
+  static mission::assignment another_tail(int number, double north_m = 20) {
+    mission::assignment result;
+    result.assignment_id = "11111111-2222-4333-8444-" + std::to_string(100'000'000'000 + number);
+    result.base_revision = 1;
+    result.revision = 2;
+    result.replace_after_item_id = "w2";
+    result.items = {tests::place("n" + std::to_string(number), north_m, 20, up_m())};
+    return result;
+  }
+  // An inclusion fence around home.
+  static mission::geofence square(double half_side_m) {
+    mission::geofence result{mission::fence_kind::inclusion, {}, {}, {}};
+    for (const auto& [north, east] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
+      const auto corner = std::get<mission::waypoint>(tests::place("", north * half_side_m, east * half_side_m, 0)).at;
+      result.vertices.push_back({corner.latitude, corner.longitude});
+    }
+    return result;
+  }
+};
+
+// PX4 flies on while its plan is replaced, and so can be taken over meanwhile.
+class rule_of_long_replans : public rule {};
+
+bool was_said(const flight_world& world, const std::string& words) {
+  return std::ranges::any_of(world.said(), [&](const auto& each) { return each.find(words) != std::string::npos; });
+}
+
+// -- arming and starting --------------------------------------------------------------------------------
+
+TEST_P(rule, it_arms_with_arm_on_start_only) {
+  for (const auto policy : {start_policy::automatic, start_policy::on_command}) {
+    flight_world world({.who = GetParam(), .start = policy, .arm_on_start = false});
+    world.load(short_mission());
+    ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+    if (policy == start_policy::on_command) {
+      EXPECT_TRUE(world.say(verb::start).is_taken);
+    }
+    world.run_for(20);
+    EXPECT_TRUE(world.commands().empty()) << world.story();
+    EXPECT_EQ(world.durable().standing.now, phase::ready) << world.story();
+  }
+}
+
+TEST_P(rule, killed_on_the_ground_in_the_middle_of_its_preparations_it_waits_for_a_person) {
+  for (const auto middle : {phase::uploading, phase::starting}) {
+    flight_world world({.who = GetParam()});
+    world.load(short_mission());
+    ASSERT_TRUE(world.run_until_phase(middle)) << world.story();
+    world.crash();
+    world.run_for(20);
+    EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+    EXPECT_LE(std::ranges::count(world.commands(), arm_disarm), 1) << "that was on its way before\n" << world.story();
+    EXPECT_FALSE(world.vehicle().describe().in_air);
+  }
+}
+
+// -- a station that starts --------------------------------------------------------------------------------
+
+start_mission start_of_shown(const flight_world& world, std::uint64_t key) {
+  start_mission result;
+  result.key = key;
+  result.last = static_cast<std::uint16_t>(world.shown_items().size() - 1);
+  result.plan_id = io::mavlink::checksum_of(world.shown_items());
+  result.obey_until_ns = world.wall_ns() + 3'000'000'000;
+  return result;
+}
+
+TEST_P(rule, a_start_that_comes_too_late_is_not_obeyed) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(short_mission());
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  auto late = start_of_shown(world, 1);
+  late.obey_until_ns = world.wall_ns() - 1;
+  world.station_says(late);
+  world.run_for(5);
+  ASSERT_EQ(world.start_answers().size(), 1U);
+  EXPECT_EQ(world.start_answers().front().verdict, start_verdict::too_late);
+  EXPECT_TRUE(world.commands().empty()) << world.story();
+}
+
+TEST_P(rule, of_two_starts_the_second_is_told_that_something_is_under_way) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(short_mission());
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of_shown(world, 1));
+  world.station_says(start_of_shown(world, 2));
+  ASSERT_EQ(world.start_answers().size(), 1U);
+  EXPECT_EQ(world.start_answers().front().key, 2U);
+  EXPECT_EQ(world.start_answers().front().verdict, start_verdict::not_ready);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.start_answers().back().key, 1U);
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started);
+}
+
+TEST_P(rule, a_start_whose_executor_dies_is_answered_by_the_next_one) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(short_mission());
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.station_says(start_of_shown(world, 1));
+  ASSERT_TRUE(world.run_until_phase(phase::starting, 10)) << world.story();
+  world.crash();
+  world.run_for(5);
+  ASSERT_EQ(world.start_answers().size(), 1U) << world.story();
+  EXPECT_EQ(world.start_answers().front().verdict, start_verdict::failed);
+}
+
+// -- a pilot ----------------------------------------------------------------------------------------------
+
+TEST_P(rule, while_a_pilot_flies_no_word_of_an_operator_is_taken) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  ASSERT_TRUE(take_over(world));
+  operator_words::word there;
+  there.place = std::get<mission::waypoint>(tests::place("", 30, 30, up_m())).at;
+  for (const auto each : {verb::go_to, verb::insert, verb::cancel, verb::pause, verb::resume, verb::come_home}) {
+    there.verb = each;
+    const auto answer = world.say(there);
+    EXPECT_FALSE(answer.is_taken) << io::name_of(each);
+    EXPECT_NE(answer.reason.find("handed back first"), std::string::npos) << answer.reason;
+  }
+}
+
+// Said while a replan was under way, and not done when the pilot took the vehicle.
+TEST_P(rule_of_long_replans, what_was_wished_before_a_takeover_is_not_done_behind_it) {
+  flight_world world({.who = GetParam(), .most_delay_ms = 100});
+  ASSERT_TRUE(fly(world));
+  world.assign(another_tail(1));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().doing.has_value(); }, 10)) << world.story();
+  ASSERT_TRUE(world.say(verb::come_home).is_taken);
+  ASSERT_TRUE(take_over(world));
+  const auto commands = world.commands().size();
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  world.run_for(5);
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+}
+
+TEST_P(rule, behind_a_hand_back_the_failsafe_acts_again) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly(world));
+  ASSERT_TRUE(take_over(world));
+  world.run_for(2);
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  world.run_for(1);
+  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
+  world.vehicle().set_battery(3, world.now_ns());
+  EXPECT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 15)) << world.story();
+}
+
+TEST_P(rule, an_autopilot_that_starts_again_in_flight_is_left_to_people) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  world.vehicle().reboot(world.now_ns());
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 30)) << world.story();
+  const auto commands = world.commands().size();
+  world.run_for(30);
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+}
+
+// -- changes ------------------------------------------------------------------------------------------------
+
+TEST_P(rule, so_many_assignments_wait_and_the_next_is_turned_down) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  ASSERT_TRUE(take_over(world));
+  for (std::size_t i = 0; i <= max_waiting; ++i)
+    world.assign(another_tail(static_cast<int>(i)));
+  world.run_for(1);
+  ASSERT_EQ(world.answers().size(), 1U);
+  EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::rejected);
+  EXPECT_EQ(world.durable().waiting.size(), max_waiting);
+}
+
+TEST_P(rule, an_assignment_that_comes_when_the_mission_is_over_is_turned_down) {
+  flight_world world({.who = GetParam()});
+  world.load(short_mission());
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  world.assign(another_tail(1));
+  world.run_for(2);
+  ASSERT_EQ(world.answers().size(), 1U);
+  EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::rejected);
+  EXPECT_NE(world.answers().front().response.reason.value_or("").find("over"), std::string::npos);
+}
+
+TEST_P(rule, a_tail_that_leads_out_of_the_fence_is_turned_down_and_the_plan_before_goes_on) {
+  flight_world world({.who = GetParam()});
+  auto mission = short_mission();
+  mission.geofences = {square(150)};
+  ASSERT_TRUE(fly(world, mission));
+  world.assign(another_tail(1, 400));
+  ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 30)) << world.story();
+  EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::rejected);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.durable().mission->revision, 1);
+}
+
+TEST_P(rule, a_revision_that_leads_out_of_the_fence_is_not_flown) {
+  flight_world world({.who = GetParam()});
+  auto mission = short_mission();
+  mission.geofences = {square(150)};
+  ASSERT_TRUE(fly(world, mission));
+  mission.revision = 2;
+  mission.items[mission.items.size() - 1] = tests::place("far", 400, 0, up_m());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.durable().mission->revision, 1);
+  EXPECT_TRUE(was_said(world, "can not be flown, and the one before stays")) << world.story();
+}
+
+TEST_P(rule, the_fences_of_a_revision_are_watched_from_its_cut_over_on) {
+  flight_world world({.who = GetParam()});
+  auto mission = short_mission();
+  mission.geofences = {square(150)};
+  ASSERT_TRUE(fly(world, mission));
+  mission.revision = 2;
+  mission.geofences = {square(300)};
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2 && !world.durable().doing; }, 60))
+      << world.story();
+  ASSERT_EQ(world.guarded().size(), 1U);
+  EXPECT_EQ(world.guarded().front().vertices, mission.geofences.front().vertices) << world.story();
+}
+
+// Its upload cuts the plan that is flown.
+TEST_P(rule, a_vehicle_without_plan_ids_is_held_while_its_plan_is_replaced) {
+  flight_world world({.who = GetParam(), .most_delay_ms = 50});
+  ASSERT_TRUE(fly(world));
+  world.assign(another_tail(1));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 30)) << world.story();
+  const bool is_held = !world.commands().empty() && world.commands().back() == set_mode;
+  EXPECT_EQ(is_held, GetParam() != sim::personality::px4) << world.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(each, rule_of_long_replans, testing::Values(sim::personality::px4));
+INSTANTIATE_TEST_SUITE_P(each, rule,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+
+} // namespace
+} // namespace godwit::executor

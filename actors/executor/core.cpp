@@ -21,7 +21,8 @@ using mission_client::pull_state;
 constexpr std::uint64_t first_reading_back = 1ULL << 32U;
 constexpr std::int64_t read_again_after_ns = 2'000'000'000;
 constexpr std::int64_t check_period_ns = 1'000'000'000;
-constexpr std::int64_t last_word_within_ns = 4'000'000'000; // MISSION_CURRENT comes once a second, and may be lost
+constexpr std::int64_t plan_end_expected_ns = 10'000'000'000; // told again in good time while the plan ends
+constexpr std::int64_t last_word_within_ns = 4'000'000'000;   // MISSION_CURRENT comes once a second, and may be lost
 
 bool is_before_start(phase now) {
   return now == phase::disconnected || now == phase::connected || now == phase::preflight || now == phase::uploading ||
@@ -101,8 +102,11 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
   if (!has_looked_ || !is_in_flight() || !view_.is_armed())
     return {};
   effects out;
-  if (is_at_plan_end())
-    plan_ends(out);
+  const bool leads_down =
+      is_at_plan_end() || s_.standing.now == phase::landing || s_.progress.paused == progress::pause_reason::aborted;
+  modes_.set_plan_end(leads_down);
+  if (leads_down)
+    plan_ends(out, now);
   if (stance_ && stance_->reacts)
     modes_.adopt(*view_.mode());
   else if (!modes_.is_taken_over_by(*view_.mode(), now.now_ns))
@@ -428,6 +432,7 @@ void core::recover_in_flight(effects& out) {
   modes_.adopt(*view_.mode());
   if (!is_ours || is_paused_for_person())
     return;
+  must_guard_ = doing && doing->kind == task_kind::deploy;
   if (stance_->reacts || stance_->taken_over) {
     stand_as(out, phase::flying, true); // heed_others says the rest
     return;
@@ -506,7 +511,7 @@ bool core::heed_others(effects& out, instant now) {
     return true; // after a silence: whether the plan led there is told next, and nothing is sent before
   const bool has_pilot = !led_there && (unclear_since_ns_ != 0 || stance_->taken_over);
   if (unclear_since_ns_ != 0 && led_there) {
-    plan_ends(out);
+    plan_ends(out, now);
     modes_.adopt(*view_.mode());
   }
   if (led_there && stance_->taken_over) { // the failsafe does not know where the plan leads before it is told
@@ -542,18 +547,22 @@ void core::yield(effects& out, pause_cause to, const std::string& why) {
   is_held_for_change_ = false;
   is_start_wanted_ = false;
   finishes_intent_ = false;
+  if (to == pause_cause::taken_over && !stance_->taken_over)
+    out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
   if (is_in_flight())
     stand_paused(out, to, why);
   else
     out.emplace_back(note{stood{phase::paused, to, why, view_.is_under_way()}});
 }
 
-// What the plan leads to by itself is nobody's takeover.
-void core::plan_ends(effects& out) {
-  if (!modes_.plan_ends())
+// What the plan leads to by itself is nobody's takeover; behind another plan it is again.
+void core::plan_ends(effects& out, instant now) {
+  modes_.set_plan_end(true);
+  if (told_plan_end_ns_ != 0 && now.now_ns - told_plan_end_ns_ < plan_end_expected_ns / 2)
     return;
+  told_plan_end_ns_ = now.now_ns;
   for (const auto kind : {mode_kind::hold, mode_kind::returning, mode_kind::landing})
-    out.emplace_back(say_to_failsafe{failsafe::expect_mode{kind, 0}});
+    out.emplace_back(say_to_failsafe{failsafe::expect_mode{kind, plan_end_expected_ns / 1'000'000}});
 }
 
 bool core::run_task(effects& out, instant now) {
@@ -571,7 +580,7 @@ bool core::run_task(effects& out, instant now) {
   case task_runner::verdict::under_way:
     break;
   case task_runner::verdict::done:
-    task_done(out, *what);
+    task_done(out, *what, now);
     break;
   case task_runner::verdict::failed:
     task_failed(out, *what, runner_.why_failed(), now);
@@ -630,6 +639,7 @@ bool core::end_flight(effects& out, instant now) {
   }
   down_since_ns_ = 0;
   modes_.forget();
+  told_plan_end_ns_ = 0;
   was_up_ = false;
   if (s_.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::flight_ended{}});

@@ -152,7 +152,7 @@ private:
   void read_back(effects& out, instant now);
   [[nodiscard]] bool awaits_place_in_plan(instant now) const;
   void end_mission(effects& out);
-  void plan_ends(effects& out);
+  void plan_ends(effects& out, instant now);
   void yield(effects& out, pause_cause to, const std::string& why);
   void recover_on_ground(effects& out);
   void recover_in_flight(effects& out);
@@ -208,7 +208,7 @@ private:
   [[nodiscard]] bool begin_wanted(effects& out, task_kind what, instant now);
   [[nodiscard]] bool begin_asked_start(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
-  void task_done(effects& out, const task& what);
+  void task_done(effects& out, const task& what, instant now);
   void task_failed(effects& out, const task& what, const std::string& why, instant now);
   [[nodiscard]] bool is_start_tried_on(const task& what, instant now);
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
@@ -216,6 +216,7 @@ private:
   [[nodiscard]] bool is_copter() const;
   [[nodiscard]] bool is_in_air() const;
   [[nodiscard]] steps out_of_mission_steps() const;
+  [[nodiscard]] steps guarded(steps way);
   [[nodiscard]] steps going_on_steps() const;
   [[nodiscard]] bool starts_in_mission_mode() const;
   [[nodiscard]] steps deploy_steps(const progress::plan_map& map, bool goes_on) const;
@@ -252,6 +253,8 @@ private:
   bool was_up_ = false;                     // it has been in the air, as far as this incarnation knows
   std::uint32_t deploying_over_ = 0;        // the generation that the deployment under way takes the place of
   bool finishes_intent_ = false;            // of an earlier incarnation: it is held, and meant to fly on
+  bool must_guard_ = false;                 // it may fly a plan whose fences the failsafe was not told
+  std::int64_t told_plan_end_ns_ = 0;       // to the failsafe, last; 0: not in this flight
   bool must_choose_item_ = false;           // it holds the plan, and is elsewhere in it
   std::uint64_t last_task_before_ = 0;      // this incarnation began
   std::int64_t start_refused_since_ns_ = 0; // the automatic one; 0: it is not

@@ -77,7 +77,7 @@ void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
 // A vehicle that keeps ids activates the new plan itself, at the item that is marked in it. Others are held while
 // their plan is replaced, and told where to go on.
 steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
-  if (!view_.is_under_way()) {
+  if (!is_in_flight()) { // also where somebody else flies it: a plan that is only brought disturbs nobody
     steps result = out_of_mission_steps();
     result.emplace_back(bring_plan{});
     return result;
@@ -105,7 +105,9 @@ bool core::is_copter() const {
 // or does not begin at all when it is started in the mode in which it is (ArduPilot's rover). A Copter can not be armed
 // in AUTO, and leaves it with the start.
 steps core::out_of_mission_steps() const {
-  if (view_.is_armed() || is_copter() || !view_.is_in(mode_kind::mission))
+  using io::mavlink::mission_state;
+  const bool is_over = view_.current() && view_.current()->mission_state == number(mission_state::complete);
+  if (is_copter() || !view_.is_in(mode_kind::mission) || (view_.is_armed() && !(is_over && !is_in_air())))
     return {};
   return {change_mode{mode_kind::hold}};
 }
@@ -124,7 +126,7 @@ steps core::start_steps() const {
   return result;
 }
 
-void core::task_done(effects& out, const task& what) {
+void core::task_done(effects& out, const task& what, instant now) {
   out.emplace_back(note{task_ended{what.number}});
   switch (what.kind) {
   case task_kind::deploy:
@@ -152,7 +154,7 @@ void core::task_done(effects& out, const task& what) {
   case task_kind::stand_down:
     return;
   case task_kind::come_home:
-    plan_ends(out);
+    plan_ends(out, now);
     out.emplace_back(note{progress::mission_aborted{}});
     stand(out, phase::landing, pause_cause::none, "the vehicle returns");
     return;
@@ -326,6 +328,11 @@ bool core::begin_wished(effects& out, instant now) {
     begin_going_on(out);
     return true;
   }
+  if (must_guard_ && s_.standing.now != phase::paused && s_.flown) {
+    must_guard_ = false;
+    begin(out, task_kind::resume, {guard{}});
+    return true;
+  }
   if (must_choose_item_ && s_.standing.now == phase::flying && s_.progress.plan) {
     must_choose_item_ = false;
     begin_at_start(out);
@@ -384,7 +391,14 @@ void core::begin_going_on(effects& out) {
   const bool chooses = std::holds_alternative<choose_item>(way.front());
   if (view_.owner().autopilot == mav_autopilot::ardupilotmega && s_.progress.plan && !chooses)
     way.insert(way.begin(), choose_item{s_.progress.plan->generation.start_sequence});
-  begin(out, task_kind::resume, std::move(way));
+  begin(out, task_kind::resume, guarded(std::move(way)));
+}
+
+// The failsafe takes the same limits twice without harm.
+steps core::guarded(steps way) {
+  must_guard_ = false;
+  way.insert(way.begin(), guard{});
+  return way;
 }
 
 // The vehicle holds another plan, or none: a person wants the rest of the mission flown all the same.
@@ -410,7 +424,7 @@ bool core::begin_wanted(effects& out, task_kind what, instant now) {
   else if (what == task_kind::resume && !holds_our_plan(s_.standing.cause))
     begin_again(out, now);
   else if (what == task_kind::resume)
-    begin(out, what, going_on_steps());
+    begin(out, what, guarded(going_on_steps()));
   else
     begin(out, what, {change_mode{mode_kind::returning}});
   return true;
@@ -527,7 +541,8 @@ bool core::prepare(effects& out, instant now) {
     return true;
   }
   const bool starts_itself = settings_.start == start_policy::automatic && settings_.arm_on_start;
-  const bool stands = !view_.is_under_way() || view_.owner().vehicle == flight::vehicle_class::rover;
+  const bool is_rover = view_.owner().vehicle == flight::vehicle_class::rover;
+  const bool stands = !view_.is_under_way() || (is_rover && view_.is_in(mode_kind::hold)); // and nobody drives it
   if (at == phase::ready && starts_itself && stands) {
     begin_start(out, {});
     return true;

@@ -29,7 +29,7 @@ struct order {
 
 // To the failsafe: whose the next mode is, and that an operator has handed the vehicle back.
 struct say_to_failsafe {
-  std::variant<failsafe::expect_mode, failsafe::hand_back> what;
+  std::variant<failsafe::expect_mode, failsafe::hand_back, failsafe::taken_over> what;
 };
 
 // To ground_port.

@@ -18,6 +18,7 @@ bool mode_watch::is_taken_over_by(const flight_mode& mode, std::int64_t now_ns) 
     return false;
   if (ours_ && !is_expected(mode.kind, now_ns))
     return true;
+  expected_until_ns_.at(static_cast<std::size_t>(mode.kind)) = 0; // the next change into it is another's
   ours_ = mode;
   return false;
 }

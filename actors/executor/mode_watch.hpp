@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "messages/flight/flight_mode.hpp"
 
@@ -25,8 +24,8 @@ class mode_watch {
 public:
   // Before the word goes out.
   void expect(mode_kind kind, std::int64_t now_ns);
-  // The plan ends: holding, returning and landing are its own doing. Until the flight ends. True: that is new.
-  bool plan_ends() { return !std::exchange(plan_ends_, true); }
+  // While the plan ends, holding, returning and landing are its own doing.
+  void set_plan_end(bool ends) { plan_ends_ = ends; }
   void forget();
 
   // MODE is heard in flight. True: a pilot has taken the vehicle.

@@ -424,6 +424,34 @@ void flight_world::take(const vehicle_link::announcement& each) {
 
 // -- people -----------------------------------------------------------------------------------------
 
+void flight_world::send_by_hand(std::uint16_t command, float param1, float param7) {
+  io::mavlink::command_long wish;
+  wish.target_system = 1;
+  wish.target_component = 1;
+  wish.command = command;
+  wish.param1 = param1;
+  wish.param7 = param7;
+  io::mavlink::scanner one;
+  one.feed(io::mavlink::encode(wish, station, 0).span(),
+           [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
+}
+
+void flight_world::fly_by_hand(std::uint32_t custom_mode) {
+  constexpr std::uint16_t arm = 400;
+  constexpr std::uint16_t take_off = 22;
+  constexpr std::uint32_t copter_guided = 4;
+  const bool is_px4 = owner_.autopilot == io::mavlink::mav_autopilot::px4;
+  if (owner_.autopilot == io::mavlink::mav_autopilot::ardupilotmega)
+    switch_mode(copter_guided);
+  run_for(0.5);
+  send_by_hand(arm, 1);
+  run_for(0.5);
+  send_by_hand(take_off, 0, is_px4 ? 500 : 15); // above mean sea level; above home
+  run_for(8);
+  switch_mode(custom_mode);
+  run_for(2);
+}
+
 void flight_world::switch_mode(std::uint32_t custom_mode) {
   io::mavlink::set_mode wish;
   wish.target_system = 1;

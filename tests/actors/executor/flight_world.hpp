@@ -105,6 +105,8 @@ public:
   [[nodiscard]] int pushes() const { return pushes_; }
   // "waypoint 2 reached, ..." for messages of tests.
   [[nodiscard]] std::string story() const;
+  // Somebody arms it, takes off (what flies) and goes on in this mode.
+  void fly_by_hand(std::uint32_t custom_mode);
   // As a pilot's switch would.
   void switch_mode(std::uint32_t custom_mode);
 
@@ -123,6 +125,7 @@ private:
   void take(const executor::say_to_client& each);
   void take(const executor::say_to_failsafe& each);
   void take(const executor::say_to_port& each);
+  void send_by_hand(std::uint16_t command, float param1, float param7 = 0);
   void take_report(const mission::progress_report& report);
   void take(const failsafe::effects& wanted);
   void take(const failsafe::command_vehicle& each);

@@ -20,6 +20,9 @@ class rule : public testing::TestWithParam<sim::personality> {
 protected:
   [[nodiscard]] static double up_m() { return GetParam() == sim::personality::rover ? 0 : 20; }
   [[nodiscard]] static std::uint32_t pilot_mode() { return GetParam() == sim::personality::px4 ? 0x00030000 : 0; }
+  [[nodiscard]] static std::uint32_t hold_mode() {
+    return GetParam() == sim::personality::px4 ? 0x03040000 : GetParam() == sim::personality::ardupilot ? 5 : 4;
+  }
   [[nodiscard]] static mission::document short_mission() { return tests::short_mission(GetParam()); }
 
   // Under way to the second waypoint.
@@ -174,6 +177,54 @@ TEST_P(rule_of_long_replans, what_was_wished_before_a_takeover_is_not_done_behin
   EXPECT_EQ(world.commands().size(), commands) << world.story();
 }
 
+// A plan that has ended leads nowhere any more when another one has taken its place.
+TEST_P(rule, behind_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  operator_words::word there;
+  there.verb = verb::go_to;
+  there.place = std::get<mission::waypoint>(tests::place("", -40, -20, up_m())).at;
+  ASSERT_TRUE(world.say(there).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
+  world.run_for(20);
+  ASSERT_TRUE(world.say(verb::cancel).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 3; }, 60)) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 30)) << world.story();
+  world.run_for(1);
+  const auto commands = world.commands().size();
+  world.switch_mode(hold_mode());
+  world.run_for(3);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  world.vehicle().set_battery(20, world.now_ns());
+  world.run_for(15);
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+  EXPECT_TRUE(world.reactions().empty()) << world.story();
+}
+
+TEST_P(rule, a_hold_behind_our_own_that_nobody_asked_for_is_a_pilots) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
+  world.switch_mode(hold_mode());
+  world.run_for(3);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+}
+
+TEST_P(rule, to_a_vehicle_that_somebody_flies_by_hand_a_mission_is_brought_and_nothing_is_commanded) {
+  for (const auto policy : {start_policy::on_command, start_policy::automatic}) {
+    flight_world world({.who = GetParam(), .start = policy});
+    world.run_for(10);
+    world.fly_by_hand(pilot_mode());
+    world.load(short_mission());
+    world.run_for(20);
+    EXPECT_TRUE(world.commands().empty()) << world.story();
+    EXPECT_TRUE(world.vehicle().describe().armed);
+  }
+}
+
 TEST_P(rule, behind_a_hand_back_the_failsafe_acts_again) {
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly(world));
@@ -259,6 +310,28 @@ TEST_P(rule, the_fences_of_a_revision_are_watched_from_its_cut_over_on) {
       << world.story();
   ASSERT_EQ(world.guarded().size(), 1U);
   EXPECT_EQ(world.guarded().front().vertices, mission.geofences.front().vertices) << world.story();
+}
+
+TEST_P(rule, the_fences_of_a_revision_are_watched_also_when_godwit_dies_while_it_comes) {
+  for (int moment = 0; moment < 20; ++moment) {
+    flight_world world({.who = GetParam()});
+    auto mission = short_mission();
+    ASSERT_TRUE(fly(world, mission));
+    mission.revision = 2;
+    mission.geofences = {square(300)};
+    world.load(mission);
+    ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 30)) << world.story();
+    world.run_for(0.002 * moment);
+    moment % 2 == 0 ? world.crash() : world.crash_all();
+    world.run_for(10);
+    if (world.durable().standing.now == phase::paused) {
+      EXPECT_TRUE(world.say(verb::resume).is_taken) << moment << world.story();
+      world.run_for(10);
+    }
+    if (world.durable().mission->revision == 2) {
+      EXPECT_EQ(world.guarded().size(), 1U) << moment << world.story();
+    }
+  }
 }
 
 // Its upload cuts the plan that is flown.

@@ -10,10 +10,10 @@
 namespace godwit::runtime {
 
 enum class crash_point : std::uint8_t {
-  before_handler, // nothing of the message has happened
-  after_handler,  // the handler is done, what it sent is still held back
-  after_commit,   // a durable event was handed to the journal, its effects have not gone out
-  before_let_out, // the event is durable, its next effect goes out now
+  before_handler,  // nothing of the message has happened
+  after_handler,   // the handler is done, what it sent is still held back
+  after_commit,    // the handler's write was handed to the journal, its effects have not gone out
+  before_dispatch, // the event is durable, its next effect goes out now
 };
 
 struct injected_crash : std::runtime_error {

@@ -5,29 +5,24 @@
 #include <cstdint>
 #include <utility>
 
-#include <caf/all.hpp>
-
-#include "runtime/mail.hpp"
+#include "runtime/envelope.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::runtime {
 
 class gateway {
 public:
-  explicit gateway(std::uint32_t number) : number_(number) {}
+  gateway(std::uint32_t number, std::uint64_t ids_before) : number_(number), count_(ids_before) {}
 
   template <class Handle, class T>
   requires accepts<Handle, T>
-  void tell(const Handle& to, T body) {
-    caf::actor_cast<caf::strong_actor_ptr>(to)->enqueue(
-        caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<T>{stamp(), std::move(body)}), nullptr);
-  }
+  void tell(const Handle& to, T body) { send(to.ref(), type_of<T>(), message_body::of(std::move(body))); }
 
 private:
-  header stamp() { return {(std::uint64_t{number_} << 41U) | ++count_, 0, 0, 0, number_}; }
+  void send(const actor_ref& to, const message_type& type, message_body body);
 
   std::uint32_t number_;
-  std::uint64_t count_ = 0;
+  std::uint64_t count_;
 };
 
 } // namespace godwit::runtime

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace godwit::runtime {
+#include "runtime/condition.hpp"
 
-enum class health_colour { green, yellow, red };
+namespace godwit::runtime {
 
 struct health_entry {
   std::string component;

@@ -30,12 +30,25 @@ struct durable {
 // Journal to actor: a write was refused for good (a statement of its own was wrong). What the actor decided is not on
 // the disk.
 struct write_failed {
+  std::uint64_t incarnation = 0; // that submitted it
   std::string what;
-  static constexpr auto fields = io::table("runtime.write_failed", io::field("what", &write_failed::what));
+  static constexpr auto fields = io::table("runtime.write_failed", io::field("incarnation", &write_failed::incarnation),
+                                           io::field("what", &write_failed::what));
 };
 
-// Receiver to sender of a durable effect: I have it, or had it already. Only then is it marked released, so that an
-// effect still in a mailbox survives the death of the process.
+// Actor to itself: a time that it waits for has come. One that an earlier one has overtaken has an old number.
+struct deadline {
+  std::uint64_t number = 0;
+  static constexpr auto fields = io::table("runtime.deadline", io::field("number", &deadline::number));
+};
+
+// Durable actor to itself, later: the journal took no write, try again.
+struct retry_write {
+  static constexpr auto fields = io::table("runtime.retry_write");
+};
+
+// Receiver to sender of a durable effect: I have it, or had it already, and all that I have decided is on the disk.
+// Only then is it marked released, so that nothing of it is lost with the process.
 struct effect_taken {
   std::int64_t event = 0;
   std::uint32_t n = 0;

@@ -23,15 +23,9 @@ struct commit_refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The journal did not take a write: its queue is at its bound, or it is closing.
+// A newer incarnation has taken over: the journal takes no write of this one.
 struct journal_refused : commit_refused {
   explicit journal_refused(const journal_error& why) : commit_refused(why.message()) {}
-};
-
-// Too many effects of this actor wait for the disk or for their receivers (max_unreleased_effects).
-struct backlog_full : commit_refused {
-  explicit backlog_full(const std::string& actor)
-      : commit_refused(actor + " has too many effects that nobody has confirmed; is a receiver of them down?") {}
 };
 
 } // namespace godwit::runtime

@@ -1,16 +1,23 @@
-// What the trace and the dead-letter table know of a message type: its name, and how to turn it into bytes and JSON.
-// One constant object for each type, made from the field table. Thread: constant.
+// What the runtime knows of a message type: its name, and how to turn a value into bytes and JSON and back.
+//
+// There is one constant object for each type, and its address is the type's identity: a mailbox looks its handlers up
+// by it. The functions behind it are instantiated from the field table in one source file, the types.cpp beside the
+// message's types.hpp (define_message.hpp); everybody else only names type_of<T>(), so that touching or sending a
+// message compiles no JSON. Of a type that has the same name in another shared object the address differs: its
+// messages are refused as unknown, because nothing says that the layout is the same. Thread: constant.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
-#include "io/fields/binary.hpp"
 #include "io/fields/field_table.hpp"
-#include "io/fields/json_schema.hpp"
-#include "io/fields/json_text.hpp"
+
+namespace godwit::io {
+class byte_sink;
+class byte_source;
+} // namespace godwit::io
 
 namespace godwit::runtime {
 
@@ -19,14 +26,12 @@ struct message_type {
   void (*encode)(io::byte_sink& sink, const void* body);             // compact bytes, secrets left out
   void (*append_decoded)(std::string& out, io::byte_source& source); // these bytes as JSON
   nlohmann::json (*schema)();                                        // JSON Schema of that JSON
+  void (*append_json)(std::string& out, const void* body);           // secrets left out
+  // Reads BODY strictly; returns what is wrong and where, empty when nothing is.
+  std::string (*read_json)(const nlohmann::json& document, void* body);
 };
 
 template <io::has_fields T>
-inline constexpr message_type type_of{
-    T::fields.type_name,
-    [](io::byte_sink& sink, const void* body) { io::encode_value(sink, *static_cast<const T*>(body)); },
-    [](std::string& out, io::byte_source& source) { io::append_decoded_json<T>(out, source); },
-    []() { return io::json_schema<T>(); },
-};
+[[nodiscard]] const message_type& type_of() noexcept;
 
 } // namespace godwit::runtime

@@ -1,59 +1,111 @@
-// The few words in which actors are written, in place of CAF's: a move to another version of CAF touches this folder
-// only.
+// The few words in which actors are written: a move to another actor library touches runtime/ only.
 //
 //   using handle = runtime::mailbox<runtime::tells<moved>, runtime::asks<get_total, total>>;
 //
 // `tells<T>`: accepts a T, answers nothing. `asks<Q, R>`: accepts a Q and answers an R. A handle is a typed reference;
 // one with more words converts to one with fewer, so hand out narrow handles as capabilities. That the receiver accepts
-// a message, and that a handler fits it, is checked at compile time. Inside an actor use the members tell, ask and
-// tell_after of cell; from other threads use a gateway. Thread: handles are values and may be copied to any thread.
+// a message, that there is one handler for each word and that it fits, is checked at compile time; what travels is an
+// untyped envelope, so the check costs nothing and compiles fast. Inside an actor use the members tell, ask and
+// tell_after of actor_base; from other threads use a gateway. Thread: handles are values and may be copied to any
+// thread.
 #pragma once
 
-#include <caf/all.hpp>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
 
-#include "runtime/mail.hpp"
+#include "io/fields/field_table.hpp"
+#include "runtime/actor_ref.hpp"
 
 namespace godwit::runtime {
 
+template <class T>
+struct message_tag {};
+
 template <io::has_fields T>
 struct tells {
-  using signature = caf::reacts_to<mail<T>>;
+  using message = T;
+  using answer = void;
+  static tells word_for(message_tag<T>);
 };
 
 template <io::has_fields Q, io::has_fields R>
 struct asks {
-  using signature = typename caf::replies_to<mail<Q>>::template with<mail<R>>;
+  using message = Q;
+  using answer = R;
+  static asks word_for(message_tag<Q>);
 };
-
-template <class... Words>
-using mailbox = caf::typed_actor<typename Words::signature...>;
-
-// What the scheduler hands to the constructor of an incarnation; passed on to cell and not looked at.
-using actor_config = caf::actor_config;
 
 namespace detail {
 
-template <class Handle, class T>
-struct answer_of {
-  using list = typename caf::response_type_unbox<caf::signatures_of_t<Handle>, caf::detail::type_list<mail<T>>>;
-  static constexpr bool accepted = list::valid;
-};
-
-template <class List>
-struct unwrap_answer;
-template <class R>
-struct unwrap_answer<caf::detail::type_list<mail<R>>> {
-  using type = R;
+// A word that stands twice does not compile.
+template <class... Words>
+struct word_set : Words... {
+  using Words::word_for...;
 };
 
 } // namespace detail
 
+template <class... Words>
+class mailbox {
+public:
+  using words = detail::word_set<Words...>;
+
+  mailbox() = default;
+  mailbox(std::nullptr_t) {} // nobody NOLINT(google-explicit-constructor)
+  // For runtime/, which knows that the actor behind REF has these words.
+  explicit mailbox(actor_ref ref) : ref_(std::move(ref)) {}
+
+  template <class... Wider>
+  requires(!std::same_as<mailbox, mailbox<Wider...>> && (std::is_base_of_v<Words, detail::word_set<Wider...>> && ...))
+      mailbox(const mailbox<Wider...>& wider)
+      : ref_(wider.ref()) {}
+
+  [[nodiscard]] const actor_ref& ref() const { return ref_; }
+  explicit operator bool() const { return static_cast<bool>(ref_); }
+  friend bool operator==(const mailbox&, const mailbox&) = default;
+
+private:
+  actor_ref ref_;
+};
+
+namespace detail {
+
+template <class Mailbox, class... Words>
+struct with_words {
+  using type = Mailbox;
+};
+template <class... Known, class Word, class... Rest>
+struct with_words<mailbox<Known...>, Word, Rest...> {
+  using type = typename with_words<
+      std::conditional_t<(std::same_as<Word, Known> || ...), mailbox<Known...>, mailbox<Known..., Word>>,
+      Rest...>::type;
+};
+
+template <class Mailbox, class... More>
+struct combined {
+  using type = Mailbox;
+};
+template <class Mailbox, class... Words, class... More>
+struct combined<Mailbox, mailbox<Words...>, More...> {
+  using type = typename combined<typename with_words<Mailbox, Words...>::type, More...>::type;
+};
+
+} // namespace detail
+
+// The mailbox with the words of all of MAILBOXES, each once.
+template <class... Mailboxes>
+using combine = typename detail::combined<mailbox<>, Mailboxes...>::type;
+
 // The receiver behind HANDLE accepts a T, as a tell or as an ask.
 template <class Handle, class T>
-concept accepts = io::has_fields<T> && detail::answer_of<Handle, T>::accepted;
+concept accepts = io::has_fields<T> && requires {
+  Handle::words::word_for(message_tag<T>{});
+};
 
 // What an ask of Q at HANDLE answers.
 template <class Handle, class Q>
-using answer_t = typename detail::unwrap_answer<caf::response_type_t<typename Handle::signatures, mail<Q>>>::type;
+using answer_t = typename decltype(Handle::words::word_for(message_tag<Q>{}))::answer;
 
 } // namespace godwit::runtime

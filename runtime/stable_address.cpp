@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/internal_messages.hpp"
+#include "runtime/kill_message.hpp"
 
 namespace godwit::runtime {
 
@@ -19,24 +20,35 @@ caf::error outcome_unknown(const std::string& name) {
 }
 
 void answer_with(const stable_address::requester& r, caf::error why) {
-  if (r.who)
+  if (r.who && r.mid.is_request()) // a tell has nobody who waits
     r.who->enqueue(nullptr, r.mid.response_id(), caf::make_message(std::move(why)), nullptr);
 }
 
 } // namespace
 
+bool is_runtime_message(const envelope& m) {
+  return m.is<ping>() || m.is<durable>() || m.is<effect_taken>() || m.is<write_failed>() || m.is<retry_write>();
+}
+
 bool is_runtime_message(const caf::mailbox_element& element) {
-  const auto& content = element.content();
-  return content.match_elements<mail<ping>>() || content.match_elements<mail<durable>>() ||
-         content.match_elements<mail<effect_taken>>() || content.match_elements<mail<write_failed>>();
+  const auto* m = envelope_in(element);
+  return m != nullptr && is_runtime_message(*m);
 }
 
 stable_address::stable_address(caf::actor_config& config, std::uint32_t number, address_options options)
-    : caf::monitorable_actor(config), number_(number), options_(std::move(options)) {}
+    : caf::monitorable_actor(config), number_(number), options_(std::move(options)),
+      ids_(ids_before_run(options_.run) + 1) {}
 
 // -- senders --------------------------------------------------------------------------------------
 
 void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_unit* context) {
+  // What the journal says counts from here on, whichever incarnation hears of it.
+  if (const auto* m = element->sender ? nullptr : envelope_in(*element); m != nullptr) {
+    if (m->is<durable>())
+      written(m->as<durable>().upto);
+    else if (m->is<write_failed>())
+      return take_back_unwritten(std::move(element), context);
+  }
   const auto forwarded = [&] { // under either lock
     if (!target_ || !has_room_for(*element))
       return false;
@@ -73,10 +85,10 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
 // still counts, and so does what a receiver confirmed: the unbound incarnation lets effects out while it is born, and
 // would wait for their confirmation for ever.
 void stable_address::keep_for_next(caf::mailbox_element_ptr element) {
-  const auto& content = element->content();
-  if (content.match_elements<mail<durable>>())
-    durable_upto_ = std::max(durable_upto_, content.get_as<mail<durable>>(0).body.upto);
-  else if (content.match_elements<mail<effect_taken>>() && !closed_ && confirmations_.size() < max_confirmations)
+  const auto& m = *envelope_in(*element);
+  if (m.is<durable>())
+    durable_upto_ = std::max(durable_upto_, m.as<durable>().upto);
+  else if (m.is<effect_taken>() && !closed_ && confirmations_.size() < max_confirmations)
     confirmations_.push_back(std::move(element));
 }
 
@@ -91,13 +103,21 @@ bool stable_address::may_retry(std::uint64_t message_id, int& crashes_so_far) {
   const std::unique_lock guard(mutex_);
   crashes_so_far = ++crashes_of_[message_id];
   trouble_.store(true, std::memory_order_relaxed);
-  if (crashes_so_far < max_crashes) {
-    ++counters_.put_back;
-    return true;
-  }
+  if (crashes_so_far >= max_crashes)
+    return false;
+  ++counters_.put_back;
+  return true;
+}
+
+void stable_address::given_up(std::uint64_t message_id) {
+  const std::unique_lock guard(mutex_);
   crashes_of_.erase(message_id);
   ++counters_.dead_lettered;
-  return false;
+}
+
+void stable_address::put_back_all_the_same() {
+  const std::unique_lock guard(mutex_);
+  ++counters_.put_back;
 }
 
 void stable_address::settled(std::uint64_t message_id) {
@@ -122,10 +142,93 @@ bool stable_address::has_seen(std::uint32_t source, effect_id id) const {
   return found != seen_.end() && id <= found->second;
 }
 
-void stable_address::mark_seen(std::uint32_t source, effect_id id) {
+effect_id stable_address::mark_seen(std::uint32_t source, effect_id id) {
   const std::unique_lock guard(mutex_);
   auto& mark = seen_[source];
-  mark = std::max(mark, id);
+  return std::exchange(mark, std::max(mark, id));
+}
+
+void stable_address::submitted(unwritten_message message) {
+  const std::unique_lock guard(mutex_);
+  waiters_.submitted(std::move(message));
+}
+
+void stable_address::keep_from_return(std::uint64_t message_id) {
+  const std::unique_lock guard(mutex_);
+  waiters_.keep_from_return(message_id);
+}
+
+void stable_address::confirm(confirmation taken, caf::execution_unit* context) {
+  {
+    const std::unique_lock guard(mutex_);
+    if (waiters_.newest() != 0) {
+      waiters_.hold(std::move(taken));
+      return;
+    }
+  }
+  taken.to->enqueue(std::move(taken.mail), context);
+}
+
+void stable_address::written(std::int64_t upto) {
+  disk_waiters::done done;
+  {
+    const std::unique_lock guard(mutex_);
+    done = waiters_.written(upto);
+    for (const auto each : done.messages)
+      crashes_of_.erase(each);
+    trouble_.store(!crashes_of_.empty(), std::memory_order_relaxed);
+  }
+  for (auto& each : done.confirmations)
+    each.to->enqueue(std::move(each.mail), nullptr);
+}
+
+std::deque<unwritten_message> stable_address::take_unwritten(std::uint64_t incarnation, std::int64_t upto) {
+  const std::unique_lock guard(mutex_);
+  return unwritten_of(incarnation, upto);
+}
+
+std::deque<unwritten_message> stable_address::take_returned() {
+  const std::unique_lock guard(mutex_);
+  for (auto each = returned_.rbegin(); each != returned_.rend(); ++each) // seen again meanwhile, by a later one
+    if (each->content.head.effect_event != 0)
+      seen_[each->content.head.sender] = each->seen_before;
+  return std::exchange(returned_, {});
+}
+
+std::deque<unwritten_message> stable_address::unwritten_of(std::uint64_t incarnation, std::int64_t upto) {
+  auto result = waiters_.failed(incarnation, upto);
+  for (auto each = result.rbegin(); each != result.rend(); ++each) {
+    if (each->content.head.effect_event != 0)
+      seen_[each->content.head.sender] = each->seen_before;
+    if (const auto waiting = waiting_answers_.find(each->content.head.id); waiting != waiting_answers_.end()) {
+      each->sender = std::move(waiting->second.from.who);
+      each->mid = waiting->second.from.mid;
+      waiting_answers_.erase(waiting);
+    }
+  }
+  unhandled_ += static_cast<std::uint64_t>(
+      std::ranges::count_if(result, [](const auto& each) { return each.content.type != nullptr; }));
+  return result;
+}
+
+// A write can never commit. What led to it and to later ones is taken back at once; the incarnation that lives, or is
+// on its way and may have the write in its state, hears of it first of all and ends.
+void stable_address::take_back_unwritten(caf::mailbox_element_ptr failed, caf::execution_unit* context) {
+  const std::unique_lock guard(mutex_);
+  if (closed_)
+    return;
+  std::ranges::move(unwritten_of(envelope_in(*failed)->as<write_failed>().incarnation, 0),
+                    std::back_inserter(returned_));
+  if (!target_) {
+    write_failed_ = std::move(failed);
+    return;
+  }
+  enqueued_.fetch_add(1, std::memory_order_relaxed);
+  target_->enqueue(std::move(failed), context);
+}
+
+void stable_address::answer_failure(const requester& r, caf::sec code, const std::string& what) const {
+  answer_with(r, caf::make_error(code, options_.name + ' ' + what));
 }
 
 bool stable_address::expect_answer(std::uint64_t message_id, requester r) {
@@ -178,6 +281,11 @@ void stable_address::count_runtime_messages(std::size_t n) {
   const std::unique_lock guard(mutex_);
   taken_.fetch_add(n, std::memory_order_relaxed);
   runtime_messages_ += n;
+}
+
+void stable_address::count_wrong_answer() {
+  const std::unique_lock guard(mutex_);
+  ++counters_.not_accepted;
 }
 
 void stable_address::park_from_now(const caf::actor_control_block* dying, std::uint64_t incarnation) {
@@ -239,6 +347,10 @@ void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit
   // Another worker may have run it already: mail for an incarnation that is gone waits for the next one.
   if (closed_ || last_ended_ == incarnation_.load(std::memory_order_relaxed))
     return;
+  if (write_failed_) {
+    enqueued_.fetch_add(1, std::memory_order_relaxed);
+    incarnation->enqueue(std::move(write_failed_), context);
+  }
   enqueued_.fetch_add(parked_.size(), std::memory_order_relaxed);
   forwarded_again_ += parked_.size();
   for (; !parked_.empty(); parked_.pop_front())
@@ -247,8 +359,7 @@ void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit
   target_ = std::move(incarnation);
   if (const auto upto = std::exchange(durable_upto_, 0); upto != 0) {
     enqueued_.fetch_add(1, std::memory_order_relaxed);
-    target_->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<durable>{{}, {upto}}),
-                     context);
+    target_->enqueue(make_internal_mail(durable{upto}), context);
   }
   enqueued_.fetch_add(confirmations_.size(), std::memory_order_relaxed);
   for (auto& each : std::exchange(confirmations_, {}))
@@ -272,9 +383,7 @@ bool stable_address::kill() {
   const std::shared_lock guard(mutex_);
   if (!target_)
     return false;
-  target_->enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
-                                             caf::exit_msg{address(), caf::exit_reason::kill}),
-                   nullptr);
+  target_->enqueue(kill_message(address()), nullptr);
   return true;
 }
 

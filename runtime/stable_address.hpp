@@ -10,8 +10,9 @@
 //                     parked ┘
 //
 // Nothing is dropped silently: `lost` counts mail given up by policy `lose`, `refused` what ran over a bound,
-// `dead_lettered` what crashed its handler max_crashes times. A request that is dropped is answered with an error at
-// once. Thread: any; no actor reference is released and no foreign code is called while the lock is held.
+// `dead_lettered` what crashed its handler, or led to a write that can never commit, max_crashes times. A request that
+// is dropped is answered with an error at once. Thread: any; no actor reference is released and no foreign code is
+// called while the lock is held.
 #pragma once
 
 #include <array>
@@ -27,47 +28,15 @@
 
 #include <caf/all.hpp>
 
+#include "runtime/address_options.hpp"
+#include "runtime/caf_mail.hpp"
+#include "runtime/disk_waiters.hpp"
 #include "runtime/journal/records.hpp"
-#include "runtime/mail.hpp"
 
 namespace godwit::runtime {
 
-// What happens to the mail of an incarnation that crashes.
-enum class on_crash {
-  lose,      // streams: stale data is worse than none
-  redeliver, // commands and events
-};
-
-struct address_options {
-  std::string name;
-  on_crash policy = on_crash::redeliver;
-  std::size_t mailbox_bound = 100'000; // messages waiting at the incarnation
-  std::size_t parking_bound = 10'000;  // messages arriving while there is no incarnation
-};
-
-// A message is handled at most this often: put back twice, given up at the third crash.
-inline constexpr int max_crashes = 3;
-
-// Requests of one actor whose answer is still to come.
-inline constexpr std::size_t max_waiting_answers = 10'000;
-
-// Confirmations of durable effects, kept while there is no incarnation to hear them. One too many is forgotten: its
-// effect goes out once more after the next crash, and is dropped as seen.
-inline constexpr std::size_t max_confirmations = 10'000;
-
-struct address_counters {
-  std::uint64_t accepted = 0;      // taken by the address
-  std::uint64_t handled = 0;       // the handler returned
-  std::uint64_t crashes = 0;       // incarnations that ended by an exception or a kill
-  std::uint64_t put_back = 0;      // messages put back after crashing their handler
-  std::uint64_t dead_lettered = 0; // messages given up after max_crashes
-  std::uint64_t repeated = 0;      // durable effects that were seen before
-  std::uint64_t lost = 0;          // given up by policy lose, or handled by an incarnation that had been replaced
-  std::uint64_t refused = 0;       // over a bound, or after the end
-  std::uint64_t not_accepted = 0;  // messages that the mailbox type does not have
-};
-
 // Pings and the like: not mail.
+[[nodiscard]] bool is_runtime_message(const envelope& m);
 [[nodiscard]] bool is_runtime_message(const caf::mailbox_element& element);
 
 class stable_address final : public caf::monitorable_actor {
@@ -93,6 +62,9 @@ public:
 
   // The message crashed its handler once more; true: put it back, false: give it up.
   [[nodiscard]] bool may_retry(std::uint64_t message_id, int& crashes_so_far);
+  // Then one of these: its dead letter is with the journal, or the journal took none and it is put back once more.
+  void given_up(std::uint64_t message_id);
+  void put_back_all_the_same();
   void settled(std::uint64_t message_id);
 
   // One message was taken from the incarnation's mailbox; handled, or not and why (null: it crashed and was counted as
@@ -100,16 +72,32 @@ public:
   void count_handled() { taken_.fetch_add(1, std::memory_order_relaxed); }
   void count_unhandled(std::uint64_t address_counters::*why);
   void count_runtime_messages(std::size_t n); // pings and the like, which are nobody's mail
+  void count_wrong_answer();                  // of another type than was asked for
 
   // Durable effects: has this one of SOURCE been seen? mark() remembers it, restore() takes what the journal kept.
   [[nodiscard]] bool has_seen(std::uint32_t source, effect_id id) const;
-  void mark_seen(std::uint32_t source, effect_id id);
+  // Returns the mark before.
+  effect_id mark_seen(std::uint32_t source, effect_id id);
+
+  // Writes of this actor on their way to the disk: submitted() notes one and the message that led to it, confirm()
+  // sends TAKEN when all that was noted so far is on the disk, written() says how far it is.
+  void submitted(unwritten_message message);
+  void keep_from_return(std::uint64_t message_id);
+  void confirm(confirmation taken, caf::execution_unit* context);
+  void written(std::int64_t upto);
+  // Nothing of INCARNATION above UPTO will ever be written: what led to that and to later writes is counted as not
+  // handled and comes back, oldest first. Effects among it count as not seen again.
+  [[nodiscard]] std::deque<unwritten_message> take_unwritten(std::uint64_t incarnation, std::int64_t upto);
+  // What came back because the journal said so meanwhile.
+  [[nodiscard]] std::deque<unwritten_message> take_returned();
 
   // Requests that will be answered later. take_requester gives each only once; empty when nobody waits any more.
   struct requester {
     caf::strong_actor_ptr who;
     caf::message_id mid;
   };
+  // Answers R, if there is one, with an error: this actor's name and WHAT.
+  void answer_failure(const requester& r, caf::sec code, const std::string& what) const;
   // False: max_waiting_answers wait already; the request was refused, answered with not_taken and counted.
   [[nodiscard]] bool expect_answer(std::uint64_t message_id, requester r);
   [[nodiscard]] requester take_requester(std::uint64_t message_id);
@@ -149,6 +137,8 @@ private:
   };
 
   void keep_for_next(caf::mailbox_element_ptr element); // under the lock
+  void take_back_unwritten(caf::mailbox_element_ptr failed, caf::execution_unit* context);
+  [[nodiscard]] std::deque<unwritten_message> unwritten_of(std::uint64_t incarnation, std::int64_t upto); // under it
   void refuse(caf::mailbox_element_ptr element);
   void forward_again(std::vector<caf::mailbox_element_ptr>& mail); // under the lock
   // The bound is for mail: without the runtime's own messages, whose number is bounded by what they answer, a busy
@@ -167,7 +157,10 @@ private:
   caf::strong_actor_ptr target_;
   std::deque<caf::mailbox_element_ptr> parked_;
   std::size_t arrived_while_parked_ = 0;
-  std::int64_t durable_upto_ = 0;                       // told by the journal while there was no incarnation to hear it
+  std::int64_t durable_upto_ = 0;         // told by the journal while there was no incarnation to hear it
+  caf::mailbox_element_ptr write_failed_; // while there was no incarnation to hear it
+  disk_waiters waiters_;
+  std::deque<unwritten_message> returned_; // a write of theirs can never commit; the incarnation has not seen to it yet
   std::vector<caf::mailbox_element_ptr> confirmations_; // effect_taken, likewise; at most max_confirmations
   bool closed_ = false;
   std::string last_crash_;
@@ -182,7 +175,7 @@ private:
   std::vector<caf::strong_actor_ptr> stranded_;             // incarnations whose handler never returned
 
   std::atomic<std::uint64_t> incarnation_{0};
-  std::atomic<std::uint64_t> ids_{1};
+  std::atomic<std::uint64_t> ids_;
   std::atomic<bool> trouble_{false}; // crashes_of_ is not empty
   std::atomic<bool> beyond_restart_{false};
   alignas(64) std::atomic<std::uint64_t> enqueued_{0}; // written by senders
@@ -191,12 +184,15 @@ private:
 
 using stable_address_ptr = caf::intrusive_ptr<stable_address>;
 
-// Makes an address in SYSTEM; `caf::actor_cast<Handle>(result)` is the handle for others.
+// Makes an address in SYSTEM.
 [[nodiscard]] caf::strong_actor_ptr make_stable_address(caf::actor_system& system, std::uint32_t number,
                                                         address_options options);
 
 [[nodiscard]] inline stable_address& address_of(const caf::strong_actor_ptr& pointer) {
   return static_cast<stable_address&>(*pointer->get());
+}
+[[nodiscard]] inline stable_address& address_of(const actor_ref& ref) {
+  return static_cast<stable_address&>(*ref.get()->get());
 }
 
 } // namespace godwit::runtime

@@ -4,32 +4,30 @@
 
 #include <string>
 
-#include "io/fields/json_value.hpp"
+#include <nlohmann/json_fwd.hpp>
+#include <tl/expected.hpp>
+
 #include "runtime/journal/records.hpp"
-#include "runtime/journal_exceptions.hpp"
+#include "runtime/message_type.hpp"
 
 namespace godwit::runtime {
+
+// Brings a state of an older version to today's, or says why not.
+using state_migration = tl::expected<nlohmann::json, std::string> (*)(nlohmann::json old, int from_version);
+
+// Reads SNAPSHOT into STATE, a value of TYPE whose version is VERSION. Throws state_unreadable. MIGRATE may be null
+// when there has been one version only.
+void read_snapshot(const std::string& actor, const snapshot_record& snapshot, int version, state_migration migrate,
+                   const message_type& type, void* state);
 
 template <class Core>
 [[nodiscard]] typename Core::state read_state(const std::string& actor, const snapshot_record& snapshot) {
   using state = typename Core::state;
-  if (snapshot.version > state::version)
-    throw state_unreadable(actor, "the snapshot has version " + std::to_string(snapshot.version) +
-                                      ", this program knows up to " + std::to_string(state::version));
-  auto document = nlohmann::json::parse(snapshot.body, nullptr, false);
-  if (document.is_discarded())
-    throw state_unreadable(actor, "the snapshot is not JSON");
-  if constexpr (state::version > 1) {
-    if (snapshot.version < state::version) {
-      auto migrated = Core::migrate(std::move(document), snapshot.version);
-      if (!migrated)
-        throw state_unreadable(actor, migrated.error());
-      document = std::move(*migrated);
-    }
-  }
+  state_migration migrate = nullptr;
+  if constexpr (state::version > 1)
+    migrate = &Core::migrate;
   state result{};
-  if (const auto read = io::read_json(document, result); !read)
-    throw state_unreadable(actor, read.error().message());
+  read_snapshot(actor, snapshot, state::version, migrate, type_of<state>(), &result);
   return result;
 }
 

@@ -5,6 +5,10 @@
 #include <limits>
 
 #include "runtime/assert.hpp"
+#include "runtime/caf_mail.hpp"
+#include "runtime/kill_message.hpp"
+#include "runtime/stable_address.hpp"
+#include "runtime/supervision/guardian.hpp"
 
 namespace godwit::runtime {
 
@@ -29,7 +33,7 @@ system::~system() {
     address_of(guardian_address_).close();
     children_.clear();
     decider_ = nullptr;
-    guardian_address_ = nullptr;
+    guardian_address_ = {};
     return;
   }
   // A worker hangs in a handler and would be waited for without end; the process is about to leave with std::_Exit.
@@ -37,17 +41,28 @@ system::~system() {
   (void)config_.release();
 }
 
-caf::strong_actor_ptr system::make_address(address_options options) {
+actor_ref system::add_child(address_options address, child_policy policy, bool is_durable, actor_maker make) {
+  auto ref = make_address(std::move(address));
+  children_.push_back({ref, policy, is_durable, std::move(make)});
+  return ref;
+}
+
+address_counters system::counters(std::size_t child) const { return address_of(children_[child].address).counters(); }
+
+actor_ref system::make_address(address_options options) {
   const auto number = outside_.names->add(options.name);
   GODWIT_ASSERT(number < directory::max_addresses, "a process has at most directory::max_addresses actors");
-  return make_stable_address(*actors_, number, std::move(options));
+  options.run = run();
+  return ref_of(make_stable_address(*actors_, number, std::move(options)));
 }
+
+std::uint64_t system::run() const { return outside_.durable == nullptr ? 1 : outside_.durable->status().run; }
 
 gateway system::make_gateway(const std::string& name) {
   const auto number = outside_.names->add(name);
   GODWIT_ASSERT(number < directory::max_addresses,
                 "a process has at most directory::max_addresses actors and gateways");
-  return gateway(number);
+  return {number, ids_before_run(run())};
 }
 
 void system::start() {
@@ -57,8 +72,9 @@ void system::start() {
   options.ping = options_.ping;
   options.stop_timeout = options_.stop_timeout;
   options.on_exit_request = [this](exit_request why) { request_exit(std::move(why)); };
-  guardian_ = spawn_guardian(*actors_, outside_, children_, std::move(options), decider_, status_);
-  guardian_->get()->attach_functor([this](const caf::error& why) {
+  const auto spawned = spawn_guardian(*actors_, outside_, children_, std::move(options), decider_, status_);
+  guardian_ = ref_of(spawned);
+  spawned->get()->attach_functor([this](const caf::error& why) {
     const std::lock_guard guard(mutex_);
     guardian_gone_ = true;
     if (why != caf::exit_reason::user_shutdown && !killing_ && !exit_request_)
@@ -66,13 +82,13 @@ void system::start() {
     changed_.notify_all();
   });
   (void)address_of(guardian_address_).begin_incarnation();
-  address_of(guardian_address_).bind(guardian_, nullptr);
+  address_of(guardian_address_).bind(spawned, nullptr);
   status_->last_tick_ns.store(outside_.time->monotonic_ns());
   if (!options_.simulated) {
     watching_ = true;
     watcher_ = std::thread([this] { watch(); });
   }
-  tell_guardian_to_start(guardian_);
+  tell_guardian_to_start(spawned);
 }
 
 // Outside the workers, so that it notices when none of them is free: then the guardian does not tick any more.
@@ -116,7 +132,7 @@ std::optional<exit_request> system::exit_requested() {
 
 void system::begin_stop() {
   if (guardian_)
-    tell_guardian_to_stop(guardian_);
+    tell_guardian_to_stop(strong(guardian_));
 }
 
 bool system::has_stopped() {
@@ -129,11 +145,6 @@ bool system::is_responsive() {
   const auto silent_ns = outside_.time->monotonic_ns() - status_->last_tick_ns.load(std::memory_order_relaxed);
   return guardian_ && !guardian_gone_ && !exit_request_ &&
          silent_ns <= std::chrono::nanoseconds(options_.ping.fatal).count();
-}
-
-caf::mailbox_element_ptr kill_message() {
-  return caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
-                                   caf::exit_msg{caf::actor_addr{}, caf::exit_reason::kill});
 }
 
 std::vector<system::child_standing> system::standings() const {
@@ -150,14 +161,18 @@ bool system::kill_child(std::string_view name) {
   return false;
 }
 
+bool system::kill_child(std::size_t child) { return address_of(children_[child].address).kill(); }
+
+std::uint32_t system::number(std::size_t child) const { return address_of(children_[child].address).number(); }
+
 void system::kill_all() {
   {
     const std::lock_guard guard(mutex_);
     killing_ = true;
   }
   if (guardian_)
-    guardian_->enqueue(kill_message(), nullptr);
-  guardian_ = nullptr;
+    strong(guardian_)->enqueue(kill_message(), nullptr);
+  guardian_ = {};
   for (auto& each : children_) {
     (void)address_of(each.address).kill();
     address_of(each.address).close();
@@ -179,7 +194,7 @@ bool system::stop() {
     changed_.notify_all();
   }
   watcher_.join();
-  guardian_ = nullptr;
+  guardian_ = {};
   return clean_;
 }
 

@@ -21,16 +21,20 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <caf/all.hpp>
-
-#include "runtime/cell.hpp"
+#include "runtime/actor_frame.hpp"
+#include "runtime/address_options.hpp"
 #include "runtime/gateway.hpp"
 #include "runtime/services.hpp"
-#include "runtime/stable_address.hpp"
-#include "runtime/supervision/guardian.hpp"
+#include "runtime/supervision/child_spec.hpp"
+
+namespace caf {
+class actor_system;
+class actor_system_config;
+} // namespace caf
 
 namespace godwit::runtime {
 
@@ -44,9 +48,6 @@ struct system_options {
   bool simulated = false; // CAF's test coordinator: no threads, virtual time; see runtime/simulation
 };
 
-// Ends an actor before it looks at any other mail.
-[[nodiscard]] caf::mailbox_element_ptr kill_message();
-
 class system {
 public:
   system(services outside, system_options options);
@@ -55,20 +56,19 @@ public:
   ~system();
 
   // Declares a child; started by start() in the order of declaration. ARGS go to the constructor of each incarnation,
-  // behind actor_config and birth.
+  // behind its spawn_context.
   template <class Actor, class... Args>
   typename Actor::handle_type add(address_options address, child_policy policy, Args... args) {
-    auto pointer = make_address(std::move(address));
-    children_.push_back({pointer, policy, Actor::is_persistent, [args...](caf::actor_system& actors, birth born) {
-                           return caf::actor_cast<caf::strong_actor_ptr>(actors.spawn<Actor>(std::move(born), args...));
-                         }});
-    return caf::actor_cast<typename Actor::handle_type>(pointer);
+    return typename Actor::handle_type(
+        add_child(std::move(address), policy, Actor::is_durable, [args...](spawn_context context) {
+          return std::unique_ptr<actor_frame>(std::make_unique<Actor>(std::move(context), args...));
+        }));
   }
 
   // The child that hears of all others and sets their policies. Before start().
   void set_decider(decider_handle decider) { decider_ = std::move(decider); }
   // For actors that decide; usable in ARGS of add: it is a stable address too.
-  [[nodiscard]] guardian_handle guardian() const { return caf::actor_cast<guardian_handle>(guardian_address_); }
+  [[nodiscard]] guardian_handle guardian() const { return guardian_handle(guardian_address_); }
 
   void start();
   void request_exit(exit_request why);
@@ -92,6 +92,9 @@ public:
   [[nodiscard]] std::vector<child_standing> standings() const;
   // For drills: ends the incarnation of NAME between two messages, as a crash would. False: there is none. Thread: any.
   bool kill_child(std::string_view name);
+  bool kill_child(std::size_t child);
+  // Of the stable address, as trace and crash points name it.
+  [[nodiscard]] std::uint32_t number(std::size_t child) const;
 
   // Each actor has been up once, or was given up.
   [[nodiscard]] bool has_begun() const { return status_->has_begun.load(); }
@@ -100,14 +103,14 @@ public:
   [[nodiscard]] bool is_responsive();
 
   [[nodiscard]] std::uint64_t restarts() const { return status_->restarts.load(); }
-  [[nodiscard]] address_counters counters(std::size_t child) const {
-    return address_of(children_[child].address).counters();
-  }
+  [[nodiscard]] address_counters counters(std::size_t child) const;
   [[nodiscard]] const std::vector<child_spec>& declared() const { return children_; }
   [[nodiscard]] caf::actor_system& actors() { return *actors_; } // for runtime/ and its tests
 
 private:
-  caf::strong_actor_ptr make_address(address_options options);
+  [[nodiscard]] std::uint64_t run() const; // of the journal
+  actor_ref make_address(address_options options);
+  actor_ref add_child(address_options address, child_policy policy, bool is_durable, actor_maker make);
   void watch();
 
   services outside_;
@@ -116,8 +119,8 @@ private:
   std::unique_ptr<caf::actor_system> actors_;
   std::vector<child_spec> children_;
   decider_handle decider_;
-  caf::strong_actor_ptr guardian_address_;
-  caf::strong_actor_ptr guardian_;
+  actor_ref guardian_address_;
+  actor_ref guardian_;
   std::shared_ptr<guardian_status> status_ = std::make_shared<guardian_status>();
 
   std::mutex mutex_;

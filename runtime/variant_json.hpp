@@ -8,11 +8,20 @@
 #include <utility>
 #include <variant>
 
-#include "io/fields/json_text.hpp"
-#include "io/fields/json_value.hpp"
 #include "runtime/journal_exceptions.hpp"
+#include "runtime/message_type.hpp"
 
 namespace godwit::runtime {
+
+template <io::has_fields T>
+[[nodiscard]] std::string json_of(const T& value) {
+  std::string result;
+  type_of<T>().append_json(result, &value);
+  return result;
+}
+
+// Reads BODY into VALUE; throws state_unreadable. TYPE is for the sentence.
+void read_stored_json(const std::string& actor, const message_type& type, std::string_view body, void* value);
 
 template <class Variant>
 [[nodiscard]] std::string alternative_name(const Variant& value) {
@@ -21,7 +30,7 @@ template <class Variant>
 
 template <class Variant>
 [[nodiscard]] std::string alternative_json(const Variant& value) {
-  return std::visit([](const auto& each) { return io::to_json(each); }, value);
+  return std::visit([](const auto& each) { return json_of(each); }, value);
 }
 
 namespace detail {
@@ -41,9 +50,6 @@ inline constexpr std::size_t alternative_index = detail::index_in<T, Variant>::v
 
 template <class Variant>
 [[nodiscard]] Variant read_alternative(const std::string& actor, std::string_view type, const std::string& body) {
-  const auto document = nlohmann::json::parse(body, nullptr, false);
-  if (document.is_discarded())
-    throw state_unreadable(actor, "the body of a " + std::string(type) + " is not JSON");
   return [&]<std::size_t... I>(std::index_sequence<I...>)->Variant {
     Variant result;
     bool found = false;
@@ -52,8 +58,7 @@ template <class Variant>
         return;
       found = true;
       T value{};
-      if (const auto read = io::read_json(document, value); !read)
-        throw state_unreadable(actor, std::string(type) + ": " + read.error().message());
+      read_stored_json(actor, type_of<T>(), body, &value);
       result = std::move(value);
     };
     (try_one(std::in_place_type<std::variant_alternative_t<I, Variant>>), ...);

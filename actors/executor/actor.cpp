@@ -1,6 +1,7 @@
 #include "actors/executor/actor.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <type_traits>
 
 #include "actors/executor/remaining.hpp"
@@ -23,6 +24,13 @@ auto actor::hears() {
   return on<M>([this](const M& message) { then(core_->on_vehicle(message, now())); });
 }
 
+actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<const neighbours> others,
+             outside_world world)
+    : durable_actor(std::move(context)), settings_(std::move(configured)), others_(std::move(others)),
+      world_(std::move(world)) {}
+
+actor::~actor() = default;
+
 actor::behavior_type actor::handlers() {
   return {
       on<mission_client::mission_loaded>(
@@ -42,11 +50,8 @@ actor::behavior_type actor::handlers() {
         core_->on_stance(m);
         after_turn();
       }),
-      on<operator_words::word>([this](const operator_words::word& m) {
-        auto answer = core_->on_operator(m, now());
-        tell(me(), next_note{});
-        return answer;
-      }),
+      on_deferred<operator_words::word, operator_words::answer>(
+          [this](const operator_words::word& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<get_flight>([this](const get_flight&) { return describe(); }),
       on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),
       on<set_current>([](const set_current&) {
@@ -66,17 +71,17 @@ actor::behavior_type actor::handlers() {
       hears<vehicle_link::vehicle_restarted>(),
       on<tick>([this](const tick&) {
         tell_after(tick_period, me(), tick{});
+        core_->on_house(world_.look_at_house());
         vouch();
         look_at_service();
         ask_for_stance();
         after_turn();
-      }),
-      on<next_note>([this](const next_note&) { after_turn(); })};
+      })};
 }
 
 void actor::started() {
   core_.emplace(settings_, current_state());
-  world_.on_standing(current_state().standing);
+  at_end([this] { world_.on_standing(current_state().standing); });
   core_->on_house(world_.look_at_house());
   carry_out(core_->on_start(now()));
   ask(
@@ -86,8 +91,19 @@ void actor::started() {
       },
       [](const runtime::ask_error&) {}); // its next change is told
   ask_for_stance();
-  tell(me(), next_note{});
+  after_turn();
   tell_after(tick_period, me(), tick{});
+}
+
+// A stop is answered while the disk does not write; what else was taken is on the disk by then.
+void actor::obey(const operator_words::word& m, std::uint64_t request_id) {
+  using operator_words::verb;
+  const auto answer = core_->on_operator(m, now());
+  after_turn();
+  if (m.verb == verb::pause || m.verb == verb::come_home)
+    answer_later(request_id, answer);
+  else
+    after_commit([this, request_id, answer] { answer_later(request_id, answer); });
 }
 
 // What is told at a change may have been told to the incarnation before.
@@ -132,26 +148,28 @@ void actor::then(const effects& wanted) {
   after_turn();
 }
 
-// What is to be noted comes first, one note in each turn; the core decides when all of it is applied.
+// All that comes of it now; what follows from a note is decided when it is applied.
 void actor::after_turn() {
-  if (to_commit_.empty()) {
-    core_->on_house(world_.look_at_house());
-    carry_out(core_->advance(now()));
+  for (int i = 0;; ++i) {
+    if (i == max_decisions_per_turn)
+      throw std::logic_error("the executor does not come to an end with what it wants");
+    hear_news();
+    const auto wanted = core_->advance(now());
+    if (wanted.empty())
+      break;
+    carry_out(wanted);
   }
-  if (others_->port && to_commit_.empty())
+  if (others_->port)
     carry_out(core_->tell_stations(now()));
   post_health();
-  commit_next();
 }
 
-void actor::commit_next() {
-  if (to_commit_.empty())
-    return;
-  auto next = std::move(to_commit_.front());
-  to_commit_.pop_front();
-  core_->on_committed();
-  tell(me(), next_note{});
-  commit(std::move(next));
+void actor::hear_news() {
+  while (!news_.empty()) {
+    const auto next = std::move(news_.front());
+    news_.pop_front();
+    std::visit([this](const auto& what) { carry_out(core_->on_news(what, now())); }, next);
+  }
 }
 
 // -- effects ----------------------------------------------------------------------------------------
@@ -159,9 +177,34 @@ void actor::commit_next() {
 void actor::carry_out(const effects& wanted) {
   for (const auto& each : wanted)
     std::visit([this](const auto& what) { carry_out(what); }, each);
+  core_->on_applied();
 }
 
 void actor::carry_out(const order& each) {
+  if (each.when == goes::at_once)
+    send(each);
+  else
+    after_commit([this, each] { let_out(each); });
+}
+
+void actor::let_out(const order& each) {
+  switch (core_->lets_out(each, now())) {
+  case core::release::now:
+    send(each);
+    break;
+  case core::release::too_late:
+    at_end([this, each] { then(core_->on_late(each, now())); });
+    break;
+  case core::release::revoked:
+    ++revoked_;
+    world_.tell_people({"an order that waited for the disk is not sent any more", true});
+    break;
+  }
+}
+
+void actor::send(const order& each) {
+  for (const auto kind : each.expected)
+    tell(others_->failsafe, failsafe::expect_mode{kind, expected_for_ns / 1'000'000});
   std::visit([&](const auto& what) { send(each.number, what); }, each.what);
 }
 
@@ -213,7 +256,7 @@ void actor::carry_out(const say_to_failsafe& each) {
 
 void actor::carry_out(const say_to_client& each) {
   if (others_->client)
-    std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what);
+    after_commit([this, each] { std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what); });
 }
 
 void actor::carry_out(const say_to_port& each) {
@@ -223,7 +266,7 @@ void actor::carry_out(const say_to_port& each) {
 
 void actor::carry_out(const announce& each) {
   using io::mavlink::mav_severity;
-  world_.tell_people(each);
+  at_end([this, each] { world_.tell_people(each); });
   say_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
 }
 
@@ -240,11 +283,13 @@ void actor::show_reached(const mission::progress_report& report) {
 
 void actor::show_standing(const stood& standing) {
   using io::mavlink::mav_severity;
-  world_.on_standing(standing);
-  say_to_stations(standing.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
+  at_end([this, standing] {
+    world_.on_standing(standing);
+    say_to_stations(standing.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
+  });
 }
 
-void actor::let_out(const durable_core::effect& each) {
+void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, mission_client::report_progress> ||
@@ -268,8 +313,7 @@ void actor::let_out(const durable_core::effect& each) {
           if (!m.is_taken)
             carry_out(announce{"the acknowledgement is not taken: " + m.reason, true});
         } else {
-          carry_out(core_->on_durable(m, now()));
-          tell(me(), next_note{});
+          news_.push_back(m);
         }
       },
       each);
@@ -277,13 +321,7 @@ void actor::let_out(const durable_core::effect& each) {
 
 // -- what others see --------------------------------------------------------------------------------
 
-void actor::post_health() {
-  auto sentence = core_->sentence();
-  if (posted_ == sentence)
-    return;
-  outside().health->post(actor_name(), colour_of(current_state().standing), sentence);
-  posted_ = std::move(sentence);
-}
+void actor::post_health() { show_health({colour_of(current_state().standing), core_->sentence()}); }
 
 flight_status actor::describe() const {
   const auto& s = current_state();

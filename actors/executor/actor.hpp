@@ -1,8 +1,9 @@
 // The executor as an actor: flies the mission.
 //
-// The decisions are in core.hpp. This shell hands what comes in to the core and carries out the effects: notes to the
-// journal, one in each turn; orders to vehicle_link; the core goes on when the last note is applied. A crash loses the
-// steps of the task under way; the new incarnation looks at the vehicle before it does anything. Thread: as cell.
+// The decisions are in core.hpp. This shell hands what comes in to the core and carries out the effects until nothing
+// more comes of it: notes are applied at once, and are one write; orders go to vehicle_link when that write is on the
+// disk, and a stop at once. A crash loses the steps of the task under way; the new incarnation looks at the vehicle
+// before it does anything. Thread: as actor_base.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "actors/executor/core.hpp"
 #include "messages/executor/handle.hpp"
@@ -18,7 +20,7 @@
 #include "messages/ground_port/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::executor {
 
@@ -37,7 +39,7 @@ struct outside_world {
   std::function<void(const stood& standing)> on_standing; // at each change, and as each incarnation begins
 };
 
-class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   // A command has its outcome by then; vehicle_link answers earlier.
   static constexpr std::chrono::seconds command_patience{15};
@@ -47,26 +49,31 @@ public:
   static constexpr std::chrono::seconds transfer_patience{600};
   static constexpr std::chrono::milliseconds tick_period{200};
   static constexpr std::int64_t vouch_every_ns = 1'000'000'000;
+  static constexpr int max_decisions_per_turn = 1'000;
 
-  actor(runtime::actor_config& config, runtime::birth born, settings configured,
-        std::shared_ptr<const neighbours> others, outside_world world)
-      : persistent_cell(config, std::move(born)), settings_(std::move(configured)), others_(std::move(others)),
-        world_(std::move(world)) {}
+  actor(runtime::spawn_context context, settings configured, std::shared_ptr<const neighbours> others,
+        outside_world world);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;
   void started() override;
-  void let_out(const durable_core::effect& each) override;
+  void dispatch(const durable_core::effect& each) override;
+  [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
   [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
   template <class M>
   auto hears();
   void then(const effects& wanted);
+  void obey(const operator_words::word& m, std::uint64_t request_id);
   void after_turn();
   void carry_out(const effects& wanted);
-  void carry_out(const note& each) { to_commit_.push_back(each.what); }
+  void carry_out(const note& each) { commit(each.what); }
   void carry_out(const order& each);
+  void hear_news();
+  void let_out(const order& each);
+  void send(const order& each);
   void carry_out(const give_up_transfer&);
   void carry_out(const say_to_failsafe& each);
   void carry_out(const say_to_client& each);
@@ -87,7 +94,6 @@ private:
   void vouch();
   void look_at_service();
   void ask_for_stance();
-  void commit_next();
   void post_health();
   [[nodiscard]] flight_status describe() const;
 
@@ -95,11 +101,14 @@ private:
   std::shared_ptr<const neighbours> others_;
   outside_world world_;
   std::optional<core> core_;
-  std::deque<durable_core::event> to_commit_; // bounded by what one turn can note
+  // What the notes of this handler have led to, for the core.
+  using news =
+      std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::settle_start, progress::news>;
+  std::deque<news> news_;
   std::int64_t vouched_ns_ = -vouch_every_ns;
   bool is_asking_service_ = false;
   bool is_asking_stance_ = false;
-  std::string posted_;
+  std::uint64_t revoked_ = 0; // orders that waited for the disk and were not meant any more
 };
 
 } // namespace godwit::executor

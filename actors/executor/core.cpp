@@ -38,12 +38,6 @@ bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }
 
 } // namespace
 
-effects core::counted(effects out) {
-  open_notes_ +=
-      std::count_if(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
-  return out;
-}
-
 effects core::on_start(instant now) {
   began_ns_ = now.now_ns;
   last_task_before_ = s_.last_task;
@@ -59,7 +53,7 @@ effects core::on_start(instant now) {
     out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
   if (s_.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::restarted{}});
-  return counted(std::move(out));
+  return out;
 }
 
 std::int64_t core::next_deadline_ns(instant now) const {
@@ -69,7 +63,7 @@ std::int64_t core::next_deadline_ns(instant now) const {
 // What follows from a note is decided when it is applied.
 effects core::advance(instant now) {
   effects out;
-  for (bool goes_on = open_notes_ == 0; goes_on;) {
+  for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out, now) || run_task(out, now) ||
                       end_flight(out, now) || answer_assignment(out, now) || deploy_arrived(out, now) ||
@@ -78,7 +72,7 @@ effects core::advance(instant now) {
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
   }
-  return counted(std::move(out));
+  return out;
 }
 
 // -- the vehicle ------------------------------------------------------------------------------------
@@ -92,7 +86,7 @@ effects core::on_vehicle(const vehicle_link::vehicle_restarted&, instant) {
   effects out;
   if (progress::matters(s_.progress, progress::vehicle_rebooted{}, 0))
     out.emplace_back(note{progress::vehicle_rebooted{}});
-  return counted(std::move(out));
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
@@ -113,7 +107,7 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
     unclear_since_ns_ = 0;
   else if (unclear_since_ns_ == 0)
     unclear_since_ns_ = now.now_ns;
-  return counted(std::move(out));
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
@@ -122,7 +116,7 @@ effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   const progress::current_told told{m, !view_.is_armed()};
   if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
     out.emplace_back(note{told});
-  return counted(std::move(out));
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now) {
@@ -130,13 +124,42 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
   const progress::reached_told told{m.seq};
   if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
     out.emplace_back(note{told});
-  return counted(std::move(out));
+  return out;
+}
+
+core::release core::lets_out(const order& what, instant now) {
+  const bool is_meant = what.number >= first_reading_back ? what.number == reading_back_ : runner_.lets_out(what);
+  if (!is_meant)
+    return release::revoked;
+  if (now.now_ns - what.decided_ns > order_is_worth_ns)
+    return release::too_late;
+  for (const auto kind : what.expected)
+    modes_.expect(kind, now.now_ns);
+  return release::now;
+}
+
+effects core::on_late(const order& what, instant now) {
+  const std::string why = "the journal did not write in time";
+  if (std::holds_alternative<failsafe::guard_mission>(what.what))
+    return on_guarded(what.number, {false, why}, false, now);
+  if (std::holds_alternative<vehicle_link::upload_plan>(what.what) ||
+      std::holds_alternative<vehicle_link::download_plan>(what.what)) {
+    transfer::outcome outcome;
+    outcome.verdict = transfer::verdict::not_begun;
+    outcome.holding = transfer::holding::unchanged;
+    outcome.reason = why;
+    return on_transfer(what.number, outcome, now);
+  }
+  vehicle_link::command_outcome outcome;
+  outcome.verdict = vehicle_link::command_verdict::not_sent;
+  outcome.reason = why;
+  return on_command(what.number, outcome, now);
 }
 
 effects core::on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now) {
   effects out;
   runner_.on_command(world(now, out), number, outcome);
-  return counted(std::move(out));
+  return out;
 }
 
 effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome, instant now) {
@@ -147,7 +170,7 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
     runner_.on_transfer(world(now, out), number, outcome);
   else if (s_.progress.upload) // of a task that was dropped
     out.emplace_back(note{end_of(outcome)});
-  return counted(std::move(out));
+  return out;
 }
 
 void core::on_stance(const failsafe::stance& m) { stance_ = m; }
@@ -155,7 +178,7 @@ void core::on_stance(const failsafe::stance& m) { stance_ = m; }
 effects core::on_guarded(std::uint64_t number, const failsafe::guard_answer& answer, bool is_answered, instant now) {
   effects out;
   runner_.on_guarded(world(now, out), number, answer.taken ? std::string() : answer.reason, is_answered);
-  return counted(std::move(out));
+  return out;
 }
 
 void core::take_read_back(effects& out, std::uint64_t number, const transfer::outcome& outcome, instant now) {
@@ -192,7 +215,7 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant) {
     return {};
   if (s_.arrived && *s_.arrived == m.document)
     return {};
-  return counted({note{mission_arrived{m.document}}});
+  return {note{mission_arrived{m.document}}};
 }
 
 effects core::on_refused(const mission_client::mission_refused& m, instant) {
@@ -227,8 +250,8 @@ effects core::on_assignment(const mission_client::assignment_arrived& m, instant
   if (is_known || !s_.mission || s_.mission->mission_id != m.mission_id)
     return {};
   if (s_.waiting.size() >= max_waiting)
-    return counted({note{assignment_rejected{wish.assignment_id, "too many assignments wait already"}}});
-  return counted({note{assignment_kept{wish}}});
+    return {note{assignment_rejected{wish.assignment_id, "too many assignments wait already"}}};
+  return {note{assignment_kept{wish}}};
 }
 
 effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
@@ -239,7 +262,7 @@ effects core::on_delivered(const mission_client::mission_settled& m, instant) {
   effects out;
   if (s_.standing.now == phase::post_flight && s_.mission && s_.mission->mission_id == m.mission_id)
     stand(out, phase::done);
-  return counted(std::move(out));
+  return out;
 }
 
 // -- people -----------------------------------------------------------------------------------------
@@ -288,29 +311,29 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   return {true, {}};
 }
 
-// -- what is on the disk ----------------------------------------------------------------------------
+// -- what a note has led to -------------------------------------------------------------------------
 
-effects core::on_durable(const progress::look_at_vehicle&, instant now) {
+effects core::on_news(const progress::look_at_vehicle&, instant now) {
   looking_ = question::plan_id;
   looking_since_ns_ = now.now_ns;
   return {};
 }
 
-effects core::on_durable(const progress::read_plan_back&, instant now) {
+effects core::on_news(const progress::read_plan_back&, instant now) {
   looking_ = question::read_back;
   reading_back_ = 0;
   read_again_ns_ = now.now_ns;
   return {};
 }
 
-effects core::on_durable(const progress::settle_start& m, instant now) {
+effects core::on_news(const progress::settle_start& m, instant now) {
   looking_ = question::start;
   looking_since_ns_ = now.now_ns;
   looking_for_sequence_ = m.sequence;
   return {};
 }
 
-effects core::on_durable(const progress::news& m, instant) {
+effects core::on_news(const progress::news& m, instant) {
   using progress::news_kind;
   effects out;
   switch (m.kind) {
@@ -333,12 +356,7 @@ effects core::on_durable(const progress::news& m, instant) {
   case news_kind::upload_failed:
     break;
   }
-  return counted(std::move(out));
-}
-
-effects core::on_durable(const marked& m, instant) {
-  runner_.on_marked(m.ticket);
-  return {};
+  return out;
 }
 
 std::string core::sentence() const {
@@ -384,12 +402,12 @@ bool core::recover(effects& out, instant now) {
   was_up_ = view_.is_under_way();
   for (const auto& each : progress::resume(s_.progress))
     if (std::holds_alternative<progress::look_at_vehicle>(each)) {
-      static_cast<void>(on_durable(progress::look_at_vehicle{}, now));
+      static_cast<void>(on_news(progress::look_at_vehicle{}, now));
       may_upload_go_on_ = true;
     } else if (std::holds_alternative<progress::read_plan_back>(each))
-      static_cast<void>(on_durable(progress::read_plan_back{}, now));
+      static_cast<void>(on_news(progress::read_plan_back{}, now));
     else if (const auto* start = std::get_if<progress::settle_start>(&each))
-      static_cast<void>(on_durable(*start, now));
+      static_cast<void>(on_news(*start, now));
   if (view_.is_under_way())
     recover_in_flight(out);
   else
@@ -449,6 +467,9 @@ void core::recover_in_flight(effects& out) {
     stand_as(out, phase::landing, true);
   } else if (view_.is_in(mode_kind::mission) || is_at_plan_end() || (doing && doing->kind == task_kind::come_home)) {
     stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
+    if (view_.is_in(mode_kind::mission) && doing &&
+        (doing->kind == task_kind::hold || doing->kind == task_kind::come_home))
+      wanted_ = doing->kind; // an operator's word, which the vehicle has not heard or not shown yet
   } else {
     stand_paused(out, pause_cause::taken_over,
                  "the vehicle is in another mode (" + std::string(io::name_of(view_.mode()->kind)) +
@@ -461,7 +482,7 @@ void core::read_back(effects& out, instant now) {
   if (reading_back_ != 0 || now.now_ns < read_again_ns_)
     return;
   reading_back_ = ++last_reading_back_;
-  out.emplace_back(order{reading_back_, vehicle_link::download_plan{}});
+  out.emplace_back(order{goes::after_notes, reading_back_, now.now_ns, {}, vehicle_link::download_plan{}});
 }
 
 // What an upload or a start came to, where its answer was lost.

@@ -7,8 +7,8 @@
 //                                               │       └──> notes: phase, task, progress ──> the journal
 //   MISSION_CURRENT, ITEM_REACHED ──> progress ─┘
 //
-// What must survive is noted, and nothing is decided while a note is on its way: on_committed says when it is applied.
-// So what is decided depends on the durable state, on what the vehicle says, and on nothing else.
+// What must survive is noted, and applied to the durable state before the next call. So what is decided depends on the
+// durable state, on what the vehicle says, and on nothing else. The caller keeps what is to wait for the disk back.
 //
 // Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
 // it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight that no word of
@@ -57,12 +57,10 @@ public:
   core(settings configured, const state& durable) : settings_(std::move(configured)), s_(durable) {}
 
   [[nodiscard]] effects on_start(instant now);
-  // A note is applied to the durable state.
-  void on_committed() {
-    --open_notes_;
-    shown_.reset();
-  }
-  // Whatever comes of it now; to be asked after everything else, and no later than next_deadline_ns.
+  // The notes of the call before are applied to the durable state.
+  void on_applied() { shown_.reset(); }
+  // What is to be done now: to be asked after everything else until nothing comes of it, and no later than
+  // next_deadline_ns.
   [[nodiscard]] effects advance(instant now);
   [[nodiscard]] std::int64_t next_deadline_ns(instant now) const;
 
@@ -80,6 +78,12 @@ public:
       view_.take(m);
     return {};
   }
+  // Whether an order that has waited for the disk still goes out: not behind a takeover, a failsafe or a newer order,
+  // and not when its moment has passed. What moves the vehicle is decided anew then.
+  enum class release { now, revoked, too_late };
+  static constexpr std::int64_t order_is_worth_ns = 3'000'000'000;
+  [[nodiscard]] release lets_out(const order& what, instant now);
+  [[nodiscard]] effects on_late(const order& what, instant now);
   [[nodiscard]] effects on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now);
   [[nodiscard]] effects on_transfer(std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
 
@@ -111,12 +115,11 @@ public:
   // The answer tells whether the word is taken; what comes of it is told as the flight's standing.
   [[nodiscard]] operator_words::answer on_operator(const operator_words::word& m, instant now);
 
-  // -- what is on the disk
-  [[nodiscard]] effects on_durable(const progress::look_at_vehicle& m, instant now);
-  [[nodiscard]] effects on_durable(const progress::read_plan_back& m, instant now);
-  [[nodiscard]] effects on_durable(const progress::settle_start& m, instant now);
-  [[nodiscard]] effects on_durable(const progress::news& m, instant now);
-  [[nodiscard]] effects on_durable(const marked& m, instant now);
+  // -- what a note has led to
+  [[nodiscard]] effects on_news(const progress::look_at_vehicle& m, instant now);
+  [[nodiscard]] effects on_news(const progress::read_plan_back& m, instant now);
+  [[nodiscard]] effects on_news(const progress::settle_start& m, instant now);
+  [[nodiscard]] effects on_news(const progress::news& m, instant now);
 
   void on_house(house seen) { house_ = std::move(seen); }
   [[nodiscard]] const vehicle_view& view() const { return view_; }
@@ -132,7 +135,6 @@ private:
   enum class question { none, plan_id, read_back, start };
 
   [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s_, view_, modes_, now.now_ns, out}; }
-  [[nodiscard]] effects counted(effects out);
 
   // core.cpp: in this order; true: something is under way, and the rest waits.
   [[nodiscard]] bool recover(effects& out, instant now);
@@ -236,7 +238,6 @@ private:
   vehicle_view view_;
   mode_watch modes_;
   task_runner runner_;
-  std::int64_t open_notes_ = 0;
 
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   std::int64_t began_ns_ = 0;

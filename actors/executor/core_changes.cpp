@@ -17,6 +17,11 @@ using operator_words::verb;
 
 constexpr std::uint64_t changes = 0x6368616e6765; // keeps their keys apart from whatever else follows from a mission
 
+// A vehicle turns to the next leg before it has reached the end of this one. PX4 does so within the radius of the item,
+// an ArduPilot multirotor or rover within its own of 2 m (WP_RADIUS); wind and control add to it.
+constexpr double turn_accept_radius_m = 2;
+constexpr double turn_room_m = 5;
+
 operator_words::answer refused(std::string why) { return {false, std::move(why)}; }
 
 std::string_view reason_for(change_kind kind) {
@@ -63,6 +68,8 @@ core::change_or_reason core::wish_to_go(const mission::position& to, instant now
   request.to = {to.latitude, to.longitude};
   request.altitudes = {std::min(from->altitude_m, to.altitude_m), std::max(from->altitude_m, to.altitude_m)};
   request.margin_m = settings_.fence_margin_m;
+  const bool is_fixed_wing = view_.owner().vehicle == flight::vehicle_class::fixed_wing; // turns on a circle
+  request.turn_room_m = is_fixed_wing ? settings_.own_loiter_radius_m : turn_room_m;
   const auto way = route::find_route(request, s_.mission->geofences);
   if (!way)
     return tl::make_unexpected("there is no way there: " + way.error().reason);
@@ -72,6 +79,7 @@ core::change_or_reason core::wish_to_go(const mission::position& to, instant now
     mission::waypoint turn;
     turn.id = name + "-" + std::to_string(i);
     turn.at = {way->points[i].latitude_deg, way->points[i].longitude_deg, to.altitude_m};
+    turn.accept_radius_m = is_fixed_wing ? 0 : turn_accept_radius_m;
     result.items.emplace_back(std::move(turn));
   }
   result.items.emplace_back(mission::loiter{name, to, 0, stay_s});
@@ -211,7 +219,7 @@ effects core::on_change(const mission_client::change_outcome& m, instant) {
   out.emplace_back(note{change_settled{m.key, false}});
   if (is_insert && ++refused_inserts_ >= max_refused_inserts && settings_.refused_inserts == refusal_policy::come_home)
     wanted_ = task_kind::come_home;
-  return counted(std::move(out));
+  return out;
 }
 
 // A new revision of the mission that is flown.

@@ -57,7 +57,7 @@ effects core::on_station(const plan_cleared& m, instant) {
     return {};
   if (is_in_flight() || s_.doing)
     return {announce{"the plan was cleared while it is used, and stays", true}};
-  return counted({note{station_plan_dropped{}}});
+  return {note{station_plan_dropped{}}};
 }
 
 // What stands here instead is shown to the station again.
@@ -104,7 +104,7 @@ effects core::take_plan(const plan_taken& m, instant now) {
   out.emplace_back(note{station_plan_taken{std::move(plan), std::move(taken->mission)}});
   if (s_.standing.now == phase::paused)
     stand(out, phase::connected);
-  return counted(std::move(out));
+  return out;
 }
 
 effects core::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
@@ -122,7 +122,7 @@ effects core::take_fence(const std::vector<io::mavlink::mission_item_int>& items
   effects out{note{station_fence_taken{*std::move(fences)}}};
   if (is_flight_begun(s_))
     out.emplace_back(announce{"the fence counts from the next flight on", true});
-  return counted(std::move(out));
+  return out;
 }
 
 // -- what they start --------------------------------------------------------------------------------
@@ -139,7 +139,7 @@ effects core::on_station(const start_mission& m, instant now) {
     answer_start(out, m.key, start_verdict::not_ready, "it was flown, and is prepared anew; start it when it is ready");
   else
     asked_start_ = m;
-  return counted(std::move(out));
+  return out;
 }
 
 std::string core::why_not_meant(const start_mission& m) {

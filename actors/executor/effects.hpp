@@ -8,20 +8,30 @@
 
 #include "actors/executor/state.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/flight/flight_mode.hpp"
 #include "messages/ground_port/mission.hpp"
 #include "messages/mission_client/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 
 namespace godwit::executor {
 
-// To the journal. What follows from it comes back as on_durable.
+// To the journal. What follows from it comes back as on_news.
 struct note {
   durable_core::event what;
 };
 
-// To the vehicle, or (guard_mission) to the failsafe; its outcome comes back with the number.
+// When something goes out: behind all that was noted so far, or at once. Only what stops the vehicle, brings it home or
+// concerns who has it is sent while the disk does not write.
+enum class goes { after_notes, at_once };
+
+// To the vehicle, or (guard_mission) to the failsafe; its outcome comes back with the number. The modes that it makes
+// expected are told to the failsafe with it. One that waits for the disk is let out by the core (core::lets_out), which
+// may have changed its mind meanwhile.
 struct order {
+  goes when = goes::after_notes;
   std::uint64_t number = 0;
+  std::int64_t decided_ns = 0;
+  std::vector<flight::mode_kind> expected;
   std::variant<vehicle_link::send_command, vehicle_link::set_current_item, vehicle_link::upload_plan,
                vehicle_link::download_plan, failsafe::guard_mission>
       what;

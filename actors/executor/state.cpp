@@ -71,7 +71,7 @@ effects take(state& s, const M& happened, std::int64_t now_ns) {
   const bool was_uploading = s.progress.upload.has_value();
   const bool was_assigned = was_uploading && s.progress.upload->intent.assignment.has_value();
   effects out;
-  for (const auto& each : progress::handle(s.progress, progress::event(happened), now_ns))
+  for (const auto& each : progress::apply(s.progress, progress::event(happened), now_ns))
     std::visit([&](const auto& what) { give(out, what); }, each);
   if constexpr (std::is_same_v<M, progress::upload_intended>) {
     if (happened.assignment)
@@ -89,7 +89,7 @@ concept of_preflight = std::is_constructible_v<preflight::event, M>;
 template <of_preflight M>
 effects take(state& s, const M& happened, std::int64_t now_ns) {
   effects out;
-  for (const auto& each : preflight::handle(s.preflight, preflight::event(happened), now_ns))
+  for (const auto& each : preflight::apply(s.preflight, preflight::event(happened), now_ns))
     std::visit([&](const auto& what) { out.emplace_back(what); }, each);
   return out;
 }
@@ -206,11 +206,9 @@ effects take(state& s, const stood& happened, std::int64_t) {
 
 effects take(state&, const start_settled& happened, std::int64_t) { return {happened.answer}; }
 
-effects take(state&, const marked& happened, std::int64_t) { return {happened}; }
-
 } // namespace
 
-std::vector<durable_core::effect> durable_core::handle(state& s, const event& happened, std::int64_t now_ns) {
+std::vector<durable_core::effect> durable_core::apply(state& s, const event& happened, std::int64_t now_ns) {
   return std::visit([&](const auto& what) { return take(s, what, now_ns); }, happened);
 }
 

@@ -1,24 +1,26 @@
 // What of the executor must survive a crash: the mission, where its flight stands, what the vehicle is being brought
 // to, and how far the mission got.
 //
-//   event                         effects, once it is on the disk
+//   event                         effects, by their kinds
 //   those of progress/events.hpp  reports and answers for the service, and what progress wants looked at
 //   those of preflight            what operators have to know
 //   mission_arrived, _taken       none
 //   assignment_kept, _rejected    the answer that turns it down
 //   station_plan_taken, _dropped, and station_fence_taken: none
 //   change_asked                  what the service is to change; _settled: none
-//   task_begun, task_ended        none; a task is on the disk before its first word goes to the vehicle
+//   task_begun, task_ended        none; a task is on the disk before its first order goes out, but for hold,
+//                                 return and stand down
 //   stood                         the flight's new standing, to whoever watches
 //   start_settled                 start_answer to who asked
-//   marked                        itself: all that was noted before it is on the disk
 //
 // A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -32,6 +34,7 @@
 #include "messages/flight/flight_mode.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/types.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::executor {
 
@@ -178,6 +181,7 @@ struct task_ended {
 
 // The flight stands here from now on.
 struct stood {
+  static constexpr auto goes_out = runtime::effect_kind::at_once; // a view: also while the disk does not write
   phase now = phase::disconnected;
   pause_cause cause = pause_cause::none;
   std::string reason;     // sentence for people; empty when all is well
@@ -212,11 +216,6 @@ struct station_fence_taken {
 // Its plan was cleared.
 struct station_plan_dropped {
   static constexpr auto fields = io::table("executor.station_plan_dropped");
-};
-
-struct marked {
-  std::uint64_t ticket = 0;
-  static constexpr auto fields = io::table("executor.marked", io::field("ticket", &marked::ticket));
 };
 
 // What the service wants while something else goes on. More are turned down.
@@ -268,14 +267,16 @@ struct durable_core {
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
                    preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_settled,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
-                   task_begun, task_ended, stood, start_settled, marked>;
+                   task_begun, task_ended, stood, start_settled>;
   using effect =
       std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                    mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                    progress::read_plan_back, progress::settle_start, progress::news, preflight::phase_changed,
-                   preflight::report_opened, preflight::acknowledgement_answered, stood, start_answer, marked>;
+                   preflight::report_opened, preflight::acknowledgement_answered, stood, start_answer>;
 
-  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t now_ns);
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
+  // Of earlier versions.
+  static constexpr std::array<std::string_view, 1> retired{"executor.marked"};
   // What progress has to look at is asked for by whoever begins anew (core.hpp), behind the first look at the vehicle.
   [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };

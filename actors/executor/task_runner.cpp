@@ -86,6 +86,7 @@ void task_runner::fail(std::string why) {
 task_runner::verdict task_runner::advance(const world& w) {
   if (!task_)
     return verdict::idle;
+  go_on_behind_note();
   while (!ended_) {
     if (at_ == way_.size()) {
       ended_ = verdict::done;
@@ -172,23 +173,21 @@ void task_runner::begin_step(const world& w) {
     is_intent_noted_ = true;
     generation_before_ = w.durable.progress.last_generation;
     if (const auto* item = std::get_if<choose_item>(&way_[at_]))
-      return note_and_mark(w, progress::start_intended{item->sequence});
+      return note_and_wait(w, progress::start_intended{item->sequence});
     if (const auto* start = std::get_if<start_plan>(&way_[at_]))
-      return note_and_mark(w, progress::start_intended{start->sequence});
-    return note_and_mark(w, *intent_);
+      return note_and_wait(w, progress::start_intended{start->sequence});
+    return note_and_wait(w, *intent_);
   }
   ask(w);
 }
 
-void task_runner::note_and_mark(const world& w, durable_core::event what) {
+void task_runner::note_and_wait(const world& w, durable_core::event what) {
   w.out.emplace_back(note{std::move(what)});
-  w.out.emplace_back(note{marked{++last_ticket_}});
   enter(stage::noting);
 }
 
-void task_runner::on_marked(std::uint64_t ticket) {
-  if (!task_ || ticket != last_ticket_)
-    return;
+// The note of the call before is applied.
+void task_runner::go_on_behind_note() {
   if (stage_ == stage::noting)
     enter(stage::begin);
   else if (stage_ == stage::closing && std::holds_alternative<bring_plan>(way_[at_]))
@@ -226,16 +225,17 @@ void task_runner::ask(const world& w, const guard&) {
     limits.geofences = w.durable.flown->mission.geofences;
     limits.land_start = w.durable.flown->landing_sequence;
   }
-  w.out.emplace_back(order{++last_order_, std::move(limits)});
+  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), std::move(limits)});
 }
 
 void task_runner::ask(const world& w, const bring_plan&) {
-  w.out.emplace_back(
-      order{++last_order_, vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items}});
+  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
+                           vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items}});
 }
 
 void task_runner::ask(const world& w, const choose_item& what) {
-  w.out.emplace_back(order{++last_order_, vehicle_link::set_current_item{what.sequence}});
+  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
+                           vehicle_link::set_current_item{what.sequence}});
 }
 
 void task_runner::ask(const world& w, const arm&) {
@@ -261,15 +261,26 @@ void task_runner::ask(const world& w, const start_plan&) {
   give_order(w, command);
 }
 
-// Also told to the failsafe, before the command goes out.
+// Nothing that lets the vehicle go on is sent before its reason is on the disk; a stop does not wait for that.
+goes task_runner::urgency() const {
+  const auto kind = task_->kind;
+  return kind == task_kind::hold || kind == task_kind::come_home || kind == task_kind::stand_down ? goes::at_once
+                                                                                                  : goes::after_notes;
+}
+
+bool task_runner::lets_out(const order& what) const {
+  return task_ && !ended_ && stage_ == stage::asked && what.number == last_order_;
+}
+
+// Also told to the failsafe, with the command.
 void task_runner::expect(const world& w, flight::mode_kind kind) {
   w.modes.expect(kind, w.now_ns);
-  w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{kind, expected_for_ns / 1'000'000}});
+  expected_.push_back(kind);
 }
 
 void task_runner::give_order(const world& w, vehicle_link::send_command what) {
   what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
-  w.out.emplace_back(order{++last_order_, what});
+  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), what});
 }
 
 void task_runner::on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome) {
@@ -303,14 +314,14 @@ void task_runner::on_transfer(const world& w, std::uint64_t number, const transf
   last_reason_ = outcome.reason;
   if (outcome.verdict == transfer::verdict::not_begun && tries_ < max_tries)
     return enter(stage::pausing, w.now_ns + pause_between_ns);
-  note_and_mark(w, end_of(outcome));
+  note_and_wait(w, end_of(outcome));
   enter(stage::closing);
 }
 
 void task_runner::was_obeyed(const world& w) {
   if (!has_intent())
     return next_step();
-  note_and_mark(w, progress::start_ended{true});
+  note_and_wait(w, progress::start_ended{true});
   enter(stage::closing);
 }
 
@@ -321,11 +332,11 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
   if (!has_intent())
     return fail(sentence);
   why_failed_ = sentence;
-  note_and_mark(w, progress::start_ended{false});
+  note_and_wait(w, progress::start_ended{false});
   enter(stage::closing);
 }
 
-// The upload's end is on the disk; where it was not known, progress has it looked at.
+// The upload's end is applied; where it was not known, progress has it looked at.
 void task_runner::settle_upload(const world& w) {
   if (w.durable.progress.upload)
     return;

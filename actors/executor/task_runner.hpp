@@ -1,18 +1,20 @@
 // Brings the vehicle through the steps of one task, one after the other.
 //
-//   begin ──> noting ──on the disk──> asked ──answer──> showing ──seen──> closing ──on the disk──> next step
-//     ^  (the intent)                   │                  │                 (what came of it)
-//     └─────── pausing <────not done────┴──── not seen ────┘        after max_tries: the task has failed
+//   begin ──> noting ──applied──> asked ──answer──> showing ──seen──> closing ──applied──> next step
+//     ^  (the intent)               │                  │               (what came of it)
+//     └───── pausing <───not done───┴──── not seen ────┘        after max_tries: the task has failed
 //
-// A step whose intent progress has to know is on the disk before the vehicle hears of it, and so is its end before the
-// next step. What has no such intent skips noting and closing. A command without an answer may have been obeyed: the
-// vehicle is looked at before it is said again. Pure; the caller carries out what is in `out`. Thread: one at a time.
+// A step whose intent progress has to know notes it first, and so it does with its end; an order goes out when what was
+// noted before it is on the disk. What has no such intent skips noting and closing. A command without an answer may
+// have been obeyed: the vehicle is looked at before it is said again. Pure; the caller carries out what is in `out`.
+// Thread: one at a time.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actors/executor/effects.hpp"
 #include "actors/executor/mode_watch.hpp"
@@ -47,12 +49,13 @@ public:
   // Why the last one failed; a sentence for people.
   [[nodiscard]] const std::string& why_failed() const { return why_failed_; }
 
-  void on_marked(std::uint64_t ticket);
   void on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome);
   // REFUSED: why the failsafe does not take the limits; empty: it does. No answer is a reason as well.
   void on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final);
   void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
 
+  // It is still what the task waits for.
+  [[nodiscard]] bool lets_out(const order& what) const;
   // What was asked last was refused, and may be done when it is asked again.
   [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
   // The vehicle is armed because of the task that began last.
@@ -69,8 +72,10 @@ private:
 
   void enter(stage next, std::int64_t deadline_ns = never_ns);
   void next_step();
-  void note_and_mark(const world& w, durable_core::event what);
+  void note_and_wait(const world& w, durable_core::event what);
+  void go_on_behind_note();
   void fail(std::string why);
+  [[nodiscard]] goes urgency() const;
 
   void begin_step(const world& w);
   void ask(const world& w);
@@ -81,7 +86,7 @@ private:
   void ask(const world& w, const arm& what);
   void ask(const world& w, const disarm& what);
   void ask(const world& w, const start_plan& what);
-  static void expect(const world& w, flight::mode_kind kind);
+  void expect(const world& w, flight::mode_kind kind);
   void give_order(const world& w, vehicle_link::send_command what);
   void was_obeyed(const world& w);
   void was_not_done(const world& w, const std::string& why, bool is_final);
@@ -106,7 +111,7 @@ private:
   bool was_in_mission_before_ = false; // armed and in its mission mode, when it was asked
   bool was_accepted_ = false;          // what was asked last
   std::uint64_t last_order_ = 0;
-  std::uint64_t last_ticket_ = 0;
+  std::vector<flight::mode_kind> expected_; // by the order that is made
   std::uint32_t generation_before_ = 0;
   std::string last_reason_;
   std::optional<verdict> ended_;

@@ -8,7 +8,6 @@
 #include "actors/failsafe/vehicle_words.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/assert.hpp"
-#include "runtime/journal_exceptions.hpp"
 
 namespace godwit::failsafe {
 
@@ -19,18 +18,6 @@ using vehicle_link::connection_changed;
 namespace {
 
 namespace mavlink = io::mavlink;
-
-runtime::health_colour colour_of(wellness how) {
-  switch (how) {
-  case wellness::well:
-    return runtime::health_colour::green;
-  case wellness::impaired:
-    return runtime::health_colour::yellow;
-  case wellness::bad:
-    break;
-  }
-  return runtime::health_colour::red;
-}
 
 command_verdict verdict_of(runtime::ask_errc why) {
   return why == runtime::ask_errc::not_taken ? command_verdict::not_sent : command_verdict::timed_out;
@@ -60,6 +47,13 @@ auto actor::is_told() {
     turn();
   });
 }
+
+actor::actor(runtime::spawn_context context, const settings& configured, vehicle_handle vehicle,
+             std::shared_ptr<const neighbours> others)
+    : durable_actor(std::move(context)), settings_(configured), vehicle_(std::move(vehicle)),
+      others_(std::move(others)) {}
+
+actor::~actor() = default;
 
 actor::behavior_type actor::handlers() {
   return {on_deferred<guard_mission, guard_answer>([this](const guard_mission& what, std::uint64_t request_id) {
@@ -129,16 +123,18 @@ void actor::vouch() {
 void actor::turn() { carry_out(core_->tick(now())); }
 
 void actor::carry_out(const effects& wanted) {
-  due_ = {.record = std::exchange(unsaved_, std::nullopt)};
+  due_ = {};
   for (const auto& each : wanted)
     std::visit([this](const auto& what) { carry_out(what); }, each);
   GODWIT_ASSERT(!due_.command || due_.record, "failsafe: each command comes with a record");
-  if (due_.stance_is_new && !due_.command)
+  if (due_.command)
+    send_at_once([this] { command(*due_.command); });
+  else if (due_.stance_is_new)
     tell_stance();
-  if (due_.record) {
-    due_.record->command = due_.command;
-    keep(std::move(*due_.record));
-  }
+  if (due_.record)
+    commit(*due_.record);
+  if (due_.command)
+    write_now(); // a crash from here on must not forget it
   post_health();
 }
 
@@ -148,31 +144,14 @@ void actor::carry_out(const warning& what) {
   others_->log(what);
 }
 
-void actor::carry_out(const remember& what) {
-  auto limits = due_.record ? std::move(due_.record->limits) : std::nullopt; // that the journal did not take
-  due_.record = what.what;
-  if (!due_.record->limits)
-    due_.record->limits = std::move(limits);
-}
+void actor::carry_out(const remember& what) { due_.record = what.what; }
 
 void actor::tell_stance() {
   for (const auto& ear : others_->ears)
     tell(ear, core_->told());
 }
 
-// The command goes out first in commit(); that the journal refuses comes after it. An incarnation that ended for that
-// would forget what it has just done.
-void actor::keep(remembered what) {
-  try {
-    commit(what);
-  } catch (const runtime::journal_refused&) {
-    what.command.reset();
-    unsaved_ = std::move(what);
-  }
-}
-
-void actor::let_out(const durable_core::effect& each) {
-  const auto& command = std::get<command_vehicle>(each);
+void actor::command(const command_vehicle& command) {
   const auto words = words_for(command, owner_);
   GODWIT_ASSERT(words, "failsafe: of a vehicle only that is wanted which its kind can do");
   tell_stance();
@@ -219,13 +198,10 @@ void actor::end_look(bool is_answered) {
 
 void actor::post_health() {
   auto how = core_->health();
-  if (unsaved_)
-    how = {wellness::bad,
+  if (is_refused_by_journal())
+    how = {runtime::health_colour::red,
            "what the failsafe does can not be written down" + (how.reason.empty() ? std::string() : "; " + how.reason)};
-  if (posted_ == how)
-    return;
-  outside().health->post(actor_name(), colour_of(how.how), how.reason);
-  posted_ = std::move(how);
+  show_health(std::move(how));
 }
 
 } // namespace godwit::failsafe

@@ -3,8 +3,8 @@
 // The decisions are in core.hpp. This shell hands what it hears to the core, ticks every tick_ms, and at once for a new
 // position and for what others say. It waits for nobody: not for the executor, not for an answer, not for the disk. A
 // command goes out in the turn in which it was decided, behind the stance that says whose it is, and before the record
-// of it is handed to the journal. Where the journal takes nothing it goes on acting, says so, and hands the record over
-// later: a disk that is full must not keep a vehicle from coming home. Thread: as cell.
+// of it is handed to the journal. Where the journal takes nothing it goes on acting, and says so: a disk that is full
+// must not keep a vehicle from coming home. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@
 #include "actors/failsafe/core.hpp"
 #include "actors/failsafe/first_look.hpp"
 #include "messages/failsafe/handle.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::failsafe {
 
@@ -36,18 +36,18 @@ struct neighbours {
   std::function<void(const warning&)> log = [](const warning&) {}; // so does whoever reads what the program says
 };
 
-class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   // CONFIGURED has no objection_to.
-  actor(runtime::actor_config& config, runtime::birth born, const settings& configured, vehicle_handle vehicle,
-        std::shared_ptr<const neighbours> others)
-      : persistent_cell(config, std::move(born)), settings_(configured), vehicle_(std::move(vehicle)),
-        others_(std::move(others)) {}
+  actor(runtime::spawn_context context, const settings& configured, vehicle_handle vehicle,
+        std::shared_ptr<const neighbours> others);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;
   void started() override;
-  void let_out(const durable_core::effect& each) override;
+  void dispatch(const durable_core::effect&) override {}
+  [[nodiscard]] bool goes_on_without_disk() const override { return true; }
 
 private:
   [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
@@ -66,10 +66,10 @@ private:
   void carry_out(const override_settled& what) { answer_later(what.request_id, what.answer); }
   void carry_out(const guard_settled& what) { answer_later(what.request_id, what.answer); }
   void carry_out(const warning& what);
-  void carry_out(const health_changed&) {} // posted at the end of the turn
+  void carry_out(const runtime::condition&) {} // posted at the end of the turn
   void carry_out(const remember& what);
   void tell_stance();
-  void keep(remembered what);
+  void command(const command_vehicle& what);
   void post_health();
   void settle(const command_vehicle& command, vehicle_link::command_verdict verdict);
   void look_further();
@@ -92,8 +92,6 @@ private:
   std::optional<std::int64_t> position_judged_ns_;
   std::optional<std::int64_t> vouched_ns_;
   due_things due_;
-  std::optional<remembered> unsaved_; // the journal did not take it
-  std::optional<health_changed> posted_;
 };
 
 } // namespace godwit::failsafe

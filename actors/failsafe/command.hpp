@@ -5,11 +5,12 @@
 
 #include "io/fields/field_table.hpp"
 #include "messages/failsafe/types.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::failsafe {
 
 struct command_vehicle {
-  static constexpr bool immediate = true;
+  static constexpr auto goes_out = runtime::effect_kind::at_once;
   std::uint64_t number = 0; // rises with each command, also over a restart
   rule why = rule::operator_link;
   action what = action::return_home;

@@ -27,8 +27,8 @@ core::core(const settings& configured, const state& restored, instant now)
       link_(configured, memory_for(restored.now), now), overrides_(restored.now.overridden, now),
       latches_(restored.now.latches), reaction_(restored.now.reacts, restored.now.last_number, now.monotonic_ns),
       limits_(restored.limits), kept_(restored.now) {
-  if (auto judge = fence_judge::build(limits_.geofences))
-    fences_.set(std::move(*judge));
+  if (auto fences = geofence::fence_set::build(limits_.geofences))
+    fences_.set(std::move(*fences));
   else
     limits_refused_ = true;
   stance_ = stand(restored.now.in_flight);
@@ -106,17 +106,17 @@ void core::take_limits(effects& out) {
   if (!new_limits_)
     return;
   auto wanted = std::exchange(new_limits_, std::nullopt);
-  auto judge = fence_judge::build(wanted->what.geofences);
-  limits_refused_ = !judge;
-  if (judge) {
-    fences_.set(std::move(*judge));
+  auto fences = geofence::fence_set::build(wanted->what.geofences);
+  limits_refused_ = !fences;
+  if (fences) {
+    fences_.set(std::move(*fences));
     has_new_limits_ = wanted->what != limits_;
     limits_ = std::move(wanted->what);
     sequence_.reset(); // it may be that of the plan before
     sequence_ns_ = 0;
     out.emplace_back(guard_settled{wanted->request_id, {true, {}}});
   } else {
-    out.emplace_back(guard_settled{wanted->request_id, {false, judge.error()}});
+    out.emplace_back(guard_settled{wanted->request_id, {false, fences.error()}});
   }
 }
 

@@ -55,7 +55,7 @@ public:
   void take(const event& heard, instant now);
   [[nodiscard]] effects tick(instant now);
 
-  [[nodiscard]] const health_changed& health() const { return health_; }
+  [[nodiscard]] const runtime::condition& health() const { return health_; }
   // As it was told last, and as the record has it before the first tick.
   [[nodiscard]] const stance& told() const { return stance_; }
 
@@ -126,7 +126,7 @@ private:
   // What was said last, so that each thing is said once.
   link_phase said_link_ = link_phase::off;
   std::optional<std::int64_t> fence_ahead_ns_; // when a fence was last seen to be near
-  health_changed health_{wellness::impaired, "nothing has been heard yet"};
+  runtime::condition health_{runtime::health_colour::yellow, "nothing has been heard yet"};
   stance stance_;
   bool has_new_limits_ = false; // not kept yet
   standing kept_;

@@ -11,6 +11,7 @@
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "messages/failsafe/types.hpp"
+#include "runtime/condition.hpp"
 
 namespace godwit::failsafe {
 
@@ -38,29 +39,13 @@ struct warning {
       io::table("failsafe.warning", io::field("severity", &warning::severity), io::field("text", &warning::text));
 };
 
-enum class wellness { well, impaired, bad };
-
-constexpr auto enum_names(wellness) {
-  return io::names<wellness>({{wellness::well, "well"}, {wellness::impaired, "impaired"}, {wellness::bad, "bad"}});
-}
-
-// To the health board, at each change.
-struct health_changed {
-  wellness how = wellness::well;
-  std::string reason;
-
-  static constexpr auto fields = io::table("failsafe.health_changed", io::field("how", &health_changed::how),
-                                           io::field("reason", &health_changed::reason));
-  friend bool operator==(const health_changed&, const health_changed&) = default;
-};
-
 // To the journal, in the same turn and not awaited. Comes last, and with each command.
 struct remember {
   remembered what;
 };
 
-using effect =
-    std::variant<command_vehicle, stance_changed, override_settled, guard_settled, warning, health_changed, remember>;
+using effect = std::variant<command_vehicle, stance_changed, override_settled, guard_settled, warning,
+                            runtime::condition, remember>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::failsafe

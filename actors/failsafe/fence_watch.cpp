@@ -2,11 +2,14 @@
 
 #include <cmath>
 
+#include "actors/domain/geo/local_projection.hpp"
 #include "actors/failsafe/instant.hpp"
 
 namespace godwit::failsafe {
 
 namespace {
+
+using geofence::place;
 
 place place_of(const position& reported) {
   return {{reported.latitude_deg, reported.longitude_deg}, reported.altitude_m};
@@ -44,9 +47,9 @@ std::optional<breach> fence_watch::judge_waiting(bool floor_counts) {
   std::optional<breach> found;
   for (const auto& each : waiting_) {
     if (!found && judged_ && each.at_ns - judged_->at_ns <= position_stale_ms * ns_per_ms)
-      found = judge_.judge(judged_->there, each.there, floor_counts);
+      found = fences_.breach_on(judged_->there, each.there, floor_counts);
     else if (!found)
-      found = judge_.judge(each.there, floor_counts);
+      found = fences_.breach_at(each.there, floor_counts);
     judged_ = each;
   }
   waiting_.clear();
@@ -54,7 +57,7 @@ std::optional<breach> fence_watch::judge_waiting(bool floor_counts) {
 }
 
 fence_verdict fence_watch::evaluate(std::int64_t now_ns, bool near_ground) {
-  if (!judge_.has_fences()) {
+  if (fences_.size() == 0) {
     waiting_.clear();
     judged_.reset();
     return {};
@@ -68,11 +71,11 @@ fence_verdict fence_watch::evaluate(std::int64_t now_ns, bool near_ground) {
   const bool floor_counts = floor_reached_ && !near_ground;
   auto found = judge_waiting(floor_counts);
   if (!found)
-    found = judge_.judge(here, floor_counts); // the fences may be new ones
+    found = fences_.breach_at(here, floor_counts); // the fences may be new ones
   if (found)
     return {.finding = fence_finding::breached, .found = found, .ahead = {}};
-  floor_reached_ = floor_reached_ || !judge_.judge(here, true);
-  return {.finding = fence_finding::inside, .found = {}, .ahead = judge_.judge(here, predicted(), floor_counts)};
+  floor_reached_ = floor_reached_ || !fences_.breach_at(here, true);
+  return {.finding = fence_finding::inside, .found = {}, .ahead = fences_.breach_on(here, predicted(), floor_counts)};
 }
 
 } // namespace godwit::failsafe

@@ -13,9 +13,10 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <utility>
 
+#include "actors/domain/geofence/fence_set.hpp"
 #include "actors/failsafe/events.hpp"
-#include "actors/failsafe/fence_judge.hpp"
 
 namespace godwit::failsafe {
 
@@ -24,6 +25,8 @@ inline constexpr double look_ahead_s = 2;
 
 // Positions between two ticks. When more come, the way between them is drawn with fewer points.
 inline constexpr std::size_t max_waiting_positions = 16;
+
+using geofence::breach;
 
 enum class fence_finding { no_fences, no_verdict, inside, breached };
 
@@ -35,7 +38,7 @@ struct fence_verdict {
 
 class fence_watch {
 public:
-  void set(fence_judge judge) { judge_ = std::move(judge); }
+  void set(geofence::fence_set fences) { fences_ = std::move(fences); }
   void on_position(const position& reported, std::int64_t now_ns);
   void begin_flight() { floor_reached_ = false; }
 
@@ -44,14 +47,14 @@ public:
 
 private:
   struct fix {
-    place there;
+    geofence::place there;
     std::int64_t at_ns = 0;
   };
 
   [[nodiscard]] std::optional<breach> judge_waiting(bool floor_counts);
-  [[nodiscard]] place predicted() const;
+  [[nodiscard]] geofence::place predicted() const;
 
-  fence_judge judge_;
+  geofence::fence_set fences_;
   std::deque<fix> waiting_;   // not judged yet
   std::optional<fix> judged_; // the newest that was
   position newest_;

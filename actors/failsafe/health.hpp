@@ -26,6 +26,6 @@ struct findings {
   std::optional<told_reaction> reacts;
 };
 
-[[nodiscard]] health_changed judge_health(const findings& all);
+[[nodiscard]] runtime::condition judge_health(const findings& all);
 
 } // namespace godwit::failsafe

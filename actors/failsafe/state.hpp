@@ -43,7 +43,7 @@ struct standing {
 struct remembered {
   standing now;
   std::optional<guard_mission> limits = {};
-  std::optional<command_vehicle> command = {}; // goes out with this
+  std::optional<command_vehicle> command = {}; // only read: earlier versions sent it from here
 
   static constexpr auto fields =
       io::table("failsafe.remembered", io::field("now", &remembered::now), io::field("limits", &remembered::limits),
@@ -58,19 +58,19 @@ struct state {
       io::table("failsafe.state", io::field("now", &state::now), io::field("limits", &state::limits));
 };
 
-// The durable part: what was decided is an event. The command that came of it goes out before the event is on the disk,
-// and never again because of it: whether it is still wanted, the vehicle shows.
+// The durable part: what the core hands over takes the place of what was. Nothing comes of it: a command has gone out
+// before, and whether it is still wanted, the vehicle shows.
 struct durable_core {
   using state = failsafe::state;
   using event = std::variant<remembered>;
   using effect = std::variant<command_vehicle>;
 
-  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t) {
     const auto& what = std::get<remembered>(happened);
     s.now = what.now;
     if (what.limits)
       s.limits = *what.limits;
-    return what.command ? std::vector<effect>{*what.command} : std::vector<effect>{};
+    return {};
   }
   [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };

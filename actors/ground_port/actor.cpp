@@ -8,18 +8,6 @@ namespace godwit::ground_port {
 
 namespace {
 
-runtime::health_colour colour_of(wellness how) {
-  switch (how) {
-  case wellness::well:
-    return runtime::health_colour::green;
-  case wellness::impaired:
-    return runtime::health_colour::yellow;
-  case wellness::bad:
-    break;
-  }
-  return runtime::health_colour::red;
-}
-
 std::string sentence_for(runtime::ask_errc why) {
   switch (why) {
   case runtime::ask_errc::timeout:
@@ -43,22 +31,24 @@ auto actor::hears() {
   });
 }
 
+actor::actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
+             std::shared_ptr<const neighbours> others)
+    : durable_actor(std::move(context)), settings_(std::move(configured)), signing_(std::move(signing)),
+      line_(std::move(line)), others_(std::move(others)) {}
+
+actor::~actor() = default;
+
 actor::behavior_type actor::handlers() {
   const auto then = [this](const effects& wanted) {
     carry_out(wanted);
     after_turn();
   };
-  return {on<executor::start_answer>([this](const executor::start_answer& m) {
-            carry_out_first(core_->on_start_answer(m, now()));
-            after_turn();
-          }),
+  return {on<executor::start_answer>(
+              [this, then](const executor::start_answer& m) { then(core_->on_start_answer(m, now())); }),
           on<mission_progress>([this, then](const mission_progress& m) { then(core_->on_progress(m, now())); }),
           on<item_reached>([this, then](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
           on<status_text>([this, then](const status_text& m) { then(core_->on_status_text(m, now())); }),
-          on<set_mission>([this](const set_mission& m) {
-            carry_out_first(core_->on_set_mission(m, now()));
-            after_turn();
-          }),
+          on<set_mission>([this, then](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
           on<get_port>([this](const get_port&) {
             auto result = core_->describe(now());
             result.counts.push_back({"dropped_in", line_->incoming().dropped_bytes()});
@@ -80,14 +70,12 @@ actor::behavior_type actor::handlers() {
           hears<mavlink::home_position>(),
           hears<mavlink::extended_sys_state>(),
           hears<mavlink::statustext>(),
-          on<wake>([this](const wake&) { drain(); }),
-          on<timer>([this](const timer& which) {
-            if (which.number != timer_number_)
-              return;
-            timer_due_ns_.reset();
-            carry_out(core_->on_time(now()));
-            drain(); // also when a wake was lost with an incarnation
-          })};
+          on<wake>([this](const wake&) { drain(); })};
+}
+
+void actor::on_deadline() {
+  carry_out(core_->on_time(now()));
+  drain(); // also when a wake was lost with an incarnation
 }
 
 void actor::started() {
@@ -95,12 +83,11 @@ void actor::started() {
   if (const auto status = line_->incoming().newest_status())
     carry_out(core_->on_link(*status, now()));
   tell(me(), wake{}); // what came in meanwhile waits
-  set_timer();
+  wake_at(core_->next_deadline_ns());
 }
 
-// What has to be written comes first: each handler gives one event to the journal.
 void actor::drain() {
-  for (int i = 0; i < max_chunks_per_turn && to_commit_.empty(); ++i) {
+  for (int i = 0; i < max_chunks_per_turn; ++i) {
     const auto next = line_->incoming().take();
     if (!next) {
       after_turn();
@@ -123,13 +110,6 @@ void actor::take(const io::link::arrival& what) {
 void actor::carry_out(const effects& wanted) {
   for (const auto& each : wanted)
     std::visit([this](const auto& what) { carry_out(what); }, each);
-}
-
-// An event that another actor's message brings is committed with that message: it would not come again.
-void actor::carry_out_first(const effects& wanted) {
-  const auto before = to_commit_.size();
-  carry_out(wanted);
-  std::rotate(to_commit_.begin(), to_commit_.begin() + static_cast<std::ptrdiff_t>(before), to_commit_.end());
 }
 
 void actor::carry_out(const wish_to_go& each) {
@@ -171,27 +151,18 @@ void actor::carry_out(const operator_link& each) {
 // not, because a station must not be told twice.
 void actor::after_turn() {
   post_health();
-  set_timer();
-  commit_next();
-  send_outgoing();
+  wake_at(core_->next_deadline_ns());
+  reserve_signing_time();
+  if (!outgoing_.empty())
+    at_end([this] { send_outgoing(); });
 }
 
-// One event in each turn; more of them come in turns of their own.
-void actor::commit_next() {
+void actor::reserve_signing_time() {
   if (const auto ceiling = core_->wanted_reservation(now()))
-    to_commit_.emplace_back(signing_time_reserved{mavlink::units(*ceiling)});
-  if (to_commit_.empty())
-    return;
-  auto next = std::move(to_commit_.front());
-  to_commit_.pop_front();
-  if (!to_commit_.empty())
-    tell(me(), wake{});
-  commit(std::move(next));
+    commit(signing_time_reserved{mavlink::units(*ceiling)});
 }
 
 void actor::send_outgoing() {
-  if (outgoing_.empty())
-    return;
   mark_committed();
   for (const auto& each : outgoing_)
     if (!line_->send(each.frame.span(), each.to))
@@ -199,25 +170,9 @@ void actor::send_outgoing() {
   outgoing_.clear();
 }
 
-// One timer is under way at a time; an earlier deadline overtakes it with a new number.
-void actor::set_timer() {
-  const auto due = core_->next_deadline_ns();
-  if (timer_due_ns_ && *timer_due_ns_ <= due)
-    return;
-  timer_due_ns_ = due;
-  const auto delay = std::max<std::int64_t>(due - now_ns(), 0);
-  tell_after(std::chrono::nanoseconds(delay), me(), timer{++timer_number_});
-}
+void actor::post_health() { show_health(core_->health(now())); }
 
-void actor::post_health() {
-  auto how = core_->health(now());
-  if (posted_ == how)
-    return;
-  outside().health->post(actor_name(), colour_of(how.how), how.reason);
-  posted_ = std::move(how);
-}
-
-void actor::let_out(const durable_core::effect& each) {
+void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, signing_time_reserved>) {
@@ -227,8 +182,7 @@ void actor::let_out(const durable_core::effect& each) {
             tell(*others_->executor, m);
         } else {
           carry_out(core_->on_durable(m, now()));
-          send_outgoing();
-          set_timer();
+          after_turn();
         }
       },
       each);

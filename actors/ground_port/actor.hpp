@@ -3,11 +3,10 @@
 // The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
 // effects: frames to the wire, events to the journal, wishes and words to the executor, the operator's link to those
 // who listen. A crash loses no line and no queue (they are the port's) and nothing that a station was told; a transfer
-// under way is forgotten, and the station asks again. Thread: as cell.
+// under way is forgotten, and the station asks again. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,7 +15,7 @@
 #include "io/link/wire.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/ground_port/handle.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::ground_port {
 
@@ -34,18 +33,18 @@ struct neighbours {
   std::vector<operator_ear> operator_ears;
 };
 
-class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   // CONFIGURED has no objection_to.
-  actor(runtime::actor_config& config, runtime::birth born, settings configured, signing_settings signing,
-        std::shared_ptr<wire> line, std::shared_ptr<const neighbours> others)
-      : persistent_cell(config, std::move(born)), settings_(std::move(configured)), signing_(std::move(signing)),
-        line_(std::move(line)), others_(std::move(others)) {}
+  actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
+        std::shared_ptr<const neighbours> others);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;
   void started() override;
-  void let_out(const durable_core::effect& each) override;
+  void on_deadline() override;
+  void dispatch(const durable_core::effect& each) override;
 
 private:
   [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
@@ -55,15 +54,13 @@ private:
   void take(const io::link::link_status& what);
   void take(const io::link::arrival& what);
   void carry_out(const effects& wanted);
-  void carry_out_first(const effects& wanted);
   void carry_out(const transmission& each) { outgoing_.push_back(each); }
-  void carry_out(const durable_event& each) { to_commit_.push_back(each); }
+  void carry_out(const durable_event& each) { commit(each); }
   void carry_out(const wish_to_go& each);
   void carry_out(const word_to_say& each);
   void carry_out(const operator_link& each);
   void after_turn();
-  void commit_next();
-  void set_timer();
+  void reserve_signing_time();
   void post_health();
   void send_outgoing();
 
@@ -72,11 +69,7 @@ private:
   std::shared_ptr<wire> line_;
   std::shared_ptr<const neighbours> others_;
   std::optional<core> core_;
-  std::optional<condition> posted_;
-  std::uint64_t timer_number_ = 0;
-  std::optional<std::int64_t> timer_due_ns_; // nothing: no timer is under way
-  std::vector<transmission> outgoing_;       // of this turn
-  std::deque<durable_event> to_commit_;      // bounded by what one chunk can cause, see max_waiting_for_disk
+  std::vector<transmission> outgoing_; // of this turn
   std::uint64_t dropped_out_ = 0;
 };
 

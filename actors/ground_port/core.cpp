@@ -283,16 +283,18 @@ port_description core::describe(instant now) const {
   return result;
 }
 
-condition core::health(instant now) {
+runtime::condition core::health(instant now) {
   if (stood_down_)
-    return {wellness::bad, "the port stands in for the autopilot, but the autopilot itself was heard on it; set the "
-                           "port's component to 191, or take the autopilot off this line"};
+    return {runtime::health_colour::red,
+            "the port stands in for the autopilot, but the autopilot itself was heard on it; set the "
+            "port's component to 191, or take the autopilot off this line"};
   if (channel_.signs_beyond_reservation())
-    return {wellness::bad, "signing goes on without its time being on the disk: the journal does not answer"};
+    return {runtime::health_colour::red,
+            "signing goes on without its time being on the disk: the journal does not answer"};
   if (!link_is_up_)
-    return {wellness::impaired, "the link to the ground is down: " + link_reason_};
+    return {runtime::health_colour::yellow, "the link to the ground is down: " + link_reason_};
   if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ns)
-    return {wellness::impaired, "frames are refused for their signature: " + channel_.last_rejection()};
+    return {runtime::health_colour::yellow, "frames are refused for their signature: " + channel_.last_rejection()};
   return {};
 }
 

@@ -37,20 +37,12 @@
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
+#include "runtime/condition.hpp"
 
 namespace godwit::ground_port {
 
 using mavlink::instant;
 using mavlink::signing_settings;
-
-enum class wellness { well, impaired, bad };
-
-// For the health board.
-struct condition {
-  wellness how = wellness::well;
-  std::string reason;
-  bool operator==(const condition&) const = default;
-};
 
 // Plans and start items that wait for the disk. At the bound stations are not heard about plans, and repeat themselves.
 inline constexpr std::size_t max_waiting_for_disk = 16;
@@ -97,7 +89,7 @@ public:
 
   [[nodiscard]] std::int64_t next_deadline_ns() const;
   [[nodiscard]] port_description describe(instant now) const;
-  [[nodiscard]] condition health(instant now);
+  [[nodiscard]] runtime::condition health(instant now);
 
 private:
   class turn; // what one event leads to, while it is handled

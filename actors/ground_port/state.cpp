@@ -47,7 +47,7 @@ effects decide(state& s, const start_item_noted& what, std::int64_t now_ns) {
 
 } // namespace
 
-effects durable_core::handle(state& s, const event& happened, std::int64_t now_ns) {
+effects durable_core::apply(state& s, const event& happened, std::int64_t now_ns) {
   return std::visit([&](const auto& each) { return decide(s, each, now_ns); }, happened);
 }
 

@@ -24,11 +24,13 @@
 #include "io/mavlink/messages/command.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
 #include "messages/executor/types.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::ground_port {
 
 // All signing times of this link below the ceiling may have been used. Units: 10 us since 2015-01-01 UTC.
 struct signing_time_reserved {
+  static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t ceiling = 0;
   static constexpr auto fields =
       io::table("ground_port.signing_time_reserved", io::field("ceiling", &signing_time_reserved::ceiling));
@@ -138,7 +140,7 @@ struct durable_core {
   using effect = std::variant<signing_time_reserved, executor::plan_taken, executor::plan_cleared, plan_settled,
                               executor::start_mission, start_settled, start_item_settled>;
 
-  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t now_ns);
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   // What is owed is in the journal.
   [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };

@@ -23,18 +23,6 @@ constexpr auto whole_answer = [](auto& answer, const auto& found) { answer = fou
 
 constexpr auto count_rows = [](moved_rows& answer, std::uint64_t rows) { answer.rows = rows; };
 
-runtime::health_colour colour_of(wellness how) {
-  switch (how) {
-  case wellness::well:
-    return runtime::health_colour::green;
-  case wellness::impaired:
-    return runtime::health_colour::yellow;
-  case wellness::bad:
-    break;
-  }
-  return runtime::health_colour::red;
-}
-
 // What a refused ask is answered with beside the reason.
 template <class A, class Q>
 A empty_answer(const Q& asked) {
@@ -71,6 +59,11 @@ auto actor::on_change(Work work, Fill fill) {
       fill);
 }
 
+actor::actor(runtime::spawn_context context, std::shared_ptr<map_port> port)
+    : actor_base(std::move(context)), port_(std::move(port)) {}
+
+actor::~actor() = default;
+
 actor::behavior_type actor::handlers() {
   return {on_change<sighting, sighting_answer>(
               mapobjects_store::record, [](sighting_answer& answer, const observed& seen) { answer.seen = seen; }),
@@ -104,7 +97,7 @@ actor::behavior_type actor::handlers() {
           on_change<get_map, map_status>([](map_tables& t, const get_map&) { return summary(t); }, whole_answer),
           on<wake>([this](const wake&) { give_answers(); }),
           on<look>([this](const look& due) {
-            if (due.incarnation != incarnation())
+            if (due.incarnation != incarnation_number())
               return;
             give_answers(); // also when a wake was refused
             look_at_map();
@@ -148,15 +141,9 @@ void actor::look_at_map() {
       looked_at_.reset(); // there is no room now; the next look asks again
   }
   post_health();
-  tell_after(look_period, me(), look{incarnation()});
+  tell_after(look_period, me(), look{incarnation_number()});
 }
 
-void actor::post_health() {
-  auto how = health_of(port_->status(), known_);
-  if (posted_ == how)
-    return;
-  outside().health->post(actor_name(), colour_of(how.how), how.reason);
-  posted_ = std::move(how);
-}
+void actor::post_health() { show_health(health_of(port_->status(), known_)); }
 
 } // namespace godwit::mapobjects_store

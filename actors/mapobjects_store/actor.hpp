@@ -4,7 +4,7 @@
 // map. This shell hands asks over, gives the answers to those who wait, and tells the health board how the map is. A
 // crash loses nothing that was handed over: who waited is told that the outcome is not known, and asks again with the
 // same id. Its durable state is the map's own file, so it keeps none in the journal. Errors: in the answers. Thread: as
-// cell.
+// actor_base.
 #pragma once
 
 #include <chrono>
@@ -16,11 +16,11 @@
 #include "actors/mapobjects_store/map_health.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
 #include "messages/mapobjects_store/handle.hpp"
-#include "runtime/cell.hpp"
+#include "runtime/actor_base.hpp"
 
 namespace godwit::mapobjects_store {
 
-class actor final : public runtime::cell<own_handle> {
+class actor final : public runtime::actor_base<own_handle> {
 public:
   // So often it is looked at how the map is, when something has changed.
   static constexpr std::chrono::seconds look_period{5};
@@ -28,8 +28,8 @@ public:
   // So many answers are given in one turn, before other mail has its own.
   static constexpr int max_answers_per_turn = 256;
 
-  actor(runtime::actor_config& config, runtime::birth born, std::shared_ptr<map_port> port)
-      : cell(config, std::move(born)), port_(std::move(port)) {}
+  actor(runtime::spawn_context context, std::shared_ptr<map_port> port);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;
@@ -52,7 +52,6 @@ private:
   std::shared_ptr<map_port> port_;
   std::optional<map_status> known_;        // when it was looked at last
   std::optional<std::uint64_t> looked_at_; // changes of the map by then
-  std::optional<map_health> posted_;
 };
 
 } // namespace godwit::mapobjects_store

@@ -17,13 +17,13 @@ constexpr double max_altitude_m = 20'000;
 // Input is repeated in errors up to this length.
 constexpr std::size_t max_quoted_bytes = 80;
 
-std::string quoted(const std::string& text) { return "\"" + text.substr(0, max_quoted_bytes) + "\""; }
+std::string in_quotes(const std::string& text) { return "\"" + text.substr(0, max_quoted_bytes) + "\""; }
 
 geo::point point_of(const geo_position& at) { return {at.latitude_deg, at.longitude_deg}; }
 
 checked_input check_class_group(const std::string& group) {
   if (group.empty() || group.size() > max_class_group_bytes)
-    return refused("class_group " + quoted(group) + " does not have 1 to " + std::to_string(max_class_group_bytes) +
+    return refused("class_group " + in_quotes(group) + " does not have 1 to " + std::to_string(max_class_group_bytes) +
                    " bytes");
   if (group.find('\0') != std::string::npos)
     return refused("class_group has a character that no text of a document can have: U+0000");
@@ -80,7 +80,7 @@ checked_input check_bounds(const pass_end& input) {
 
 checked_input check_id(const std::string& id, const std::string& field) {
   if (!ids::is_uuid(id))
-    return refused(field + " is not a UUID in small letters: " + quoted(id));
+    return refused(field + " is not a UUID in small letters: " + in_quotes(id));
   return {};
 }
 
@@ -134,7 +134,7 @@ map_result<ignored_item> checked(ignored_item input) {
     return tl::unexpected(std::move(sound.error()));
   auto cell = geo::read_mgrs_cell(input.mgrs_cell);
   if (!cell)
-    return refused("mgrs_cell of ignored item " + input.id + " names no cell: " + quoted(input.mgrs_cell));
+    return refused("mgrs_cell of ignored item " + input.id + " names no cell: " + in_quotes(input.mgrs_cell));
   input.mgrs_cell = std::move(*cell);
   return input;
 }

@@ -12,8 +12,8 @@
 
 #include "actors/mapobjects_store/load_finish.hpp"
 #include "actors/mapobjects_store/map_load.hpp"
+#include "actors/mapobjects_store/map_work.hpp"
 #include "actors/mapobjects_store/pass_review.hpp"
-#include "actors/mapobjects_store/work_queue.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -24,6 +24,7 @@ struct map_writer_status {
   std::uint64_t changes = 0; // in them
   std::uint64_t retries = 0; // groups tried again after an error
   std::size_t queued = 0;    // waits now
+  double fill = 0;           // of the bound on what waits: 0 = empty, 1 = refuses; see io::sqlite::nearly_full
 };
 
 class map_access {

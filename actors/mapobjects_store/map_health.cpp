@@ -17,19 +17,20 @@ std::string owed_text(const map_status& known) {
 
 } // namespace
 
-map_health health_of(const map_result<map_writer_status>& writer, const std::optional<map_status>& known) {
+runtime::condition health_of(const map_result<map_writer_status>& writer, const std::optional<map_status>& known) {
   if (!writer)
-    return {failure_of(writer.error().code) == map_failure::busy ? wellness::impaired : wellness::bad,
+    return {failure_of(writer.error().code) == map_failure::busy ? runtime::health_colour::yellow
+                                                                 : runtime::health_colour::red,
             writer.error().message()};
   if (writer->failing)
-    return {wellness::bad, writer->reason};
+    return {runtime::health_colour::red, writer->reason};
   if (!known)
     return {};
   if (known->failure != map_failure::none)
-    return {wellness::bad, known->error};
+    return {runtime::health_colour::red, known->error};
   const bool old_map = known->sync == sync_state::degraded || known->sync == sync_state::failed ||
                        known->sync == sync_state::cached_fallback;
-  return {old_map || known->orphaned > 0 ? wellness::impaired : wellness::well,
+  return {old_map || known->orphaned > 0 ? runtime::health_colour::yellow : runtime::health_colour::green,
           "map: " + std::string(io::name_of(known->sync)) + owed_text(*known)};
 }
 

@@ -9,11 +9,9 @@ namespace godwit::mapobjects_store {
 
 namespace {
 
-map_error lock_error(const std::string& path, const runtime::journal_error& error) {
-  if (error.code == runtime::journal_errc::locked)
-    return {map_errc::locked, "another process writes " + path + " (" + error.what + ")", "End it first"};
-  return {map_errc::disk, path + " can not be locked (" + error.what + ")", error.remedy};
-}
+// Long: a load writes the same inner pages again and again, and they are moved once. Very long: a minute of sightings
+// at full rate.
+constexpr io::sqlite::log_bounds log_bounds{.long_bytes = 16 * 1024 * 1024, .very_long_bytes = 64 * 1024 * 1024};
 
 } // namespace
 
@@ -21,20 +19,15 @@ commit_is commit_of(const staged_work& next_turn) {
   return next_turn.must_be_synced() ? commit_is::synced : commit_is::synced_later;
 }
 
-map_store::map_store(const map_store_options& options, runtime::lock_file lock, io::sqlite::database db)
-    : options_(options), lock_(std::move(lock)), db_(std::move(db)), log_(db_),
-      q_(db_), tables_{q_, map_, load_, options_.rules} {}
+map_store::map_store(const map_store_options& options, io::sqlite::store_file file)
+    : options_(options), file_(std::move(file)), log_(file_.db, log_bounds),
+      q_(file_.db), tables_{q_, map_, load_, options_.rules} {}
 
 map_result<std::unique_ptr<map_store>> map_store::open(const map_store_options& options) {
-  if (auto folder = make_folder_of(options.file.path); !folder)
-    return tl::unexpected(std::move(folder.error()));
-  auto lock = runtime::lock_file::acquire(options.file.path);
-  if (!lock)
-    return tl::unexpected(lock_error(options.file.path, lock.error()));
-  auto db = open_map_for_writing(options.file);
-  if (!db)
-    return tl::unexpected(std::move(db.error()));
-  std::unique_ptr<map_store> made(new map_store(options, std::move(*lock), std::move(*db)));
+  auto file = open_map_for_writing(options.file);
+  if (!file)
+    return tl::unexpected(std::move(file.error()));
+  std::unique_ptr<map_store> made(new map_store(options, std::move(*file)));
   auto map = load_map_row(made->q_);
   if (!map)
     return tl::unexpected(std::move(map.error()));
@@ -52,12 +45,13 @@ map_store::~map_store() {
 map_result<void> map_store::begin(commit_is how) {
   GODWIT_ASSERT(!open_, "map: one transaction at a time");
   if (how != commits_) {
-    const auto set = db_.exec(how == commit_is::synced ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
+    const auto set =
+        file_.db.exec(how == commit_is::synced ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
     if (!set)
       return tl::unexpected(from_sqlite(set.error(), "setting when to sync"));
     commits_ = how;
   }
-  auto begun = io::sqlite::transaction::begin(db_);
+  auto begun = io::sqlite::transaction::begin(file_.db);
   if (!begun)
     return tl::unexpected(from_sqlite(begun.error(), "beginning a transaction"));
   open_.emplace(std::move(*begun));
@@ -66,11 +60,11 @@ map_result<void> map_store::begin(commit_is how) {
 
 map_result<void> map_store::apply(const change& work) {
   GODWIT_ASSERT(open_ && !spoilt_, "map: a change needs a transaction that can be committed");
-  const auto before = sqlite3_total_changes64(db_.handle());
+  const auto before = sqlite3_total_changes64(file_.db.handle());
   auto done = work(tables_);
   if (done)
     return done;
-  spoilt_ = !is_refusal(done.error().code) || sqlite3_total_changes64(db_.handle()) != before;
+  spoilt_ = !is_refusal(done.error().code) || sqlite3_total_changes64(file_.db.handle()) != before;
   return done;
 }
 

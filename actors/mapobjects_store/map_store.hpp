@@ -10,13 +10,12 @@
 #include <optional>
 #include <string>
 
-#include "actors/mapobjects_store/log_keeper.hpp"
 #include "actors/mapobjects_store/map_file.hpp"
 #include "actors/mapobjects_store/map_tables.hpp"
 #include "actors/mapobjects_store/pass_review.hpp"
 #include "actors/mapobjects_store/staged_work.hpp"
+#include "io/sqlite/log_keeper.hpp"
 #include "io/sqlite/transaction.hpp"
-#include "runtime/journal/lock_file.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -65,12 +64,11 @@ public:
   [[nodiscard]] const load_progress& load() const { return load_; }
 
 private:
-  map_store(const map_store_options& options, runtime::lock_file lock, io::sqlite::database db);
+  map_store(const map_store_options& options, io::sqlite::store_file file);
 
   map_store_options options_;
-  runtime::lock_file lock_; // given back after the file is closed
-  io::sqlite::database db_;
-  log_keeper log_;
+  io::sqlite::store_file file_;
+  io::sqlite::log_keeper log_;
   sql q_;
   map_row map_;       // as it will be when the transaction commits
   map_row committed_; // as it is in the file

@@ -1,46 +1,72 @@
 #include "actors/mapobjects_store/map_writer.hpp"
 
-#include <mutex>
-#include <thread>
-
-#include "actors/mapobjects_store/write_loop.hpp"
-#include "runtime/assert.hpp"
+#include "actors/mapobjects_store/map_target.hpp"
+#include "io/sqlite/group_writer.hpp"
 
 namespace godwit::mapobjects_store {
 
+namespace {
+
+map_writer_status status_of(const io::sqlite::writer_status& now) {
+  const auto& error = now.counts.last_error;
+  return {.failing = error.has_value(),
+          .reason = error ? from_store(*error).message() : "",
+          .commits = now.counts.commits,
+          .changes = now.counts.written,
+          .retries = now.counts.retries,
+          .queued = now.queue.items,
+          .fill = now.queue.fill};
+}
+
+map_error refused_work(io::sqlite::refusal why) {
+  if (why == io::sqlite::refusal::closed)
+    return {map_errc::closed, "the map is closed", {}};
+  return {map_errc::full, "the writer of the map is behind by its bound",
+          "Look at its health: the disk is failing or too slow"};
+}
+
+} // namespace
+
 struct map_writer::parts {
   parts(const map_writer_options& options, std::unique_ptr<map_store> store)
-      : queue(options.max_queued), loop(options, std::move(store), queue) {}
+      : target(std::move(store), options.clock), writer({.queue = {.max_items = options.max_queued},
+                                                         .group = {.max_items = options.max_group},
+                                                         .retry = {options.retry_min, options.retry_max},
+                                                         .close_timeout = options.close_timeout,
+                                                         .clock = options.clock,
+                                                         .on_health_change =
+                                                             [this, told = options.on_health_change] {
+                                                               if (told)
+                                                                 told(status_of(writer.status()));
+                                                             }},
+                                                        target) {}
 
-  work_queue queue;
-  write_loop loop;
-  std::mutex close_mutex;
-  std::thread thread;
+  map_target target;
+  io::sqlite::group_writer<map_item> writer;
 };
 
-map_writer::map_writer(std::unique_ptr<parts> made) : parts_(std::move(made)) {
-  parts_->thread = std::thread([this] { parts_->loop.run(); });
-}
+map_writer::map_writer(std::unique_ptr<parts> made) : parts_(std::move(made)) {}
 
 map_result<std::unique_ptr<map_writer>> map_writer::open(const map_writer_options& options) {
   auto store = map_store::open(options.store);
   if (!store)
     return tl::unexpected(std::move(store.error()));
-  return std::unique_ptr<map_writer>(new map_writer(std::make_unique<parts>(options, std::move(*store))));
+  auto made = std::make_unique<parts>(options, std::move(*store));
+  if (options.own_thread)
+    made->writer.start();
+  return std::unique_ptr<map_writer>(new map_writer(std::move(made)));
 }
 
 map_writer::~map_writer() { close(); }
 
-map_result<void> map_writer::push(queued_work item) { return parts_->queue.push(std::move(item)); }
-
-map_writer_status map_writer::status() const { return parts_->loop.status(); }
-
-void map_writer::close() {
-  GODWIT_ASSERT(std::this_thread::get_id() != parts_->thread.get_id(), "map: closed from one of its own callbacks");
-  parts_->queue.close();
-  std::lock_guard one_at_a_time(parts_->close_mutex);
-  if (parts_->thread.joinable())
-    parts_->thread.join();
+map_result<void> map_writer::push(queued_work item) {
+  return parts_->writer.push({std::move(item)}).map_error(refused_work);
 }
+
+map_writer_status map_writer::status() const { return status_of(parts_->writer.status()); }
+
+void map_writer::run_once() { parts_->writer.run_once(); }
+
+void map_writer::close() { parts_->writer.close(); }
 
 } // namespace godwit::mapobjects_store

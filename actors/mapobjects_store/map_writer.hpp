@@ -1,18 +1,10 @@
-// The thread that writes the map: takes what waits, commits it as one group, tells everyone, and starts again. Long
-// jobs (pages of a load, the end of a pass, garbage) get a turn when nobody waits, and one in 100 ms when somebody
-// always does.
-//
-//            +-------- nothing waits --------+
-//            v                               |
-//   [idle] --work--> [group] --committed--> done callbacks --> log, one turn of a job
-//                      |  ^
-//          disk error  |  | after 10, 20, ... 2000 ms; at once when closing
-//                      v  |
-//                    [failing]    nobody's `done` is called; what comes waits, up to the bound of the queue
+// The writer of the map (io/sqlite/group_writer.hpp): what waits commits as one group. Long jobs (pages of a load, the
+// end of a pass, garbage) get a turn when nobody waits, and one in 100 ms when somebody always does.
 //
 // Each change is decided inside the transaction that makes it durable: it sees all that was decided before it, and its
-// answer is given when it can not be lost any more. Thread: push and status from any; `done` is called
-// on the writer's thread, once, and must be quick; close and the destructor not from there.
+// answer is given when it can not be lost any more. While the disk refuses, nobody's `done` is called; what comes
+// waits, up to the bound of the queue. Thread: push and status from any; `done` is called on the writer's thread, once,
+// and must be quick; close and the destructor not from there.
 #pragma once
 
 #include <chrono>
@@ -42,6 +34,10 @@ struct map_writer_options {
 
   // On the writer's thread, when `failing` turns on or off.
   std::function<void(const map_writer_status&)> on_health_change = {};
+
+  // False: nothing happens but in run_once and close. Tests and whole systems in virtual time.
+  bool own_thread = true;
+  std::function<std::chrono::steady_clock::time_point()> clock = &std::chrono::steady_clock::now;
 };
 
 class map_writer final : public map_access {
@@ -52,6 +48,9 @@ public:
 
   [[nodiscard]] map_result<void> push(queued_work item) override;
   [[nodiscard]] map_writer_status status() const override;
+
+  // Without a thread of its own: does what can be done now, at most one transaction.
+  void run_once();
 
   // Writes what waits within the close timeout, and tells the rest and the unfinished jobs that it is closed. Once.
   void close();

@@ -1,10 +1,5 @@
 #include "actors/mapobjects_store/schema.hpp"
 
-#include <array>
-
-#include "actors/mapobjects_store/sqlite_error.hpp"
-#include "io/sqlite/transaction.hpp"
-
 namespace godwit::mapobjects_store {
 
 namespace {
@@ -72,63 +67,23 @@ CREATE TABLE orphaned_ignored_item(
 CREATE INDEX orphaned_ignored_item_batch ON orphaned_ignored_item(batch);
 )";
 
-constexpr std::array migrations{first_version};
-
-map_result<std::int64_t> version_of(io::sqlite::database& db) {
-  const auto tables = db.query_integer("SELECT count(*) FROM sqlite_schema WHERE name = 'schema_version'");
-  if (!tables)
-    return tl::unexpected(from_sqlite(tables.error(), "looking for its tables"));
-  if (*tables == 0)
-    return 0;
-  const auto version = db.query_integer("SELECT version FROM schema_version");
-  if (!version)
-    return tl::unexpected(from_sqlite(version.error(), "reading its version"));
-  return *version;
-}
-
-io::sqlite::result<void> run_migrations(io::sqlite::database& db, std::int64_t found) {
-  auto change = io::sqlite::transaction::begin(db);
-  if (!change)
-    return tl::unexpected(std::move(change.error()));
-  for (auto i = static_cast<std::size_t>(found); i < migrations.size(); ++i)
-    if (auto done = db.exec(migrations[i]); !done)
-      return done;
-  if (auto done = db.exec("UPDATE schema_version SET version = " + std::to_string(migrations.size())); !done)
-    return done;
-  return change->commit();
-}
-
 } // namespace
 
-std::int64_t newest_schema_version() { return static_cast<std::int64_t>(migrations.size()); }
-
-map_result<void> check_schema(io::sqlite::database& db, const std::string& file) {
-  const auto application = db.query_integer("PRAGMA application_id");
-  if (!application)
-    return tl::unexpected(from_sqlite(application.error(), "reading the header of " + file));
-  if (*application != map_application_id)
-    return tl::unexpected(map_error{map_errc::foreign, file + " is an SQLite database of another program",
-                                    "Name another file for the map, or move this one away if nobody needs it"});
-  const auto version = version_of(db);
-  if (!version)
-    return tl::unexpected(version.error());
-  if (*version > newest_schema_version())
-    return tl::unexpected(map_error{map_errc::newer,
-                                    file + " has version " + std::to_string(*version) + ", this program knows up to " +
-                                        std::to_string(newest_schema_version()),
-                                    "Start the newer godwit that wrote it, or move the map away"});
-  return {};
+// The cache holds the inner pages of a million objects and some leaves. Deleted rows need not be overwritten: nothing
+// on the map is secret, and it would write each page of garbage.
+const io::sqlite::store_format& map_format() {
+  static const io::sqlite::store_format format{
+      .kind = {.name = "map",
+               .when_corrupt = "Move it away together with its -wal file (the sqlite3 shell's .recover may save what "
+                               "was not delivered); the map itself is pulled again"},
+      .application_id = map_application_id,
+      .migrations = {first_version},
+      .read_version = "SELECT version FROM schema_version",
+      .set_version = "UPDATE schema_version SET version = ",
+      .settings = "PRAGMA cache_size = -32768; PRAGMA secure_delete = OFF"};
+  return format;
 }
 
-map_result<void> migrate_schema(io::sqlite::database& db) {
-  const auto found = version_of(db);
-  if (!found)
-    return tl::unexpected(found.error());
-  if (*found == newest_schema_version())
-    return {};
-  if (auto done = run_migrations(db, *found); !done)
-    return tl::unexpected(from_sqlite(done.error(), "bringing its tables to the newest version"));
-  return {};
-}
+std::int64_t newest_schema_version() { return static_cast<std::int64_t>(map_format().migrations.size()); }
 
 } // namespace godwit::mapobjects_store

@@ -14,25 +14,18 @@
 //   orphaned_...      what is owed for missions that are gone, kept for people
 //   schema_version    one row
 //
-// Migration i leads from version i to i + 1. A version above the known ones is refused. Thread: the one of the
-// database.
+// Thread: any.
 #pragma once
 
 #include <cstdint>
 
-#include "actors/mapobjects_store/error.hpp"
-#include "io/sqlite/database.hpp"
+#include "io/sqlite/store_file.hpp"
 
 namespace godwit::mapobjects_store {
 
 inline constexpr std::int32_t map_application_id = 0x676f646d; // "godm"
 
+[[nodiscard]] const io::sqlite::store_format& map_format();
 [[nodiscard]] std::int64_t newest_schema_version();
-
-// Refuses what is foreign or newer. Only reads.
-[[nodiscard]] map_result<void> check_schema(io::sqlite::database& db, const std::string& file);
-
-// Brings the tables to the newest version; makes them in an empty file.
-[[nodiscard]] map_result<void> migrate_schema(io::sqlite::database& db);
 
 } // namespace godwit::mapobjects_store

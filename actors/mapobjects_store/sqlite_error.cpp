@@ -1,23 +1,42 @@
 #include "actors/mapobjects_store/sqlite_error.hpp"
 
-#include <sqlite3.h>
+#include "actors/mapobjects_store/schema.hpp"
 
 namespace godwit::mapobjects_store {
 
+namespace {
+
+map_errc code_of(io::sqlite::store_errc code) {
+  using io::sqlite::store_errc;
+  switch (code) {
+  case store_errc::locked:
+    return map_errc::locked;
+  case store_errc::missing:
+    return map_errc::missing;
+  case store_errc::foreign:
+    return map_errc::foreign;
+  case store_errc::newer:
+    return map_errc::newer;
+  case store_errc::corrupt:
+    return map_errc::corrupt;
+  case store_errc::misuse:
+    return map_errc::internal;
+  case store_errc::read_only:
+  case store_errc::disk_full:
+  case store_errc::io:
+    break;
+  }
+  return map_errc::disk;
+}
+
+} // namespace
+
+map_error from_store(const io::sqlite::store_error& error) {
+  return {code_of(error.code), error.file.empty() ? error.what : error.file + ": " + error.what, error.remedy};
+}
+
 map_error from_sqlite(const io::sqlite::error& error, const std::string& doing) {
-  const auto detail = " (" + error.message + ", while " + doing + ")";
-  if (error.code == SQLITE_CORRUPT)
-    return {map_errc::corrupt, "the file is damaged" + detail,
-            "Move it away together with its -wal file (the sqlite3 shell's .recover may save what was not delivered); "
-            "the map itself is pulled again"};
-  if (error.code == SQLITE_NOTADB)
-    return {map_errc::foreign, "this is not a godwit map" + detail,
-            "Name another file for the map, or move this one away if nobody needs it"};
-  if (io::sqlite::is_programming_error(error))
-    return {map_errc::internal, "a statement was refused" + detail,
-            "This is a mistake in the program that gave the statement; please report it"};
-  return {map_errc::disk, "the disk or another program is in the way" + detail,
-          "Look for a full or failing disk and for programs that hold the file; a running godwit goes on by itself"};
+  return from_store(io::sqlite::describe(error, map_format().kind, {}, doing));
 }
 
 } // namespace godwit::mapobjects_store

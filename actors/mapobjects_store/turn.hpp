@@ -17,12 +17,14 @@ inline constexpr std::chrono::milliseconds max_chunk_time{50};
 
 class turn {
 public:
-  // URGENT is asked now and then; true ends the turn early.
-  explicit turn(std::function<bool()> urgent)
-      : urgent_(std::move(urgent)), end_(std::chrono::steady_clock::now() + max_chunk_time) {}
+  using time_point = std::chrono::steady_clock::time_point;
+
+  // URGENT is asked now and then; true ends the turn early. CLOCK lives longer.
+  turn(const std::function<bool()>& urgent, const std::function<time_point()>& clock)
+      : urgent_(&urgent), clock_(&clock), end_(clock() + max_chunk_time) {}
 
   // A turn without end but that of the rows, for whoever has nobody waiting.
-  turn() : end_(std::chrono::steady_clock::time_point::max()) {}
+  turn() = default;
 
   // After each row: whether the turn is over.
   [[nodiscard]] bool over_after_row() {
@@ -31,15 +33,16 @@ public:
       return true;
     if (rows_ % rows_between_looks != 0)
       return false;
-    return (urgent_ && urgent_()) || std::chrono::steady_clock::now() >= end_;
+    return urgent_ != nullptr && ((*urgent_)() || (*clock_)() >= end_);
   }
 
 private:
   // A row takes some 3 to 50 us.
   static constexpr std::size_t rows_between_looks = 16;
 
-  std::function<bool()> urgent_;
-  std::chrono::steady_clock::time_point end_;
+  const std::function<bool()>* urgent_ = nullptr;
+  const std::function<time_point()>* clock_ = nullptr;
+  time_point end_;
   std::size_t rows_ = 0;
 };
 

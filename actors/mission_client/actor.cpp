@@ -1,6 +1,7 @@
 #include "actors/mission_client/actor.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -10,18 +11,6 @@
 namespace godwit::mission_client {
 
 namespace {
-
-runtime::health_colour colour_of(wellness how) {
-  switch (how) {
-  case wellness::well:
-    return runtime::health_colour::green;
-  case wellness::impaired:
-    return runtime::health_colour::yellow;
-  case wellness::bad:
-    break;
-  }
-  return runtime::health_colour::red;
-}
 
 runtime::delivery_state state_of(const row_noted& noted) {
   if (noted.how == noted_as::delivered)
@@ -66,10 +55,17 @@ constexpr const char* prune_table =
 template <class M>
 auto actor::hears() {
   return on<M>([this](const M& message) {
-    tell(me(), wake{});
     commit(durable_core::event(message));
+    turn();
   });
 }
+
+actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<service_port> service,
+             std::shared_ptr<const neighbours> others, std::uint64_t seed)
+    : durable_actor(std::move(context)), settings_(configured), service_(std::move(service)),
+      others_(std::move(others)), seed_(seed) {}
+
+actor::~actor() = default;
 
 actor::behavior_type actor::handlers() {
   return {hears<begin_mission>(),
@@ -81,41 +77,33 @@ actor::behavior_type actor::handlers() {
           hears<replace_tail>(),
           on<get_service>([this](const get_service&) { return status(); }),
           on_request<retry_outbox, retry_answer>(),
-          on<wake>([this](const wake&) { turn(); }),
-          on<timer>([this](const timer& which) {
-            if (which.number != timer_number_)
-              return;
-            timer_due_ns_ = never_ns;
-            turn();
-          })};
+          on<wake>([this](const wake&) { turn(); })};
 }
+
+void actor::on_deadline() { turn(); }
 
 void actor::started() {
   const auto& s = current_state();
-  const auto life = hash_of(s.mission_id, incarnation() ^ s.next_order) ^ static_cast<std::uint64_t>(wall_ns());
+  const auto life = hash_of(s.mission_id, incarnation_number() ^ s.next_order) ^ static_cast<std::uint64_t>(wall_ns());
   planner_.emplace(settings_, seed_ ^ life);
   planner_->on_disk({s.next_order, false});
   service_->cancel_all();
   tell(me(), wake{});
 }
 
-// -- a turn: what came in, then what is to be done; one event at its end --------------------------
+// -- a turn: what came in, then what is to be done ------------------------------------------------
 
 void actor::turn() {
   if (const auto by_ns = clock_.jump(now()))
-    to_commit_.emplace_front(clock_jumped{*by_ns});
-  if (to_commit_.empty())
-    take_answers();
-  if (to_commit_.empty()) // else the state is not yet what the answers have made of it
-    carry_out(planner_->plan(current_state(), now()));
-  end_turn();
+    commit(clock_jumped{*by_ns});
+  take_answers();
+  plan();
+  post_health();
+  wake_at(planner_->wake_ns());
 }
 
 void actor::take_answers() {
-  while (to_commit_.empty()) {
-    const auto answer = service_->answers().take();
-    if (!answer)
-      return;
+  while (const auto answer = service_->answers().take()) {
     const auto call = calls_.find(answer->number);
     if (call == calls_.end()) {
       ++stray_answers_;
@@ -124,6 +112,19 @@ void actor::take_answers() {
     const auto number = call->second;
     calls_.erase(call);
     carry_out(planner_->on_answer(current_state(), now(), number, *answer));
+  }
+}
+
+// Until it wants nothing more of the state.
+void actor::plan() {
+  for (int i = 0;; ++i) {
+    if (i == max_plans_per_turn)
+      throw std::logic_error("mission_client does not come to an end with what it wants");
+    auto wanted = planner_->plan(current_state(), now());
+    const bool is_done = wanted.events.empty();
+    carry_out(std::move(wanted));
+    if (is_done)
+      return;
   }
 }
 
@@ -139,16 +140,14 @@ void actor::carry_out(wishes wanted) {
     calls_.emplace(service_->send(std::move(each.call)), each.number);
   for (const auto& each : wanted.questions)
     ask_store(each.number, each.question);
-  for (auto& each : wanted.events)
-    to_commit_.push_back(std::move(each));
+  for (const auto& each : wanted.events)
+    commit(each);
 }
 
 void actor::ask_store(ticket number, const store_question& asked) {
   const auto then = [this, number](const store_answer& answer) {
     carry_out(planner_->on_store(current_state(), now(), number, answer));
-    if (to_commit_.empty())
-      tell(me(), wake{});
-    end_turn();
+    turn();
   };
   std::visit(
       [&](const auto& question) {
@@ -159,35 +158,7 @@ void actor::ask_store(ticket number, const store_question& asked) {
       asked);
 }
 
-// Each handler gives one event to the journal; with the next turn comes the next one.
-void actor::end_turn() {
-  post_health();
-  set_timer();
-  if (to_commit_.empty())
-    return;
-  auto next = std::move(to_commit_.front());
-  to_commit_.pop_front();
-  tell(me(), wake{});
-  commit(std::move(next));
-}
-
-// One timer is under way at a time; an earlier deadline overtakes it with a new number.
-void actor::set_timer() {
-  const auto due = planner_->wake_ns();
-  if (timer_due_ns_ <= due)
-    return;
-  timer_due_ns_ = due;
-  const auto delay = std::max<std::int64_t>(due - now_ns(), 0);
-  tell_after(std::chrono::nanoseconds(delay), me(), timer{++timer_number_});
-}
-
-void actor::post_health() {
-  auto how = planner_->health(current_state());
-  if (posted_ == how)
-    return;
-  outside().health->post(actor_name(), colour_of(how.how), how.reason);
-  posted_ = std::move(how);
-}
+void actor::post_health() { show_health(planner_->health(current_state())); }
 
 service_status actor::status() const { return planner_->status(current_state()); }
 
@@ -205,14 +176,14 @@ bool actor::stage(const durable_core::effect& each, runtime::journal_write& writ
   return false;
 }
 
-void actor::let_out(const durable_core::effect& each) {
+void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (runtime::accepts<listener_handle, M>) {
           tell(others_->listener, m);
         } else if constexpr (std::is_same_v<M, on_disk>) {
           planner_->on_disk(m);
-          tell_after(std::chrono::nanoseconds(0), me(), wake{}); // without the effect's id: a repetition is welcome
+          tell(me(), wake{});
         }
       },
       each);

@@ -1,14 +1,13 @@
 // mission_client as an actor: everything between godwit and the missions service.
 //
 // The durable decisions are in core.hpp, what is to be done next in planner.hpp. This shell takes what others say and
-// the answers of the service, gives one event after the other to the journal, and carries out the planner's wishes:
-// calls to the service through its port, questions to the map store. Calls of an incarnation that died are forgotten;
-// the next one makes them again under the same keys. Thread: as cell.
+// the answers of the service, commits the events that come of it, and carries out the planner's wishes: calls to the
+// service through its port, questions to the map store. Calls of an incarnation that died are forgotten; the next one
+// makes them again under the same keys. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,7 +19,7 @@
 #include "actors/mission_client/settings.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::mission_client {
 
@@ -36,18 +35,20 @@ struct neighbours {
   mapobjects_store::client_handle map;
 };
 
-class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
+  static constexpr int max_plans_per_turn = 1'000;
+
   // CONFIGURED has no objection_to. SEED: another one for each process, for keys that nobody else makes.
-  actor(runtime::actor_config& config, runtime::birth born, settings configured, std::shared_ptr<service_port> service,
-        std::shared_ptr<const neighbours> others, std::uint64_t seed)
-      : persistent_cell(config, std::move(born)), settings_(configured), service_(std::move(service)),
-        others_(std::move(others)), seed_(seed) {}
+  actor(runtime::spawn_context context, settings configured, std::shared_ptr<service_port> service,
+        std::shared_ptr<const neighbours> others, std::uint64_t seed);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;
   void started() override;
-  void let_out(const durable_core::effect& each) override;
+  void on_deadline() override;
+  void dispatch(const durable_core::effect& each) override;
   bool stage(const durable_core::effect& each, runtime::journal_write& write) override;
 
 private:
@@ -56,10 +57,9 @@ private:
   auto hears();
   void turn();
   void take_answers();
+  void plan();
   void carry_out(wishes wanted);
   void ask_store(ticket number, const store_question& asked);
-  void end_turn();
-  void set_timer();
   void post_health();
   [[nodiscard]] service_status status() const;
 
@@ -69,12 +69,8 @@ private:
   std::uint64_t seed_;
   std::optional<planner> planner_;
   clock_watch clock_;
-  std::map<std::uint64_t, ticket> calls_;     // under way, by the port's number; bounded by the planner
-  std::deque<durable_core::event> to_commit_; // at most a few for each thing that is under way
-  std::optional<condition> posted_;
-  std::uint64_t timer_number_ = 0;
-  std::int64_t timer_due_ns_ = never_ns; // never: no timer is under way
-  std::uint64_t stray_answers_ = 0;      // to calls that nobody waits for any more
+  std::map<std::uint64_t, ticket> calls_; // under way, by the port's number; bounded by the planner
+  std::uint64_t stray_answers_ = 0;       // to calls that nobody waits for any more
 };
 
 } // namespace godwit::mission_client

@@ -165,7 +165,7 @@ void take(turn& t, const errand_done& m) {
 
 } // namespace
 
-std::vector<effect> durable_core::handle(state& s, const event& happened, std::int64_t now_ns) {
+std::vector<effect> durable_core::apply(state& s, const event& happened, std::int64_t now_ns) {
   turn t{s, now_ns};
   const auto first_order = s.next_order;
   const auto settled_before = s.settled_rows;

@@ -20,7 +20,7 @@ struct durable_core {
   using event = mission_client::event;
   using effect = mission_client::effect;
 
-  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t now_ns);
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   // Assignments without a response: whoever flies may have forgotten them with its own crash.
   [[nodiscard]] static std::vector<effect> resume(const state& s, std::int64_t now_ns);
 };

@@ -12,6 +12,7 @@
 #include "actors/mission_client/state.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/mission_client/types.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::mission_client {
 
@@ -171,6 +172,7 @@ struct table_pruned {
 
 // Rows below this order are on the disk, and may be delivered.
 struct on_disk {
+  static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t below_order = 0;
   bool frees_lanes = false; // by a person's will also those that were not allowed
   static constexpr auto fields = io::table("mission_client.on_disk", io::field("below_order", &on_disk::below_order),

@@ -73,14 +73,15 @@ service_status planner::status(const state& s) const {
           .may_deliver = !deliveries_.is_blocked(s.mission_id)};
 }
 
-condition planner::health(const state& s) const {
+runtime::condition planner::health(const state& s) const {
   const auto why = last_error();
   if (s.now == phase::refused)
-    return {wellness::bad, "the mission is refused" + (why.empty() ? "" : ": " + why)};
+    return {runtime::health_colour::red, "the mission is refused" + (why.empty() ? "" : ": " + why)};
   if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked())
-    return {wellness::bad, "the missions service does not allow it: " + why};
+    return {runtime::health_colour::red, "the missions service does not allow it: " + why};
   if (s.refused_rows != 0 && is_full(s.rows))
-    return {wellness::bad, "the outbox is full: " + std::to_string(s.refused_rows) + " reports were not taken"};
+    return {runtime::health_colour::red,
+            "the outbox is full: " + std::to_string(s.refused_rows) + " reports were not taken"};
   const auto counts = count_rows(s.rows);
   std::string reason = why;
   const auto add = [&reason](std::uint32_t count, const char* what) {
@@ -98,7 +99,7 @@ condition planner::health(const state& s) const {
       reason.append(reason.empty() ? "" : "; ").append("the map is being delivered");
       break;
     }
-  return {reason.empty() ? wellness::well : wellness::impaired, reason};
+  return {reason.empty() ? runtime::health_colour::green : runtime::health_colour::yellow, reason};
 }
 
 } // namespace godwit::mission_client

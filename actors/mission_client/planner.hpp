@@ -18,17 +18,9 @@
 #include "actors/mission_client/fetching.hpp"
 #include "actors/mission_client/polling.hpp"
 #include "actors/mission_client/pulling.hpp"
+#include "runtime/condition.hpp"
 
 namespace godwit::mission_client {
-
-enum class wellness { well, impaired, bad };
-
-// For the health board.
-struct condition {
-  wellness how = wellness::well;
-  std::string reason;
-  bool operator==(const condition&) const = default;
-};
 
 class planner {
 public:
@@ -43,7 +35,7 @@ public:
   // Monotonic; of the last plan().
   [[nodiscard]] std::int64_t wake_ns() const { return wake_ns_; }
   [[nodiscard]] service_status status(const state& s) const;
-  [[nodiscard]] condition health(const state& s) const;
+  [[nodiscard]] runtime::condition health(const state& s) const;
 
 private:
   [[nodiscard]] part* take_waiting(ticket number);

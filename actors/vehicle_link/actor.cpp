@@ -5,21 +5,14 @@
 
 namespace godwit::vehicle_link {
 
-namespace {
+namespace {} // namespace
 
-runtime::health_colour colour_of(wellness how) {
-  switch (how) {
-  case wellness::well:
-    return runtime::health_colour::green;
-  case wellness::impaired:
-    return runtime::health_colour::yellow;
-  case wellness::bad:
-    break;
-  }
-  return runtime::health_colour::red;
-}
+actor::actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
+             std::shared_ptr<const listeners> ears)
+    : durable_actor(std::move(context)), settings_(std::move(configured)), signing_(std::move(signing)),
+      line_(std::move(line)), ears_(std::move(ears)) {}
 
-} // namespace
+actor::~actor() = default;
 
 actor::behavior_type actor::handlers() {
   const auto then = [this](const effects& wanted) {
@@ -49,7 +42,7 @@ actor::behavior_type actor::handlers() {
       on<cancel_transfer>([this, then](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
       on<vouch>([this](const vouch& what) {
         core_->on_vouch(what, now());
-        set_timer();
+        wake_at(core_->next_deadline_ns());
       }),
       on<get_connection>([this](const get_connection&) {
         auto result = core_->describe(now());
@@ -57,14 +50,12 @@ actor::behavior_type actor::handlers() {
         result.dropped_out = dropped_out_;
         return result;
       }),
-      on<wake>([this](const wake&) { drain(); }),
-      on<timer>([this](const timer& which) {
-        if (which.number != timer_number_)
-          return;
-        timer_due_ns_.reset();
-        carry_out(core_->on_time(now()));
-        drain(); // also when a wake was lost with an incarnation
-      })};
+      on<wake>([this](const wake&) { drain(); })};
+}
+
+void actor::on_deadline() {
+  carry_out(core_->on_time(now()));
+  drain(); // also when a wake was lost with an incarnation
 }
 
 void actor::started() {
@@ -72,7 +63,7 @@ void actor::started() {
   if (const auto status = line_->incoming().newest_status()) // an earlier life may have taken it
     carry_out(core_->on_link(*status, now()));
   tell(me(), wake{}); // what came in meanwhile waits
-  set_timer();
+  wake_at(core_->next_deadline_ns());
 }
 
 void actor::drain() {
@@ -121,14 +112,13 @@ void actor::carry_out(const announcement& each) {
 // not, because a command must not reach the vehicle twice.
 void actor::after_turn() {
   post_health();
-  set_timer();
+  wake_at(core_->next_deadline_ns());
   reserve_signing_time();
-  send_outgoing();
+  if (!outgoing_.empty())
+    at_end([this] { send_outgoing(); });
 }
 
 void actor::send_outgoing() {
-  if (outgoing_.empty())
-    return;
   mark_committed();
   for (const auto& each : outgoing_)
     if (!line_->send(each.frame.span(), each.to))
@@ -136,30 +126,14 @@ void actor::send_outgoing() {
   outgoing_.clear();
 }
 
-// One timer is under way at a time; an earlier deadline overtakes it with a new number.
-void actor::set_timer() {
-  const auto due = core_->next_deadline_ns();
-  if (timer_due_ns_ && *timer_due_ns_ <= due)
-    return;
-  timer_due_ns_ = due;
-  const auto delay = std::max<std::int64_t>(due - now_ns(), 0);
-  tell_after(std::chrono::nanoseconds(delay), me(), timer{++timer_number_});
-}
-
-void actor::post_health() {
-  auto how = core_->health(now());
-  if (posted_ == how)
-    return;
-  outside().health->post(actor_name(), colour_of(how.how), how.reason);
-  posted_ = std::move(how);
-}
+void actor::post_health() { show_health(core_->health(now())); }
 
 void actor::reserve_signing_time() {
   if (const auto ceiling = core_->wanted_reservation(now()))
     commit(signing_time_reserved{mavlink::units(*ceiling)});
 }
 
-void actor::let_out(const durable_core::effect& each) {
+void actor::dispatch(const durable_core::effect& each) {
   core_->on_reserved(mavlink::signing_time{std::get<signing_time_reserved>(each).ceiling});
 }
 

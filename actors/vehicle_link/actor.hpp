@@ -3,7 +3,7 @@
 // The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
 // effects: frames to the wire, answers to whoever asked, observations to the listeners, the state of the link to the
 // health board. A crash loses no line and no queue (they are the port's); who waited for an answer is told that the
-// outcome is not known. Errors: see the outcome types. Thread: as cell.
+// outcome is not known. Errors: see the outcome types. Thread: as actor_base.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 #include "actors/vehicle_link/state.hpp"
 #include "io/link/wire.hpp"
 #include "messages/vehicle_link/handle.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -24,17 +24,18 @@ using io::link::wire;
 // So much of what came in is handled in one turn, before other mail has its own.
 inline constexpr int max_chunks_per_turn = 32;
 
-class actor final : public runtime::persistent_cell<own_handle, durable_core> {
+class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
-  actor(runtime::actor_config& config, runtime::birth born, settings configured, signing_settings signing,
-        std::shared_ptr<wire> line, std::shared_ptr<const listeners> ears)
-      : persistent_cell(config, std::move(born)), settings_(std::move(configured)), signing_(std::move(signing)),
-        line_(std::move(line)), ears_(std::move(ears)) {}
+  actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
+        std::shared_ptr<const listeners> ears);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;
   void started() override;
-  void let_out(const durable_core::effect& each) override;
+  void on_deadline() override;
+  void dispatch(const durable_core::effect& each) override;
+  [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
   [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
@@ -48,7 +49,6 @@ private:
   void carry_out(const observation& each);
   void carry_out(const announcement& each);
   void after_turn();
-  void set_timer();
   void reserve_signing_time();
   void post_health();
   void send_outgoing();
@@ -58,10 +58,7 @@ private:
   std::shared_ptr<wire> line_;
   std::shared_ptr<const listeners> ears_;
   std::optional<core> core_;
-  std::optional<condition> posted_;
-  std::uint64_t timer_number_ = 0;
-  std::optional<std::int64_t> timer_due_ns_; // nothing: no timer is under way
-  std::vector<transmission> outgoing_;       // of this turn
+  std::vector<transmission> outgoing_; // of this turn
   std::uint64_t dropped_out_ = 0;
 };
 

@@ -518,19 +518,20 @@ connection core::describe(instant now) const {
   return result;
 }
 
-condition core::health(instant now) {
+runtime::condition core::health(instant now) {
   if (speaks_v1_only(now.monotonic_ns))
-    return {wellness::bad,
+    return {runtime::health_colour::red,
             "the vehicle speaks MAVLink 1 only; set it to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL = 2, PX4: "
             "MAV_PROTO_VER = 2)"};
   if (watch_.phase() != connection_phase::connected)
-    return {wellness::bad, watch_.reason()};
+    return {runtime::health_colour::red, watch_.reason()};
   if (channel_.signs_beyond_reservation())
-    return {wellness::bad, "signing goes on without its time being on the disk: the journal does not answer"};
+    return {runtime::health_colour::red,
+            "signing goes on without its time being on the disk: the journal does not answer"};
   if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ms * ns_per_ms)
-    return {wellness::impaired, "frames are refused for their signature: " + channel_.last_rejection()};
+    return {runtime::health_colour::yellow, "frames are refused for their signature: " + channel_.last_rejection()};
   if (const auto who = gate_.missing(now.monotonic_ns))
-    return {wellness::impaired, "our heartbeat is held back: " + *who + " does not say that it is well"};
+    return {runtime::health_colour::yellow, "our heartbeat is held back: " + *who + " does not say that it is well"};
   return {};
 }
 

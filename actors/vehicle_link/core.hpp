@@ -26,19 +26,11 @@
 #include "actors/vehicle_link/vehicle_watch.hpp"
 #include "actors/vehicle_link/voucher_gate.hpp"
 #include "io/mavlink/signing/channel.hpp"
+#include "runtime/condition.hpp"
 
 namespace godwit::vehicle_link {
 
 using mavlink::signing_settings;
-
-enum class wellness { well, impaired, bad };
-
-// For the health board.
-struct condition {
-  wellness how = wellness::well;
-  std::string reason;
-  bool operator==(const condition&) const = default;
-};
 
 // A peer is said to speak MAVLink 1 only when it was heard for so long and never spoke MAVLink 2.
 inline constexpr std::int64_t v1_only_after_ms = 3'000;
@@ -79,7 +71,7 @@ public:
 
   [[nodiscard]] std::int64_t next_deadline_ns() const;
   [[nodiscard]] connection describe(instant now) const;
-  [[nodiscard]] condition health(instant now);
+  [[nodiscard]] runtime::condition health(instant now);
 
 private:
   class turn; // what one event leads to, while it is handled

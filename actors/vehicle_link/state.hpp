@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::vehicle_link {
 
 // All signing times of this link below the ceiling may have been used. Units: 10 us since 2015-01-01 UTC.
 struct signing_time_reserved {
+  static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t ceiling = 0;
   static constexpr auto fields =
       io::table("vehicle_link.signing_time_reserved", io::field("ceiling", &signing_time_reserved::ceiling));
@@ -28,7 +30,7 @@ struct durable_core {
   using event = std::variant<signing_time_reserved>;
   using effect = std::variant<signing_time_reserved>;
 
-  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t) {
     const auto& reserved = std::get<signing_time_reserved>(happened);
     if (reserved.ceiling > s.signing_ceiling)
       s.signing_ceiling = reserved.ceiling;

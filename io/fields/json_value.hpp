@@ -14,17 +14,9 @@
 #include <tl/expected.hpp>
 
 #include "io/fields/field_table.hpp"
+#include "io/fields/forms_fwd.hpp"
 
 namespace godwit::io {
-
-// "items[3].altitude_m: expected a number, found \"high\""
-struct json_mismatch {
-  std::string path;
-  std::string what;
-  [[nodiscard]] std::string message() const { return (path.empty() ? std::string("document") : path) + ": " + what; }
-};
-
-using json_read_result = tl::expected<void, json_mismatch>;
 
 [[nodiscard]] tl::unexpected<json_mismatch> mismatch(const std::string& path, const std::string& expected,
                                                      const nlohmann::json& found);

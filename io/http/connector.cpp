@@ -47,8 +47,8 @@ void connector::start(done then) {
 void connector::stop() {
   then_ = nullptr;
   address_timer_.cancel();
-  if (wire_)
-    wire_->close();
+  if (connection_)
+    connection_->close();
 }
 
 void connector::looked_up(const link::found_addresses& found) {
@@ -70,13 +70,13 @@ void connector::try_next() {
   if (to_.has_token && !to_.base.is_tls && !at.address().is_loopback())
     return fail({errc::token_in_clear, "the token would go to " + place + " in clear: use https://", {}});
   step_ = "connecting to " + place;
-  wire_ = std::make_unique<wire>(io_);
+  connection_ = std::make_unique<connection>(io_);
   address_timer_.expires_after(address_limit_);
   address_timer_.async_wait([self = shared_from_this(), attempt = ++attempt_](const error_code& cancelled) {
     if (!cancelled && self->then_ && attempt == self->attempt_)
-      self->wire_->close();
+      self->connection_->close();
   });
-  wire_->socket().async_connect(
+  connection_->socket().async_connect(
       at, [self = shared_from_this(), place](const error_code& failed) { self->connected(failed, place); });
 }
 
@@ -90,7 +90,7 @@ void connector::connected(const error_code& failed, const std::string& place) {
   if (failed)
     return fail(connect_error(failed, place));
   error_code ignored; // a little slower without it
-  wire_->socket().set_option(tcp::no_delay(true), ignored);
+  connection_->socket().set_option(tcp::no_delay(true), ignored);
   if (to_.has_proxy && to_.base.is_tls)
     return ask_proxy();
   begin_tls();
@@ -102,7 +102,7 @@ void connector::ask_proxy() {
   reader_rules rules;
   rules.is_connect = true;
   proxy_answer_.emplace(std::move(rules));
-  wire_->write(proxy_request_, {}, [self = shared_from_this()](const error_code& failed, std::size_t) {
+  connection_->write(proxy_request_, {}, [self = shared_from_this()](const error_code& failed, std::size_t) {
     if (!self->then_)
       return;
     if (failed)
@@ -112,17 +112,18 @@ void connector::ask_proxy() {
 }
 
 void connector::read_proxy() {
-  wire_->read_some(asio::buffer(piece_), [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
-    if (!self->then_)
-      return;
-    if (failed)
-      return self->fail(proxy_error(errc::connection_lost, failed.message()));
-    if (const auto taken = self->proxy_answer_->feed(std::span(self->piece_).first(bytes)); !taken)
-      return self->fail(proxy_error(errc::proxy_refused, taken.error().what));
-    if (!self->proxy_answer_->is_complete())
-      return self->read_proxy();
-    self->proxy_answered();
-  });
+  connection_->read_some(
+      asio::buffer(piece_), [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
+        if (!self->then_)
+          return;
+        if (failed)
+          return self->fail(proxy_error(errc::connection_lost, failed.message()));
+        if (const auto taken = self->proxy_answer_->feed(std::span(self->piece_).first(bytes)); !taken)
+          return self->fail(proxy_error(errc::proxy_refused, taken.error().what));
+        if (!self->proxy_answer_->is_complete())
+          return self->read_proxy();
+        self->proxy_answered();
+      });
 }
 
 void connector::proxy_answered() {
@@ -142,23 +143,24 @@ void connector::proxy_answered() {
 
 void connector::begin_tls() {
   if (!to_.base.is_tls)
-    return finish(std::move(wire_));
+    return finish(std::move(connection_));
   step_ = "waiting for TLS";
-  SSL* const connection = wire_->begin_tls(*tls_);
-  if (!expect_host(connection, to_.base.host))
+  SSL* const tls = connection_->begin_tls(*tls_);
+  if (!expect_host(tls, to_.base.host))
     return fail({errc::tls_failed, "OpenSSL has no memory left", {}});
-  wire_->shake_hands([self = shared_from_this(), connection](const error_code& failed, std::size_t) {
-    if (!self->then_)
-      return;
-    if (failed)
-      return self->fail(handshake_error(connection, self->to_.base.host, failed));
-    self->finish(std::move(self->wire_));
-  });
+  connection_->shake_hands(connection::side::client,
+                           [self = shared_from_this(), tls](const error_code& failed, std::size_t) {
+                             if (!self->then_)
+                               return;
+                             if (failed)
+                               return self->fail(handshake_error(tls, self->to_.base.host, failed));
+                             self->finish(std::move(self->connection_));
+                           });
 }
 
 void connector::fail(error why) { finish(tl::make_unexpected(std::move(why))); }
 
-void connector::finish(result<std::unique_ptr<wire>> end) {
+void connector::finish(result<std::unique_ptr<connection>> end) {
   address_timer_.cancel();
   const auto then = std::exchange(then_, nullptr);
   then(std::move(end));

@@ -20,10 +20,10 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 
+#include "io/http/connection.hpp"
 #include "io/http/error.hpp"
 #include "io/http/response_reader.hpp"
 #include "io/http/settings.hpp"
-#include "io/http/wire.hpp"
 #include "io/link/name_lookup.hpp"
 
 namespace godwit::io::http {
@@ -31,7 +31,7 @@ namespace godwit::io::http {
 class connector : public std::enable_shared_from_this<connector> {
 public:
   static constexpr std::size_t max_addresses = 4;
-  using done = std::function<void(result<std::unique_ptr<wire>>)>;
+  using done = std::function<void(result<std::unique_ptr<connection>>)>;
 
   connector(boost::asio::io_context& io, const destination& to, boost::asio::ssl::context* tls,
             std::chrono::milliseconds limit);
@@ -49,7 +49,7 @@ private:
   void read_proxy();
   void proxy_answered();
   void begin_tls();
-  void finish(result<std::unique_ptr<wire>> end);
+  void finish(result<std::unique_ptr<connection>> end);
   void fail(error why);
 
   boost::asio::io_context& io_;
@@ -58,10 +58,10 @@ private:
   std::chrono::milliseconds limit_;
   link::name_lookup lookup_;
   boost::asio::steady_timer address_timer_;
-  int attempt_ = 0; // counts the addresses, so that the timer of one does not close the wire of the next
+  int attempt_ = 0; // counts the addresses, so that the timer of one does not close the connection of the next
   std::vector<boost::asio::ip::address> addresses_; // those that were not tried yet, the next one last
   std::chrono::milliseconds address_limit_{0};
-  std::unique_ptr<wire> wire_;
+  std::unique_ptr<connection> connection_;
   std::string proxy_request_;
   std::optional<response_reader> proxy_answer_;
   std::array<std::byte, 1024> piece_{};

@@ -13,7 +13,8 @@
 namespace godwit::io::http {
 
 enum class errc {
-  invalid_settings,   // the client was not opened: nothing was sent
+  invalid_settings,   // the client was not opened: nothing was sent; of a server: a certificate or key that is none
+  cannot_listen,      // the place of a server is taken, or not ours
   invalid_request,    // refused before anything was sent
   too_many,           // as many requests under way and waiting as there may be
   closing,            // the client is being destroyed
@@ -42,6 +43,7 @@ enum class errc {
 
 constexpr auto enum_names(errc) {
   return names<errc>({{errc::invalid_settings, "invalid_settings"},
+                      {errc::cannot_listen, "cannot_listen"},
                       {errc::invalid_request, "invalid_request"},
                       {errc::too_many, "too_many"},
                       {errc::closing, "closing"},

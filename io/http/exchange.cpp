@@ -48,9 +48,9 @@ void exchange::start() {
   }
   head_ = request_head(asked_, parts_.to, token.revealed());
   piece_.resize(read_piece_bytes);
-  if (auto kept = parts_.kept.take(clock::now())) {
+  if (auto kept = parts_.pool.take(clock::now())) {
     parts_.counters.reused.add();
-    is_kept_wire_ = true;
+    is_reused_ = true;
     return use(std::move(kept));
   }
   connect();
@@ -67,10 +67,10 @@ void exchange::connect() {
   });
   connector_ = std::make_shared<connector>(parts_.io, parts_.to, parts_.tls.get(), parts_.set.connect_timeout);
   connector_->start(
-      [self = shared_from_this()](result<std::unique_ptr<wire>> made) { self->connected(std::move(made)); });
+      [self = shared_from_this()](result<std::unique_ptr<connection>> made) { self->connected(std::move(made)); });
 }
 
-void exchange::connected(result<std::unique_ptr<wire>> made) {
+void exchange::connected(result<std::unique_ptr<connection>> made) {
   if (phase_ != phase::connecting)
     return;
   phase_timer_.cancel();
@@ -83,9 +83,9 @@ void exchange::connected(result<std::unique_ptr<wire>> made) {
   use(std::move(*made));
 }
 
-void exchange::use(std::unique_ptr<wire> ready) {
+void exchange::use(std::unique_ptr<connection> ready) {
   phase_ = phase::sending;
-  wire_ = std::move(ready);
+  connection_ = std::move(ready);
   body_sent_ = 0;
   is_sent_ = false;
   reader_.emplace(reader_rules{asked_.max_body_bytes.value_or(parts_.set.max_body_bytes), asked_.expected_content_type,
@@ -98,26 +98,27 @@ void exchange::use(std::unique_ptr<wire> ready) {
 void exchange::send_piece() {
   const auto head = body_sent_ == 0 ? head_.revealed() : std::string_view{};
   const auto piece = std::string_view(asked_.body).substr(body_sent_, send_piece_bytes);
-  wire_->write(head, piece,
-               [self = shared_from_this(), size = piece.size()](const error_code& failed, std::size_t sent) {
-                 if (self->phase_ != phase::sending)
-                   return;
-                 self->parts_.counters.request_bytes.add(sent);
-                 self->last_byte_at_ = clock::now();
-                 self->body_sent_ += failed ? 0 : size;
-                 if (!failed && self->body_sent_ < self->asked_.body.size())
-                   return self->send_piece();
-                 self->is_sent_ = !failed;
-                 self->phase_ = phase::receiving;
-                 self->read_piece();
-               });
+  connection_->write(head, piece,
+                     [self = shared_from_this(), size = piece.size()](const error_code& failed, std::size_t sent) {
+                       if (self->phase_ != phase::sending)
+                         return;
+                       self->parts_.counters.request_bytes.add(sent);
+                       self->last_byte_at_ = clock::now();
+                       self->body_sent_ += failed ? 0 : size;
+                       if (!failed && self->body_sent_ < self->asked_.body.size())
+                         return self->send_piece();
+                       self->is_sent_ = !failed;
+                       self->phase_ = phase::receiving;
+                       self->read_piece();
+                     });
 }
 
 void exchange::read_piece() {
-  wire_->read_some(asio::buffer(piece_), [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
-    if (self->phase_ == phase::receiving)
-      self->received(failed, bytes);
-  });
+  connection_->read_some(asio::buffer(piece_),
+                         [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
+                           if (self->phase_ == phase::receiving)
+                             self->received(failed, bytes);
+                         });
 }
 
 void exchange::received(const error_code& failed, std::size_t bytes) {
@@ -158,11 +159,11 @@ void exchange::stream_ended(const error_code& failed) {
 
 // The service may close a kept connection at any time, also just when a request is on its way: RFC 9112, 9.3.1.
 bool exchange::repeat() {
-  if (!is_kept_wire_ || !may_repeat(asked_))
+  if (!is_reused_ || !may_repeat(asked_))
     return false;
   parts_.counters.repeated.add();
-  is_kept_wire_ = false;
-  wire_.reset();
+  is_reused_ = false;
+  connection_.reset();
   phase_timer_.cancel();
   connect();
   return true;
@@ -223,15 +224,15 @@ void exchange::fail(error why) {
 void exchange::finish(result<response> end) {
   if (phase_ == phase::ended)
     return;
-  if (end && wire_ && reader_->can_be_kept() && is_sent_)
-    parts_.kept.put(std::move(wire_), clock::now());
+  if (end && connection_ && reader_->can_be_kept() && is_sent_)
+    parts_.pool.put(std::move(connection_), clock::now());
   phase_ = phase::ended;
   total_timer_.cancel();
   phase_timer_.cancel();
   if (connector_)
     connector_->stop();
-  if (wire_)
-    wire_->close(); // and kept until the handlers that it still calls are gone
+  if (connection_)
+    connection_->close(); // and kept until the handlers that it still calls are gone
   head_ = {};
   asked_.on_body = nullptr;
   reader_.reset();

@@ -19,9 +19,9 @@
 
 #include <boost/asio/steady_timer.hpp>
 
+#include "io/http/connection_pool.hpp"
 #include "io/http/connector.hpp"
 #include "io/http/counters.hpp"
-#include "io/http/kept_wires.hpp"
 #include "io/http/message.hpp"
 #include "io/http/response_reader.hpp"
 #include "io/http/secret_text.hpp"
@@ -36,7 +36,7 @@ struct shared_parts {
   destination to;
   std::unique_ptr<boost::asio::ssl::context> tls; // null: plain HTTP
   counter_set counters;
-  kept_wires kept{set.max_kept, set.keep_for, counters.kept};
+  connection_pool pool{set.max_kept, set.keep_for, counters.kept};
 };
 
 class exchange : public std::enable_shared_from_this<exchange> {
@@ -58,8 +58,8 @@ private:
   enum class phase { waiting, connecting, sending, receiving, ended };
 
   void connect();
-  void connected(result<std::unique_ptr<wire>> made);
-  void use(std::unique_ptr<wire> ready);
+  void connected(result<std::unique_ptr<connection>> made);
+  void use(std::unique_ptr<connection> ready);
   void send_piece();
   void read_piece();
   void received(const boost::system::error_code& failed, std::size_t bytes);
@@ -84,13 +84,13 @@ private:
   boost::asio::steady_timer phase_timer_; // connecting, then no byte for too long
   clock::time_point last_byte_at_;
   std::shared_ptr<connector> connector_;
-  std::unique_ptr<wire> wire_;
+  std::unique_ptr<connection> connection_;
   secret_text head_; // it holds the token
   std::size_t body_sent_ = 0;
   std::optional<response_reader> reader_;
   std::vector<std::byte> piece_;
   bool is_sent_ = false; // the whole request
-  bool is_kept_wire_ = false;
+  bool is_reused_ = false;
   bool is_paused_ = false;
 };
 

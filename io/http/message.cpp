@@ -14,9 +14,9 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
 }
 
-std::string_view response::find(std::string_view name) const {
-  const auto found = std::ranges::find_if(headers, [&](const auto& h) { return equals_ignoring_case(h.name, name); });
-  return found == headers.end() ? std::string_view{} : std::string_view(found->value);
+std::string_view find_header(const std::vector<header>& all, std::string_view name) {
+  const auto found = std::ranges::find_if(all, [&](const auto& h) { return equals_ignoring_case(h.name, name); });
+  return found == all.end() ? std::string_view{} : std::string_view(found->value);
 }
 
 bool may_repeat(const request& asked) { return asked.verb != verb::post || !asked.idempotency_key.empty(); }

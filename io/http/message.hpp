@@ -23,6 +23,9 @@ struct header {
   bool operator==(const header&) const = default;
 };
 
+// The value of the first one of that name, in any case; none: empty.
+[[nodiscard]] std::string_view find_header(const std::vector<header>& all, std::string_view name);
+
 // What a sink says to the bytes it was given.
 //   more     the next ones as soon as they come
 //   pause    enough for now: nothing is read until client::resume(), so that the service has to wait. What was read
@@ -63,8 +66,7 @@ struct response {
   std::uint64_t body_bytes = 0; // of the body, wherever it went
   bool is_cut = false;          // not 2xx, and longer than max_error_body_bytes: the rest was not read
 
-  // The first of that name, in any case; none: empty.
-  [[nodiscard]] std::string_view find(std::string_view name) const;
+  [[nodiscard]] std::string_view find(std::string_view name) const { return find_header(headers, name); }
   bool operator==(const response&) const = default;
 };
 

@@ -4,24 +4,16 @@
 #include <optional>
 #include <utility>
 
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http/parser.hpp>
-
 #include "io/http/head_rules.hpp"
-#include "io/http/sink_body.hpp"
+#include "io/http/incremental_parser.hpp"
 
 namespace godwit::io::http {
 namespace {
 
 namespace beast = boost::beast;
-using parser = beast::http::response_parser<sink_body>;
 
 // A head or the head of a chunk that is not complete yet, and what one read brings.
 constexpr std::size_t buffer_bytes = max_head_bytes + read_piece_bytes;
-
-// "0", two line ends. Behind the head of a chunk that is incomplete there always come as many bytes as this; and with
-// fewer the parser of Boost 1.81 ends the process by an assertion, when the last chunk comes byte by byte.
-constexpr std::size_t shortest_last_chunk = 5;
 
 bool is_success(unsigned status) { return status >= 200 && status <= 299; }
 
@@ -42,37 +34,34 @@ error parse_error(const beast::error_code& code) {
 } // namespace
 
 struct response_reader::state {
-  explicit state(reader_rules given) : rules(std::move(given)), buffer(buffer_bytes) { begin(); }
+  explicit state(reader_rules given) : rules(std::move(given)) { begin(); }
 
   void begin();
   void take_body(std::span<const std::byte> bytes, beast::error_code& stop);
   void take_success(std::span<const std::byte> bytes);
   void take_error_page(std::span<const std::byte> bytes);
   void keep(std::span<const std::byte> bytes);
-  [[nodiscard]] bool is_complete() const { return answer.is_cut || (head_judged && reading->is_done()); }
+  [[nodiscard]] bool is_complete() const { return answer.is_cut || (head_judged && reading.current().is_done()); }
   [[nodiscard]] result<void> parse();
   [[nodiscard]] result<void> head_is_done();
   [[nodiscard]] result<void> waiting_for_more() const;
   [[nodiscard]] result<void> too_large();
 
   reader_rules rules;
-  beast::flat_buffer buffer;
-  std::optional<parser> reading;
+  incremental_parser<false> reading{buffer_bytes};
   response answer;
   std::optional<error> stopped; // why take_body has ended the parsing
   unsigned interim = 0;
   bool head_judged = false;
-  bool needs_more = false; // what is in the buffer was looked at and is incomplete
   bool has_begun = false;
   bool wants_pause = false;
 };
 
 void response_reader::state::begin() {
-  reading.emplace();
-  reading->skip(rules.is_connect);
-  reading->header_limit(max_head_bytes);
-  reading->body_limit(boost::none); // ours counts what is taken, and says how much there may be
-  reading->get().body() = [this](std::span<const std::byte> bytes, beast::error_code& stop) { take_body(bytes, stop); };
+  reading
+      .begin(max_head_bytes,
+             [this](std::span<const std::byte> bytes, beast::error_code& stop) { take_body(bytes, stop); })
+      .skip(rules.is_connect);
 }
 
 result<void> response_reader::state::too_large() {
@@ -115,7 +104,8 @@ void response_reader::state::keep(std::span<const std::byte> bytes) {
 }
 
 result<void> response_reader::state::head_is_done() {
-  const auto status = reading->get().result_int();
+  auto& parser = reading.current();
+  const auto status = parser.get().result_int();
   if (status == 101)
     return failure(errc::malformed, "the answer changes the protocol, which was not asked for");
   if (status < 200) {
@@ -126,20 +116,20 @@ result<void> response_reader::state::head_is_done() {
   }
   head_judged = true;
   answer.status = status;
-  for (const auto& each : reading->get())
+  for (const auto& each : parser.get())
     answer.headers.push_back({std::string(each.name_string()), std::string(each.value())});
   if (rules.is_connect)
     return {};
-  const auto length = reading->content_length_remaining();
+  const auto length = parser.content_length_remaining();
   if (auto judged = judge_head(answer, rules.expected_content_type); !judged)
     return judged;
-  const bool is_too_large = is_success(status) && !reading->is_done() && length && *length > rules.max_body_bytes;
+  const bool is_too_large = is_success(status) && !parser.is_done() && length && *length > rules.max_body_bytes;
   return is_too_large ? too_large() : result<void>{};
 }
 
 // What lies in the buffer is the beginning of a head, or of the head of a chunk.
 result<void> response_reader::state::waiting_for_more() const {
-  if (buffer.size() <= max_head_bytes)
+  if (reading.unread_bytes() <= max_head_bytes)
     return {};
   if (!head_judged)
     return tl::make_unexpected(header_too_large());
@@ -147,21 +137,17 @@ result<void> response_reader::state::waiting_for_more() const {
 }
 
 result<void> response_reader::state::parse() {
-  if (needs_more && head_judged && buffer.size() < shortest_last_chunk)
-    return {};
-  while (buffer.size() != 0 && !is_complete()) {
-    beast::error_code code;
-    buffer.consume(reading->put(buffer.data(), code));
+  while (reading.unread_bytes() != 0 && !is_complete()) {
+    const auto code = reading.step();
     if (stopped)
       return tl::make_unexpected(*stopped);
     if (answer.is_cut)
       return {};
-    needs_more = code == beast::http::error::need_more;
-    if (needs_more)
+    if (code == beast::http::error::need_more)
       return waiting_for_more();
     if (code)
       return tl::make_unexpected(parse_error(code));
-    if (!head_judged && reading->is_header_done())
+    if (!head_judged && reading.current().is_header_done())
       if (auto judged = head_is_done(); !judged)
         return judged;
   }
@@ -174,8 +160,7 @@ response_reader::~response_reader() = default;
 result<void> response_reader::feed(std::span<const std::byte> bytes) {
   auto& s = *state_;
   s.has_begun = s.has_begun || !bytes.empty();
-  const auto room = boost::asio::buffer(bytes.data(), bytes.size());
-  s.buffer.commit(boost::asio::buffer_copy(s.buffer.prepare(bytes.size()), room));
+  s.reading.feed(bytes);
   return s.parse();
 }
 
@@ -185,13 +170,13 @@ result<void> response_reader::end_of_stream(bool is_proper) {
     return {};
   if (!s.has_begun)
     return failure(errc::connection_lost, "the service has closed the connection without an answer");
-  const bool ends_by_closing = s.head_judged && s.reading->need_eof();
-  if (!s.reading->got_some() || !ends_by_closing)
+  const bool ends_by_closing = s.head_judged && s.reading.current().need_eof();
+  if (!s.reading.current().got_some() || !ends_by_closing)
     return tl::make_unexpected(parse_error(beast::http::error::partial_message));
   if (!is_proper)
     return failure(errc::truncated, "the connection broke off, and nobody can tell whether the answer is complete");
   beast::error_code code;
-  s.reading->put_eof(code);
+  s.reading.current().put_eof(code);
   return code ? result<void>(tl::make_unexpected(parse_error(code))) : result<void>();
 }
 
@@ -200,11 +185,11 @@ bool response_reader::has_begun() const { return state_->has_begun; }
 bool response_reader::take_pause() { return std::exchange(state_->wants_pause, false); }
 
 bool response_reader::can_be_kept() const {
-  return is_complete() && !state_->answer.is_cut && state_->buffer.size() == 0 && !state_->reading->need_eof() &&
-         state_->reading->keep_alive();
+  const auto& parser = state_->reading.current();
+  return is_complete() && !state_->answer.is_cut && !has_leftover() && !parser.need_eof() && parser.keep_alive();
 }
 
-bool response_reader::has_leftover() const { return state_->buffer.size() != 0; }
+bool response_reader::has_leftover() const { return state_->reading.unread_bytes() != 0; }
 
 response response_reader::take() { return std::move(state_->answer); }
 

@@ -32,6 +32,16 @@ result<void> load_issuers(ssl::context& context, const std::string& file) {
   return {};
 }
 
+// WHERE: of the key, for the sentence.
+result<void> use_key(ssl::context& context, std::string_view key, const std::string& where) {
+  error_code code;
+  context.use_private_key(boost::asio::buffer(key.data(), key.size()), ssl::context::pem, code);
+  if (code)
+    return failure(errc::invalid_settings,
+                   "it holds no key in PEM that fits the certificate and is not encrypted: " + reason_of(code), where);
+  return {};
+}
+
 result<void> load_certificate(ssl::context& context, const settings& wanted) {
   if (wanted.certificate_file.empty())
     return {};
@@ -43,13 +53,7 @@ result<void> load_certificate(ssl::context& context, const settings& wanted) {
   const auto key = load_secret_file(wanted.key_file, max_key_bytes, errc::invalid_settings);
   if (!key)
     return tl::make_unexpected(key.error());
-  const auto text = key->revealed();
-  context.use_private_key(boost::asio::buffer(text.data(), text.size()), ssl::context::pem, code);
-  if (code)
-    return failure(errc::invalid_settings,
-                   "it holds no key in PEM that fits the certificate and is not encrypted: " + reason_of(code),
-                   wanted.key_file);
-  return {};
+  return use_key(context, key->revealed(), wanted.key_file);
 }
 
 // OpenSSL would ask for a pass phrase at the terminal, and a daemon would hang there.
@@ -71,20 +75,39 @@ std::string what_to_do(long verify_result) {
   }
 }
 
-} // namespace
-
-result<std::unique_ptr<ssl::context>> make_tls_context(const settings& wanted) {
-  auto made = std::make_unique<ssl::context>(ssl::context::tls_client);
+// SIDE: ssl::context::tls_client or tls_server.
+result<tls_context> new_context(ssl::context::method side, ssl::verify_mode verification) {
+  auto made = std::make_unique<ssl::context>(side);
   error_code code;
-  made->set_verify_mode(ssl::verify_peer, code);
+  made->set_verify_mode(verification, code);
   if (!code)
     made->set_password_callback(no_pass_phrase, code);
   if (code || ::SSL_CTX_set_min_proto_version(made->native_handle(), TLS1_2_VERSION) != 1)
-    return failure(errc::invalid_settings, "OpenSSL does not offer TLS 1.2 with verification", "TLS");
+    return failure(errc::invalid_settings, "OpenSSL does not offer TLS 1.2 or newer", "TLS");
   ::SSL_CTX_set_options(made->native_handle(), SSL_OP_NO_RENEGOTIATION); // TLS 1.2: nothing in it that we would want
-  return load_issuers(*made, wanted.ca_file).and_then([&] { return load_certificate(*made, wanted); }).map([&] {
-    return std::move(made);
+  return made;
+}
+
+} // namespace
+
+result<tls_context> make_tls_context(const settings& wanted) {
+  auto made = new_context(ssl::context::tls_client, ssl::verify_peer);
+  if (!made)
+    return made;
+  return load_issuers(**made, wanted.ca_file).and_then([&] { return load_certificate(**made, wanted); }).map([&] {
+    return *std::move(made);
   });
+}
+
+result<tls_context> make_server_tls_context(std::string_view certificate, std::string_view key) {
+  auto made = new_context(ssl::context::tls_server, ssl::verify_none);
+  if (!made)
+    return made;
+  error_code code;
+  (*made)->use_certificate_chain(boost::asio::buffer(certificate.data(), certificate.size()), code);
+  if (code)
+    return failure(errc::invalid_settings, "it is none in PEM: " + reason_of(code), "certificate of the server");
+  return use_key(**made, key, "key of the server").map([&] { return *std::move(made); });
 }
 
 bool expect_host(SSL* connection, const std::string& host) {

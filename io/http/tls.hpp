@@ -1,5 +1,5 @@
-// TLS as this client speaks it: 1.2 or newer, the other side verified, its name or address checked against the
-// alternative names of its certificate and not against its common name.
+// TLS as client and server speak it: 1.2 or newer. The client verifies the other side, and checks its name or address
+// against the alternative names of its certificate and not against its common name; the server asks for no certificate.
 //
 // Errors: as values. Thread: a context is made by one thread and used by one. Reads files.
 // Source: OpenSSL 3.0 SSL_CTX_set_min_proto_version(3), SSL_set1_host(3), SSL_get_verify_result(3); RFC 9525, 2; RFC
@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <boost/asio/ssl/context.hpp>
 #include <boost/system/error_code.hpp>
@@ -17,7 +18,11 @@
 
 namespace godwit::io::http {
 
-[[nodiscard]] result<std::unique_ptr<boost::asio::ssl::context>> make_tls_context(const settings& wanted);
+using tls_context = std::unique_ptr<boost::asio::ssl::context>;
+
+[[nodiscard]] result<tls_context> make_tls_context(const settings& wanted);
+// Both in PEM: the certificate with its chain; the key not encrypted.
+[[nodiscard]] result<tls_context> make_server_tls_context(std::string_view certificate, std::string_view key);
 
 // Before the handshake: whose certificate it must be. False: OpenSSL has no memory.
 [[nodiscard]] bool expect_host(SSL* connection, const std::string& host);

@@ -22,7 +22,7 @@ struct scheme {
 constexpr scheme schemes[] = {{"udpin", uri::kind::udp_in},  {"udp", uri::kind::udp_in}, {"udpout", uri::kind::udp_out},
                               {"serial", uri::kind::serial}, {"tcp", uri::kind::tcp},    {"tcpin", uri::kind::tcp_in}};
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   std::string shown = "\"";
   for (const char each : text.substr(0, max_quoted_length))
     shown += each >= ' ' && each <= '~' ? each : '?';
@@ -30,7 +30,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string mistake(std::string_view text, const std::string& part) {
-  return quoted(text) + ": " + part +
+  return quoted_text(text) + ": " + part +
          "; a link is udpin://HOST:PORT or udpout://HOST:PORT (UDP), serial:///dev/NAME:BAUD (serial line), "
          "tcp://HOST:PORT or tcpin://HOST:PORT (TCP)";
 }
@@ -58,9 +58,9 @@ bool is_address(int family, std::string_view text) {
 std::optional<std::string> mistake_in_name(std::string_view host) {
   constexpr std::string_view name_characters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._";
   if (!all_of(host, name_characters))
-    return "the host " + quoted(host) + " is neither a name nor an address";
+    return "the host " + quoted_text(host) + " is neither a name nor an address";
   if (all_of(host, "0123456789.") && !is_address(AF_INET, host))
-    return "the host " + quoted(host) + " is not an IPv4 address";
+    return "the host " + quoted_text(host) + " is not an IPv4 address";
   return std::nullopt;
 }
 
@@ -69,7 +69,7 @@ std::optional<std::string> mistake_in_ipv6(std::string_view host) {
   const auto zone_at = host.find('%');
   const bool empty_zone = zone_at != std::string_view::npos && zone_at + 1 == host.size();
   if (empty_zone || !is_address(AF_INET6, host.substr(0, zone_at)))
-    return "the host " + quoted(host) + " in brackets is not an IPv6 address";
+    return "the host " + quoted_text(host) + " in brackets is not an IPv6 address";
   return std::nullopt;
 }
 
@@ -77,7 +77,7 @@ part_result with_port(uri so_far, std::string_view text) {
   const std::uint32_t least = so_far.listens() ? 0 : 1;
   const auto port = number(text, least, 65'535);
   if (!port)
-    return tl::make_unexpected("the port " + quoted(text) + " is not a number from " + std::to_string(least) +
+    return tl::make_unexpected("the port " + quoted_text(text) + " is not a number from " + std::to_string(least) +
                                " to 65535");
   so_far.port = static_cast<std::uint16_t>(*port);
   return so_far;
@@ -116,21 +116,21 @@ part_result parse_network(uri::kind kind, std::string_view rest) {
 part_result parse_serial(std::string_view rest) {
   uri result{.which = uri::kind::serial, .host = {}, .port = 0, .device = std::string(rest), .baud = default_baud};
   if (rest.empty() || rest.front() != '/')
-    return tl::make_unexpected("the device " + quoted(rest) + " is not an absolute path (three slashes)");
+    return tl::make_unexpected("the device " + quoted_text(rest) + " is not an absolute path (three slashes)");
   // The system's names for ports by place hold colons, as in /dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0.
   const auto colon = rest.rfind(':');
   const bool colons_in_name = rest.starts_with("/dev/serial/");
   if (colon != std::string_view::npos && (!colons_in_name || all_of(rest.substr(colon + 1), digits))) {
     const auto baud = number(rest.substr(colon + 1), min_baud, max_baud);
     if (!baud)
-      return tl::make_unexpected("the baud rate " + quoted(rest.substr(colon + 1)) + " is not a number from " +
+      return tl::make_unexpected("the baud rate " + quoted_text(rest.substr(colon + 1)) + " is not a number from " +
                                  std::to_string(min_baud) + " to " + std::to_string(max_baud));
     result.device = rest.substr(0, colon);
     result.baud = *baud;
   }
   const auto is_control = [](char each) { return static_cast<unsigned char>(each) < ' '; };
   if (result.device.back() == '/' || std::any_of(result.device.begin(), result.device.end(), is_control))
-    return tl::make_unexpected("the device " + quoted(result.device) + " is not the name of a device");
+    return tl::make_unexpected("the device " + quoted_text(result.device) + " is not the name of a device");
   return result;
 }
 
@@ -160,7 +160,7 @@ tl::expected<uri, std::string> parse_uri(std::string_view text) {
   const auto* const found =
       std::find_if(std::begin(schemes), std::end(schemes), [&](const scheme& each) { return each.name == name; });
   if (found == std::end(schemes))
-    return tl::make_unexpected(mistake(text, "the kind of link " + quoted(name) + " is not known"));
+    return tl::make_unexpected(mistake(text, "the kind of link " + quoted_text(name) + " is not known"));
   const bool serial = found->kind == uri::kind::serial;
   return (serial ? parse_serial(rest) : parse_network(found->kind, rest)).map_error([&](const std::string& part) {
     return mistake(text, part);

@@ -91,12 +91,12 @@ constexpr wire_field describe(const field_entry<Owner, V>& entry) {
 }
 
 template <message M>
-inline constexpr std::size_t field_count = std::tuple_size_v<decltype(M::fields.entries)>;
+inline constexpr std::size_t field_count = decltype(M::fields)::count;
 
 // The fields in the order of the wire.
 template <message M>
 constexpr auto wire_order() {
-  auto fields = std::apply([](const auto&... entry) { return std::array{describe(entry)...}; }, M::fields.entries);
+  auto fields = M::fields.entries.apply([](const auto&... entry) { return std::array{describe(entry)...}; });
   for (std::size_t i = 0; i < fields.size(); ++i)
     fields[i].table_index = i;
   // An insertion sort: std::stable_sort is not constexpr, and there are at most some twenty fields.
@@ -153,10 +153,12 @@ consteval bool as_published(std::size_t base_length, std::size_t full_length) {
 // Calls VISIT(entry, offset) for each field of the table.
 template <message M, class Visitor>
 constexpr void for_each_placed_field(Visitor&& visit) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (visit(std::get<I>(M::fields.entries), std::integral_constant<std::size_t, layout<M>::offsets[I]>{}), ...);
-  }
-  (std::make_index_sequence<field_count<M>>{});
+  M::fields.entries.apply([&](const auto&... entry) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (visit(entry, std::integral_constant<std::size_t, layout<M>::offsets[I]>{}), ...);
+    }
+    (std::make_index_sequence<field_count<M>>{});
+  });
 }
 
 // Reads M from PAYLOAD, which has all layout<M>::full_length bytes.

@@ -37,12 +37,9 @@ struct flight_status {
       io::field("mode", &flight_status::mode));
 };
 
-// To itself: something may be due, or another note waits to be written.
+// To itself: something may be due.
 struct tick {
   static constexpr auto fields = io::table("executor.tick");
-};
-struct next_note {
-  static constexpr auto fields = io::table("executor.next_note");
 };
 
 } // namespace godwit::executor

@@ -36,17 +36,7 @@ using telemetry_handle =
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
-using own_handle = mission_client::listener_handle::extend<
-    runtime::asks<operator_words::word, operator_words::answer>::signature,
-    runtime::asks<get_flight, flight_status>::signature, runtime::tells<start_mission>::signature,
-    runtime::asks<set_current, current_answer>::signature, runtime::tells<plan_taken>::signature,
-    runtime::tells<plan_cleared>::signature, runtime::tells<io::mavlink::heartbeat>::signature,
-    runtime::tells<io::mavlink::sys_status>::signature, runtime::tells<io::mavlink::gps_raw_int>::signature,
-    runtime::tells<io::mavlink::global_position_int>::signature, runtime::tells<io::mavlink::home_position>::signature,
-    runtime::tells<io::mavlink::extended_sys_state>::signature, runtime::tells<io::mavlink::mission_current>::signature,
-    runtime::tells<io::mavlink::mission_item_reached>::signature,
-    runtime::tells<vehicle_link::connection_changed>::signature,
-    runtime::tells<vehicle_link::vehicle_restarted>::signature, runtime::tells<failsafe::stance>::signature,
-    runtime::tells<tick>::signature, runtime::tells<next_note>::signature>;
+using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
+                                    runtime::mailbox<runtime::tells<failsafe::stance>, runtime::tells<tick>>>;
 
 } // namespace godwit::executor

@@ -37,17 +37,6 @@ using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 using operator_ear = runtime::mailbox<runtime::tells<operator_link>>;
 
 // All of it.
-using own_handle =
-    runtime::mailbox<runtime::tells<executor::start_answer>, runtime::tells<mission_progress>,
-                     runtime::tells<item_reached>, runtime::tells<status_text>, runtime::tells<set_mission>,
-                     runtime::asks<get_port, port_description>, runtime::tells<io::mavlink::heartbeat>,
-                     runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::system_time>,
-                     runtime::tells<io::mavlink::gps_raw_int>, runtime::tells<io::mavlink::attitude>,
-                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::mission_current>,
-                     runtime::tells<io::mavlink::mission_item_reached>, runtime::tells<io::mavlink::vfr_hud>,
-                     runtime::tells<io::mavlink::battery_status>, runtime::tells<io::mavlink::autopilot_version>,
-                     runtime::tells<io::mavlink::fence_status>, runtime::tells<io::mavlink::home_position>,
-                     runtime::tells<io::mavlink::extended_sys_state>, runtime::tells<io::mavlink::statustext>,
-                     runtime::tells<wake>, runtime::tells<timer>>;
+using own_handle = runtime::combine<handle, telemetry_handle, wake_handle>;
 
 } // namespace godwit::ground_port

@@ -12,10 +12,4 @@ struct wake {
   static constexpr auto fields = io::table("ground_port.wake");
 };
 
-// A deadline may have passed. One that was overtaken by a newer timer has an old number.
-struct timer {
-  std::uint64_t number = 0;
-  static constexpr auto fields = io::table("ground_port.timer", io::field("number", &timer::number));
-};
-
 } // namespace godwit::ground_port

@@ -45,6 +45,6 @@ using handle =
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
 // All of it.
-using own_handle = handle::extend<runtime::tells<wake>::signature, runtime::tells<look>::signature>;
+using own_handle = runtime::combine<handle, runtime::mailbox<runtime::tells<wake>, runtime::tells<look>>>;
 
 } // namespace godwit::mapobjects_store

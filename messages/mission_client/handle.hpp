@@ -29,11 +29,9 @@ using listener_handle =
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
 // All that mission_client takes.
-using own_handle =
-    runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<pull_map>, runtime::tells<push_map>,
-                     runtime::tells<report_progress>, runtime::tells<respond_to_assignment>,
-                     runtime::tells<insert_waypoint>, runtime::tells<replace_tail>,
-                     runtime::asks<get_service, service_status>, runtime::asks<retry_outbox, retry_answer>,
-                     runtime::tells<wake>, runtime::tells<timer>>;
+using own_handle = runtime::mailbox<
+    runtime::tells<begin_mission>, runtime::tells<pull_map>, runtime::tells<push_map>, runtime::tells<report_progress>,
+    runtime::tells<respond_to_assignment>, runtime::tells<insert_waypoint>, runtime::tells<replace_tail>,
+    runtime::asks<get_service, service_status>, runtime::asks<retry_outbox, retry_answer>, runtime::tells<wake>>;
 
 } // namespace godwit::mission_client

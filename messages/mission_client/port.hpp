@@ -13,10 +13,4 @@ struct wake {
   static constexpr auto fields = io::table("mission_client.wake");
 };
 
-// Something may be due. One that was overtaken by a newer timer has an old number.
-struct timer {
-  std::uint64_t number = 0;
-  static constexpr auto fields = io::table("mission_client.timer", io::field("number", &timer::number));
-};
-
 } // namespace godwit::mission_client

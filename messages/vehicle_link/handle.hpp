@@ -24,6 +24,6 @@ using handle =
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
 // All of it.
-using own_handle = handle::extend<runtime::tells<wake>::signature, runtime::tells<timer>::signature>;
+using own_handle = runtime::combine<handle, wake_handle>;
 
 } // namespace godwit::vehicle_link

@@ -9,15 +9,15 @@
 
 #include "programs/godwit-drill/audit.hpp"
 #include "programs/godwit-drill/drill_messages.hpp"
-#include "runtime/cell.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::drill {
 
-class relay final : public runtime::cell<worker_handle> {
+class relay final : public runtime::actor_base<worker_handle> {
 public:
-  relay(runtime::actor_config& config, runtime::birth born, worker_handle next)
-      : cell(config, std::move(born)), next_(std::move(next)) {}
+  relay(runtime::spawn_context context, worker_handle next) : actor_base(std::move(context)), next_(std::move(next)) {}
 
 protected:
   behavior_type handlers() override {
@@ -39,7 +39,7 @@ struct ledger_core {
   using event = std::variant<work>;
   using effect = std::variant<receipt>;
 
-  static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+  static std::vector<effect> apply(state& s, const event& happened, std::int64_t) {
     const auto& w = std::get<work>(happened);
     ++s.effects;
     s.last_seq = w.seq;
@@ -48,17 +48,17 @@ struct ledger_core {
   static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };
 
-class ledger final : public runtime::persistent_cell<worker_handle, ledger_core> {
+class ledger final : public runtime::durable_actor<worker_handle, ledger_core> {
 public:
-  ledger(runtime::actor_config& config, runtime::birth born, auditor_handle auditor)
-      : persistent_cell(config, std::move(born)), auditor_(std::move(auditor)) {}
+  ledger(runtime::spawn_context context, auditor_handle auditor)
+      : durable_actor(std::move(context)), auditor_(std::move(auditor)) {}
 
 protected:
   behavior_type handlers() override {
     return {on<work>([this](const work& w) {
       if (w.poison)
         throw runtime::injected_crash("this message crashes every handler");
-      if (is_durable(w.seq))
+      if (drill::is_durable(w.seq))
         commit(w);
       else
         tell(auditor_, receipt{w.sender, w.seq});
@@ -72,16 +72,15 @@ protected:
                           {static_cast<std::int64_t>(w.sender), static_cast<std::int64_t>(w.seq)}});
   }
 
-  void let_out(const effect& each) override { tell(auditor_, std::get<receipt>(each)); }
+  void dispatch(const effect& each) override { tell(auditor_, std::get<receipt>(each)); }
 
 private:
   auditor_handle auditor_;
 };
 
-class auditor final : public runtime::cell<auditor_handle> {
+class auditor final : public runtime::actor_base<auditor_handle> {
 public:
-  auditor(runtime::actor_config& config, runtime::birth born, audit* book)
-      : cell(config, std::move(born)), book_(book) {}
+  auditor(runtime::spawn_context context, audit* book) : actor_base(std::move(context)), book_(book) {}
 
 protected:
   behavior_type handlers() override {

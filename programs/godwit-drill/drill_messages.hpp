@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "io/fields/field_table.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::drill {

@@ -110,10 +110,7 @@ private:
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
 
-  bool kill_someone() {
-    const auto& children = host_.actors().declared();
-    return runtime::address_of(children[random_.below(children.size())].address).kill();
-  }
+  bool kill_someone() { return host_.actors().kill_child(random_.below(host_.actors().declared().size())); }
 
   // A poisoned message (which crashes max_crashes times), a kill between two messages, or a throw at some point.
   void plan_one_crash() {
@@ -126,21 +123,21 @@ private:
       return;
     }
     constexpr std::array points{runtime::crash_point::before_handler, runtime::crash_point::after_handler,
-                                runtime::crash_point::after_commit, runtime::crash_point::before_let_out};
+                                runtime::crash_point::after_commit, runtime::crash_point::before_dispatch};
     // The auditor writes into the drill's book, which no crash takes back; only a ledger commits.
     const auto child = random_.below(host_.actors().declared().size());
     const bool is_auditor = child == 0;
     const bool is_ledger = child >= 1 && child <= lanes;
     const auto point = points.at(is_auditor ? 0 : random_.below(is_ledger ? 4 : 2));
-    (void)plan_.arm(runtime::address_of(host_.actors().declared()[child].address).number(), point);
+    (void)plan_.arm(host_.actors().number(child), point);
   }
 
   [[nodiscard]] std::uint64_t ended() const { return book_.done() + sum(&runtime::address_counters::dead_lettered); }
   [[nodiscard]] std::uint64_t crashes() const { return sum(&runtime::address_counters::crashes); }
   [[nodiscard]] std::uint64_t sum(std::uint64_t runtime::address_counters::*counter) const {
     std::uint64_t result = 0;
-    for (const auto& each : host_.actors().declared())
-      result += runtime::address_of(each.address).counters().*counter;
+    for (std::size_t child = 0; child < host_.actors().declared().size(); ++child)
+      result += host_.actors().counters(child).*counter;
     return result;
   }
 

@@ -7,9 +7,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "programs/godwit-sim/exit_code.hpp"
+#include "programs/common/exit_code.hpp"
 
 namespace godwit::sim {
+
+using programs::exit_code;
 
 struct command {
   CLI::App* app = nullptr; // belongs to the command line

@@ -4,9 +4,9 @@
 
 #include <unistd.h>
 
+#include "programs/common/line_printer.hpp"
 #include "programs/godwit-sim/commands.hpp"
 #include "programs/godwit-sim/console.hpp"
-#include "programs/godwit-sim/line_printer.hpp"
 #include "programs/godwit-sim/missions/mission_service_host.hpp"
 #include "programs/godwit-sim/missions_options.hpp"
 
@@ -27,7 +27,7 @@ exit_code run(const missions_arguments& given) {
     return exit_code::usage;
   }
   wish->settings.ends_on_signals = true;
-  line_printer printer(STDOUT_FILENO);
+  programs::line_printer printer(STDOUT_FILENO);
   missions::mission_service_host::teller teller;
   if (!given.is_quiet)
     teller = [&printer](std::string_view line) { printer.push(line); };

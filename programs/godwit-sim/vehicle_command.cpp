@@ -8,10 +8,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "programs/common/line_printer.hpp"
 #include "programs/godwit-sim/commands.hpp"
 #include "programs/godwit-sim/connection_hints.hpp"
 #include "programs/godwit-sim/console.hpp"
-#include "programs/godwit-sim/line_printer.hpp"
 #include "programs/godwit-sim/vehicle_options.hpp"
 
 namespace godwit::sim {
@@ -30,7 +30,7 @@ constexpr const char* examples =
 // With the seconds since the start before each line.
 class event_lines {
 public:
-  explicit event_lines(line_printer& to) : to_(&to) {}
+  explicit event_lines(programs::line_printer& to) : to_(&to) {}
 
   void operator()(std::string_view line) const {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began_;
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  line_printer* to_;
+  programs::line_printer* to_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
@@ -54,7 +54,7 @@ void allow_descriptors(std::size_t vehicles) {
   ::setrlimit(RLIMIT_NOFILE, &limit); // if not, the link that finds no descriptor says so
 }
 
-void introduce(vehicle_host& host, const host_settings& settings, line_printer& to) {
+void introduce(vehicle_host& host, const host_settings& settings, programs::line_printer& to) {
   const auto links = host.links();
   for (std::size_t number = 0; number < std::min(links.size(), most_listed); ++number) {
     const auto& vehicle = settings.vehicles[number].vehicle;
@@ -79,7 +79,7 @@ exit_code run(const vehicle_arguments& given) {
   }
   settings->ends_on_signals = true;
   allow_descriptors(settings->vehicles.size());
-  line_printer printer(STDOUT_FILENO);
+  programs::line_printer printer(STDOUT_FILENO);
   auto host = vehicle_host::open(*settings, event_lines(printer));
   if (!host) {
     say(host.error());

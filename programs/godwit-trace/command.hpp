@@ -7,10 +7,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "programs/godwit-trace/exit_code.hpp"
+#include "programs/common/exit_code.hpp"
 #include "programs/godwit-trace/output.hpp"
 
 namespace godwit::trace_tool {
+
+using programs::exit_code;
 
 struct command {
   CLI::App* app = nullptr; // belongs to the command line

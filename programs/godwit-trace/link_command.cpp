@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "io/mavlink/signing/key_file.hpp"
+#include "programs/common/signal_descriptor.hpp"
 #include "programs/godwit-trace/commands.hpp"
 #include "programs/godwit-trace/heartbeat_sender.hpp"
 #include "programs/godwit-trace/identity.hpp"
 #include "programs/godwit-trace/link_session.hpp"
-#include "programs/godwit-trace/stop_signal.hpp"
 
 namespace godwit::trace_tool {
 
@@ -93,7 +93,7 @@ exit_code run(const arguments& given, console& to) {
   if (const auto& identity = options->heartbeat_as)
     to.say("sending a heartbeat each second as " + std::to_string(identity->system) + '/' +
            std::to_string(identity->component) + " (not with --no-heartbeat)");
-  const stop_signal stop;
+  const programs::signal_descriptor stop({SIGINT, SIGTERM});
   return run_link(*std::move(options), to, stop.descriptor());
 }
 

@@ -14,11 +14,13 @@
 
 #include "io/link/link.hpp"
 #include "io/mavlink/signing/secret_key.hpp"
-#include "programs/godwit-trace/exit_code.hpp"
+#include "programs/common/exit_code.hpp"
 #include "programs/godwit-trace/output.hpp"
 #include "programs/godwit-trace/print_options.hpp"
 
 namespace godwit::trace_tool {
+
+using programs::exit_code;
 
 struct link_keys {
   io::mavlink::secret_key to_verify;

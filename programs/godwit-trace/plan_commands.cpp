@@ -5,10 +5,10 @@
 
 #include "io/mavlink/signing/key_file.hpp"
 #include "io/mavlink/waypoint_file/waypoint_file.hpp"
+#include "programs/common/signal_descriptor.hpp"
 #include "programs/godwit-trace/commands.hpp"
 #include "programs/godwit-trace/identity.hpp"
 #include "programs/godwit-trace/plan_transfer.hpp"
-#include "programs/godwit-trace/stop_signal.hpp"
 
 namespace godwit::trace_tool {
 
@@ -102,7 +102,7 @@ exit_code run(const arguments& given, console& to, const std::optional<plan_requ
     }
     options->signing.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
   }
-  const stop_signal stop;
+  const programs::signal_descriptor stop({SIGINT, SIGTERM});
   return run_plan_transfer(*options, to, stop.descriptor());
 }
 

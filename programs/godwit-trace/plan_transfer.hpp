@@ -16,10 +16,12 @@
 #include "io/link/uri.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/vehicle_link/transfer.hpp"
-#include "programs/godwit-trace/exit_code.hpp"
+#include "programs/common/exit_code.hpp"
 #include "programs/godwit-trace/output.hpp"
 
 namespace godwit::trace_tool {
+
+using programs::exit_code;
 
 using plan_request = std::variant<vehicle_link::upload_plan, vehicle_link::download_plan, vehicle_link::clear_plan>;
 

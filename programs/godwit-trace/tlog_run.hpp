@@ -7,13 +7,15 @@
 
 #include <string>
 
-#include "programs/godwit-trace/exit_code.hpp"
+#include "programs/common/exit_code.hpp"
 #include "programs/godwit-trace/message_printer.hpp"
 #include "programs/godwit-trace/output.hpp"
 #include "programs/godwit-trace/print_options.hpp"
 #include "programs/godwit-trace/time_range.hpp"
 
 namespace godwit::trace_tool {
+
+using programs::exit_code;
 
 struct tlog_options {
   std::string file;

@@ -1,22 +1,17 @@
 #include "programs/godwitd/composition.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <random>
 #include <utility>
 
 #include <sys/eventfd.h>
 
-#include "actors/executor/actor.hpp"
-#include "actors/failsafe/actor.hpp"
-#include "actors/ground_port/actor.hpp"
-#include "actors/mapobjects_store/actor.hpp"
+#include "actors/executor/state.hpp"
 #include "actors/mission_client/actor.hpp"
-#include "actors/vehicle_link/actor.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
+#include "programs/godwitd/child_policies.hpp"
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/convert_command.hpp"
 
@@ -31,23 +26,15 @@ std::uint64_t fresh_seed() {
   return (std::uint64_t{source()} << 32U) | source();
 }
 
-constexpr runtime::child_policy essential{.essential = true, .restart = {}};
-constexpr runtime::child_policy replaceable{};
-
-constexpr const char* executor_name = "executor";
-constexpr const char* failsafe_name = "failsafe";
-
 } // namespace
 
-composition::composition(daemon_settings wanted, program_log& log)
-    : wanted_(std::move(wanted)), log_(log), ears_(std::make_shared<vehicle_link::listeners>()),
-      of_client_(std::make_shared<mission_client::neighbours>()),
-      of_failsafe_(std::make_shared<failsafe::neighbours>()) {}
+composition::composition(daemon_settings wanted, program_log& log) : wanted_(std::move(wanted)), log_(log) {}
 
 tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon_settings wanted, program_log& log) {
   std::unique_ptr<composition> result(new composition(std::move(wanted), log));
   if (auto opened = result->open_files(); !opened)
     return tl::make_unexpected(std::move(opened.error()));
+  result->surround_actors();
   result->add_actors();
   return result;
 }
@@ -59,13 +46,13 @@ checked composition::open_files() {
     auto key = io::mavlink::load_key_file(wanted_.signing_key_file);
     if (!key)
       return tl::make_unexpected(key.error().message());
-    signing_.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
+    outside_.vehicle_signing.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
   }
   if (!wanted_.ground_key_file.empty()) {
     auto key = io::mavlink::load_key_file(wanted_.ground_key_file);
     if (!key)
       return tl::make_unexpected(key.error().message());
-    ground_signing_.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
+    outside_.ground_signing.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
   }
   if (wanted_.service) {
     if (!wanted_.service->token_file.empty())
@@ -114,30 +101,34 @@ checked composition::load_mission() {
   return {};
 }
 
+void composition::surround_actors() {
+  facts_ = std::make_unique<host_facts>([file = wanted_.process.journal.path] { return free_bytes_beside(file); },
+                                        host_->time());
+  outside_.vehicle = vehicle_port_;
+  outside_.map = map_port_;
+  outside_.service = service_;
+  if (wanted_.ground)
+    outside_.ground = ground_line_;
+  outside_.seed = fresh_seed();
+  outside_.journal = &host_->journal();
+  outside_.host = facts_.get();
+  outside_.say = [this](std::string_view part, const std::string& sentence, bool is_warning) {
+    announce({sentence, is_warning}, part);
+  };
+  outside_.on_standing = [this](const executor::stood& now) {
+    if (feed_)
+      feed_->set_gate(now.in_flight);
+  };
+}
+
 void composition::add_actors() {
   auto& actors = host_->actors();
-  vehicle_link::settings link;
-  link.watch.system = wanted_.vehicle_system;
-  if (wanted_.flies)
-    link.vouchers = {executor_name, failsafe_name};
-  vehicle_ = actors.add<vehicle_link::actor>({.name = "vehicle_link"}, essential, link, signing_,
-                                             std::static_pointer_cast<io::link::wire>(vehicle_port_),
-                                             std::shared_ptr<const vehicle_link::listeners>(ears_));
-  if (wanted_.flies)
-    failsafe_ = actors.add<failsafe::actor>({.name = failsafe_name}, essential, wanted_.failsafe, vehicle_,
-                                            std::shared_ptr<const failsafe::neighbours>(of_failsafe_));
-  store_ = actors.add<mapobjects_store::actor>({.name = "mapobjects_store"}, replaceable, map_port_);
-  if (service_)
-    client_ =
-        actors.add<mission_client::actor>({.name = "mission_client"}, replaceable, wanted_.client,
-                                          std::static_pointer_cast<mission_client::service_port>(service_),
-                                          std::shared_ptr<const mission_client::neighbours>(of_client_), fresh_seed());
+  base_ = add_base(actors, wanted_, outside_);
   control::neighbours of_desk;
-  of_desk.store = store_;
-  of_desk.vehicle = vehicle_;
+  of_desk.store = base_.store;
+  of_desk.vehicle = base_.vehicle;
   if (service_)
-    of_desk.client = client_;
-  of_client_->map = store_;
+    of_desk.client = base_.client;
   if (wanted_.flies)
     add_flight(of_desk);
   else
@@ -152,54 +143,26 @@ void composition::add_ground_run(control::neighbours& of_desk) {
   run_ = host_->actors().add<ground_run::actor>({.name = "ground_run"}, essential, settings_of_run(),
                                                 std::shared_ptr<const ground_run::neighbours>(of_run), feed_,
                                                 world_of_run());
-  of_run->store = store_;
-  of_run->vehicle = vehicle_;
+  of_run->store = base_.store;
+  of_run->vehicle = base_.vehicle;
   if (service_)
-    of_run->client = client_;
-  of_client_->listener = run_;
+    of_run->client = base_.client;
+  base_.of_client->listener = run_;
   of_desk.run = run_;
-  ears_->add(run_);
+  base_.of_vehicle->add(run_);
 }
 
 void composition::add_flight(control::neighbours& of_desk) {
   auto& actors = host_->actors();
-  const auto of_executor = std::make_shared<executor::neighbours>();
-  const auto of_ground = std::make_shared<ground_port::neighbours>();
-  executor_ = actors.add<executor::actor>({.name = executor_name}, essential, wanted_.flight,
-                                          std::shared_ptr<const executor::neighbours>(of_executor), world_of_flight());
-  if (wanted_.ground) {
-    ground_port::settings settings;
-    settings.as.system = std::max<std::uint8_t>(wanted_.vehicle_system, 1);
-    if (wanted_.speaks_as_autopilot)
-      settings.as.component = io::mavlink::number(io::mavlink::mav_component::autopilot1);
-    ground_ = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings, ground_signing_,
-                                             std::static_pointer_cast<io::link::wire>(ground_line_),
-                                             std::shared_ptr<const ground_port::neighbours>(of_ground));
-    of_executor->port = ground_;
-    of_ground->executor = executor_;
-    of_ground->operator_ears.emplace_back(failsafe_);
-    of_failsafe_->people.emplace_back(ground_);
-    ears_->add(ground_);
-  }
-  feeder_ = actors.add<sightings::feeder>({.name = "sightings"}, replaceable,
-                                          sightings::feeder_settings{wanted_.mission_id, service_ == nullptr},
-                                          sightings::store_handle(store_), feed_, [this](const std::string& sentence) {
-                                            announce({sentence, true}, "sightings");
-                                          });
-  of_executor->vehicle = vehicle_;
-  of_executor->failsafe = failsafe_;
-  if (service_)
-    of_executor->client = client_;
-  of_failsafe_->ears.emplace_back(executor_);
-  of_failsafe_->log = [this](const failsafe::warning& said) {
-    announce({said.text, said.severity <= io::mavlink::mav_severity::warning}, failsafe_name);
-  };
-  of_client_->listener = executor_;
-  of_desk.flight = executor_;
-  of_desk.failsafe = failsafe_;
+  flight_ = daemon::add_flight(actors, wanted_, outside_, base_);
+  feeder_ = actors.add<sightings::feeder>(
+      {.name = "sightings"}, replaceable, sightings::feeder_settings{wanted_.mission_id, service_ == nullptr},
+      sightings::store_handle(base_.store), feed_, [this](const std::string& sentence) {
+        announce({sentence, true}, "sightings");
+      });
+  of_desk.flight = flight_.executor;
+  of_desk.failsafe = base_.failsafe;
   of_desk.sightings = feeder_;
-  ears_->add(failsafe_);
-  ears_->add(executor_);
 }
 
 checked composition::open() {
@@ -209,7 +172,7 @@ checked composition::open() {
   if (auto opened = open_control(); !opened)
     return opened;
   if (service_) // before the first call can be answered
-    service_->attach(host_->actors().make_gateway("missions_service"), client_);
+    service_->attach(host_->actors().make_gateway("missions_service"), base_.client);
   host_->actors().start();
   open_vehicle();
   if (wanted_.flies)
@@ -220,7 +183,7 @@ checked composition::open() {
 }
 
 checked composition::open_map() {
-  if (auto opened = map_port_->open(wanted_.map, host_->actors().make_gateway("map_writer"), store_); !opened)
+  if (auto opened = map_port_->open(wanted_.map, host_->actors().make_gateway("map_writer"), base_.store); !opened)
     return tl::make_unexpected(opened.error().message());
   return {};
 }
@@ -239,7 +202,7 @@ checked composition::open_control() {
 // A vehicle that can not be reached is no reason to keep what is owed to the service.
 void composition::open_vehicle() {
   if (const auto opened =
-          vehicle_port_->open(wanted_.vehicle, {}, host_->actors().make_gateway("vehicle_port"), vehicle_);
+          vehicle_port_->open(wanted_.vehicle, {}, host_->actors().make_gateway("vehicle_port"), base_.vehicle);
       !opened)
     announce({"the link to the vehicle can not be opened: " + opened.error() +
                   "\ngodwitd goes on without a vehicle; mend it and start godwitd again",
@@ -267,7 +230,8 @@ void composition::open_feed() {
 void composition::open_ground() {
   if (!wanted_.ground)
     return;
-  if (const auto opened = ground_line_->open(*wanted_.ground, {}, host_->actors().make_gateway("ground_line"), ground_);
+  if (const auto opened =
+          ground_line_->open(*wanted_.ground, {}, host_->actors().make_gateway("ground_line"), flight_.ground);
       !opened)
     announce({"the line for ground stations can not be opened: " + opened.error() +
                   "\ngodwitd goes on without them; mend it and start godwitd again",
@@ -281,7 +245,7 @@ void composition::hand_over_mission() {
     return;
   mission_client::mission_loaded loaded;
   loaded.document = *file_mission_;
-  host_->actors().make_gateway("mission_file").tell(executor_, loaded);
+  host_->actors().make_gateway("mission_file").tell(flight_.executor, loaded);
 }
 
 ground_run::settings composition::settings_of_run() const {
@@ -294,36 +258,6 @@ ground_run::run_world composition::world_of_run() {
             end_.set({how.well, how.why});
             host_->actors().request_exit({runtime::exit_cause::requested, "the run has ended"});
           }};
-}
-
-executor::outside_world composition::world_of_flight() {
-  return {[this](const executor::announce& said) {
-            announce({said.sentence, said.is_warning}, executor_name);
-          },
-          [this] { return look_at_house(); },
-          [this](const executor::stood& standing) {
-            if (feed_)
-              feed_->set_gate(standing.in_flight);
-            announce({"flight: " + std::string(io::name_of(standing.now)) +
-                          (standing.reason.empty() ? "" : " (" + standing.reason + ")"),
-                      standing.now == executor::phase::paused},
-                     executor_name);
-          }};
-}
-
-// Whether a disk has room changes slowly, and is asked of the system at each look all the same: it costs a microsecond.
-executor::house composition::look_at_house() const {
-  executor::house result;
-  std::error_code unknown;
-  const auto folder = std::filesystem::absolute(wanted_.process.journal.path, unknown).parent_path();
-  const auto space = std::filesystem::space(folder, unknown);
-  result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
-  result.journal.is_writable = !host_->journal().status().failing;
-  if (!unknown)
-    result.journal.free_bytes = space.available;
-  for (auto& each : host_->actors().standings())
-    result.actors.push_back({std::move(each.name), each.is_running});
-  return result;
 }
 
 void composition::announce(const ground_run::announce& said, std::string_view part) {

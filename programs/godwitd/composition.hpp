@@ -13,32 +13,17 @@
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/http_service.hpp"
 #include "actors/vehicle_link/link_port.hpp"
-#include "actors/vehicle_link/listeners.hpp"
-#include "io/mavlink/signing/channel.hpp"
-#include "messages/executor/handle.hpp"
-#include "messages/failsafe/handle.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "programs/godwitd/control/desk.hpp"
 #include "programs/godwitd/control/server.hpp"
+#include "programs/godwitd/flight_actors.hpp"
 #include "programs/godwitd/ground_run/actor.hpp"
+#include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/log/program_log.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/feeder.hpp"
-
-namespace godwit::executor {
-struct house;
-struct outside_world;
-} // namespace godwit::executor
-
-namespace godwit::failsafe {
-struct neighbours;
-}
-
-namespace godwit::mission_client {
-struct neighbours;
-}
 
 namespace godwit::daemon {
 
@@ -59,7 +44,7 @@ public:
 
   [[nodiscard]] runtime::process& host() { return *host_; }
   // None without a service.
-  [[nodiscard]] const mission_client::own_handle& client() const { return client_; }
+  [[nodiscard]] const mission_client::own_handle& client() const { return base_.client; }
   [[nodiscard]] const std::string& mission_id() const { return wanted_.mission_id; }
   [[nodiscard]] std::optional<run_end::outcome> end_of_run() const { return end_.get(); }
 
@@ -68,6 +53,7 @@ private:
 
   [[nodiscard]] tl::expected<void, std::string> open_files();
   [[nodiscard]] tl::expected<void, std::string> load_mission();
+  void surround_actors();
   void add_actors();
   void add_flight(control::neighbours& of_desk);
   void add_ground_run(control::neighbours& of_desk);
@@ -77,8 +63,6 @@ private:
   void hand_over_mission();
   [[nodiscard]] tl::expected<void, std::string> open_map();
   [[nodiscard]] tl::expected<void, std::string> open_control();
-  [[nodiscard]] executor::outside_world world_of_flight();
-  [[nodiscard]] executor::house look_at_house() const;
   [[nodiscard]] ground_run::run_world world_of_run();
   [[nodiscard]] ground_run::settings settings_of_run() const;
   // PART: of whom it is said.
@@ -87,8 +71,6 @@ private:
   daemon_settings wanted_;
   program_log& log_;
   run_end end_;
-  io::mavlink::signing_settings signing_;
-  io::mavlink::signing_settings ground_signing_;
   std::optional<mission::document> file_mission_; // none with a service
 
   std::shared_ptr<sighting_feed> feed_;                   // none without sightings
@@ -98,19 +80,12 @@ private:
   std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();
   std::shared_ptr<control::answer_box> control_answers_;
 
-  // Whom each actor speaks with; filled in before the actors start.
-  std::shared_ptr<vehicle_link::listeners> ears_;
-  std::shared_ptr<mission_client::neighbours> of_client_;
-  std::shared_ptr<failsafe::neighbours> of_failsafe_;
-
-  std::unique_ptr<runtime::process> host_;
-  vehicle_link::own_handle vehicle_;
-  mapobjects_store::own_handle store_;
-  mission_client::own_handle client_;
-  ground_run::own_handle run_; // of a run on the ground; else those of a flight
-  executor::own_handle executor_;
-  failsafe::own_handle failsafe_;
-  ground_port::own_handle ground_; // none without a line for ground stations
+  std::unique_ptr<host_facts> facts_;
+  actor_surroundings outside_;
+  std::unique_ptr<runtime::process> host_; // ends before what its actors meet
+  base_actors base_;
+  ground_run::own_handle run_; // of a run on the ground
+  flight_actors flight_;       // else
   sightings::feeder_handle feeder_;
   control::desk_handle desk_;
 

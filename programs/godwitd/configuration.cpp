@@ -7,10 +7,11 @@
 
 #include <unistd.h>
 
+#include "io/json_schema/compiled_schema.hpp"
+#include "io/json_schema/nearest_word.hpp"
 #include "programs/godwitd/option_table.hpp"
 #include "runtime/config/config.hpp"
 #include "runtime/config/schema.hpp"
-#include "runtime/config/suggest.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -24,7 +25,7 @@ tl::expected<void, std::string> check_known(const given_texts& environment) {
   for (const auto& [name, text] : environment) {
     if (std::find(known.begin(), known.end(), name) != known.end())
       continue;
-    const auto near = runtime::nearest_word(name, known);
+    const auto near = io::schemas::nearest_word(name, known);
     return tl::make_unexpected("the variable " + name + " of the environment means nothing to godwitd" +
                                (near ? "; did you mean " + *near + "?" : ": take it out"));
   }
@@ -40,8 +41,8 @@ nlohmann::json value_of_text(const option_row& row, const std::string& text) {
 }
 
 // NAME is what people typed. A value that the schema does not allow is the only thing that can be wrong with DOCUMENT.
-tl::expected<void, std::string> put(nlohmann::json& document, const nlohmann::json& schema, const option_row& row,
-                                    const std::string& name, const std::string& text) {
+tl::expected<void, std::string> put(nlohmann::json& document, const io::schemas::compiled_schema& schema,
+                                    const option_row& row, const std::string& name, const std::string& text) {
   document[nlohmann::json::json_pointer(std::string(row.place))] = value_of_text(row, text);
   const auto problems = runtime::violations(document, schema);
   if (problems.empty())
@@ -69,7 +70,7 @@ tl::expected<nlohmann::json, std::string> effective_configuration(const given_te
                                   : runtime::load_config_file(*file, runtime::godwit_schema());
   if (!document)
     return tl::make_unexpected(document.error().message());
-  const auto schema = nlohmann::json::parse(runtime::godwit_schema());
+  const io::schemas::compiled_schema schema(nlohmann::json::parse(runtime::godwit_schema()));
   for (const auto& row : option_rows) {
     if (row.place.empty())
       continue;

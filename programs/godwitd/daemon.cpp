@@ -7,9 +7,9 @@
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/pulse.hpp"
 #include "programs/godwitd/service_manager.hpp"
+#include "programs/godwitd/signal_handler.hpp"
 #include "programs/godwitd/start_ledger.hpp"
 #include "programs/godwitd/state_check.hpp"
-#include "programs/godwitd/stop_watch.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -67,15 +67,15 @@ exit_code wait_for_end(composition& made, program_log& log) {
 }
 
 // From all parts made to all parts closed.
-exit_code run_made(composition& made, program_log& log, stop_watch& stops, start_ledger& ledger) {
+exit_code run_made(composition& made, program_log& log, signal_handler& signals, start_ledger& ledger) {
   const auto manager = manager_of(log);
   pulse beats(manager, view_of(made.host(), log),
               made.mission_id().empty() ? std::string() : "mission " + made.mission_id() + ": ");
   const struct before_they_go { // also a signal in the last moment must find them
-    stop_watch& stops;
-    ~before_they_go() { stops.end(); }
-  } guard{stops};
-  stops.start(
+    signal_handler& signals;
+    ~before_they_go() { signals.end(); }
+  } guard{signals};
+  signals.start(
       [&made](const std::string& name) {
         made.host().actors().request_exit({runtime::exit_cause::requested, name});
       },
@@ -97,7 +97,7 @@ exit_code run_made(composition& made, program_log& log, stop_watch& stops, start
 } // namespace
 
 exit_code run_daemon(daemon_settings wanted, const add_more& more) {
-  stop_watch stops; // before any thread
+  signal_handler signals; // before any thread
   const auto log = program_log::open(wanted.log, STDOUT_FILENO);
   if (!log) {
     say(log.error());
@@ -121,7 +121,7 @@ exit_code run_daemon(daemon_settings wanted, const add_more& more) {
     (*log)->say(log_level::warning, part, verdict.sentence);
   if (more)
     more(**made);
-  const auto code = run_made(**made, **log, stops, ledger);
+  const auto code = run_made(**made, **log, signals, ledger);
   return code == exit_code::failed && is_beyond_us() ? exit_code::unknown_state : code;
 }
 

@@ -31,14 +31,14 @@ tl::expected<nlohmann::json, config_error> load_config(std::string_view text, st
   auto document = parse_config(text, source);
   if (!document)
     return document;
-  const auto schema = nlohmann::json::parse(schema_text);
+  const io::schemas::compiled_schema schema(nlohmann::json::parse(schema_text));
   auto problems = violations(*document, schema);
   if (!problems.empty()) {
     const auto omitted = problems.size() - std::min(problems.size(), max_config_problems);
     problems.resize(problems.size() - omitted);
     return tl::unexpected(config_error{config_errc::invalid, std::string(source), 0, 0, std::move(problems), omitted});
   }
-  fill_defaults(*document, schema);
+  fill_defaults(*document, schema.source());
   GODWIT_ASSERT(violations(*document, schema).empty(), "the defaults of a schema are valid by it");
   if (document->is_object())
     document->erase("$schema");

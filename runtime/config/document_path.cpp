@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
+#include "io/json_schema/quoted.hpp"
 
 namespace godwit::runtime {
 
 namespace {
-
-constexpr std::size_t longest_shown = 60; // bytes of a text in a message; the rest is three dots
 
 bool is_plain(char character) {
   return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
@@ -17,18 +15,10 @@ bool is_plain(char character) {
 
 } // namespace
 
-std::string readable_text(std::string_view text) {
-  auto shown = std::string(text.substr(0, longest_shown));
-  if (text.size() > longest_shown)
-    shown += "...";
-  // `replace`, because the cut may have gone through a character of several bytes.
-  return nlohmann::json(shown).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::string readable_key(std::string_view key) {
-  if (!key.empty() && key.size() <= longest_shown && std::all_of(key.begin(), key.end(), is_plain))
+  if (!key.empty() && key.size() <= io::schemas::longest_quote && std::all_of(key.begin(), key.end(), is_plain))
     return std::string(key);
-  return readable_text(key);
+  return io::schemas::in_quotes(key);
 }
 
 std::string path_to_key(std::string_view parent, std::string_view key) {

@@ -10,9 +10,6 @@ namespace godwit::runtime {
 // `key` as it is when it is a plain word, else as a JSON text, shortened when it is long.
 [[nodiscard]] std::string readable_key(std::string_view key);
 
-// A text from the document as JSON, shortened when it is long; never fails, whatever bytes it has.
-[[nodiscard]] std::string readable_text(std::string_view text);
-
 [[nodiscard]] std::string path_to_key(std::string_view parent, std::string_view key);
 [[nodiscard]] std::string path_to_item(std::string_view parent, std::size_t index);
 

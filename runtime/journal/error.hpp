@@ -31,6 +31,4 @@ struct journal_error {
   [[nodiscard]] std::string message() const;
 };
 
-[[nodiscard]] const char* to_string(journal_errc code);
-
 } // namespace godwit::runtime

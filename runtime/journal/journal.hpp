@@ -31,6 +31,7 @@ struct journal_status {
   std::uint64_t retries = 0; // commits tried again after an error
   std::uint64_t refused = 0; // queue_full and stale_incarnation
   std::uint64_t queued = 0;  // writes that wait now
+  double fill = 0;           // of the bound on what waits: 0 = empty, 1 = refuses; see io::sqlite::nearly_full
   std::uint64_t run = 0;     // how many times this journal was opened for writing, this time included
 };
 
@@ -43,14 +44,12 @@ public:
   journal& operator=(const journal&) = delete;
   virtual ~journal() = default;
 
-  // Takes the write, or says why not (queue_full, stale_incarnation, closed); then nothing of it will happen.
-  [[nodiscard]] virtual tl::expected<void, journal_error> submit(journal_write write) = 0;
+  // Takes the write, or says why not (queue_full, stale_incarnation, closed); then nothing of it will happen, and WRITE
+  // is as it was.
+  [[nodiscard]] virtual tl::expected<void, journal_error> submit(journal_write&& write) = 0;
 
   // Calls back once, on the writer thread.
   virtual void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) = 0;
-
-  // Stages a large load; waiting writes always go first.
-  virtual void load(bulk_load load) = 0;
 
   [[nodiscard]] virtual journal_status status() const = 0;
 };

@@ -1,9 +1,4 @@
-// Opening the journal's file: what is there, is it ours, is it whole. Never an empty start over existing data.
-//
-// A new journal is made under the name PATH.new and moved into place when it is complete and on the disk: whatever lies
-// at PATH was complete once, so a file there that is empty or can not be read is an error and not a beginning. What a
-// crash leaves of PATH.new holds nothing that anybody was told of and is made anew. Thread: the caller's; blocks on the
-// disk.
+// Opening the journal's file. Thread: the caller's; blocks on the disk.
 #pragma once
 
 #include <string>
@@ -11,20 +6,13 @@
 
 #include <tl/expected.hpp>
 
-#include "io/sqlite/database.hpp"
+#include "io/sqlite/store_file.hpp"
 #include "runtime/journal/error.hpp"
 #include "runtime/journal/schema.hpp"
 
 namespace godwit::runtime {
 
-enum class integrity_check {
-  none,
-  // Structure of every page and every row, but not that each index agrees with its table. Reads the whole file (about 1
-  // GB/s from the page cache): the default, because integrity_check costs several times that and the journal's tables
-  // are nearly all WITHOUT ROWID, which have no second copy to agree with.
-  quick,
-  full,
-};
+using io::sqlite::integrity_check;
 
 struct file_options {
   std::string path;
@@ -34,14 +22,10 @@ struct file_options {
   std::vector<table_definition> tables;
 };
 
-// The folder is there afterwards. Only where nothing is in the way.
-[[nodiscard]] tl::expected<void, journal_error> make_folder_of(const std::string& path);
+// Migrated, the components' tables too, and its run counter has risen.
+[[nodiscard]] tl::expected<io::sqlite::store_file, journal_error> open_for_writing(const file_options& options);
 
-// The caller holds the lock file. The connection is in WAL mode, synchronous FULL, migrated, and its run counter has
-// risen.
-[[nodiscard]] tl::expected<io::sqlite::database, journal_error> open_for_writing(const file_options& options);
-
-// Any number, beside a writer or without one. The caller needs no lock.
+// Any number, beside a writer or without one.
 [[nodiscard]] tl::expected<io::sqlite::database, journal_error> open_for_reading(const std::string& path,
                                                                                  const std::string& vfs);
 

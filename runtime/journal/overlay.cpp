@@ -27,9 +27,9 @@ void lay_mark(std::vector<seen_mark>& marks, const seen_mark& mark) {
 } // namespace
 
 void lay_over(recovered& base, const journal_write& write) {
-  if (write.event) {
-    base.events.push_back(*write.event);
-    base.last_event = write.event->number;
+  for (const auto& event : write.events) {
+    base.events.push_back(event);
+    base.last_event = event.number;
   }
   if (write.snapshot) {
     base.snapshot = write.snapshot;

@@ -87,8 +87,8 @@ result<void> record_store::each(std::string_view sql, const Take& take, const Va
 }
 
 result<void> record_store::apply(const journal_write& write) {
-  if (write.event)
-    if (auto done = add_event(write.actor, *write.event); !done)
+  for (const auto& event : write.events)
+    if (auto done = add_event(write.actor, event); !done)
       return done;
   if (write.snapshot)
     if (auto done = replace_snapshot(write.actor, *write.snapshot); !done)

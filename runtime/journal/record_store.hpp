@@ -18,9 +18,8 @@ class record_store {
 public:
   explicit record_store(io::sqlite::database& db) : db_(&db), statements_(db) {}
 
-  // Asserts that the event's number is the actor's last plus one and that a snapshot does not go back.
+  // Asserts that the events' numbers go on from the actor's last and that a snapshot does not go back.
   [[nodiscard]] io::sqlite::result<void> apply(const journal_write& write);
-  [[nodiscard]] io::sqlite::result<void> apply(const row_change& change);
 
   // Numbers seen by apply count only once their transaction has ended: call one of these then.
   void keep_numbers();
@@ -37,6 +36,7 @@ private:
   template <class Take, class... Values>
   io::sqlite::result<void> each(std::string_view sql, const Take& take, const Values&... values);
 
+  io::sqlite::result<void> apply(const row_change& change);
   io::sqlite::result<std::int64_t> last_number(const std::string& actor);
   io::sqlite::result<void> add_event(const std::string& actor, const event_record& event);
   io::sqlite::result<void> replace_snapshot(const std::string& actor, const snapshot_record& snapshot);

@@ -93,7 +93,7 @@ using commit_result = tl::expected<void, journal_error>;
 struct journal_write {
   std::string actor;
   std::uint64_t incarnation = 0;
-  std::optional<event_record> event;
+  std::vector<event_record> events;        // consecutive
   std::optional<snapshot_record> snapshot; // replaces the older one and deletes the events that it covers
   std::vector<effect_record> effects;      // kept until released
   std::vector<effect_id> released;
@@ -116,15 +116,6 @@ struct recovered {
   std::int64_t last_event = 0; // highest event number ever used by this actor
   std::int64_t durable_upto =
       0; // events up to here are on the disk; above it (only while the disk fails) they still wait
-};
-
-// A large load, staged in chunks between the commits of others and made visible by its last statement.
-struct bulk_load {
-  std::string name;
-  // Called on the writer thread: appends at most MAX_ROWS changes, returns false when these were the last.
-  std::function<bool(std::vector<row_change>& chunk, std::size_t max_rows)> next;
-  std::vector<row_change> flip; // one transaction, after the last chunk
-  std::function<void(const commit_result&)> done;
 };
 
 } // namespace godwit::runtime

@@ -1,13 +1,13 @@
 #include "runtime/journal/schema.hpp"
 
-#include "io/sqlite/transaction.hpp"
-#include "runtime/journal/sqlite_error.hpp"
+#include "io/sqlite/migration.hpp"
 
 namespace godwit::runtime {
 
 namespace {
 
 using io::sqlite::database;
+using io::sqlite::store_result;
 
 // The last event number of an actor is not stored: a snapshot covers the events that it deletes, so the greater of the
 // snapshot's number and the newest event is the highest number ever used. The view `actor` shows it.
@@ -46,18 +46,7 @@ CREATE VIEW actor AS
   FROM (SELECT actor AS name FROM actor_event UNION SELECT actor FROM actor_snapshot UNION SELECT actor FROM effect);
 )";
 
-const std::vector<std::string>& own_migrations() {
-  static const std::vector<std::string> migrations{first_version};
-  return migrations;
-}
-
 std::int64_t newest(const table_definition& table) { return static_cast<std::int64_t>(table.migrations.size()); }
-
-journal_error newer_error(const std::string& file, const std::string& name, std::int64_t found, std::int64_t known) {
-  return {journal_errc::newer, file,
-          name + " has version " + std::to_string(found) + ", this program knows up to " + std::to_string(known),
-          "Start the newer godwit that wrote it, or move the journal away."};
-}
 
 std::string quoted(const std::string& text) {
   std::string result = "'";
@@ -66,76 +55,54 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-io::sqlite::result<std::int64_t> version_of(database& db, const std::string& name) {
-  return db.query_integer("SELECT version FROM table_version WHERE name = " + quoted(name));
-}
-
-// Runs the steps above FOUND and SET_VERSION in one transaction.
-io::sqlite::result<void> run_steps(database& db, const std::vector<std::string>& steps, std::int64_t found,
-                                   const std::string& set_version) {
-  auto change = io::sqlite::transaction::begin(db);
-  if (!change)
-    return tl::unexpected(std::move(change.error()));
-  for (auto i = static_cast<std::size_t>(found); i < steps.size(); ++i)
-    if (auto done = db.exec(steps[i]); !done)
-      return done;
-  if (auto done = db.exec(set_version); !done)
-    return done;
-  return change->commit();
+// 0 = the table is not there.
+store_result<std::int64_t> version_of(database& db, const std::string& file, const std::string& name) {
+  auto found = db.query_integer("SELECT version FROM table_version WHERE name = " + quoted(name));
+  if (!found)
+    return tl::unexpected(
+        io::sqlite::describe(found.error(), journal_format().kind, file, "reading the version of table " + name));
+  return *found;
 }
 
 } // namespace
 
-std::int64_t journal_schema_version() { return static_cast<std::int64_t>(own_migrations().size()); }
-
-tl::expected<void, journal_error> check_identity(database& db, const std::string& file) {
-  const auto application = db.query_integer("PRAGMA application_id");
-  if (!application)
-    return tl::unexpected(from_sqlite(application.error(), file, "reading its header"));
-  if (*application != journal_application_id)
-    return tl::unexpected(foreign_file(file, "an SQLite database of another program"));
-  const auto version = db.query_integer("PRAGMA user_version");
-  if (!version)
-    return tl::unexpected(from_sqlite(version.error(), file, "reading its version"));
-  if (*version > journal_schema_version())
-    return tl::unexpected(newer_error(file, "the journal", *version, journal_schema_version()));
-  if (*version < 1)
-    return tl::unexpected(corrupt_file(file, "its version is " + std::to_string(*version)));
-  return {};
+const io::sqlite::store_format& journal_format() {
+  static const io::sqlite::store_format format{
+      .kind = {.name = "journal",
+               .when_corrupt = "Move it away together with its -wal file (the sqlite3 shell's .recover may save its "
+                               "rows), then put back a copy or start without it"},
+      .application_id = journal_application_id,
+      .migrations = {first_version},
+      .read_version = "PRAGMA user_version",
+      .set_version = "PRAGMA user_version = ",
+      .settings = "PRAGMA foreign_keys = ON"};
+  return format;
 }
 
-tl::expected<void, journal_error> check_tables(database& db, const std::string& file,
-                                               const std::vector<table_definition>& tables) {
+store_result<void> check_tables(database& db, const std::string& file, const std::vector<table_definition>& tables) {
   for (const auto& table : tables) {
-    const auto found = version_of(db, table.name);
+    const auto found = version_of(db, file, table.name);
     if (!found)
-      return tl::unexpected(from_sqlite(found.error(), file, "reading the version of table " + table.name));
+      return tl::unexpected(found.error());
     if (*found > newest(table))
-      return tl::unexpected(newer_error(file, "table " + table.name, *found, newest(table)));
+      return tl::unexpected(
+          io::sqlite::newer_file(journal_format().kind, file, "table " + table.name, *found, newest(table)));
   }
   return {};
 }
 
-tl::expected<void, journal_error> migrate(database& db, const std::string& file,
-                                          const std::vector<table_definition>& tables) {
-  const auto own = db.query_integer("PRAGMA user_version");
-  if (!own)
-    return tl::unexpected(from_sqlite(own.error(), file, "reading its version"));
-  if (*own < journal_schema_version()) {
-    const auto version = std::to_string(journal_schema_version());
-    if (auto done = run_steps(db, own_migrations(), *own, "PRAGMA user_version = " + version); !done)
-      return tl::unexpected(from_sqlite(done.error(), file, "moving the journal to version " + version));
-  }
+store_result<void> migrate_tables(database& db, const std::string& file, const std::vector<table_definition>& tables) {
   for (const auto& table : tables) {
-    const auto found = version_of(db, table.name);
+    const auto found = version_of(db, file, table.name);
     if (!found)
-      return tl::unexpected(from_sqlite(found.error(), file, "reading the version of table " + table.name));
+      return tl::unexpected(found.error());
     if (*found == newest(table))
       continue;
     const auto set = "INSERT INTO table_version VALUES (" + quoted(table.name) + ", " + std::to_string(newest(table)) +
                      ") ON CONFLICT(name) DO UPDATE SET version = excluded.version";
-    if (auto done = run_steps(db, table.migrations, *found, set); !done)
-      return tl::unexpected(from_sqlite(done.error(), file, "moving table " + table.name + " to its newest version"));
+    if (auto done = io::sqlite::run_migrations(db, table.migrations, *found, set); !done)
+      return tl::unexpected(io::sqlite::describe(done.error(), journal_format().kind, file,
+                                                 "moving table " + table.name + " to its newest version"));
   }
   return {};
 }

@@ -10,10 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
-#include "io/sqlite/database.hpp"
-#include "runtime/journal/error.hpp"
+#include "io/sqlite/store_file.hpp"
 
 namespace godwit::runtime {
 
@@ -25,17 +22,14 @@ struct table_definition {
 
 inline constexpr std::int32_t journal_application_id = 0x676f6477; // "godw"
 
-[[nodiscard]] std::int64_t journal_schema_version();
-
-// Refuses what is foreign, newer or damaged at the first look. Only reads.
-[[nodiscard]] tl::expected<void, journal_error> check_identity(io::sqlite::database& db, const std::string& file);
+[[nodiscard]] const io::sqlite::store_format& journal_format();
 
 // Refuses tables newer than TABLES knows. Only reads.
-[[nodiscard]] tl::expected<void, journal_error> check_tables(io::sqlite::database& db, const std::string& file,
-                                                             const std::vector<table_definition>& tables);
+[[nodiscard]] io::sqlite::store_result<void> check_tables(io::sqlite::database& db, const std::string& file,
+                                                          const std::vector<table_definition>& tables);
 
-// Brings the journal's own tables, then the components', to the newest version.
-[[nodiscard]] tl::expected<void, journal_error> migrate(io::sqlite::database& db, const std::string& file,
-                                                        const std::vector<table_definition>& tables);
+// Brings the components' tables to the newest version.
+[[nodiscard]] io::sqlite::store_result<void> migrate_tables(io::sqlite::database& db, const std::string& file,
+                                                            const std::vector<table_definition>& tables);
 
 } // namespace godwit::runtime

@@ -1,114 +1,134 @@
 #include "runtime/journal/sqlite_journal.hpp"
 
-#include <mutex>
-#include <thread>
+#include <algorithm>
+#include <unordered_map>
 
-#include "runtime/assert.hpp"
-#include "runtime/journal/journal_writer.hpp"
-#include "runtime/journal/lock_file.hpp"
+#include "io/sqlite/group_writer.hpp"
+#include "io/sqlite/lock_file.hpp"
+#include "runtime/journal/journal_target.hpp"
 #include "runtime/journal/sqlite_error.hpp"
-#include "runtime/journal/write_queue.hpp"
+#include "runtime/journal/write_size.hpp"
 
 namespace godwit::runtime {
 
 namespace {
 
-writer_options writer_options_of(const journal_options& options) {
-  return {.path = options.path,
-          .max_group_writes = options.max_group_writes,
-          .max_group_bytes = options.max_group_bytes,
-          .checkpoint_bytes = options.checkpoint_bytes,
-          .retry_min = options.retry_min,
-          .retry_max = options.retry_max,
-          .close_timeout = options.close_timeout,
-          .chunk = {options.max_chunk_rows, options.max_chunk_time},
-          .on_health_change = options.on_health_change};
-}
+using io::sqlite::refusal;
 
-journal_error refusal(journal_errc code, const std::string& path, const std::string& who) {
-  switch (code) {
-  case journal_errc::stale_incarnation:
-    return {code, path, who + " has been restarted; this is its older incarnation",
+journal_error refused(refusal why, const std::string& path, const std::string& actor) {
+  switch (why) {
+  case refusal::not_admitted:
+    return {journal_errc::stale_incarnation, path,
+            "actor " + actor + " has been restarted; this is its older incarnation",
             "Nothing to do: the new incarnation goes on from what was durable."};
-  case journal_errc::queue_full:
-    return {code, path, "the writer is behind by its bound",
+  case refusal::full:
+    return {journal_errc::queue_full, path, "the writer is behind by its bound",
             "Look at the journal's health: the disk is failing or too slow."};
-  default:
-    return closed_journal(path);
+  case refusal::closed:
+    break;
   }
+  return closed_journal(path);
 }
 
 } // namespace
 
 struct sqlite_journal::parts {
-  parts(const journal_options& options, lock_file held, io::sqlite::database db, std::uint64_t run)
-      : path(options.path), lock(std::move(held)),
-        queue({options.max_queued_writes, options.max_queued_bytes, options.max_queued_loads}),
-        writer(writer_options_of(options), std::move(db), run, queue) {}
+  parts(const journal_options& options, io::sqlite::store_file file, std::uint64_t run_number)
+      : path(options.path), run(run_number), lock(std::move(file.lock)),
+        target(path, std::move(file.db), static_cast<std::int64_t>(options.checkpoint_bytes)),
+        writer({.queue = {options.max_queued_writes, options.max_queued_bytes},
+                .group = {options.max_group_writes, options.max_group_bytes},
+                .retry = {options.retry_min, options.retry_max},
+                .close_timeout = options.close_timeout,
+                .clock = options.clock,
+                .on_health_change =
+                    [this, told = options.on_health_change] {
+                      if (told)
+                        told(status());
+                    }},
+               target) {}
 
-  std::string path;
-  lock_file lock;
-  write_queue queue;
-  journal_writer writer;
-  std::mutex close_mutex;
-  std::thread thread;
+  [[nodiscard]] journal_status status() const;
+
+  const std::string path;
+  const std::uint64_t run;
+  io::sqlite::lock_file lock; // given back after the target has closed the file
+  // The first incarnation of each actor that may still write; one entry for each actor that recovered. Guarded by the
+  // writer's queue: submit and recover look at it when they are admitted.
+  std::unordered_map<std::string, std::uint64_t> first_valid;
+  journal_target target;
+  io::sqlite::group_writer<journal_item> writer;
 };
 
-sqlite_journal::sqlite_journal(std::unique_ptr<parts> made) : parts_(std::move(made)) {
-  parts_->thread = std::thread([this] { parts_->writer.run(); });
+journal_status sqlite_journal::parts::status() const {
+  const auto now = writer.status();
+  journal_status result;
+  result.failing = now.counts.last_error.has_value();
+  result.reason = result.failing ? from_store(*now.counts.last_error).message() : "";
+  result.commits = now.counts.commits;
+  result.writes = now.counts.written;
+  result.events = target.events();
+  result.retries = now.counts.retries;
+  result.refused = now.queue.refused;
+  result.queued = now.queue.items;
+  result.fill = now.queue.fill;
+  result.run = run;
+  return result;
 }
 
+sqlite_journal::sqlite_journal(std::unique_ptr<parts> made) : parts_(std::move(made)) {}
+
 tl::expected<std::unique_ptr<sqlite_journal>, journal_error> sqlite_journal::open(const journal_options& options) {
-  if (auto made = make_folder_of(options.path); !made)
-    return tl::unexpected(std::move(made.error()));
-  auto lock = lock_file::acquire(options.path);
-  if (!lock)
-    return tl::unexpected(std::move(lock.error()));
-  auto db = open_for_writing({options.path, options.vfs, options.create, options.check, options.tables});
-  if (!db)
-    return tl::unexpected(std::move(db.error()));
-  const auto run = db->query_integer("SELECT value FROM meta WHERE name = 'run'");
+  auto file = open_for_writing({options.path, options.vfs, options.create, options.check, options.tables});
+  if (!file)
+    return tl::unexpected(std::move(file.error()));
+  const auto run = file->db.query_integer("SELECT value FROM meta WHERE name = 'run'");
   if (!run)
     return tl::unexpected(from_sqlite(run.error(), options.path, "reading the number of this run"));
-  auto made = std::make_unique<parts>(options, std::move(*lock), std::move(*db), static_cast<std::uint64_t>(*run));
+  auto made = std::make_unique<parts>(options, std::move(*file), static_cast<std::uint64_t>(*run));
+  if (options.own_thread)
+    made->writer.start();
   return std::unique_ptr<sqlite_journal>(new sqlite_journal(std::move(made)));
 }
 
 sqlite_journal::~sqlite_journal() { close(); }
 
-tl::expected<void, journal_error> sqlite_journal::submit(journal_write write) {
-  auto taken = parts_->queue.push(std::move(write));
-  if (!taken)
-    // push() leaves what it refuses as it was.
-    return tl::unexpected(
-        refusal(taken.error(), parts_->path, "actor " + write.actor)); // NOLINT(bugprone-use-after-move)
-  return {};
+tl::expected<void, journal_error> sqlite_journal::submit(journal_write&& write) {
+  const io::sqlite::queue_room room{.items = 1, .bytes = bytes_of(write)};
+  journal_item item(std::move(write));
+  const auto may_write = [this](const journal_item& asked) {
+    const auto& by = std::get<journal_write>(asked);
+    const auto found = parts_->first_valid.find(by.actor);
+    return found == parts_->first_valid.end() || by.incarnation >= found->second;
+  };
+  const auto taken = parts_->writer.push(std::move(item), room, may_write);
+  if (taken)
+    return {};
+  write = std::move(std::get<journal_write>(item)); // NOLINT(bugprone-use-after-move): what is refused stays as it was
+  return tl::unexpected(refused(taken.error(), parts_->path, write.actor));
 }
 
 void sqlite_journal::recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) {
-  queued_recovery recovery{std::move(actor), std::move(callback)};
-  if (!parts_->queue.push(std::move(recovery), incarnation))
-    recovery.callback(tl::unexpected(closed_journal(parts_->path))); // NOLINT(bugprone-use-after-move): as above
+  const auto fence_older = [&](const journal_item& asked) {
+    auto& first = parts_->first_valid[std::get<queued_recovery>(asked).actor];
+    first = std::max(first, incarnation);
+    return true;
+  };
+  journal_item item(queued_recovery{std::move(actor), std::move(callback)});
+  if (!parts_->writer.push(std::move(item), {.items = 0, .bytes = 0}, fence_older))
+    std::get<queued_recovery>(item).callback( // NOLINT(bugprone-use-after-move): as above
+        tl::unexpected(closed_journal(parts_->path)));
 }
 
-void sqlite_journal::load(bulk_load load) {
-  auto taken = parts_->queue.push(std::move(load));
-  if (!taken && load.done) // NOLINT(bugprone-use-after-move): as above
-    load.done(tl::unexpected(refusal(taken.error(), parts_->path, "load " + load.name)));
-}
+journal_status sqlite_journal::status() const { return parts_->status(); }
 
-journal_status sqlite_journal::status() const { return parts_->writer.status(); }
+bool sqlite_journal::flush(std::chrono::milliseconds timeout) { return parts_->writer.flush(timeout); }
 
-bool sqlite_journal::flush(std::chrono::milliseconds timeout) { return parts_->queue.wait_until_finished(timeout); }
+void sqlite_journal::run_once() { parts_->writer.run_once(); }
 
 void sqlite_journal::close() {
-  GODWIT_ASSERT(std::this_thread::get_id() != parts_->thread.get_id(), "journal: closed from one of its own callbacks");
-  parts_->queue.close();
-  std::lock_guard one_at_a_time(parts_->close_mutex);
-  if (!parts_->thread.joinable())
-    return;
-  parts_->thread.join();
-  parts_->lock.release(); // after the writer has closed the database
+  parts_->writer.close();
+  parts_->lock.release();
 }
 
 } // namespace godwit::runtime

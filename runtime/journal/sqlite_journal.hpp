@@ -1,4 +1,4 @@
-// The journal in one SQLite file: write-ahead log, synchronous FULL, one writer thread.
+// The journal in one SQLite file: write-ahead log, synchronous FULL, one writer thread (io/sqlite/group_writer.hpp).
 //
 // Files: PATH, PATH-wal and PATH-shm (SQLite's), PATH.lock (who writes). Mode 0600.
 // Thread: every function from any thread, close and the destructor not from the journal's own callbacks.
@@ -30,15 +30,10 @@ struct journal_options {
   // While the disk refuses to write everything waits here: at 100 events/s these are 16 minutes.
   std::size_t max_queued_writes = 100'000;
   std::size_t max_queued_bytes = 256 * 1024 * 1024;
-  std::size_t max_queued_loads = 16;
 
   // One transaction: bounds the pages that SQLite keeps in memory and the wait of the next group.
   std::size_t max_group_writes = 2'000;
   std::size_t max_group_bytes = 8 * 1024 * 1024;
-
-  // One chunk of a large load ends at the first of these.
-  std::size_t max_chunk_rows = 1'000;
-  std::chrono::milliseconds max_chunk_time{20};
 
   // The log is moved into the database file when it is longer; SQLite's own default, 1000 pages.
   std::size_t checkpoint_bytes = 4 * 1024 * 1024;
@@ -52,11 +47,11 @@ struct journal_options {
 
   // On the writer thread, when `failing` turns on or off. Must be quick and must not throw.
   std::function<void(const journal_status&)> on_health_change = {};
-};
 
-class lock_file;
-class journal_writer;
-class write_queue;
+  // False: nothing happens but in run_once, flush and close. Tests and whole systems in virtual time.
+  bool own_thread = true;
+  std::function<std::chrono::steady_clock::time_point()> clock = &std::chrono::steady_clock::now; // paces the retries
+};
 
 class sqlite_journal final : public journal {
 public:
@@ -66,18 +61,19 @@ public:
 
   ~sqlite_journal() override;
 
-  [[nodiscard]] tl::expected<void, journal_error> submit(journal_write write) override;
+  [[nodiscard]] tl::expected<void, journal_error> submit(journal_write&& write) override;
 
   // On a closed journal the callback runs with an error on the calling thread.
   void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) override;
 
-  // Refused (too many loads, closed): `done` runs with an error on the calling thread.
-  void load(bulk_load load) override;
-
   [[nodiscard]] journal_status status() const override;
 
-  // Waits until all that was submitted before is durable; false when the time is over.
+  // Waits until all that was submitted before is durable; false when the time is over or, without a thread, when the
+  // disk fails.
   [[nodiscard]] bool flush(std::chrono::milliseconds timeout);
+
+  // Without a thread of its own: does what can be done now, at most one transaction.
+  void run_once();
 
   // Writes what waits within the close timeout, tells the rest that it failed, and gives the lock back. Once.
   void close();

@@ -10,13 +10,14 @@ namespace godwit::runtime {
 namespace {
 
 void apply_to_actor(const journal_write& write, recovered& kept) {
-  if (write.event) {
-    GODWIT_ASSERT(write.event->number == kept.last_event + 1, "event numbers of an actor rise by one");
-    kept.last_event = write.event->number;
-    kept.events.push_back(*write.event);
+  for (const auto& event : write.events) {
+    GODWIT_ASSERT(event.number == kept.last_event + 1, "event numbers of an actor rise by one");
+    kept.last_event = event.number;
+    kept.events.push_back(event);
   }
   if (write.snapshot) {
     kept.snapshot = write.snapshot;
+    kept.last_event = std::max(kept.last_event, write.snapshot->number);
     std::erase_if(kept.events, [&](const event_record& each) { return each.number <= write.snapshot->number; });
   }
   kept.effects.insert(kept.effects.end(), write.effects.begin(), write.effects.end());
@@ -42,13 +43,21 @@ void apply(const journal_write& write, simulated_disk& disk) {
   disk.dead_letters.insert(disk.dead_letters.end(), write.dead_letters.begin(), write.dead_letters.end());
 }
 
-tl::expected<void, journal_error> simulated_journal::submit(journal_write write) {
+tl::expected<void, journal_error> simulated_journal::submit(journal_write&& write) {
   if (write.incarnation < newest_incarnation_[write.actor]) {
     ++counted_.refused;
     return tl::unexpected(journal_error{journal_errc::stale_incarnation, "simulation",
                                         write.actor + " was replaced by a newer incarnation", "nothing to do"});
   }
-  queue_.emplace_back(std::move(write));
+  if (refusing_) {
+    ++counted_.refused;
+    return tl::unexpected(
+        journal_error{journal_errc::queue_full, "simulation", "the writer is behind by its bound", "stop refusing"});
+  }
+  if (is_broken(write))
+    failed_.push_back(std::move(write));
+  else
+    queue_.emplace_back(std::move(write));
   return {};
 }
 
@@ -56,16 +65,6 @@ void simulated_journal::recover(std::string actor, std::uint64_t incarnation, re
   auto& newest = newest_incarnation_[actor];
   newest = std::max(newest, incarnation);
   queue_.emplace_back(recovery{std::move(actor), std::move(callback)});
-}
-
-void simulated_journal::load(bulk_load load) {
-  journal_write whole;
-  whole.actor = load.name;
-  while (load.next(whole.rows, 1000)) {
-  }
-  whole.rows.insert(whole.rows.end(), load.flip.begin(), load.flip.end());
-  whole.done = std::move(load.done);
-  queue_.emplace_back(std::move(whole));
 }
 
 journal_status simulated_journal::status() const {
@@ -77,7 +76,17 @@ journal_status simulated_journal::status() const {
   return result;
 }
 
+void simulated_journal::tell_failed() {
+  for (const auto& each : std::exchange(failed_, {}))
+    if (each.done)
+      each.done(tl::unexpected(broken_.at(each.actor)));
+}
+
 bool simulated_journal::step() {
+  if (!failed_.empty()) {
+    tell_failed();
+    return true;
+  }
   if (queue_.empty())
     return false;
   if (failing_)
@@ -98,16 +107,39 @@ void simulated_journal::commit_group() {
     group.push_back(std::get<journal_write>(std::move(queue_.front())));
     queue_.pop_front();
   }
+  const auto fails = [&](journal_write& each) {
+    if (!breaks(each) && !is_broken(each))
+      return false;
+    failed_.push_back(std::move(each));
+    return true;
+  };
+  std::erase_if(group, fails);
   for (const auto& each : group) {
     apply(each, disk_);
     ++counted_.writes;
-    counted_.events += each.event ? 1 : 0;
+    counted_.events += each.events.size();
   }
   ++counted_.commits;
   ++disk_.commits;
   for (const auto& each : group)
     if (each.done)
       each.done({});
+  tell_failed();
+}
+
+bool simulated_journal::breaks(const journal_write& write) {
+  if (write.events.empty() || broken_.contains(write.actor) || to_break_[write.actor] == 0)
+    return false;
+  --to_break_[write.actor];
+  broken_.insert_or_assign(write.actor,
+                           journal_error{journal_errc::io, "simulation", "this write can never commit", "none"});
+  return true;
+}
+
+// With it fails what its actor writes until it recovers, but for what does not build on it.
+bool simulated_journal::is_broken(const journal_write& write) const {
+  const bool builds_on_earlier = !write.events.empty() || write.snapshot || !write.effects.empty();
+  return builds_on_earlier && broken_.contains(write.actor);
 }
 
 bool simulated_journal::recover_while_failing() {
@@ -123,6 +155,7 @@ bool simulated_journal::recover_while_failing() {
 }
 
 void simulated_journal::answer(const recovery& asked, const std::deque<queued_item>& ahead) {
+  broken_.erase(asked.actor);
   auto result = disk_.actors[asked.actor].kept;
   result.durable_upto = result.last_event;
   for (const auto& each : ahead)

@@ -33,15 +33,19 @@ class simulated_journal final : public journal {
 public:
   explicit simulated_journal(simulated_disk& disk) : disk_(disk) { ++disk_.runs; }
 
-  [[nodiscard]] tl::expected<void, journal_error> submit(journal_write write) override;
+  [[nodiscard]] tl::expected<void, journal_error> submit(journal_write&& write) override;
   void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) override;
-  void load(bulk_load load) override;
   [[nodiscard]] journal_status status() const override;
 
   // Does one step of work; false when nothing waits (or only writes do, and the disk fails).
   bool step();
   void fail_writes(bool failing) { failing_ = failing; }
-  [[nodiscard]] std::size_t waiting() const { return queue_.size(); }
+  // As if its queue was full.
+  void refuse_writes(bool refusing) { refusing_ = refusing; }
+  // The next write of ACTOR with an event can never commit, nor can the first after each of the next TIMES - 1
+  // recoveries.
+  void break_writes_of(const std::string& actor, int times) { to_break_[actor] = times; }
+  [[nodiscard]] std::size_t waiting() const { return queue_.size() + failed_.size(); }
 
 private:
   struct recovery {
@@ -51,6 +55,9 @@ private:
   using queued_item = std::variant<journal_write, recovery>;
 
   void commit_group();
+  [[nodiscard]] bool breaks(const journal_write& write);
+  [[nodiscard]] bool is_broken(const journal_write& write) const;
+  void tell_failed();
   bool recover_while_failing();
   void answer(const recovery& asked, const std::deque<queued_item>& ahead);
 
@@ -58,6 +65,10 @@ private:
   std::deque<queued_item> queue_;
   std::map<std::string, std::uint64_t> newest_incarnation_;
   bool failing_ = false;
+  bool refusing_ = false;
+  std::map<std::string, int> to_break_;
+  std::vector<journal_write> failed_;           // and not told yet
+  std::map<std::string, journal_error> broken_; // actors with a write that can never commit, until they recover
   journal_status counted_;
 };
 

@@ -2,9 +2,63 @@
 
 #include <algorithm>
 
+#include <caf/scheduler/test_coordinator.hpp>
+
 #include "runtime/assert.hpp"
+#include "runtime/caf_mail.hpp"
+#include "runtime/kill_message.hpp"
+#include "runtime/stable_address.hpp"
 
 namespace godwit::runtime {
+
+// CAF's side of a simulation: the coordinator that runs one job at a time, and an actor that asks for the test.
+class simulated_scheduler {
+public:
+  explicit simulated_scheduler(caf::actor_system& system)
+      : coordinator_(dynamic_cast<caf::scheduler::test_coordinator*>(&system.scheduler())) {
+    GODWIT_ASSERT(coordinator_ != nullptr, "a simulated system runs on CAF's test coordinator");
+    const auto asker = system.spawn<caf::event_based_actor>();
+    asker_alive_ = caf::actor_cast<caf::strong_actor_ptr>(asker);
+    asker_ = static_cast<caf::event_based_actor*>(caf::actor_cast<caf::abstract_actor*>(asker));
+    asker_->become([](int) {}); // it only receives answers; without a behaviour it would end
+  }
+  simulated_scheduler(const simulated_scheduler&) = delete;
+  simulated_scheduler& operator=(const simulated_scheduler&) = delete;
+  ~simulated_scheduler() = default;
+
+  [[nodiscard]] std::int64_t now_ns() const { return coordinator_->clock().now().time_since_epoch().count(); }
+  [[nodiscard]] auto& jobs() { return coordinator_->jobs; }
+  bool run_once() { return coordinator_->try_run_once(); }
+  [[nodiscard]] std::optional<std::int64_t> next_timer_ns() const {
+    const auto& due = coordinator_->clock().schedule();
+    return due.empty() ? std::nullopt : std::optional(due.begin()->first.time_since_epoch().count());
+  }
+  void advance(std::chrono::nanoseconds duration) { coordinator_->advance_time(duration); }
+  void end_asker() {
+    if (asker_alive_)
+      asker_alive_->enqueue(kill_message(), nullptr);
+    asker_alive_ = nullptr;
+  }
+
+  void request(const actor_ref& to, std::chrono::nanoseconds timeout, envelope question,
+               std::function<void(const envelope&)> on_answer, std::function<void(const ask_error&)> on_error) {
+    asker_->context(nullptr); // the one that it was last run with is gone
+    const auto id = asker_->new_request_id(caf::message_priority::normal);
+    asker_->add_multiplexed_response_handler(
+        id.response_id(),
+        caf::behavior{[on_answer = std::move(on_answer)](const envelope& m) { on_answer(m); },
+                      [on_error = std::move(on_error)](const caf::error& why) { on_error(describe(why)); }});
+    asker_->request_response_timeout(caf::duration{timeout}, id);
+    strong(to)->enqueue(make_mail(asker_->ctrl(), id, std::move(question)), nullptr);
+  }
+
+private:
+  caf::scheduler::test_coordinator* coordinator_;
+  caf::event_based_actor* asker_ = nullptr;
+  caf::strong_actor_ptr asker_alive_;
+};
+
+std::int64_t simulated_time::monotonic_ns() const noexcept { return scheduler_ == nullptr ? 0 : scheduler_->now_ns(); }
 
 void planned_crashes::hit(crash_point point, std::uint32_t actor, std::uint64_t) {
   const auto& name = names_.name(actor);
@@ -28,23 +82,17 @@ simulation::simulation(simulated_disk& disk, std::uint64_t seed, system_options 
   outside.seed = seed;
   options.simulated = true;
   system_ = std::make_unique<runtime::system>(outside, options);
-  scheduler_ = dynamic_cast<caf::scheduler::test_coordinator*>(&system_->actors().scheduler());
-  GODWIT_ASSERT(scheduler_ != nullptr, "a simulated system runs on CAF's test coordinator");
+  scheduler_ = std::make_unique<simulated_scheduler>(system_->actors());
   time_.follow(*scheduler_);
   gateway_ = system_->make_gateway("test");
-  const auto asker = system_->actors().spawn<caf::event_based_actor>();
-  asker_alive_ = caf::actor_cast<caf::strong_actor_ptr>(asker);
-  asker_ = static_cast<caf::event_based_actor*>(caf::actor_cast<caf::abstract_actor*>(asker));
-  asker_->become([](int) {}); // it only receives answers; without a behaviour it would end
+  asked_ = ids_before_run(disk.runs);
 }
 
 simulation::~simulation() {
   crashes_.clear();
   system_->kill_all();
-  if (asker_alive_)
-    asker_alive_->enqueue(kill_message(), nullptr);
-  asker_alive_ = nullptr;
-  while (scheduler_->try_run_once()) {
+  scheduler_->end_asker();
+  while (scheduler_->run_once()) {
   }
   system_.reset();
 }
@@ -52,7 +100,7 @@ simulation::~simulation() {
 void simulation::start() { system_->start(); }
 
 bool simulation::step(std::uint64_t choice) {
-  auto& jobs = scheduler_->jobs;
+  auto& jobs = scheduler_->jobs();
   const auto candidates = jobs.size() + (journal_.waiting() > 0 ? 1 : 0);
   if (candidates == 0)
     return false;
@@ -61,11 +109,11 @@ bool simulation::step(std::uint64_t choice) {
     return journal_.step() || !jobs.empty();
   const auto at = jobs.begin() + static_cast<std::ptrdiff_t>(chosen);
   std::rotate(jobs.begin(), at, at + 1);
-  return scheduler_->try_run_once();
+  return scheduler_->run_once();
 }
 
 void simulation::settle() {
-  while (scheduler_->try_run_once() || journal_.step()) {
+  while (scheduler_->run_once() || journal_.step()) {
   }
 }
 
@@ -74,10 +122,23 @@ void simulation::advance(std::chrono::nanoseconds duration) {
   settle();
   while (duration.count() > 0) {
     const auto now = std::min(duration, stride);
-    scheduler_->advance_time(now);
+    scheduler_->advance(now);
     settle();
     duration -= now;
   }
+}
+
+void simulation::request(const actor_ref& to, std::chrono::nanoseconds timeout, envelope question,
+                         std::function<void(const envelope&)> on_answer,
+                         std::function<void(const ask_error&)> on_error) {
+  scheduler_->request(to, timeout, std::move(question), std::move(on_answer), std::move(on_error));
+}
+
+std::int64_t simulation::next_timer_ns() const { return scheduler_->next_timer_ns().value_or(never_ns); }
+
+void simulation::pass_time_until(std::int64_t when_ns) {
+  if (const auto passes_ns = when_ns - now_ns(); passes_ns > 0)
+    scheduler_->advance(std::chrono::nanoseconds(passes_ns));
 }
 
 bool simulation::stop() {

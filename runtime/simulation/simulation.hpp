@@ -13,14 +13,17 @@
 // stays. Thread: one.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
-#include <deque>
+#include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <caf/scheduler/test_coordinator.hpp>
-
+#include "runtime/ask_error.hpp"
+#include "runtime/envelope.hpp"
 #include "runtime/random.hpp"
 #include "runtime/simulation/simulated_journal.hpp"
 #include "runtime/system.hpp"
@@ -28,18 +31,20 @@
 
 namespace godwit::runtime {
 
+class stable_address;
+
+class simulated_scheduler; // CAF's test coordinator
+
 class simulated_time final : public time_source {
 public:
-  void follow(caf::scheduler::test_coordinator& scheduler) { scheduler_ = &scheduler; }
-  [[nodiscard]] std::int64_t monotonic_ns() const noexcept override {
-    return scheduler_ == nullptr ? 0 : scheduler_->clock().now().time_since_epoch().count();
-  }
+  void follow(const simulated_scheduler& scheduler) { scheduler_ = &scheduler; }
+  [[nodiscard]] std::int64_t monotonic_ns() const noexcept override;
   [[nodiscard]] std::int64_t wall_ns() const noexcept override { return start_ns + monotonic_ns(); }
 
   static constexpr std::int64_t start_ns = 1'800'000'000'000'000'000; // 2027-01-15, a round number
 
 private:
-  caf::scheduler::test_coordinator* scheduler_ = nullptr;
+  const simulated_scheduler* scheduler_ = nullptr;
 };
 
 // Crashes that the test asked for: the next time ACTOR passes POINT it throws.
@@ -70,6 +75,8 @@ struct asked {
 
 class simulation {
 public:
+  static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
+
   simulation(simulated_disk& disk, std::uint64_t seed, system_options options = {}, bool traced = true);
   simulation(const simulation&) = delete;
   simulation& operator=(const simulation&) = delete;
@@ -81,6 +88,7 @@ public:
   [[nodiscard]] const memory_trace& trace() const { return trace_; }
   [[nodiscard]] std::optional<exit_request> exit() const { return system_->exit_requested(); }
   [[nodiscard]] std::int64_t now_ns() const { return time_.monotonic_ns(); }
+  [[nodiscard]] const time_source& time() const { return time_; }
 
   void start();
   // Runs one thing that can happen now, chosen by CHOICE: an actor's next message or a step of the journal. False: none
@@ -88,6 +96,10 @@ public:
   bool step(std::uint64_t choice);
   void settle(); // until nothing can happen without time passing
   void advance(std::chrono::nanoseconds duration);
+  // When the next timer is due; never_ns: there is none.
+  [[nodiscard]] std::int64_t next_timer_ns() const;
+  // Lets time pass; what becomes due by then waits for step(). For worlds that have more than actors in them.
+  void pass_time_until(std::int64_t when_ns);
   [[nodiscard]] bool stop(); // in order; true when all ended
 
   void crash_at(const std::string& actor, crash_point point) { crashes_.plan(actor, point); }
@@ -105,23 +117,23 @@ public:
   ask(const Handle& to, std::chrono::nanoseconds timeout, Q question) {
     using answer_type = answer_t<Handle, Q>;
     auto result = std::make_shared<asked<answer_type>>();
-    const header head{++asked_, 0, 0, 0, 0};
-    asker_->context(nullptr); // the one from its last turn is gone
-    asker_->request(to, caf::duration{timeout}, mail<Q>{head, std::move(question)})
-        .then(
-            [result](const mail<answer_type>& m) {
-              ++result->answers;
-              result->answer = m.body;
-            },
-            [result](const caf::error& why) {
-              ++result->failures;
-              result->failure = describe(why);
-            });
+    request(
+        to.ref(), timeout, envelope::of({++asked_, 0, 0, 0, 0}, std::move(question)),
+        [result](const envelope& m) {
+          ++result->answers;
+          result->answer = m.as<answer_type>();
+        },
+        [result](const ask_error& why) {
+          ++result->failures;
+          result->failure = why;
+        });
     return result;
   }
 
 private:
   [[nodiscard]] stable_address* find(const std::string& actor) const;
+  void request(const actor_ref& to, std::chrono::nanoseconds timeout, envelope question,
+               std::function<void(const envelope&)> on_answer, std::function<void(const ask_error&)> on_error);
 
   directory names_;
   health_board health_;
@@ -130,10 +142,8 @@ private:
   memory_trace trace_;
   planned_crashes crashes_;
   std::unique_ptr<runtime::system> system_;
-  caf::scheduler::test_coordinator* scheduler_ = nullptr;
+  std::unique_ptr<simulated_scheduler> scheduler_;
   std::optional<gateway> gateway_;
-  caf::event_based_actor* asker_ = nullptr;
-  caf::strong_actor_ptr asker_alive_;
   std::uint64_t asked_ = 0;
 };
 

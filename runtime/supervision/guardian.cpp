@@ -5,7 +5,10 @@
 #include <mutex>
 #include <utility>
 
+#include "runtime/caf_mail.hpp"
 #include "runtime/internal_messages.hpp"
+#include "runtime/kill_message.hpp"
+#include "runtime/stable_address.hpp"
 #include "runtime/supervision/ping_ledger.hpp"
 #include "runtime/supervision/supervision_core.hpp"
 
@@ -35,11 +38,6 @@ std::vector<child_policy> policies_of(const std::vector<child_spec>& children) {
   return result;
 }
 
-template <class T>
-caf::mailbox_element_ptr internal(T body) {
-  return caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<T>{{}, std::move(body)});
-}
-
 class guardian final : public caf::event_based_actor {
 public:
   guardian(caf::actor_config& config, const services& outside, std::vector<child_spec> children,
@@ -56,35 +54,55 @@ public:
   const char* name() const override { return "guardian"; }
 
   caf::behavior make_behavior() override {
-    return {
-        [this](const mail<start_children>&) {
-          tick();
-          carry_out(core_.start());
-        },
-        [this](const mail<stop_children>&) { carry_out(core_.shutdown()); },
-        [this](const mail<guardian_tick>&) { tick(); },
-        [this](const mail<pong>& m) { on_pong(m.body); },
-        [this](const mail<child_up>& m) { on_up(m.body); },
-        [this](const mail<recovery_ready>& m) { on_recovered(m.body); },
-        [this](const mail<restart_due>& m) { carry_out(core_.restart_due(m.body.child)); },
-        [this](const mail<stop_overdue>& m) { on_stop_overdue(m.body); },
-        [this](const mail<get_children>& m) {
-          return mail<children>{{0, m.head.id, 0, 0, 0}, report()};
-        },
-        [this](const mail<set_policy>& m) {
-          if (const auto i = find_or_tell(m.body.name); i < children_.size())
-            core_.set_policy(i, m.body.policy);
-        },
-        [this](const mail<want_child>& m) {
-          if (const auto i = find_or_tell(m.body.name); i < children_.size())
-            carry_out(core_.want(i, m.body.wanted));
-        },
-    };
+    return {[this](const envelope& m) { receive(m); }};
   }
 
   void on_exit() override { children_.clear(); }
 
 private:
+  // -- mail ---------------------------------------------------------------------------------------
+
+  void receive(const envelope& m) {
+    if (m.is<start_children>()) {
+      tick();
+      carry_out(core_.start());
+    } else if (m.is<stop_children>()) {
+      carry_out(core_.shutdown());
+    } else if (m.is<guardian_tick>()) {
+      tick();
+    } else if (m.is<pong>()) {
+      on_pong(m.as<pong>());
+    } else if (m.is<child_up>()) {
+      on_up(m.as<child_up>());
+    } else if (m.is<recovery_ready>()) {
+      on_recovered(m.as<recovery_ready>());
+    } else if (m.is<restart_due>()) {
+      carry_out(core_.restart_due(m.as<restart_due>().child));
+    } else if (m.is<stop_overdue>()) {
+      on_stop_overdue(m.as<stop_overdue>());
+    } else {
+      receive_of_decider(m);
+    }
+  }
+
+  void receive_of_decider(const envelope& m) {
+    if (m.is<get_children>()) {
+      auto promise = make_response_promise();
+      promise.deliver(envelope::of({0, m.head.id, 0, 0, 0}, report()));
+    } else if (m.is<set_policy>()) {
+      const auto& set = m.as<set_policy>();
+      if (const auto i = find_or_tell(set.name); i < children_.size())
+        core_.set_policy(i, set.policy);
+    } else if (m.is<want_child>()) {
+      const auto& want = m.as<want_child>();
+      if (const auto i = find_or_tell(want.name); i < children_.size())
+        carry_out(core_.want(i, want.wanted));
+    } else {
+      outside_.health->post("guardian", health_colour::yellow,
+                            "was sent " + std::string(m.type->name) + ", which it does not take");
+    }
+  }
+
   // -- carrying out -------------------------------------------------------------------------------
 
   void carry_out(const supervision_core::actions& actions) {
@@ -98,7 +116,7 @@ private:
     auto& child = children_[action.child];
     child.restart_is_useless = false;
     child.number = address(child).begin_incarnation();
-    if (!child.spec.persistent || outside_.durable == nullptr) {
+    if (!child.spec.is_durable || outside_.durable == nullptr) {
       make_incarnation(action.child, {});
       return;
     }
@@ -109,7 +127,7 @@ private:
                                   const std::lock_guard guard(slot->mutex);
                                   slot->by_incarnation.insert_or_assign(number, std::move(result));
                                 }
-                                self->enqueue(internal(recovery_ready{index, number}), nullptr);
+                                self->enqueue(make_internal_mail(recovery_ready{index, number}), nullptr);
                               });
   }
 
@@ -159,8 +177,8 @@ private:
   void make_incarnation(std::size_t index, recovered restored) {
     auto& child = children_[index];
     try {
-      auto made = child.spec.make(
-          system(), {&outside_, child.spec.address, child.number, caf::strong_actor_ptr(ctrl()), std::move(restored)});
+      spawn_context born{&outside_, child.spec.address, child.number, actor_ref(ctrl()), std::move(restored)};
+      auto made = caf::actor_cast<caf::strong_actor_ptr>(system().spawn<incarnation>(std::move(born), child.spec.make));
       monitor(caf::actor_cast<caf::actor>(made));
       child.incarnation = made;
       pings_.watch(index, now_ns());
@@ -239,11 +257,7 @@ private:
   }
 
   // It ends before it looks at any other mail.
-  void kill(caf::actor_control_block& incarnation) {
-    incarnation.enqueue(caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
-                                                  caf::exit_msg{address_of_self(), caf::exit_reason::kill}),
-                        context());
-  }
+  void kill(caf::actor_control_block& incarnation) { incarnation.enqueue(kill_message(address_of_self()), context()); }
 
   // -- pings --------------------------------------------------------------------------------------
 
@@ -252,7 +266,7 @@ private:
     status_->last_tick_ns.store(now, std::memory_order_relaxed);
     const auto verdict = pings_.tick(now);
     for (const auto i : verdict.to_ping)
-      children_[i].spec.address->enqueue(internal(ping{pings_.key_of(i)}), context());
+      strong(children_[i].spec.address)->enqueue(make_internal_mail(ping{pings_.key_of(i)}), context());
     for (const auto i : verdict.late) {
       tell_event(i, child_event_kind::late, {});
       post_health(i, health_colour::yellow, "does not answer pings");
@@ -300,7 +314,7 @@ private:
 
   template <class Duration, class T>
   void later(Duration delay, T body) {
-    clock().schedule_message(clock().now() + delay, caf::strong_actor_ptr(ctrl()), internal(std::move(body)));
+    clock().schedule_message(clock().now() + delay, caf::strong_actor_ptr(ctrl()), make_internal_mail(std::move(body)));
   }
 
   template <class Predicate>
@@ -342,10 +356,10 @@ private:
       entry.ended = entry.began;
       entry.actor = address(child).number();
       entry.incarnation = static_cast<std::uint32_t>(child.number);
-      outside_.trace->record(entry, type_of<child_event>, &event);
+      outside_.trace->record(entry, type_of<child_event>(), &event);
     }
     if (decider_)
-      caf::actor_cast<caf::strong_actor_ptr>(decider_)->enqueue(internal(std::move(event)), context());
+      strong(decider_.ref())->enqueue(make_internal_mail(std::move(event)), context());
   }
 
   void post_health(std::size_t index, health_colour colour, std::string reason) {
@@ -382,11 +396,11 @@ caf::strong_actor_ptr spawn_guardian(caf::actor_system& system, const services& 
 }
 
 void tell_guardian_to_start(const caf::strong_actor_ptr& guardian) {
-  guardian->enqueue(internal(start_children{}), nullptr);
+  guardian->enqueue(make_internal_mail(start_children{}), nullptr);
 }
 
 void tell_guardian_to_stop(const caf::strong_actor_ptr& guardian) {
-  guardian->enqueue(internal(stop_children{}), nullptr);
+  guardian->enqueue(make_internal_mail(stop_children{}), nullptr);
 }
 
 } // namespace godwit::runtime

@@ -18,52 +18,17 @@
 
 #include <caf/all.hpp>
 
-#include "runtime/cell.hpp"
-#include "runtime/seam.hpp"
-#include "runtime/supervision/messages.hpp"
+#include "runtime/incarnation.hpp"
+#include "runtime/supervision/child_spec.hpp"
 #include "runtime/supervision/policy.hpp"
 
 namespace godwit::runtime {
-
-using guardian_handle = mailbox<asks<get_children, children>, tells<set_policy>, tells<want_child>>;
-using decider_handle = mailbox<tells<child_event>>;
-
-struct child_spec {
-  caf::strong_actor_ptr address;
-  child_policy policy;
-  bool persistent = false;
-  // Makes an incarnation; may throw.
-  std::function<caf::strong_actor_ptr(caf::actor_system&, birth)> make;
-};
-
-enum class exit_cause { requested, essential_given_up, essential_silent, no_free_worker, guardian_died };
-
-constexpr auto enum_names(exit_cause) {
-  return io::names<exit_cause>({{exit_cause::requested, "requested"},
-                                {exit_cause::essential_given_up, "essential_given_up"},
-                                {exit_cause::essential_silent, "essential_silent"},
-                                {exit_cause::no_free_worker, "no_free_worker"},
-                                {exit_cause::guardian_died, "guardian_died"}});
-}
-
-struct exit_request {
-  exit_cause cause = exit_cause::requested;
-  std::string reason; // a sentence for people
-};
 
 struct guardian_options {
   strategy how = strategy::one_for_one;
   ping_policy ping;
   milliseconds stop_timeout{2'000}; // for each child; then it is killed, and after as long again left behind
   std::function<void(exit_request)> on_exit_request; // any thread; the process should end in order
-};
-
-// What the outside sees of the guardian while it runs.
-struct guardian_status {
-  std::atomic<std::int64_t> last_tick_ns{0}; // monotonic; 0 = not started
-  std::atomic<std::uint32_t> hanging{0};     // incarnations left behind in a handler that does not return
-  std::atomic<std::uint64_t> restarts{0};
-  std::atomic<bool> has_begun{false}; // each child has been up once, or was given up; stays true
 };
 
 // Spawns the guardian; it starts the children when tell_guardian_to_start() says so.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/fields/binary.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/directory.hpp"
 #include "runtime/trace/trace_sink.hpp"

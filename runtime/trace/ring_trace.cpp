@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/fields/binary.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/trace/byte_ring.hpp"
 #include "runtime/trace/trace_renderer.hpp"

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/fields/binary.hpp"
 #include "io/fields/json_text.hpp"
 
 namespace godwit::runtime {
@@ -131,7 +132,7 @@ void trace_renderer::note_dropped(std::uint64_t total) {
   trace_entry entry;
   entry.began = tick_clock::now();
   entry.ended = entry.began;
-  write(entry, type_of<trace_loss>, std::span<const std::byte>(memory.data(), sink.used()), false);
+  write(entry, type_of<trace_loss>(), std::span<const std::byte>(memory.data(), sink.used()), false);
 }
 
 void trace_renderer::check(const io::mcap::result<void>& result) {

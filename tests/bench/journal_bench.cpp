@@ -48,7 +48,7 @@ private:
 journal_write event_write(const std::string& actor, std::int64_t number) {
   journal_write write;
   write.actor = actor;
-  write.event = event_record{number, number, "bench_event", std::string(100, 'x')};
+  write.events = {{number, number, "bench_event", std::string(100, 'x')}};
   return write;
 }
 

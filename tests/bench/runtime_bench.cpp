@@ -18,6 +18,8 @@
 
 #include <caf/all.hpp>
 
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/process.hpp"
 #include "tests/support/ledger.hpp"
 
@@ -184,10 +186,10 @@ void plain_caf(benchmark::State& bench) {
 using sink_handle = mailbox<tells<attitude>, tells<batch_end>>;
 using source_handle = mailbox<tells<go_on>>;
 
-class sink_actor final : public runtime::cell<sink_handle> {
+class sink_actor final : public runtime::actor_base<sink_handle> {
 public:
-  sink_actor(runtime::actor_config& config, runtime::birth born, flow* state, source_handle* source)
-      : cell(config, std::move(born)), state_(state), source_(source) {}
+  sink_actor(runtime::spawn_context context, flow* state, source_handle* source)
+      : actor_base(std::move(context)), state_(state), source_(source) {}
 
 protected:
   behavior_type handlers() override {
@@ -200,10 +202,10 @@ private:
   source_handle* source_;
 };
 
-class source_actor final : public runtime::cell<source_handle> {
+class source_actor final : public runtime::actor_base<source_handle> {
 public:
-  source_actor(runtime::actor_config& config, runtime::birth born, flow* state, sink_handle sink)
-      : cell(config, std::move(born)), state_(state), sink_(std::move(sink)) {}
+  source_actor(runtime::spawn_context context, flow* state, sink_handle sink)
+      : actor_base(std::move(context)), state_(state), sink_(std::move(sink)) {}
 
 protected:
   behavior_type handlers() override {
@@ -308,11 +310,11 @@ struct ask_now {
 using prober_handle = mailbox<tells<ask_now>>;
 
 // Asks the ledger and notes when the answer came.
-class prober final : public runtime::cell<prober_handle> {
+class prober final : public runtime::actor_base<prober_handle> {
 public:
-  prober(runtime::actor_config& config, runtime::birth born, tests::ledger_handle ledger,
-         const runtime::time_source* time, std::promise<std::int64_t>** answered)
-      : cell(config, std::move(born)), ledger_(std::move(ledger)), time_(time), answered_(answered) {}
+  prober(runtime::spawn_context context, tests::ledger_handle ledger, const runtime::time_source* time,
+         std::promise<std::int64_t>** answered)
+      : actor_base(std::move(context)), ledger_(std::move(ledger)), time_(time), answered_(answered) {}
 
 protected:
   behavior_type handlers() override {
@@ -340,7 +342,7 @@ void fill(runtime::journal& journal, const std::string& actor) {
   for (std::int64_t n = 1; n <= covered * 2; ++n) {
     runtime::journal_write write;
     write.actor = actor;
-    write.event = runtime::event_record{n, n, "test.deposit", R"({"key":)" + std::to_string(n) + R"(,"amount":1})"};
+    write.events = {{n, n, "test.deposit", R"({"key":)" + std::to_string(n) + R"(,"amount":1})"}};
     if (n == covered)
       write.snapshot = runtime::snapshot_record{
           n, n, 1, R"({"amount":100,"deposits":100,"ballast":")" + std::string(ballast_bytes, 'x') + "\"}"};
@@ -376,7 +378,7 @@ void restart(benchmark::State& bench, bool gated, int loaders) {
   auto& actors = host->actors();
   const auto auditor = actors.add<tests::auditor_actor>(named("auditor"), at_once(), &seen);
   const auto ledger = actors.add<tests::ledger_actor>(named("ledger"), at_once(), auditor);
-  const auto ledger_number = runtime::address_of(actors.declared()[1].address).number();
+  const auto ledger_number = actors.number(1);
   std::promise<std::int64_t>* answered = nullptr;
   const auto asker = actors.add<prober>(named("prober"), at_once(), ledger, &time, &answered);
   actors.start();
@@ -391,7 +393,7 @@ void restart(benchmark::State& bench, bool gated, int loaders) {
         std::promise<void> durable;
         runtime::journal_write write;
         write.actor = name;
-        write.event = runtime::event_record{n, n, "test.deposit", R"({"key":1,"amount":1})"};
+        write.events = {{n, n, "test.deposit", R"({"key":1,"amount":1})"}};
         write.done = [&](const runtime::commit_result&) { durable.set_value(); };
         (void)host->journal().submit(std::move(write));
         durable.get_future().wait();

@@ -12,6 +12,8 @@
 
 #include "actors/vehicle_link/actor.hpp"
 #include "actors/vehicle_link/link_port.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/process.hpp"
 #include "tests/support/loopback_vehicle.hpp"
 
@@ -34,10 +36,10 @@ struct round_trips {
 using commander_handle = runtime::mailbox<runtime::tells<ask_commands>>;
 
 // Sends one command after the other, each when the one before it is answered.
-class commander final : public runtime::cell<commander_handle> {
+class commander final : public runtime::actor_base<commander_handle> {
 public:
-  commander(runtime::actor_config& config, runtime::birth born, vehicle_link::command_handle vehicle, round_trips* out)
-      : cell(config, std::move(born)), vehicle_(std::move(vehicle)), out_(out) {}
+  commander(runtime::spawn_context context, vehicle_link::command_handle vehicle, round_trips* out)
+      : actor_base(std::move(context)), vehicle_(std::move(vehicle)), out_(out) {}
 
 protected:
   behavior_type handlers() override {

@@ -63,7 +63,7 @@ private:
 
   static void hit(rt::crash_point point, plan& each) {
     constexpr std::array points{rt::crash_point::before_handler, rt::crash_point::after_handler,
-                                rt::crash_point::after_commit, rt::crash_point::before_let_out};
+                                rt::crash_point::after_commit, rt::crash_point::before_dispatch};
     if (point == rt::crash_point::before_handler && ++each.messages % crash_every == 0)
       each.armed = true;
     if (!each.armed || point != points.at(each.crashes % points.size()))
@@ -110,7 +110,7 @@ public:
     const auto ear = actors.add<auditor>({.name = "auditor"}, unwearied, first_key_ - 1, &handled_);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
       const auto next = actors.add<ledger>({.name = ledger_name(lane)}, unwearied, ear);
-      crashes.watch(rt::address_of(actors.declared().back().address).number(), lane);
+      crashes.watch(actors.number(actors.declared().size() - 1), lane);
       relays_.push_back(actors.add<relay>({.name = "relay_" + std::to_string(lane)}, unwearied, next));
     }
     actors.start();

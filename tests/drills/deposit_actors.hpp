@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
-#include "runtime/cell.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::tests::drill {
 
@@ -48,17 +49,17 @@ struct ledger_core {
   using event = std::variant<deposit>;
   using effect = std::variant<receipt>;
 
-  static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+  static std::vector<effect> apply(state& s, const event& happened, std::int64_t) {
     ++s.deposits;
     return {receipt{std::get<deposit>(happened).key}};
   }
   static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };
 
-class relay final : public runtime::cell<depositor_handle> {
+class relay final : public runtime::actor_base<depositor_handle> {
 public:
-  relay(runtime::actor_config& config, runtime::birth born, depositor_handle next)
-      : cell(config, std::move(born)), next_(std::move(next)) {}
+  relay(runtime::spawn_context context, depositor_handle next)
+      : actor_base(std::move(context)), next_(std::move(next)) {}
 
 protected:
   behavior_type handlers() override {
@@ -69,10 +70,10 @@ private:
   depositor_handle next_;
 };
 
-class ledger final : public runtime::persistent_cell<depositor_handle, ledger_core> {
+class ledger final : public runtime::durable_actor<depositor_handle, ledger_core> {
 public:
-  ledger(runtime::actor_config& config, runtime::birth born, auditor_handle auditor)
-      : persistent_cell(config, std::move(born)), auditor_(std::move(auditor)) {}
+  ledger(runtime::spawn_context context, auditor_handle auditor)
+      : durable_actor(std::move(context)), auditor_(std::move(auditor)) {}
 
 protected:
   behavior_type handlers() override { return {on_event<deposit>()}; }
@@ -81,18 +82,17 @@ protected:
     write.rows.push_back({"INSERT INTO deposit_row(key) VALUES (?)", {std::get<deposit>(happened).key}});
   }
 
-  void let_out(const effect& each) override { tell(auditor_, std::get<receipt>(each)); }
+  void dispatch(const effect& each) override { tell(auditor_, std::get<receipt>(each)); }
 
 private:
   auditor_handle auditor_;
 };
 
-class auditor final : public runtime::cell<auditor_handle> {
+class auditor final : public runtime::actor_base<auditor_handle> {
 public:
   // NEW_HANDLED counts the receipts of this life's keys, those above LAST_OLD_KEY.
-  auditor(runtime::actor_config& config, runtime::birth born, std::int64_t last_old_key,
-          std::atomic<std::int64_t>* new_handled)
-      : cell(config, std::move(born)), last_old_key_(last_old_key), new_handled_(new_handled) {}
+  auditor(runtime::spawn_context context, std::int64_t last_old_key, std::atomic<std::int64_t>* new_handled)
+      : actor_base(std::move(context)), last_old_key_(last_old_key), new_handled_(new_handled) {}
 
 protected:
   behavior_type handlers() override {

@@ -31,7 +31,7 @@ journal_write next_write(const std::string& actor, std::uint64_t incarnation, st
   journal_write write;
   write.actor = actor;
   write.incarnation = incarnation;
-  write.event = event_record{number, number, "counted", "{\"n\":" + std::to_string(number) + "}"};
+  write.events = {{number, number, "counted", "{\"n\":" + std::to_string(number) + "}"}};
   write.effects = {{{number, 0}, "told", "{}", 0}};
   if (number > 1)
     write.released = {{number - 1, 0}};

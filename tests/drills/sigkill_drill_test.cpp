@@ -23,6 +23,7 @@
 #include "runtime/variant_json.hpp"
 #include "tests/drills/deposit_actors.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
+#include "tests/support/run_options.hpp"
 #include "tests/support/victim.hpp"
 
 namespace godwit::tests {
@@ -78,7 +79,7 @@ drill::ledger_core::state recovered_ledger(runtime::journal_reader& reader, cons
   if (*snapshot)
     result = runtime::read_state<drill::ledger_core>(name, **snapshot);
   for (const auto& each : *events)
-    (void)drill::ledger_core::handle(
+    (void)drill::ledger_core::apply(
         result, runtime::read_alternative<drill::ledger_core::event>(name, each.type, each.body), each.at_ns);
   return result;
 }
@@ -266,7 +267,7 @@ private:
 TEST(sigkill_drill, loses_nothing_acknowledged_and_every_trace_can_be_read) {
   const auto seed = seed_of_this_run();
   const std::uint64_t rounds = is_full_run() ? 200 : 40;
-  std::cout << "seed " << seed << " (GODWIT_SEED runs it again)\n";
+  std::cout << "seed " << seed << " (TEST_SEED runs it again)\n";
   sigkill_drill drill(seed);
   const auto began = steady_clock::now();
   for (std::uint64_t number = 1; number <= rounds; ++number) {

@@ -25,6 +25,9 @@ enum class op_kind : std::uint8_t {
   crash,
   disk_fails,
   disk_heals,
+  journal_full,
+  journal_has_room,
+  write_broken,
   process_killed
 };
 
@@ -34,8 +37,9 @@ struct op {
 };
 
 std::ostream& operator<<(std::ostream& out, const op& each) {
-  constexpr std::array names{"deposit", "withdraw",   "step",       "advance",       "kill",
-                             "crash",   "disk_fails", "disk_heals", "process_killed"};
+  constexpr std::array names{"deposit",      "withdraw",      "step",       "advance",      "kill",
+                             "crash",        "disk_fails",    "disk_heals", "journal_full", "journal_has_room",
+                             "write_broken", "process_killed"};
   return out << names.at(static_cast<std::size_t>(each.kind)) << '(' << each.arg << ')';
 }
 
@@ -56,6 +60,9 @@ struct Arbitrary<godwit::tests::op> {
                                                                           {10, op_kind::crash},
                                                                           {2, op_kind::disk_fails},
                                                                           {4, op_kind::disk_heals},
+                                                                          {2, op_kind::journal_full},
+                                                                          {4, op_kind::journal_has_room},
+                                                                          {1, op_kind::write_broken},
                                                                           {1, op_kind::process_killed}})),
         gen::set(&godwit::tests::op::arg, gen::inRange<std::uint32_t>(0, 1000)));
   }
@@ -72,7 +79,7 @@ using namespace std::chrono_literals;
 
 constexpr std::array actor_names{"relay", "ledger", "auditor"};
 constexpr std::array points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
-                            crash_point::before_let_out};
+                            crash_point::before_dispatch};
 
 child_policy patient() {
   child_policy result;
@@ -136,6 +143,15 @@ public:
     case op_kind::disk_heals:
       world.journal().fail_writes(false);
       break;
+    case op_kind::journal_full:
+      world.journal().refuse_writes(true);
+      break;
+    case op_kind::journal_has_room:
+      world.journal().refuse_writes(false);
+      break;
+    case op_kind::write_broken:
+      world.journal().break_writes_of("ledger", 1);
+      break;
     case op_kind::process_killed:
       process_.reset();
       ++process_kills_;
@@ -148,6 +164,7 @@ public:
   void finish() {
     process_->world.forget_planned_crashes();
     process_->world.journal().fail_writes(false);
+    process_->world.journal().refuse_writes(false);
     process_->world.advance(3s);
     const auto asked_balance = process_->world.ask(process_->ledger, 10s, get_balance{});
     process_->world.advance(1s);

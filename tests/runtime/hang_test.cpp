@@ -15,6 +15,8 @@
 #include "io/mcap/byte_source.hpp"
 #include "io/mcap/repair.hpp"
 #include "io/mcap/stream_reader.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "runtime/process.hpp"
 #include "runtime/system.hpp"
@@ -64,9 +66,9 @@ struct diary {
   std::atomic<int> inside{0}; // handlers that wait for the latch
 };
 
-class listener final : public cell<listener_handle> {
+class listener final : public actor_base<listener_handle> {
 public:
-  listener(actor_config& config, birth born, diary* book) : cell(config, std::move(born)), book_(book) {}
+  listener(spawn_context context, diary* book) : actor_base(std::move(context)), book_(book) {}
 
 protected:
   behavior_type handlers() override {
@@ -78,10 +80,10 @@ private:
 };
 
 // Hangs on command; passes notes on, with its incarnation in the hundreds.
-class sleeper final : public cell<sleeper_handle> {
+class sleeper final : public actor_base<sleeper_handle> {
 public:
-  sleeper(actor_config& config, birth born, listener_handle next, diary* book)
-      : cell(config, std::move(born)), next_(std::move(next)), book_(book) {}
+  sleeper(spawn_context context, listener_handle next, diary* book)
+      : actor_base(std::move(context)), next_(std::move(next)), book_(book) {}
 
 protected:
   behavior_type handlers() override {
@@ -93,7 +95,7 @@ protected:
           --book_->inside;
           tell(next_, note{667});
         }),
-        on<note>([this](const note& n) { tell(next_, note{n.number + 100 * static_cast<int>(incarnation())}); }),
+        on<note>([this](const note& n) { tell(next_, note{n.number + 100 * static_cast<int>(incarnation_number())}); }),
         on_deferred<get_later, given>([this](const get_later&, std::uint64_t request) { asked_.push_back(request); }),
         on<hand_out>([this](const hand_out&) {
           for (const auto each : asked_)
@@ -111,10 +113,10 @@ private:
 using asker_handle = mailbox<tells<get_later>>;
 
 // Asks the sleeper and tells the listener what came: the number, or -1 for an error.
-class asker final : public cell<asker_handle> {
+class asker final : public actor_base<asker_handle> {
 public:
-  asker(actor_config& config, birth born, sleeper_handle whom, diary* book)
-      : cell(config, std::move(born)), whom_(std::move(whom)), book_(book) {}
+  asker(spawn_context context, sleeper_handle whom, diary* book)
+      : actor_base(std::move(context)), whom_(std::move(whom)), book_(book) {}
 
 protected:
   behavior_type handlers() override {

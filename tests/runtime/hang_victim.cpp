@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/process.hpp"
 #include "tests/support/ledger.hpp"
 
@@ -33,9 +35,9 @@ struct fail {
 
 using sleeper_handle = mailbox<tells<hang>, tells<fail>>;
 
-class sleeper final : public cell<sleeper_handle> {
+class sleeper final : public actor_base<sleeper_handle> {
 public:
-  using cell::cell;
+  using actor_base::actor_base;
 
 protected:
   behavior_type handlers() override {
@@ -47,9 +49,9 @@ protected:
   }
 };
 
-class bell final : public cell<tests::auditor_handle> {
+class bell final : public actor_base<tests::auditor_handle> {
 public:
-  bell(actor_config& config, birth born, std::atomic<bool>* rung) : cell(config, std::move(born)), rung_(rung) {}
+  bell(spawn_context context, std::atomic<bool>* rung) : actor_base(std::move(context)), rung_(rung) {}
 
 protected:
   behavior_type handlers() override {

@@ -2,15 +2,11 @@
 
 #include "runtime/internal_messages.hpp"
 #include "runtime/simulation/simulation.hpp"
+#include "runtime/stable_address.hpp"
 
 namespace {
 
 using namespace godwit::runtime;
-
-template <class T>
-caf::mailbox_element_ptr told(T body) {
-  return caf::make_mailbox_element(nullptr, caf::make_message_id(), {}, mail<T>{{}, std::move(body)});
-}
 
 // What reached the incarnation that was bound.
 struct heard {
@@ -19,8 +15,12 @@ struct heard {
 };
 
 caf::behavior listen(caf::event_based_actor*, heard* what) {
-  return {[what](const mail<effect_taken>&) { ++what->confirmations; },
-          [what](const mail<durable>& m) { what->durable_upto.push_back(m.body.upto); }, [](const mail<ping>&) {}};
+  return {[what](const envelope& m) {
+    if (m.is<effect_taken>())
+      ++what->confirmations;
+    else if (m.is<durable>())
+      what->durable_upto.push_back(m.as<durable>().upto);
+  }};
 }
 
 // The argument is passed through spawn: without any, CAF 0.17.6 binds a reference to null on its way to the behaviour.
@@ -34,10 +34,10 @@ TEST(stable_address, keeps_for_an_incarnation_that_is_not_bound_yet_what_the_run
   auto pointer = make_stable_address(world.actors().actors(), 77, {.name = "late"});
   auto& address = address_of(pointer);
   (void)address.begin_incarnation();
-  address.enqueue(told(effect_taken{1, 0, 5}), nullptr);
-  address.enqueue(told(durable{4}), nullptr);
-  address.enqueue(told(durable{3}), nullptr);
-  address.enqueue(told(ping{9}), nullptr); // of no use to anybody any more
+  address.enqueue(make_internal_mail(effect_taken{1, 0, 5}), nullptr);
+  address.enqueue(make_internal_mail(durable{4}), nullptr);
+  address.enqueue(make_internal_mail(durable{3}), nullptr);
+  address.enqueue(make_internal_mail(ping{9}), nullptr); // of no use to anybody any more
   heard what;
   const auto listener = spawn_listener(world.actors().actors(), what);
   address.bind(listener, nullptr);

@@ -30,7 +30,7 @@ class Tree(unittest.TestCase):
 
     def run_check(self, name, *words):
         environment = {**os.environ, "XDG_CACHE_HOME": str(self.cache)}
-        environment.pop("GODWIT_LINT_BASE", None)
+        environment.pop("LINT_BASE", None)
         command = ["/usr/bin/python3", str(ROOT / "scripts" / f"check_{name}"), "--root", str(self.root), *words]
         result = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
         self.assertIn(result.returncode, (0, 1), result.stderr)
@@ -57,23 +57,25 @@ class Includes(Tree):
         super().setUp()
         self.file("io/fields/table.hpp")
         self.file("io/bytes.hpp", '"io/fields/table.hpp"')
-        self.file("runtime/cell.hpp", "<caf/all.hpp>", '"io/bytes.hpp"', body="caf::actor x;\n")
+        self.file("runtime/define_message.hpp")
+        self.file("runtime/actor_base.hpp", "<caf/all.hpp>", '"io/bytes.hpp"', body="caf::actor x;\n")
         self.file("messages/link/types.hpp", '"io/fields/table.hpp"', "<string>")
-        self.file("messages/link/handle.hpp", '"runtime/cell.hpp"', '"messages/link/types.hpp"')
+        self.file("messages/link/types.cpp", '"messages/link/types.hpp"', '"runtime/define_message.hpp"')
+        self.file("messages/link/handle.hpp", '"runtime/actor_base.hpp"', '"messages/link/types.hpp"')
         self.file("actors/domain/position.hpp")
         self.file("actors/link/state.hpp", '"actors/domain/position.hpp"')
         self.file("actors/link/core.hpp", '"actors/link/state.hpp"', '"messages/link/types.hpp"')
         self.file("actors/link/core.cpp", '"actors/link/core.hpp"', body="// caf:: in a comment\nauto x = \"caf::\";\n")
-        self.file("actors/link/actor.hpp", '"actors/link/core.hpp"', '"messages/link/handle.hpp"', '"runtime/cell.hpp"')
+        self.file("actors/link/actor.hpp", '"actors/link/core.hpp"', '"messages/link/handle.hpp"', '"runtime/actor_base.hpp"')
         self.file("programs/godwitd/main.cpp", '"actors/link/actor.hpp"')
         self.file("tests/support.hpp")
-        self.file("tests/runtime/cell_test.cpp", "<caf/all.hpp>", '"runtime/cell.hpp"', '"tests/support.hpp"')
+        self.file("tests/runtime/cell_test.cpp", "<caf/all.hpp>", '"runtime/actor_base.hpp"', '"tests/support.hpp"')
 
     def test_a_tree_that_keeps_the_rule_is_accepted(self):
         self.accepts("includes")
 
     def test_layers_know_only_what_stands_left_of_them(self):
-        self.file("io/bad.cpp", '"runtime/cell.hpp"')
+        self.file("io/bad.cpp", '"runtime/actor_base.hpp"')
         self.file("runtime/bad.cpp", '"messages/link/types.hpp"')
         self.file("messages/link/bad.cpp", '"actors/link/actor.hpp"')
         self.file("actors/link/bad.cpp", '"programs/bad.hpp"')
@@ -97,13 +99,13 @@ class Includes(Tree):
 
     def test_types_know_only_fields_and_types(self):
         self.file("messages/other/types.hpp", '"messages/link/types.hpp"')
-        self.file("messages/bad/types.hpp", '"messages/other/types.hpp"', '"runtime/cell.hpp"')
+        self.file("messages/bad/types.hpp", '"messages/other/types.hpp"', '"runtime/actor_base.hpp"')
         self.file("tests/x.cpp", '"messages/bad/types.hpp"')
         output = self.finds("includes", "messages/bad/types.hpp:3: ")
         self.assertNotIn("messages/bad/types.hpp:2", output)
 
     def test_a_core_is_pure(self):
-        self.file("actors/link/core.cpp", '"actors/link/core.hpp"', '"runtime/cell.hpp"', '"messages/link/handle.hpp"')
+        self.file("actors/link/core.cpp", '"actors/link/core.hpp"', '"runtime/actor_base.hpp"', '"messages/link/handle.hpp"')
         self.finds("includes", "actors/link/core.cpp:3: ", "actors/link/core.cpp:4: ")
 
     def test_what_a_core_reaches_is_pure_too(self):
@@ -120,8 +122,18 @@ class Includes(Tree):
         self.file("actors/domain/bad.cpp", '"actors/link/state.hpp"')
         self.finds("includes", "actors/health must not know actors/link", "actors/domain/bad.cpp:2: ")
 
+    def test_programs_share_only_what_is_common(self):
+        self.file("programs/common/printer.hpp")
+        self.file("programs/godwit-sim/sim.hpp")
+        self.file("programs/godwitd/good.cpp", '"programs/common/printer.hpp"')
+        self.file("tests/x.cpp", '"programs/godwit-sim/sim.hpp"')
+        self.accepts("includes")
+        self.file("programs/godwitd/bad.cpp", '"programs/godwit-sim/sim.hpp"')
+        self.file("programs/common/bad.cpp", '"programs/godwit-sim/sim.hpp"')
+        self.finds("includes", "programs/godwitd/bad.cpp:2: ", "programs/common/bad.cpp:2: ", "no program depends on")
+
     def test_includes_start_at_the_root_and_exist(self):
-        self.file("io/bad.cpp", '"bytes.hpp"', '"../runtime/cell.hpp"', '"io/none.hpp"', "<io/bytes.hpp>")
+        self.file("io/bad.cpp", '"bytes.hpp"', '"../runtime/actor_base.hpp"', '"io/none.hpp"', "<io/bytes.hpp>")
         self.finds("includes", "io/bad.cpp:2: ", "io/bad.cpp:3: ", "io/bad.cpp:4: ", "io/bad.cpp:5: ")
 
     def test_a_header_that_nothing_includes_is_found(self):

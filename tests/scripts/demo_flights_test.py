@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The demo flies: demo_flights_test.py FOLDER_OF_PROGRAMS [TIMES_REAL_TIME].
 
-Three combinations of vehicle and mission, and QGroundControl's plan; with GODWIT_FULL=1 each shipped mission with each
+Three combinations of vehicle and mission, and QGroundControl's plan; with TEST_FULL=1 each shipped mission with each
 vehicle. Mission progress has to come whole over another tail, a crash and a kill."""
 
 import json
@@ -60,7 +60,7 @@ class Flights(unittest.TestCase):
             return json.loads(summary.read_text(encoding="utf-8"))
 
     def test_each_report_is_delivered_once_over_another_tail_a_crash_and_a_kill(self):
-        for personality, mission in ALL if os.environ.get("GODWIT_FULL") else FEW:
+        for personality, mission in ALL if os.environ.get("TEST_FULL") else FEW:
             with self.subTest(personality=personality, mission=mission):
                 summary = self.fly("--personality", personality, "--mission", str(ROOT / "missions" / mission))
                 self.assertEqual(set(summary), KEYS)

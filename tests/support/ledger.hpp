@@ -13,8 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/cell.hpp"
-#include "runtime/persistent_cell.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
+#include "runtime/durable_actor.hpp"
 
 namespace godwit::tests {
 
@@ -62,7 +63,7 @@ struct receipt {
 // Goes out without waiting for the disk, as a failsafe command does.
 struct alarm {
   std::int64_t key = 0;
-  static constexpr bool immediate = true;
+  static constexpr auto goes_out = runtime::effect_kind::at_once;
   static constexpr auto fields = io::table("test.alarm", io::field("key", &alarm::key));
 };
 
@@ -86,7 +87,7 @@ struct ledger_core {
 
   static constexpr std::int64_t alarm_above = 900; // a deposit larger than this is reported at once
 
-  static std::vector<effect> handle(state& s, const event& happened, std::int64_t) {
+  static std::vector<effect> apply(state& s, const event& happened, std::int64_t) {
     if (const auto* d = std::get_if<deposit>(&happened)) {
       s.amount += d->amount;
       ++s.deposits;
@@ -105,10 +106,10 @@ struct ledger_core {
   static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };
 
-class ledger_actor final : public runtime::persistent_cell<ledger_handle, ledger_core> {
+class ledger_actor final : public runtime::durable_actor<ledger_handle, ledger_core> {
 public:
-  ledger_actor(runtime::actor_config& config, runtime::birth born, auditor_handle auditor)
-      : persistent_cell(config, std::move(born)), auditor_(std::move(auditor)) {}
+  ledger_actor(runtime::spawn_context context, auditor_handle auditor)
+      : durable_actor(std::move(context)), auditor_(std::move(auditor)) {}
 
 protected:
   behavior_type handlers() override {
@@ -117,7 +118,7 @@ protected:
             })};
   }
 
-  void let_out(const effect& each) override {
+  void dispatch(const effect& each) override {
     if (const auto* r = std::get_if<receipt>(&each))
       tell(auditor_, *r);
     else if (const auto* a = std::get_if<alarm>(&each))
@@ -134,10 +135,9 @@ struct audit {
   std::map<std::int64_t, int> alarms;
 };
 
-class auditor_actor final : public runtime::cell<auditor_handle> {
+class auditor_actor final : public runtime::actor_base<auditor_handle> {
 public:
-  auditor_actor(runtime::actor_config& config, runtime::birth born, audit* seen)
-      : cell(config, std::move(born)), seen_(seen) {}
+  auditor_actor(runtime::spawn_context context, audit* seen) : actor_base(std::move(context)), seen_(seen) {}
 
 protected:
   behavior_type handlers() override {
@@ -149,10 +149,10 @@ private:
   audit* seen_;
 };
 
-class relay_actor final : public runtime::cell<relay_handle> {
+class relay_actor final : public runtime::actor_base<relay_handle> {
 public:
-  relay_actor(runtime::actor_config& config, runtime::birth born, ledger_handle next)
-      : cell(config, std::move(born)), next_(std::move(next)) {}
+  relay_actor(runtime::spawn_context context, ledger_handle next)
+      : actor_base(std::move(context)), next_(std::move(next)) {}
 
 protected:
   behavior_type handlers() override {

@@ -3,8 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
-#include <random>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -103,16 +101,6 @@ int victim::reap() {
   }
   pid_ = -1;
   return status;
-}
-
-std::uint64_t seed_of_this_run() {
-  const char* given = std::getenv("GODWIT_SEED");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
-}
-
-bool is_full_run() {
-  const char* full = std::getenv("GODWIT_FULL");
-  return full != nullptr && std::string(full) == "1";
 }
 
 } // namespace godwit::tests

@@ -56,10 +56,4 @@ private:
   std::string said_;
 };
 
-// The seed of a random test: GODWIT_SEED, or a new one. The test prints it.
-[[nodiscard]] std::uint64_t seed_of_this_run();
-
-// True with GODWIT_FULL=1, which asks for the long cases.
-[[nodiscard]] bool is_full_run();
-
 } // namespace godwit::tests

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "actors/domain/geo/flat_polygon.hpp"
 #include "actors/domain/geo/local_projection.hpp"
 
 namespace godwit::geo {
@@ -16,7 +17,13 @@ public:
   // At least three valid vertices, in either sense of rotation.
   explicit polygon(const std::vector<point>& vertices);
 
-  [[nodiscard]] bool contains(const point& at) const;
+  [[nodiscard]] bool contains(const point& at) const { return area_.contains(projection_.to_local(at)); }
+
+  // The area, and a way over it, in the projection around the first vertex.
+  [[nodiscard]] const flat_polygon& flat() const { return area_; }
+  [[nodiscard]] segment flat(const point& from, const point& to) const {
+    return {projection_.to_local(from), projection_.to_local(to)};
+  }
 
   // A circle around the first vertex with the whole polygon in it.
   [[nodiscard]] const point& centre() const { return first_; }
@@ -25,8 +32,8 @@ public:
 private:
   point first_;
   local_projection projection_;
-  std::vector<local_point> vertices_;
-  double radius_m_ = 0;
+  flat_polygon area_;
+  double radius_m_ = edge_width_m;
 };
 
 } // namespace godwit::geo

@@ -2,15 +2,7 @@
 
 #include <algorithm>
 
-#include "io/fields/json_text.hpp"
-
 namespace godwit::mission {
-
-namespace {
-
-constexpr std::size_t longest_quote = 60; // bytes of a text in a sentence
-
-} // namespace
 
 std::string document_problem::message() const {
   auto result = pointer.empty() ? "the document " + what : pointer + ' ' + what;
@@ -37,21 +29,13 @@ document_error bounded(document_error error, std::string_view text) {
 
 std::string pointer_to(std::string_view parent, std::string_view key) {
   auto result = std::string(parent) + '/';
-  for (const auto each : key.substr(0, longest_quote))
+  for (const auto each : key.substr(0, io::schemas::longest_quote))
     result += each == '~' ? "~0" : each == '/' ? "~1" : std::string(1, each);
   return result;
 }
 
 std::string pointer_to(std::string_view parent, std::size_t index) {
   return std::string(parent) + '/' + std::to_string(index);
-}
-
-std::string in_quotes(std::string_view text) {
-  std::string result;
-  io::append_json_string(result, text.substr(0, longest_quote));
-  if (text.size() > longest_quote)
-    result.insert(result.size() - 1, "...");
-  return result;
 }
 
 } // namespace godwit::mission

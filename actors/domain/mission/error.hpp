@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
+#include "io/json_schema/quoted.hpp"
 
 namespace godwit::mission {
 
@@ -65,7 +66,6 @@ struct document_error {
 [[nodiscard]] std::string pointer_to(std::string_view parent, std::string_view key);
 [[nodiscard]] std::string pointer_to(std::string_view parent, std::size_t index);
 
-// Somebody else's text in a sentence: in quotes, cut, always valid UTF-8 on one line.
-[[nodiscard]] std::string in_quotes(std::string_view text);
+using io::schemas::in_quotes;
 
 } // namespace godwit::mission

@@ -3,15 +3,11 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
-
-#include "actors/domain/mission/explain.hpp"
 #include "actors/domain/mission/schema_check.hpp"
 #include "actors/domain/mission/schema_store.hpp"
+#include "io/json_schema/compiled_schema.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::mission {
@@ -19,19 +15,18 @@ namespace godwit::mission {
 namespace {
 
 using nlohmann::json;
-using valijson::adapters::NlohmannJsonAdapter;
+namespace json_schema = io::schemas;
 
-struct judged_schema {
-  explicit judged_schema(const json& schema) : quick(schema) {
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(NlohmannJsonAdapter(schema), by_valijson);
-  }
-  schema_check quick;
-  valijson::Schema by_valijson;
+struct prepared_schema {
+  explicit prepared_schema(const json& schema) : by_valijson(schema), for_rows(schema) {}
+
+  json_schema::compiled_schema by_valijson;
+  schema_check for_rows;
 };
 
 // Made once: to prepare a schema takes longer than to judge a small document by it.
-const judged_schema& prepared(std::string_view name) {
-  using schema_map = std::map<std::string, judged_schema, std::less<>>;
+const prepared_schema& prepared(std::string_view name) {
+  using schema_map = std::map<std::string, prepared_schema, std::less<>>;
   static const schema_map all = [] {
     schema_map made;
     for (const auto& each : embedded_schemas())
@@ -43,21 +38,22 @@ const judged_schema& prepared(std::string_view name) {
   return found->second;
 }
 
-} // namespace
-
-bool is_valid_for_valijson(const json& document, std::string_view schema_name) {
-  thread_local valijson::Validator validator(valijson::Validator::kStrongTypes); // it keeps its regular expressions
-  return validator.validate(prepared(schema_name).by_valijson, NlohmannJsonAdapter(document), nullptr);
+std::string pointer_of(const json_schema::place& where) {
+  std::string pointer;
+  for (const auto& each : where)
+    pointer = std::visit([&](const auto& to) { return pointer_to(pointer, to); }, each);
+  return pointer;
 }
 
-std::vector<document_problem> violations(const json& document, std::string_view schema_name, judges asked) {
-  const bool is_valid = prepared(schema_name).quick.holds(document) &&
-                        (asked == judges::quick || is_valid_for_valijson(document, schema_name));
-  if (is_valid)
+} // namespace
+
+std::vector<document_problem> violations(const json& document, std::string_view schema_name, judge by) {
+  const auto& schema = prepared(schema_name);
+  if (by == judge::for_rows ? schema.for_rows.holds(document) : schema.by_valijson.holds(document))
     return {};
-  auto problems = explain(document, schema_named(schema_name));
-  if (problems.empty()) // the judges disagree: what comes from outside must not end the process
-    problems.push_back({{}, "is not what its schema allows", {}});
+  std::vector<document_problem> problems;
+  for (auto& each : schema.by_valijson.explain_wrong(document, max_document_problems))
+    problems.push_back({pointer_of(each.where), std::move(each.what), std::move(each.allowed)});
   return problems;
 }
 

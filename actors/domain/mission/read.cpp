@@ -6,9 +6,9 @@
 #include "actors/domain/mission/json_document.hpp"
 #include "actors/domain/mission/judge.hpp"
 #include "actors/domain/mission/rules.hpp"
-#include "actors/domain/mission/schema_check.hpp"
 #include "actors/domain/mission/schema_store.hpp"
 #include "io/fields/json_value.hpp"
+#include "io/json_schema/compiled_schema.hpp"
 
 namespace godwit::mission {
 
@@ -24,7 +24,7 @@ tl::unexpected<document_error> failed(document_errc code, document_problems prob
 document_problems foreign_version(const json& value) {
   if (!value.is_object() || !value.contains("schema_version") || !value["schema_version"].is_string())
     return {};
-  static const schema_check form(schema_named("mission")["properties"]["schema_version"]);
+  static const io::schemas::compiled_schema form(schema_named("mission")["properties"]["schema_version"]);
   const auto& version = value["schema_version"].get_ref<const std::string&>();
   if (is_known_version(version) || !form.holds(version))
     return {};
@@ -62,7 +62,7 @@ read_result<T> read(std::string_view text) {
     return tl::unexpected(std::move(value.error()));
   if (auto problems = foreign_version(*value); !problems.empty())
     return failed(document_errc::other_version, std::move(problems), text);
-  if (auto problems = violations(*value, form.schema, form.asked); !problems.empty())
+  if (auto problems = violations(*value, form.schema, form.by); !problems.empty())
     return failed(document_errc::wrong_form, std::move(problems), text);
   if constexpr (form.is_open)
     drop_unknown<T>(*value);

@@ -32,42 +32,42 @@ inline constexpr std::size_t max_bundle_bytes = 128 * 1024 * 1024; // a file of 
 struct document_form {
   std::string_view schema; // in config/schemas
   std::size_t max_bytes = 0;
-  judges asked = judges::quick;
+  judge by = judge::valijson;
   bool is_open = false; // properties that we do not know are passed over; only the problem of RFC 9457
 };
 
 template <class T>
 inline constexpr document_form form_of{};
 template <>
-inline constexpr document_form form_of<document>{"mission", max_mission_bytes, judges::both};
+inline constexpr document_form form_of<document>{"mission", max_mission_bytes};
 template <>
-inline constexpr document_form form_of<assignment>{"assignment", max_mission_bytes, judges::both};
+inline constexpr document_form form_of<assignment>{"assignment", max_mission_bytes};
 template <>
-inline constexpr document_form form_of<assignment_list>{"assignment_list", max_mission_bytes, judges::both};
+inline constexpr document_form form_of<assignment_list>{"assignment_list", max_mission_bytes};
 template <>
 inline constexpr document_form form_of<assignment_response>{"assignment_response", max_answer_bytes};
 template <>
-inline constexpr document_form form_of<waypoint_insert>{"waypoint_insert", max_answer_bytes, judges::both};
+inline constexpr document_form form_of<waypoint_insert>{"waypoint_insert", max_answer_bytes};
 template <>
-inline constexpr document_form form_of<tail>{"tail", max_mission_bytes, judges::both};
+inline constexpr document_form form_of<tail>{"tail", max_mission_bytes};
 template <>
 inline constexpr document_form form_of<progress_report>{"progress_report", max_answer_bytes};
 template <>
-inline constexpr document_form form_of<progress_batch>{"progress", max_batch_bytes};
+inline constexpr document_form form_of<progress_batch>{"progress", max_batch_bytes, judge::for_rows};
 template <>
-inline constexpr document_form form_of<map_object_page>{"map_object_page", max_page_bytes};
+inline constexpr document_form form_of<map_object_page>{"map_object_page", max_page_bytes, judge::for_rows};
 template <>
-inline constexpr document_form form_of<ignored_item_page>{"ignored_item_page", max_page_bytes};
+inline constexpr document_form form_of<ignored_item_page>{"ignored_item_page", max_page_bytes, judge::for_rows};
 template <>
-inline constexpr document_form form_of<observation_batch>{"observation_batch", max_batch_bytes};
+inline constexpr document_form form_of<observation_batch>{"observation_batch", max_batch_bytes, judge::for_rows};
 template <>
-inline constexpr document_form form_of<ignored_item_batch>{"ignored_item_batch", max_batch_bytes};
+inline constexpr document_form form_of<ignored_item_batch>{"ignored_item_batch", max_batch_bytes, judge::for_rows};
 template <>
-inline constexpr document_form form_of<map_object_bundle>{"map_object_bundle", max_bundle_bytes};
+inline constexpr document_form form_of<map_object_bundle>{"map_object_bundle", max_bundle_bytes, judge::for_rows};
 template <>
 inline constexpr document_form form_of<receipt>{"receipt", max_answer_bytes};
 template <>
-inline constexpr document_form form_of<problem>{"problem", max_answer_bytes, judges::quick, true};
+inline constexpr document_form form_of<problem>{"problem", max_answer_bytes, judge::valijson, true};
 
 template <class T>
 using read_result = tl::expected<T, document_error>;

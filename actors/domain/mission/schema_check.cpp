@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "actors/domain/mission/text_patterns.hpp"
-#include "actors/domain/mission/utf8_length.hpp"
+#include "io/json_schema/utf8_length.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::mission {
@@ -154,7 +154,7 @@ bool schema_check::node::holds_of_number(double value) const {
 }
 
 bool schema_check::node::holds_of_text(const std::string& text) const {
-  const auto size = utf8_length(text);
+  const auto size = io::schemas::utf8_length(text);
   return size >= least_size_ && size <= most_size_ && (has_form_ == nullptr || has_form_(text));
 }
 

@@ -1,9 +1,9 @@
 // A schema of config/schemas as a tree that is asked whether a document is valid, and nothing else: ten times as fast
-// as a general validator, for lists of thousands of rows.
+// as valijson, for lists of thousands of rows and for nothing else (decision 0022).
 //
-// Knows the keywords that config/schemas uses (explain.hpp has their list); another one is a broken invariant, because
-// the schemas are part of the program. A test holds the answers against those of valijson. Thread: any, once made.
-// Source: JSON Schema draft-07, validation; a whole number is one without a decimal point.
+// Knows the keywords that config/schemas uses (io/json_schema/explain.hpp has their list); another one is a broken
+// invariant, because the schemas are part of the program. A test holds the answers against those of valijson. Thread:
+// any, once made. Source: JSON Schema draft-07, validation; a whole number is one without a decimal point.
 #pragma once
 
 #include <memory>

@@ -13,26 +13,21 @@
 #include <span>
 #include <vector>
 
+#include "actors/domain/geo/flat_polygon.hpp"
 #include "actors/domain/geo/local_projection.hpp"
-#include "actors/domain/route/flat_polygon.hpp"
+#include "actors/domain/geofence/altitude_band.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::route {
 
-// Metres above the place of take-off.
-struct altitude_band {
-  double lowest_m = 0;
-  double highest_m = 0;
-};
-
-// Whether the block of air of the fence has a part in these altitudes, or has all of them.
-[[nodiscard]] bool meets(const mission::geofence& fence, const altitude_band& altitudes);
-[[nodiscard]] bool has_all_of(const mission::geofence& fence, const altitude_band& altitudes);
+using geo::local_point;
+using geo::segment;
+using geofence::altitude_band;
 
 // Of the document's fences.
 struct flat_fence {
   std::size_t index = 0;
-  flat_polygon area;
+  geo::flat_polygon area;
 };
 
 // Why a vehicle may not be somewhere.
@@ -69,9 +64,5 @@ private:
   double margin_m_;
   bool has_inclusions_ = false;
 };
-
-// The share of WAY up to which all of it lies in at least one of AREAS with the margin; nothing: all of it does.
-[[nodiscard]] std::optional<double> leaves_at(std::span<const flat_polygon* const> areas, const segment& way,
-                                              double margin_m);
 
 } // namespace godwit::route

@@ -42,7 +42,7 @@ void add_arc(const local_point& before, const local_point& corner, const local_p
     points.push_back(corner + out_m * turned(to_the_right(way_in), (i + 0.5) * part_rad));
 }
 
-void add_corners(const flat_polygon& area, double margin_m, std::vector<local_point>& points) {
+void add_corners(const geo::flat_polygon& area, double margin_m, std::vector<local_point>& points) {
   const auto corners = area.corners();
   const auto count = corners.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -50,7 +50,7 @@ void add_corners(const flat_polygon& area, double margin_m, std::vector<local_po
 }
 
 // What lies outside is the obstacle here; it is on the left of who goes around clockwise.
-void add_dents(const flat_polygon& area, double margin_m, std::vector<local_point>& points) {
+void add_dents(const geo::flat_polygon& area, double margin_m, std::vector<local_point>& points) {
   const auto corners = area.corners();
   const auto count = corners.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -70,7 +70,8 @@ void add_meeting(const segment& a, const segment& b, double margin_m, std::vecto
   points.push_back(a_from + (cross(b_from - a_from, b_way) / slope) * a_way);
 }
 
-void add_meetings(const flat_polygon& a, const flat_polygon& b, double margin_m, std::vector<local_point>& points) {
+void add_meetings(const geo::flat_polygon& a, const geo::flat_polygon& b, double margin_m,
+                  std::vector<local_point>& points) {
   for (std::size_t i = 0; i < a.corners().size(); ++i)
     for (std::size_t j = 0; j < b.corners().size(); ++j)
       add_meeting(a.side(i), b.side(j), margin_m, points);

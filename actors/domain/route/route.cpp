@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/geofence/fence.hpp"
+#include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/route/corner_points.hpp"
 #include "actors/domain/route/shortest_path.hpp"
 
@@ -26,9 +28,9 @@ std::string metres(double value) {
 // "The destination ..."
 std::string sentence_for(const std::string& who, const obstruction& what, double margin_m) {
   if (what.fence && what.distance_m <= 0)
-    return who + " lies inside geofence " + std::to_string(*what.fence) + ", which excludes it.";
+    return who + " lies inside " + geofence::fence_name(*what.fence) + ", which excludes it.";
   if (what.fence)
-    return who + " is " + metres(what.distance_m) + " from geofence " + std::to_string(*what.fence) + "; keep " +
+    return who + " is " + metres(what.distance_m) + " from " + geofence::fence_name(*what.fence) + "; keep " +
            metres(margin_m) + " away from it.";
   if (what.distance_m <= 0)
     return who + " lies outside of all inclusion fences.";
@@ -45,6 +47,9 @@ std::optional<route_error> what_is_wrong(const route_request& request, std::span
     return error(route_errc::wrong_request, "The margin to the fences is " + metres(request.margin_m) +
                                                 "; it can be from " + metres(min_margin_m) + " to " +
                                                 metres(max_margin_m) + ".");
+  if (!(request.turn_room_m >= 0 && request.turn_room_m <= max_margin_m))
+    return error(route_errc::wrong_request, "The room to turn is " + metres(request.turn_room_m) +
+                                                "; it can be up to " + metres(max_margin_m) + ".");
   if (!(std::isfinite(altitudes.lowest_m) && altitudes.highest_m >= altitudes.lowest_m))
     return error(route_errc::wrong_request, "The altitudes of a route run from the lowest to the highest.");
   const double distance = geo::distance_m(request.from, request.to);
@@ -53,7 +58,7 @@ std::optional<route_error> what_is_wrong(const route_request& request, std::span
                  "The destination is " + metres(distance) + " away; the farthest is " + metres(max_route_m) + ".");
   std::size_t corners = 0;
   for (const auto& each : fences)
-    if (meets(each, altitudes))
+    if (geofence::altitudes_of(each).meets(altitudes))
       corners += each.vertices.size();
   if (corners > max_corners)
     return error(route_errc::too_many_corners, "The fences have " + std::to_string(corners) +
@@ -75,12 +80,12 @@ std::optional<route_error> what_blocks(const clear_space& space, const local_poi
   return std::nullopt;
 }
 
-// START and END are places 0 and 1, the corners follow.
-tl::expected<std::vector<local_point>, route_error> flat_route(const clear_space& space, const local_point& start,
-                                                               const local_point& end) {
+// START and END are places 0 and 1, the corners follow. SPACE keeps the margin, and ROOMY the room to turn as well.
+tl::expected<std::vector<local_point>, route_error> flat_route(const clear_space& space, const clear_space& roomy,
+                                                               const local_point& start, const local_point& end) {
   if (space.is_clear_from_here({start, end}))
     return std::vector{start, end};
-  auto corners = corner_points(space);
+  auto corners = corner_points(roomy);
   if (corners.size() > max_points)
     return failed(route_errc::too_many_corners, "The corners of the fences give " + std::to_string(corners.size()) +
                                                     " places to turn at; a route can look at " +
@@ -88,8 +93,11 @@ tl::expected<std::vector<local_point>, route_error> flat_route(const clear_space
   std::vector<local_point> places{start, end};
   places.insert(places.end(), corners.begin(), corners.end());
   const auto can_see = [&](std::size_t from, std::size_t to) {
-    const segment way{places[from], places[to]};
-    return from == 0 ? space.is_clear_from_here(way) : space.is_clear(way);
+    if (from == 0)
+      return space.is_clear_from_here({places[from], places[to]});
+    if (to == 1) // from where it turned last; at the end there is nothing to turn for
+      return roomy.is_clear_from_here({places[to], places[from]});
+    return roomy.is_clear({places[from], places[to]});
   };
   const auto path = shortest_path(places, 0, 1, can_see);
   if (path.empty())
@@ -108,10 +116,11 @@ tl::expected<route, route_error> find_route(const route_request& request, std::s
     return failure(*std::move(wrong));
   const geo::local_projection projection(request.from);
   const clear_space space(fences, projection, request.altitudes, request.margin_m);
+  const clear_space roomy(fences, projection, request.altitudes, request.margin_m + request.turn_room_m);
   const auto end = projection.to_local(request.to);
   if (auto blocked = what_blocks(space, {}, end))
     return failure(*std::move(blocked));
-  const auto flat = flat_route(space, {}, end);
+  const auto flat = flat_route(space, roomy, {}, end);
   if (!flat)
     return failure(flat.error());
   route found{{request.from}, 0};

@@ -4,6 +4,10 @@
 //   fences ──> clear_space ──> corner_points ──┐
 //   from, to ──────────────────────────────────┴──> who sees whom ──> shortest_path ──> route
 //
+// A vehicle cuts the corners of a route: where it turns it may be `turn_room_m` away from the way. So between two
+// corners the way keeps the margin and that room; on the first and the last leg the room shrinks to what start and end
+// have.
+//
 // All of it is reckoned in a local projection around the start (actors/domain/geo/local_projection.hpp). Straight there
 // and straight on the ellipsoid differ by less than half a metre at 50 km, which is the farthest that is taken: the
 // margin has room for that. The vehicle may start nearer to a fence than the margin, and then flies away from it; it is
@@ -37,6 +41,7 @@ struct route_request {
   geo::point to;
   altitude_band altitudes; // between which the vehicle flies
   double margin_m = 10;
+  double turn_room_m = 0; // from 0 to max_margin_m
 };
 
 struct route {
@@ -45,7 +50,7 @@ struct route {
 };
 
 enum class route_errc {
-  wrong_request,    // a margin or place that can not be
+  wrong_request,    // a margin, a room to turn or a place that can not be
   too_far,          // beyond max_route_m
   too_many_corners, // beyond max_corners or max_points
   no_fence_there,   // no inclusion fence reaches over the altitudes

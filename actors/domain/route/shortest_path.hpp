@@ -9,10 +9,11 @@
 #include <functional>
 #include <vector>
 
-#include "actors/domain/route/plane.hpp"
+#include "actors/domain/geo/plane.hpp"
 
 namespace godwit::route {
 
+using geo::local_point;
 using sees = std::function<bool(std::size_t from, std::size_t to)>;
 
 // The places on the way, the first and the last included; empty when there is no way.

@@ -1,89 +1,38 @@
 #include "actors/executor/plan/fence_check.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
-#include "actors/domain/route/clear_space.hpp"
+#include "actors/domain/geofence/fence_name.hpp"
+#include "actors/domain/geofence/fence_set.hpp"
 
 namespace godwit::executor::plan {
 
 namespace {
 
-using route::altitude_band;
-using route::flat_polygon;
-using route::segment;
-
-constexpr double endless = std::numeric_limits<double>::infinity();
+using geofence::altitude_band;
+using geofence::endless_m;
+using geofence::fence_name;
+using geofence::fence_set;
 
 geo::point point_of(const mission::position& at) { return {at.latitude, at.longitude}; }
 
-// The fences of a mission as far as they are looked at, each with its ground in the plane.
-class fence_judge {
-public:
-  fence_judge(const mission::document& mission, const geo::point& origin) : mission_(mission), projection_(origin) {
-    for (const auto& each : mission.geofences)
-      areas_.emplace_back(each.vertices, projection_);
-  }
-
-  [[nodiscard]] segment flat(const mission::position& from, const mission::position& to) const {
-    return {projection_.to_local(point_of(from)), projection_.to_local(point_of(to))};
-  }
-
-  [[nodiscard]] bool is_in_exclusion(std::size_t fence, const segment& way, const altitude_band& altitudes) const {
-    const auto& area = areas_[fence];
-    return is_of(fence, mission::fence_kind::exclusion) && route::meets(mission_.geofences[fence], altitudes) &&
-           (area.contains(way.from) || area.has_sides_within(route::edge_width_m, way));
-  }
-
-  // Where on WAY the inclusions that reach over the altitudes end; nothing: nowhere, or there are none at all.
-  [[nodiscard]] std::optional<double> leaves_inclusions_at(const segment& way, const altitude_band& altitudes) const {
-    std::vector<const flat_polygon*> areas;
-    bool has_any = false;
-    for (std::size_t i = 0; i < areas_.size(); ++i) {
-      if (!is_of(i, mission::fence_kind::inclusion))
-        continue;
-      has_any = true;
-      if (route::has_all_of(mission_.geofences[i], altitudes))
-        areas.push_back(&areas_[i]);
-    }
-    return has_any ? route::leaves_at(areas, way, 0) : std::nullopt;
-  }
-
-  // The first inclusion with AT on its ground.
-  [[nodiscard]] std::optional<std::size_t> inclusion_around(const route::local_point& at) const {
-    for (std::size_t i = 0; i < areas_.size(); ++i)
-      if (is_of(i, mission::fence_kind::inclusion) && areas_[i].contains(at))
-        return i;
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::size_t size() const { return areas_.size(); }
-  [[nodiscard]] const mission::geofence& fence(std::size_t i) const { return mission_.geofences[i]; }
-
-private:
-  [[nodiscard]] bool is_of(std::size_t i, mission::fence_kind kind) const { return mission_.geofences[i].kind == kind; }
-
-  const mission::document& mission_;
-  geo::local_projection projection_;
-  std::vector<flat_polygon> areas_;
+// What is judged: a leg of the plan, or a place.
+struct piece {
+  geo::point from;
+  geo::point to;
+  altitude_band excluded; // the altitudes that an exclusion must not have a part in
+  altitude_band included; // and those that an inclusion has to reach over
+  std::string who;
 };
 
-// A vehicle without altitudes is everywhere in an exclusion, and nowhere too high or too low in an inclusion.
-struct looked_at {
-  altitude_band excluded;
-  altitude_band included;
-};
-
-looked_at altitudes_of(const leg& each, vehicle_class vehicle) {
-  if (vehicle == vehicle_class::rover)
-    return {{-endless, endless}, {endless, -endless}};
-  const altitude_band all{std::min(each.from.altitude_m, each.to.altitude_m),
-                          std::max(each.from.altitude_m, each.to.altitude_m)};
-  const bool touches_ground = each.kind == leg_kind::climb || each.kind == leg_kind::descent;
-  return {all, {touches_ground ? endless : all.lowest_m, all.highest_m}};
+// The first inclusion with AT on its ground.
+std::optional<std::size_t> inclusion_around(const fence_set& fences, const geo::point& at) {
+  for (std::size_t i = 0; i < fences.size(); ++i)
+    if (fences[i].is_inclusion() && fences[i].area().contains(at))
+      return i;
+  return std::nullopt;
 }
-
-std::string fence_name(std::size_t i) { return "geofence " + std::to_string(i); }
 
 std::string way_name(const leg& each, const mission::document& mission) {
   const auto id = "item '" + mission::id_of(mission.items.at(each.item_index)) + "'";
@@ -100,37 +49,55 @@ std::string way_name(const leg& each, const mission::document& mission) {
   return "The way to " + id;
 }
 
-// Why an inclusion ends there: another altitude is wanted, or another place.
-violation violation_at(const fence_judge& judge, const segment& way, double share, const looked_at& altitudes,
-                       const std::string& who) {
-  const bool has_place = !judge.leaves_inclusions_at(way, {endless, -endless});
-  const auto around = judge.inclusion_around(has_place ? route::at_share(way, share) : way.from);
-  if (!around)
-    return {violation_kind::outside_inclusion, {}, {}, {}, who + " lies outside of all inclusion fences."};
-  if (!has_place)
-    return {violation_kind::outside_inclusion,
-            around,
-            {},
-            {},
-            who + " leaves " + fence_name(*around) + ", which it has to stay in."};
-  const bool is_low = judge.fence(*around).floor_m.value_or(-endless) > altitudes.included.lowest_m;
-  return {is_low ? violation_kind::below_floor : violation_kind::above_ceiling,
-          around,
-          {},
-          {},
-          who + (is_low ? " goes below the floor of " : " goes above the ceiling of ") + fence_name(*around) + "."};
+// A vehicle without altitudes is everywhere in an exclusion, and nowhere too high or too low in an inclusion.
+piece piece_of(const leg& each, const mission::document& mission, vehicle_class vehicle) {
+  piece result{point_of(each.from), point_of(each.to), {}, geofence::no_altitudes, way_name(each, mission)};
+  if (vehicle == vehicle_class::rover)
+    return result;
+  result.excluded = {std::min(each.from.altitude_m, each.to.altitude_m),
+                     std::max(each.from.altitude_m, each.to.altitude_m)};
+  result.included = result.excluded;
+  if (each.kind == leg_kind::climb || each.kind == leg_kind::descent)
+    result.included.lowest_m = endless_m;
+  return result;
 }
 
-std::vector<violation> violations_of(const fence_judge& judge, const segment& way, const looked_at& altitudes,
-                                     const std::string& who) {
+// Why an inclusion ends there: another altitude is wanted, or another place.
+violation violation_at(const fence_set& fences, const piece& way, double share) {
+  const bool has_place = !fences.leaves_inclusions_at(way.from, way.to, geofence::no_altitudes);
+  const geo::local_projection around(way.from);
+  const auto stop = around.to_globe(share * around.to_local(way.to));
+  const auto inside = inclusion_around(fences, has_place ? stop : way.from);
+  const auto found = [&](violation_kind kind, const std::string& what) {
+    return violation{kind, inside, {}, {}, way.who + what};
+  };
+  if (!inside)
+    return found(violation_kind::outside_inclusion, " lies outside of all inclusion fences.");
+  const auto name = fence_name(*inside);
+  if (!has_place)
+    return found(violation_kind::outside_inclusion, " leaves " + name + ", which it has to stay in.");
+  if (fences[*inside].altitudes().lowest_m > way.included.lowest_m)
+    return found(violation_kind::below_floor, " goes below the floor of " + name + ".");
+  return found(violation_kind::above_ceiling, " goes above the ceiling of " + name + ".");
+}
+
+std::vector<violation> violations_of(const fence_set& fences, const piece& way) {
   std::vector<violation> found;
-  if (const auto share = judge.leaves_inclusions_at(way, altitudes.included))
-    found.push_back(violation_at(judge, way, *share, altitudes, who));
-  for (std::size_t i = 0; i < judge.size(); ++i)
-    if (judge.is_in_exclusion(i, way, altitudes.excluded))
-      found.push_back(
-          {violation_kind::inside_exclusion, i, {}, {}, who + " comes into " + fence_name(i) + ", which excludes it."});
+  if (const auto share = fences.leaves_inclusions_at(way.from, way.to, way.included))
+    found.push_back(violation_at(fences, way, *share));
+  for (std::size_t i = 0; i < fences.size(); ++i)
+    if (fences.excludes(i, way.from, way.to, way.excluded))
+      found.push_back({violation_kind::inside_exclusion,
+                       i,
+                       {},
+                       {},
+                       way.who + " comes into " + fence_name(i) + ", which excludes it."});
   return found;
+}
+
+// Fences that are none: what nobody can keep to, and so nothing is flown.
+violation refusal(const std::string& why) {
+  return {violation_kind::outside_inclusion, {}, {}, {}, "The fences can not be judged: " + why + "."};
 }
 
 } // namespace
@@ -138,13 +105,12 @@ std::vector<violation> violations_of(const fence_judge& judge, const segment& wa
 std::vector<violation> fence_violations(const flight_plan& plan, const mission::document& mission,
                                         vehicle_class vehicle) {
   std::vector<violation> all;
-  if (plan.legs.empty() || mission.geofences.empty())
-    return all;
-  const fence_judge judge(mission, point_of(plan.legs.front().from));
+  const auto fences = fence_set::build(mission.geofences);
+  if (!fences)
+    return {refusal(fences.error())};
   for (std::size_t i = 0; i < plan.legs.size(); ++i) {
     const auto& each = plan.legs[i];
-    const auto way = judge.flat(each.from, each.to);
-    for (auto& found : violations_of(judge, way, altitudes_of(each, vehicle), way_name(each, mission))) {
+    for (auto& found : violations_of(*fences, piece_of(each, mission, vehicle))) {
       found.leg = i;
       found.item_index = each.item_index;
       all.push_back(std::move(found));
@@ -156,9 +122,11 @@ std::vector<violation> fence_violations(const flight_plan& plan, const mission::
 }
 
 std::vector<violation> return_point_violations(const mission::document& mission) {
-  const fence_judge judge(mission, point_of(mission.return_point));
-  const auto way = judge.flat(mission.return_point, mission.return_point);
-  auto all = violations_of(judge, way, {{-endless, endless}, {endless, -endless}}, "The return point");
+  const auto fences = fence_set::build(mission.geofences);
+  if (!fences)
+    return {refusal(fences.error())};
+  const auto at = point_of(mission.return_point);
+  auto all = violations_of(*fences, {at, at, {}, geofence::no_altitudes, "The return point"});
   if (all.size() > max_violations)
     all.resize(max_violations);
   return all;

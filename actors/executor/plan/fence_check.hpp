@@ -1,14 +1,13 @@
 // Whether the way of a plan keeps to the fences of its mission: its legs and not only their ends, and its altitudes.
 //
 // With inclusion fences, each leg lies inside of them (inside of several together, where they overlap); no leg comes
-// into an exclusion fence. A side belongs to the inside of both kinds, to a millimetre, as for the failsafe that
-// watches the fences in flight. A fence with floor or ceiling is a block of air: an inclusion must reach over all
-// altitudes of a leg, and an exclusion matters if it has a part in them; vehicles climb differently between two places,
-// so all altitudes from one to the other count on the whole leg. Climbing from the ground and landing are not held
-// against floors. A rover keeps to all fences whatever their altitudes.
+// into an exclusion fence. A side belongs to the inside of both kinds, to a millimetre. A fence with floor or ceiling
+// is a block of air: an inclusion must reach over all altitudes of a leg, and an exclusion matters if it has a part in
+// them; vehicles climb differently between two places, so all altitudes from one to the other count on the whole leg.
+// Climbing from the ground and landing are not held against floors. A rover keeps to all fences whatever their
+// altitudes.
 //
-// Sides and legs are straight in one local projection around the beginning of the way. That is good to a centimetre
-// within 10 km of it. Thread: pure.
+// The geometry is that of the failsafe (actors/domain/geofence). Fences that are none give one violation. Thread: pure.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +38,7 @@ struct violation {
   std::optional<std::size_t> fence;        // its place in the mission; absent: outside of all inclusions
   std::optional<std::size_t> leg;          // its place in the plan; absent: the return point
   std::optional<std::uint32_t> item_index; // in the mission, for which the leg is flown
-  std::string message;                     // "The way to item 'w2' leaves geofence 0, which it has to stay in."
+  std::string message;                     // "The way to item 'w2' leaves geofence 1, which it has to stay in."
 };
 
 // In the order of the way; empty: it keeps to the fences.

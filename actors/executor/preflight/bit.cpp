@@ -171,7 +171,7 @@ void take(turn& t, const restarted&) {
 
 } // namespace
 
-announcements handle(state& s, const event& happened, std::int64_t now_ns) {
+announcements apply(state& s, const event& happened, std::int64_t now_ns) {
   GODWIT_ASSERT(s.now != phase::awaiting_ack || s.report, "what is awaited is the acknowledgement of a report");
   announcements result;
   turn t{s, result, now_ns};
@@ -187,7 +187,7 @@ announcements handle(state& s, const event& happened, std::int64_t now_ns) {
 
 bool matters(const state& s, const event& happened, std::int64_t now_ns) {
   auto after = s;
-  return !handle(after, happened, now_ns).empty() || !io::equal(after, s);
+  return !apply(after, happened, now_ns).empty() || !io::equal(after, s);
 }
 
 bool is_passed(const state& s, std::string_view mission_id, std::int32_t revision) {
@@ -196,7 +196,7 @@ bool is_passed(const state& s, std::string_view mission_id, std::int32_t revisio
 
 std::string why_not_start(const state& s, const report& seen, std::int64_t now_ns) {
   auto after = s;
-  (void)handle(after, looked{seen}, now_ns); // the news are told by whoever handles the look
+  (void)apply(after, looked{seen}, now_ns); // the news are told by whoever handles the look
   return is_passed(after, seen.mission_id, seen.revision) ? std::string() : sentence_of(after);
 }
 

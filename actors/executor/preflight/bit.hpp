@@ -17,7 +17,7 @@
 // After a restart a look comes before anything counts as passed. In the air nothing is checked: who is there without a
 // pass is idle. Time is the wall clock; one that was set back ends the wait for an acknowledgement.
 //
-//   auto news = handle(state, looked{run_checks(facts, settings)}, now_ns); // commit the state, then tell the news
+//   auto news = apply(state, looked{run_checks(facts, settings)}, now_ns); // commit the state, then tell the news
 //
 // Thread: pure.
 #pragma once
@@ -35,7 +35,7 @@ namespace godwit::executor::preflight {
 // Enough to read some sentences and walk to the vehicle; who comes later should look again.
 inline constexpr std::int64_t acknowledge_within_ns = 300'000'000'000;
 
-[[nodiscard]] announcements handle(state& s, const event& happened, std::int64_t now_ns);
+[[nodiscard]] announcements apply(state& s, const event& happened, std::int64_t now_ns);
 
 // False: handling it would change nothing, so that it need not be written down. Most looks find what the one before
 // did.

@@ -9,11 +9,13 @@
 #include "actors/executor/preflight/bit_state.hpp"
 #include "actors/executor/preflight/report.hpp"
 #include "io/fields/field_table.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::executor::preflight {
 
 // At each change of phase or sentence.
 struct phase_changed {
+  static constexpr auto goes_out = runtime::effect_kind::after_commit;
   phase now = phase::idle;
   std::string sentence; // for people, see sentence_of
   static constexpr auto fields = io::table("executor.preflight_phase_changed", io::field("now", &phase_changed::now),
@@ -22,6 +24,7 @@ struct phase_changed {
 
 // For operators: this report waits for an acknowledgement that names its number. It replaces the one before.
 struct report_opened {
+  static constexpr auto goes_out = runtime::effect_kind::after_commit;
   report what;
   std::int64_t acknowledge_until_ns = 0; // wall clock
   static constexpr auto fields = io::table("executor.preflight_report_opened", io::field("what", &report_opened::what),
@@ -30,6 +33,7 @@ struct report_opened {
 
 // The answer to `acknowledged`. Repeated, it is taken again.
 struct acknowledgement_answered {
+  static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint32_t report_id = 0;
   bool is_taken = false;
   std::string reason; // sentence for people; empty when taken

@@ -8,7 +8,7 @@
 
 namespace godwit::executor::progress {
 
-effects handle(state& s, const event& happened, std::int64_t now_ns) {
+effects apply(state& s, const event& happened, std::int64_t now_ns) {
   effects result;
   turn t{s, result, now_ns};
   std::visit([&](const auto& each) { take(t, each); }, happened);
@@ -26,7 +26,7 @@ effects resume(const state& s) {
 
 bool matters(const state& s, const event& happened, std::int64_t now_ns) {
   auto after = s;
-  return !handle(after, happened, now_ns).empty() || !io::equal(after, s);
+  return !apply(after, happened, now_ns).empty() || !io::equal(after, s);
 }
 
 bool is_at_last_movement(const state& s) {

@@ -1,7 +1,7 @@
 // How far a mission got, told truthfully: the part of the executor's decisions that turns what the vehicle says into
 // progress reports.
 //
-//   auto effects = handle(state, current_told{message}, now_ns); // commit both, then let the effects out
+//   auto effects = apply(state, current_told{message}, now_ns); // commit both, then let the effects out
 //
 // Pure: the same state, event and time give the same effects. The caller makes the new state durable together with the
 // effects before it lets them out, so that a crash in between loses and doubles nothing. Thread: one at a time.
@@ -21,7 +21,7 @@
 
 namespace godwit::executor::progress {
 
-[[nodiscard]] effects handle(state& s, const event& happened, std::int64_t now_ns);
+[[nodiscard]] effects apply(state& s, const event& happened, std::int64_t now_ns);
 
 // What a new incarnation has to look at before anything else. May be asked for more than once.
 [[nodiscard]] effects resume(const state& s);

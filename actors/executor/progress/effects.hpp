@@ -10,6 +10,7 @@
 #include "io/fields/field_table.hpp"
 #include "messages/mission/change.hpp"
 #include "messages/mission/progress.hpp"
+#include "runtime/effect_kind.hpp"
 
 namespace godwit::executor::progress {
 
@@ -26,16 +27,19 @@ struct assignment_answered {
 // An upload may or may not have come to the vehicle: wait until no transfer is under way, ask for its plan id, and tell
 // vehicle_looked_at.
 struct look_at_vehicle {
+  static constexpr auto goes_out = runtime::effect_kind::at_once;
   static constexpr auto fields = io::table("executor.progress_look_at_vehicle");
 };
 
 // The plan id does not settle it: read the plan back, compare it by meaning, and tell plan_read_back.
 struct read_plan_back {
+  static constexpr auto goes_out = runtime::effect_kind::at_once;
   static constexpr auto fields = io::table("executor.progress_read_plan_back");
 };
 
 // A command may or may not have come to the vehicle: look where it is, and tell start_ended.
 struct settle_start {
+  static constexpr auto goes_out = runtime::effect_kind::at_once;
   std::uint16_t sequence = 0;
   static constexpr auto fields =
       io::table("executor.progress_settle_start", io::field("sequence", &settle_start::sequence));
@@ -64,6 +68,7 @@ constexpr auto enum_names(news_kind) {
 }
 
 struct news {
+  static constexpr auto goes_out = runtime::effect_kind::at_once;
   news_kind kind = news_kind::generation_opened;
   std::uint32_t generation = 0;
   std::string reason; // sentence for people; empty when all is well

@@ -38,6 +38,5 @@ struct battery_status {
       field("voltages_ext", &battery_status::voltages_ext), field("mode", &battery_status::mode),
       field("fault_bitmask", &battery_status::fault_bitmask));
 };
-static_assert(as_published<battery_status>(36, 54));
 
 } // namespace godwit::io::mavlink

@@ -22,6 +22,5 @@ struct fence_status {
       field("breach_count", &fence_status::breach_count), field("breach_type", &fence_status::breach_type),
       field("breach_time", &fence_status::breach_time), field("breach_mitigation", &fence_status::breach_mitigation));
 };
-static_assert(as_published<fence_status>(8, 9));
 
 } // namespace godwit::io::mavlink

@@ -25,7 +25,6 @@ struct heartbeat {
             field("base_mode", &heartbeat::base_mode), field("custom_mode", &heartbeat::custom_mode),
             field("system_status", &heartbeat::system_status), field("mavlink_version", &heartbeat::mavlink_version));
 };
-static_assert(as_published<heartbeat>(9, 9));
 
 struct sys_status {
   std::uint32_t onboard_control_sensors_present = 0;
@@ -62,7 +61,6 @@ struct sys_status {
             field("onboard_control_sensors_enabled_extended", &sys_status::onboard_control_sensors_enabled_extended),
             field("onboard_control_sensors_health_extended", &sys_status::onboard_control_sensors_health_extended));
 };
-static_assert(as_published<sys_status>(31, 43));
 
 struct extended_sys_state {
   std::uint8_t vtol_state = 0;
@@ -73,7 +71,6 @@ struct extended_sys_state {
   static constexpr auto fields = table("EXTENDED_SYS_STATE", field("vtol_state", &extended_sys_state::vtol_state),
                                        field("landed_state", &extended_sys_state::landed_state));
 };
-static_assert(as_published<extended_sys_state>(2, 2));
 
 // The text fills all 50 characters or ends with a NUL. Longer texts come in several frames with the same id.
 struct statustext {
@@ -89,6 +86,5 @@ struct statustext {
       table("STATUSTEXT", field("severity", &statustext::severity), field("text", &statustext::text),
             field("id", &statustext::id), field("chunk_seq", &statustext::chunk_seq));
 };
-static_assert(as_published<statustext>(51, 54));
 
 } // namespace godwit::io::mavlink

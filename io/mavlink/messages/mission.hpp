@@ -19,7 +19,6 @@ struct mission_set_current {
       table("MISSION_SET_CURRENT", field("target_system", &mission_set_current::target_system),
             field("target_component", &mission_set_current::target_component), field("seq", &mission_set_current::seq));
 };
-static_assert(as_published<mission_set_current>(4, 4));
 
 // The ids are those of the plans that the vehicle holds, 0 for none or if it does not keep any.
 struct mission_current {
@@ -40,7 +39,6 @@ struct mission_current {
             field("mission_mode", &mission_current::mission_mode), field("mission_id", &mission_current::mission_id),
             field("fence_id", &mission_current::fence_id), field("rally_points_id", &mission_current::rally_points_id));
 };
-static_assert(as_published<mission_current>(2, 18));
 
 struct mission_item_reached {
   std::uint16_t seq = 0;
@@ -49,6 +47,5 @@ struct mission_item_reached {
   static constexpr std::uint8_t crc_extra = 11;
   static constexpr auto fields = table("MISSION_ITEM_REACHED", field("seq", &mission_item_reached::seq));
 };
-static_assert(as_published<mission_item_reached>(2, 2));
 
 } // namespace godwit::io::mavlink

@@ -38,7 +38,6 @@ struct mission_item {
       field("param3", &mission_item::param3), field("param4", &mission_item::param4), field("x", &mission_item::x),
       field("y", &mission_item::y), field("z", &mission_item::z), field("mission_type", &mission_item::mission_type));
 };
-static_assert(as_published<mission_item>(37, 38));
 
 struct mission_request {
   std::uint8_t target_system = 0;
@@ -54,7 +53,6 @@ struct mission_request {
             field("target_component", &mission_request::target_component), field("seq", &mission_request::seq),
             field("mission_type", &mission_request::mission_type));
 };
-static_assert(as_published<mission_request>(4, 5));
 
 struct mission_request_list {
   std::uint8_t target_system = 0;
@@ -69,7 +67,6 @@ struct mission_request_list {
             field("target_component", &mission_request_list::target_component),
             field("mission_type", &mission_request_list::mission_type));
 };
-static_assert(as_published<mission_request_list>(2, 3));
 
 struct mission_count {
   std::uint8_t target_system = 0;
@@ -86,7 +83,6 @@ struct mission_count {
             field("target_component", &mission_count::target_component), field("count", &mission_count::count),
             field("mission_type", &mission_count::mission_type), field("opaque_id", &mission_count::opaque_id));
 };
-static_assert(as_published<mission_count>(4, 9));
 
 struct mission_clear_all {
   std::uint8_t target_system = 0;
@@ -100,7 +96,6 @@ struct mission_clear_all {
                                        field("target_component", &mission_clear_all::target_component),
                                        field("mission_type", &mission_clear_all::mission_type));
 };
-static_assert(as_published<mission_clear_all>(2, 3));
 
 struct mission_ack {
   std::uint8_t target_system = 0;
@@ -117,7 +112,6 @@ struct mission_ack {
             field("target_component", &mission_ack::target_component), field("type", &mission_ack::type),
             field("mission_type", &mission_ack::mission_type), field("opaque_id", &mission_ack::opaque_id));
 };
-static_assert(as_published<mission_ack>(3, 8));
 
 struct mission_request_int {
   std::uint8_t target_system = 0;
@@ -133,7 +127,6 @@ struct mission_request_int {
             field("target_component", &mission_request_int::target_component), field("seq", &mission_request_int::seq),
             field("mission_type", &mission_request_int::mission_type));
 };
-static_assert(as_published<mission_request_int>(4, 5));
 
 struct mission_item_int {
   std::uint8_t target_system = 0;
@@ -165,6 +158,5 @@ struct mission_item_int {
             field("x", &mission_item_int::x), field("y", &mission_item_int::y), field("z", &mission_item_int::z),
             field("mission_type", &mission_item_int::mission_type));
 };
-static_assert(as_published<mission_item_int>(37, 38));
 
 } // namespace godwit::io::mavlink

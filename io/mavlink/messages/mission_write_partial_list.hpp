@@ -26,6 +26,5 @@ struct mission_write_partial_list {
             field("end_index", &mission_write_partial_list::end_index),
             field("mission_type", &mission_write_partial_list::mission_type));
 };
-static_assert(as_published<mission_write_partial_list>(6, 7));
 
 } // namespace godwit::io::mavlink

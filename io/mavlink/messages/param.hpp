@@ -23,7 +23,6 @@ struct param_request_read {
             field("target_component", &param_request_read::target_component),
             field("param_id", &param_request_read::param_id), field("param_index", &param_request_read::param_index));
 };
-static_assert(as_published<param_request_read>(20, 20));
 
 struct param_request_list {
   std::uint8_t target_system = 0;
@@ -34,7 +33,6 @@ struct param_request_list {
   static constexpr auto fields = table("PARAM_REQUEST_LIST", field("target_system", &param_request_list::target_system),
                                        field("target_component", &param_request_list::target_component));
 };
-static_assert(as_published<param_request_list>(2, 2));
 
 struct param_value {
   std::array<char, 16> param_id{};
@@ -50,7 +48,6 @@ struct param_value {
             field("param_type", &param_value::param_type), field("param_count", &param_value::param_count),
             field("param_index", &param_value::param_index));
 };
-static_assert(as_published<param_value>(25, 25));
 
 struct param_set {
   std::uint8_t target_system = 0;
@@ -66,6 +63,5 @@ struct param_set {
             field("target_component", &param_set::target_component), field("param_id", &param_set::param_id),
             field("param_value", &param_set::param_value), field("param_type", &param_set::param_type));
 };
-static_assert(as_published<param_set>(23, 23));
 
 } // namespace godwit::io::mavlink

@@ -25,6 +25,5 @@ struct radio_status {
             field("remnoise", &radio_status::remnoise), field("rxerrors", &radio_status::rxerrors),
             field("fixed", &radio_status::fixed));
 };
-static_assert(as_published<radio_status>(9, 9));
 
 } // namespace godwit::io::mavlink

@@ -25,6 +25,5 @@ struct request_data_stream {
             field("req_message_rate", &request_data_stream::req_message_rate),
             field("start_stop", &request_data_stream::start_stop));
 };
-static_assert(as_published<request_data_stream>(6, 6));
 
 } // namespace godwit::io::mavlink

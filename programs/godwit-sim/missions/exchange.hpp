@@ -3,13 +3,13 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
+
+#include "io/http/server/message.hpp"
 
 namespace godwit::sim::missions {
 
 inline constexpr std::string_view json_type = "application/json";
-inline constexpr std::string_view problem_type = "application/problem+json";
+using io::http::problem_type;
 
 struct request {
   std::string verb;          // "GET"
@@ -19,11 +19,6 @@ struct request {
   std::string body;
 };
 
-struct answer {
-  unsigned status = 200;
-  std::string content_type{json_type};
-  std::string body;                                         // none with 204
-  std::vector<std::pair<std::string, std::string>> headers; // further ones
-};
+using answer = io::http::server_response;
 
 } // namespace godwit::sim::missions

@@ -27,7 +27,7 @@ struct effect {
   void operator()(const fault::status& what) const {
     to.what = problem_answer(what.code, "A fault that was asked for.");
     if (what.retry_after_s)
-      to.what.headers.emplace_back("Retry-After", std::to_string(*what.retry_after_s));
+      to.what.headers.push_back({"Retry-After", std::to_string(*what.retry_after_s)});
   }
   void operator()(const fault::lose&) const { to.is_lost = true; }
   void operator()(const fault::delay& what) const { to.delay += what.time; }

@@ -1,11 +1,9 @@
 #include "programs/godwit-sim/missions/problem_answer.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 #include "actors/domain/mission/write.hpp"
+#include "io/http/server/response_head.hpp"
 #include "messages/mission/answer.hpp"
 
 namespace godwit::sim::missions {
@@ -18,34 +16,9 @@ constexpr std::size_t max_places = 64;
 // All places together: a vehicle reads 64 KiB of a problem, and characters may be escaped.
 constexpr std::size_t max_places_bytes = 8 * 1024;
 
-struct title_row {
-  unsigned status;
-  std::string_view title;
-};
-
-// RFC 9110, 15.
-constexpr std::array titles{
-    title_row{400, "Bad Request"},
-    title_row{401, "Unauthorized"},
-    title_row{403, "Forbidden"},
-    title_row{404, "Not Found"},
-    title_row{405, "Method Not Allowed"},
-    title_row{408, "Request Timeout"},
-    title_row{409, "Conflict"},
-    title_row{410, "Gone"},
-    title_row{413, "Content Too Large"},
-    title_row{422, "Unprocessable Content"},
-    title_row{429, "Too Many Requests"},
-    title_row{431, "Request Header Fields Too Large"},
-    title_row{500, "Internal Server Error"},
-    title_row{502, "Bad Gateway"},
-    title_row{503, "Service Unavailable"},
-    title_row{504, "Gateway Timeout"},
-};
-
 std::string title_of(unsigned status) {
-  const auto* const found = std::ranges::find(titles, status, &title_row::status);
-  return found == titles.end() ? "Status " + std::to_string(status) : std::string(found->title);
+  const auto phrase = io::http::reason_phrase(status);
+  return phrase.empty() ? "Status " + std::to_string(status) : std::string(phrase);
 }
 
 // At most MAX bytes, and no half character at the end.

@@ -15,7 +15,6 @@
 
 namespace godwit::sim::missions {
 
-inline constexpr std::size_t max_target_bytes = 2048; // ids and a `next` of 1,024 characters
 inline constexpr std::uint64_t default_page_rows = 1000;
 inline constexpr std::uint64_t max_page_rows = 2000;
 inline constexpr std::uint64_t default_wait_s = 30;

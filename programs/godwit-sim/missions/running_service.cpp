@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/link/uri.hpp"
+#include "actors/domain/mission/read.hpp"
 #include "programs/godwit-sim/missions/answer_table.hpp"
 #include "programs/godwit-sim/missions/control_answers.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
@@ -15,7 +15,6 @@
 #include "programs/godwit-sim/missions/once.hpp"
 #include "programs/godwit-sim/missions/pages.hpp"
 #include "programs/godwit-sim/missions/synthetic_map.hpp"
-#include "programs/godwit-sim/missions/tls_server.hpp"
 
 namespace godwit::sim::missions {
 namespace {
@@ -59,9 +58,9 @@ running_service::done running_service::start() {
   thread_->run_inside([&] { started = start_server(); });
   if (!started || !settings_.control)
     return started;
-  auto answer = control_opened_.get_future();
+  auto failing = control_opened_.get_future();
   thread_->run_inside([this] { open_control(); });
-  if (auto failure = answer.get(); !failure.empty())
+  if (auto failure = failing.get(); !failure.empty())
     return tl::unexpected("the control port: " + failure);
   return {};
 }
@@ -100,14 +99,17 @@ running_service::done running_service::start_server() {
        {std::pair{&settings_.tls, &tls.usual}, {&settings_.wrong_host_tls, &tls.wrong_host}}) {
     if (!*who)
       continue;
-    auto made = tls_server(**who);
+    auto made = io::http::make_server_tls_context((*who)->certificate, (*who)->key);
     if (!made)
-      return tl::unexpected(std::move(made.error()));
+      return tl::unexpected(made.error().message());
     *context = *std::move(made);
   }
   has_wrong_host_ = tls.usual && tls.wrong_host;
-  server_.emplace(thread_->context(), *faulty_, faults_, std::move(tls), teller_);
-  if (auto listening = server_->listen(settings_.host, settings_.port); !listening)
+  server_.emplace(thread_->context(),
+                  io::http::server_settings{
+                      .host = settings_.host, .port = settings_.port, .max_body_bytes = mission::max_mission_bytes},
+                  *faulty_, faults_, std::move(tls), teller_);
+  if (auto listening = server_->listen(); !listening)
     return listening;
   for (const auto& each : settings_.faults)
     if (auto set = set_fault(each); !set)
@@ -142,11 +144,6 @@ void running_service::control_answered(const std::string& failure) {
     control_opened_.set_value(failure);
 }
 
-std::string running_service::url() const {
-  return (settings_.tls ? "https://" : "http://") +
-         io::link::host_and_port(server_->where().address().to_string(), port());
-}
-
 std::string running_service::control() const {
   const auto text = control_ ? control_->description() : std::string();
   return text.empty() ? text : text.substr(text.find("//") + 2);
@@ -179,7 +176,7 @@ void running_service::refuse_for(std::chrono::nanoseconds time) {
     faults_.end_refusal();
     if (faults_.refuses())
       return;
-    if (auto listening = server_->listen_again(); !listening && teller_)
+    if (auto listening = server_->listen(); !listening && teller_)
       teller_(listening.error());
   });
 }
@@ -187,7 +184,7 @@ void running_service::refuse_for(std::chrono::nanoseconds time) {
 void running_service::clear_faults() {
   faults_.clear();
   refusal_.cancel();
-  if (auto listening = server_->listen_again(); !listening && teller_)
+  if (auto listening = server_->listen(); !listening && teller_)
     teller_(listening.error());
 }
 

@@ -24,9 +24,9 @@
 #include "programs/godwit-sim/missions/fault_book.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"
-#include "programs/godwit-sim/missions/server.hpp"
 #include "programs/godwit-sim/missions/service.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
+#include "programs/godwit-sim/missions/service_server.hpp"
 #include "programs/godwit-sim/missions/settings.hpp"
 
 namespace godwit::sim::missions {
@@ -46,8 +46,8 @@ public:
   void wait() { ended_.get_future().wait(); }
 
   // -- inside only
-  [[nodiscard]] std::uint16_t port() const { return server_->where().port(); }
-  [[nodiscard]] std::string url() const;
+  [[nodiscard]] std::uint16_t port() const { return server_->port(); }
+  [[nodiscard]] std::string url() const { return server_->url(); }
   [[nodiscard]] std::string control() const;
   [[nodiscard]] done set_fault(std::string_view spec);
   void clear_faults();
@@ -80,7 +80,7 @@ private:
   std::optional<service> service_;
   fault_book faults_;
   std::optional<faulty_service> faulty_;
-  std::optional<server> server_;
+  std::optional<service_server> server_;
   std::unique_ptr<control_port> control_;
   std::promise<std::string> control_opened_; // the failure, or nothing
   bool control_has_answered_ = false;

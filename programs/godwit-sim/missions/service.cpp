@@ -53,14 +53,14 @@ std::optional<answer> not_allowed(const request& asked, const access_tokens& tok
   if (is_token(token, tokens.foreign))
     return problem_answer(403, "This vehicle has no part in this mission.");
   auto refused = problem_answer(401, is_bearer ? "The token is not known." : "There is no bearer token.");
-  refused.headers.emplace_back("WWW-Authenticate", "Bearer");
+  refused.headers.push_back({"WWW-Authenticate", "Bearer"});
   return refused;
 }
 
 answer not_routed(const route_error& error) {
   auto refused = problem_answer(error.status, error.sentence);
   if (!error.allow.empty())
-    refused.headers.emplace_back("Allow", error.allow);
+    refused.headers.push_back({"Allow", error.allow});
   return refused;
 }
 

@@ -15,6 +15,11 @@ json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on th
 
 } // namespace
 
+desk::desk(runtime::spawn_context context, neighbours others, std::shared_ptr<answer_box> answers)
+    : actor_base(std::move(context)), others_(std::move(others)), answers_(std::move(answers)) {}
+
+desk::~desk() = default;
+
 desk::behavior_type desk::handlers() {
   return {on<control_request>([this](const control_request& m) { take(m); })};
 }

@@ -3,7 +3,7 @@
 //
 // The socket's thread can tell actors but not ask them; this actor can. An actor that does not answer in time is in the
 // answer as an error; whoever waits gets one in any case, but for a crash of the desk: then the socket's own time-out
-// says so. Errors: in the answers. Thread: as cell.
+// says so. Errors: in the answers. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
@@ -24,7 +24,7 @@
 #include "programs/godwitd/control/messages.hpp"
 #include "programs/godwitd/ground_run/handle.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
-#include "runtime/cell.hpp"
+#include "runtime/actor_base.hpp"
 
 namespace godwit::control {
 
@@ -44,12 +44,12 @@ struct neighbours {
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
 };
 
-class desk final : public runtime::cell<desk_handle> {
+class desk final : public runtime::actor_base<desk_handle> {
 public:
   static constexpr std::chrono::seconds answer_timeout{3}; // below that of the socket
 
-  desk(runtime::actor_config& config, runtime::birth born, neighbours others, std::shared_ptr<answer_box> answers)
-      : cell(config, std::move(born)), others_(std::move(others)), answers_(std::move(answers)) {}
+  desk(runtime::spawn_context context, neighbours others, std::shared_ptr<answer_box> answers);
+  ~desk() override;
 
 protected:
   behavior_type handlers() override;

@@ -10,6 +10,13 @@ namespace godwit::ground_run {
 using mapobjects_store::map_failure;
 using runtime::ask_error;
 
+actor::actor(runtime::spawn_context context, settings wanted, std::shared_ptr<const neighbours> others,
+             std::shared_ptr<daemon::sighting_feed> feed, run_world world)
+    : actor_base(std::move(context)), mission_id_(wanted.mission_id), has_service_(wanted.has_service),
+      core_(std::move(wanted)), others_(std::move(others)), feed_(std::move(feed)), world_(std::move(world)) {}
+
+actor::~actor() = default;
+
 actor::behavior_type actor::handlers() {
   return {on<mission_client::mission_loaded>([this](const mission_client::mission_loaded& m) {
             loaded_ns_ = now_ns();

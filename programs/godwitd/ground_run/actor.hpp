@@ -2,7 +2,7 @@
 // feeds the sightings to the map store.
 //
 // The course is core.hpp's, the flow of the sightings sighting_flow's. Nothing of it is durable: see core.hpp. Errors:
-// told to people, or the end of the run. Thread: as cell.
+// told to people, or the end of the run. Thread: as actor_base.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 #include "messages/mapobjects_store/handle.hpp"
 #include "programs/godwitd/ground_run/handle.hpp"
 #include "programs/godwitd/sightings/sighting_flow.hpp"
-#include "runtime/cell.hpp"
+#include "runtime/actor_base.hpp"
 
 namespace godwit::ground_run {
 
@@ -32,16 +32,15 @@ struct run_world {
   std::function<void(const finish& how)> end;
 };
 
-class actor final : public runtime::cell<own_handle> {
+class actor final : public runtime::actor_base<own_handle> {
 public:
   static constexpr std::chrono::seconds tick_period{1};
   static constexpr std::chrono::seconds answer_timeout{10};
 
   // FEED: null without sightings.
-  actor(runtime::actor_config& config, runtime::birth born, settings wanted, std::shared_ptr<const neighbours> others,
-        std::shared_ptr<daemon::sighting_feed> feed, run_world world)
-      : cell(config, std::move(born)), mission_id_(wanted.mission_id), has_service_(wanted.has_service),
-        core_(std::move(wanted)), others_(std::move(others)), feed_(std::move(feed)), world_(std::move(world)) {}
+  actor(runtime::spawn_context context, settings wanted, std::shared_ptr<const neighbours> others,
+        std::shared_ptr<daemon::sighting_feed> feed, run_world world);
+  ~actor() override;
 
 protected:
   behavior_type handlers() override;

@@ -11,10 +11,9 @@ namespace godwit::ground_run {
 using feed_handle = runtime::mailbox<runtime::tells<woken>>;
 using status_handle = runtime::mailbox<runtime::asks<get_run, run_status>>;
 
-using own_handle =
-    mission_client::listener_handle::extend<runtime::tells<vehicle_link::connection_changed>::signature,
-                                            runtime::tells<woken>::signature, runtime::tells<tick>::signature,
-                                            runtime::tells<retry_due>::signature,
-                                            runtime::asks<get_run, run_status>::signature>;
+using own_handle = runtime::combine<
+    mission_client::listener_handle,
+    runtime::mailbox<runtime::tells<vehicle_link::connection_changed>, runtime::tells<woken>, runtime::tells<tick>,
+                     runtime::tells<retry_due>, runtime::asks<get_run, run_status>>>;
 
 } // namespace godwit::ground_run

@@ -18,7 +18,7 @@ constexpr mode_t file_mode = 0640; // the group of the log may read it
 
 class printer_sink final : public spdlog::sinks::base_sink<std::mutex> {
 public:
-  printer_sink(sim::line_printer& printer, std::unique_ptr<spdlog::formatter> form)
+  printer_sink(programs::line_printer& printer, std::unique_ptr<spdlog::formatter> form)
       : base_sink(std::move(form)), printer_(printer) {}
 
 protected:
@@ -30,7 +30,7 @@ protected:
   void flush_() override {}
 
 private:
-  sim::line_printer& printer_;
+  programs::line_printer& printer_;
 };
 
 spdlog::level::level_enum spdlog_level(log_level level) {
@@ -51,9 +51,9 @@ line_form form_of(const log_settings& wanted) {
   return wanted.file.empty() ? line_form::plain : line_form::stamped;
 }
 
-sim::line_printer::loss_text loss_in(line_form form) {
+programs::line_printer::loss_text loss_in(line_form form) {
   if (form == line_form::plain)
-    return sim::line_printer::plain_loss;
+    return programs::line_printer::plain_loss;
   return [form](std::uint64_t lost) {
     const auto sentence = std::to_string(lost) + " lines are missing here: they could not be written fast enough";
     spdlog::memory_buf_t line;
@@ -87,7 +87,7 @@ tl::expected<std::unique_ptr<program_log>, std::string> program_log::open(log_se
 
 program_log::program_log(log_settings wanted, io::link::descriptor file, int number)
     : wanted_(std::move(wanted)), file_(std::move(file)),
-      printer_(std::make_unique<sim::line_printer>(number, loss_in(form_of(wanted_)))),
+      printer_(std::make_unique<programs::line_printer>(number, loss_in(form_of(wanted_)))),
       sink_(std::make_shared<printer_sink>(*printer_, make_formatter(form_of(wanted_)))) {
   sink_->set_level(spdlog_level(wanted_.level));
 }

@@ -16,7 +16,7 @@
 #include <tl/expected.hpp>
 
 #include "io/link/descriptor.hpp"
-#include "programs/godwit-sim/line_printer.hpp"
+#include "programs/common/line_printer.hpp"
 #include "programs/godwitd/log/log_settings.hpp"
 
 namespace godwit::daemon {
@@ -45,7 +45,7 @@ private:
 
   const log_settings wanted_;
   io::link::descriptor file_; // none: standard output
-  std::unique_ptr<sim::line_printer> printer_;
+  std::unique_ptr<programs::line_printer> printer_;
   std::shared_ptr<spdlog::sinks::sink> sink_;
 };
 

@@ -7,6 +7,13 @@ namespace godwit::sightings {
 using mapobjects_store::map_failure;
 using runtime::ask_error;
 
+feeder::feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
+               std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
+    : actor_base(std::move(context)), settings_(std::move(configured)), store_(std::move(store)),
+      feed_(std::move(feed)), complain_(std::move(complain)) {}
+
+feeder::~feeder() = default;
+
 feeder::behavior_type feeder::handlers() {
   return {on<woken>([this](const woken&) { look(); }), on<tick>([this](const tick&) {
             if (settings_.chooses_mission && !is_chosen_)

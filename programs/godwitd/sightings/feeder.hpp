@@ -2,7 +2,7 @@
 //
 // The gate is in the feed, which outlives the incarnations; whoever knows where the flight stands opens and closes it.
 // Without a missions service nobody else tells the map store which mission it is, and so the feeder does. Nothing of it
-// is durable: what was not settled is handed out again. Errors: told to people. Thread: as cell.
+// is durable: what was not settled is handed out again. Errors: told to people. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 #include "messages/mapobjects_store/types.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
 #include "programs/godwitd/sightings/sighting_flow.hpp"
-#include "runtime/cell.hpp"
+#include "runtime/actor_base.hpp"
 
 namespace godwit::sightings {
 
@@ -30,16 +30,15 @@ struct feeder_settings {
 // May be called by any thread and does not block.
 using complainer = std::function<void(const std::string& sentence)>;
 
-class feeder final : public runtime::cell<feeder_handle> {
+class feeder final : public runtime::actor_base<feeder_handle> {
 public:
   static constexpr std::chrono::milliseconds tick_period{500};
   static constexpr std::chrono::seconds answer_timeout{10};
 
   // FEED: null without sightings.
-  feeder(runtime::actor_config& config, runtime::birth born, feeder_settings configured, store_handle store,
-         std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
-      : cell(config, std::move(born)), settings_(std::move(configured)), store_(std::move(store)),
-        feed_(std::move(feed)), complain_(std::move(complain)) {}
+  feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
+         std::shared_ptr<daemon::sighting_feed> feed, complainer complain);
+  ~feeder() override;
 
 protected:
   behavior_type handlers() override;

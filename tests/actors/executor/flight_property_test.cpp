@@ -25,10 +25,11 @@ class random_flight {
 public:
   explicit random_flight(std::uint64_t seed)
       : dice_(seed), who_(static_cast<sim::personality>(dice_() % 3)), mission_(tests::short_mission(who_)),
-        world_(any_world(dice_, who_)) {}
+        is_map_late_(dice_() % 4 == 0), world_(any_world(dice_, who_, is_map_late_)) {}
 
   void fly() {
     world_.load(mission_);
+    pull_map();
     const auto troubles = dice_() % (most_troubles + 1);
     for (std::size_t i = 0; i < troubles && !is_over(); ++i) {
       world_.run_for(0.05 * static_cast<double>(dice_() % 200));
@@ -55,12 +56,23 @@ public:
   [[nodiscard]] bool was_disturbed_for_good() const { return rebooted_; }
 
 private:
+  // The map of some missions comes late; nothing is started meanwhile.
+  void pull_map() {
+    if (!is_map_late_)
+      return;
+    world_.run_for(static_cast<double>(dice_() % 10));
+    EXPECT_EQ(starts_so_far(), 0) << "nothing is started without the map\n" << story();
+    world_.pull_map(mission_client::pull_state::synced);
+  }
+
   [[nodiscard]] bool is_waiting_for_person() const { return world_.durable().standing.now == phase::paused; }
 
   // Half of the lines lose, double and reorder frames.
-  static flight_world::options any_world(std::mt19937_64& dice, sim::personality who) {
+  static flight_world::options any_world(std::mt19937_64& dice, sim::personality who, bool is_map_late) {
     flight_world::options result{.who = who, .start = start_policy::automatic, .arm_on_start = true, .speed = 10};
     result.seed = dice();
+    if (is_map_late)
+      result.map = mission_client::pull_state::in_flight;
     if (dice() % 2 == 0)
       return result;
     result.lost = 0.01 * static_cast<double>(dice() % 11);
@@ -236,6 +248,7 @@ private:
   std::mt19937_64 dice_;
   sim::personality who_;
   mission::document mission_;
+  bool is_map_late_;
   flight_world world_;
   int assignments_ = 0;
   std::string did_; // "2350 ms: 1", by the number of the trouble
@@ -248,11 +261,11 @@ constexpr int usual_flights = 300; // each takes many times as long
 constexpr int usual_flights = 10'000; // 8 ms each
 #endif
 
-int wanted_flights() { return std::getenv("GODWIT_FULL") != nullptr ? 100'000 : usual_flights; }
+int wanted_flights() { return std::getenv("TEST_FULL") != nullptr ? 100'000 : usual_flights; }
 
-// The first seed: GODWIT_SEED, or 1.
+// The first seed: TEST_SEED, or 1.
 int first_seed() {
-  const char* given = std::getenv("GODWIT_SEED");
+  const char* given = std::getenv("TEST_SEED");
   return given != nullptr ? std::atoi(given) : 1;
 }
 

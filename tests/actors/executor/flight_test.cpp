@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include <gtest/gtest.h>
 
+#include "actors/domain/geo/local_projection.hpp"
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
@@ -66,6 +68,21 @@ TEST_P(every_vehicle, a_crash_in_flight_disturbs_nothing_and_starts_nothing) {
   EXPECT_EQ(starts_in(world), starts) << world.story();
   EXPECT_EQ(world.commands().size(), commands) << "nothing is sent to a vehicle that flies its mission";
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+}
+
+TEST_P(every_vehicle, a_hold_that_an_operator_asked_for_right_before_a_crash_still_comes) {
+  for (const std::size_t reports : {1U, 3U, 5U}) { // also on the way to the last item
+    flight_world world({.who = GetParam()});
+    world.load(tests::short_mission(GetParam()));
+    ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= reports; }, 600)) << world.story();
+    world.run_for(1);
+    ASSERT_TRUE(world.say(operator_words::verb::pause).is_taken) << world.story();
+    world.crash();
+    ASSERT_TRUE(world.run_until_phase(phase::paused, 20)) << reports << " reports\n" << world.story();
+    EXPECT_EQ(world.durable().standing.cause, pause_cause::asked) << world.story();
+    EXPECT_TRUE(world.say(operator_words::verb::resume).is_taken);
+    ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  }
 }
 
 TEST_P(every_vehicle, a_crash_on_the_ground_begins_nothing_until_an_operator_says_so) {
@@ -383,6 +400,35 @@ TEST_P(every_vehicle, sent_elsewhere_it_holds_tells_the_service_and_goes_there) 
   world.run_for(60);
   EXPECT_FALSE(is_told(world, progress_kind::reached, "w3")) << world.story();
   EXPECT_EQ(world.durable().standing.now, phase::flying) << "it stays there" << world.story();
+}
+
+// Between the second waypoint and the place stands a wall of 20 m.
+TEST_P(every_vehicle, on_the_way_around_a_fence_corners_are_taken_narrowly_and_with_room) {
+  flight_world world({.who = GetParam()});
+  auto mission = tests::short_mission(GetParam());
+  mission::geofence wall{mission::fence_kind::exclusion, {}, {}, {}};
+  for (const auto& [north_m, east_m] : {std::pair(10, 12), std::pair(14, 12), std::pair(14, 32), std::pair(10, 32)}) {
+    const auto corner = std::get<mission::waypoint>(tests::place("", north_m, east_m, 0)).at;
+    wall.vertices.push_back({corner.latitude, corner.longitude});
+  }
+  mission.geofences = {wall};
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w2"); }, 600)) << world.story();
+  const auto answer = world.say(go_there(GetParam()));
+  ASSERT_TRUE(answer.is_taken) << answer.reason;
+  ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
+  std::size_t turns = 0;
+  for (const auto& each : world.durable().mission->items)
+    if (const auto* turn = std::get_if<mission::waypoint>(&each); turn && turn->id.starts_with("goto")) {
+      ++turns;
+      EXPECT_EQ(turn->accept_radius_m, 2);
+      const geo::local_projection around({turn->at.latitude, turn->at.longitude});
+      for (const auto& corner : wall.vertices) {
+        const auto to = around.to_local({corner.latitude, corner.longitude});
+        EXPECT_GE(std::hypot(to.east_m, to.north_m), 15) << "the margin, and 5 m to turn";
+      }
+    }
+  EXPECT_GT(turns, 0U) << world.story();
 }
 
 TEST_P(every_vehicle, cancel_goes_on_with_the_first_item_that_is_not_done) {

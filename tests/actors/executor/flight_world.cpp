@@ -17,10 +17,6 @@
 namespace godwit::tests {
 namespace {
 
-constexpr double home_latitude = 47.397742; // of the simulated vehicles, when they are given no other
-constexpr double home_longitude = 8.545594;
-constexpr double metres_of_latitude = 111'200;
-constexpr double metres_of_longitude = 75'300; // there
 constexpr std::int64_t executor_period_ns = 200'000'000;
 constexpr io::mavlink::sender station{255, 190};
 
@@ -32,31 +28,8 @@ constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 
 } // namespace
 
-mission::item place(const std::string& id, double north_m, double east_m, double up_m) {
-  mission::waypoint result;
-  result.id = id;
-  result.at = {home_latitude + north_m / metres_of_latitude, home_longitude + east_m / metres_of_longitude, up_m};
-  return result;
-}
-
-mission::document short_mission(sim::personality who) {
-  mission::document result;
-  result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
-  result.return_point = {home_latitude, home_longitude, 0};
-  const bool drives = who == sim::personality::rover;
-  if (!drives)
-    result.items.emplace_back(mission::takeoff{"up", 20});
-  const double up_m = drives ? 0 : 20;
-  result.items.push_back(place("w1", 60, 0, up_m));
-  result.items.push_back(place("w2", 60, 60, up_m));
-  result.items.push_back(place("w3", 0, 60, up_m));
-  if (!drives)
-    result.items.emplace_back(mission::return_home{"home"});
-  return result;
-}
-
 flight_world::flight_world(const options& wanted)
-    : failsafe_settings_(wanted.failsafe), link_(new_link()), dice_(wanted.seed), lost_(wanted.lost),
+    : map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()), dice_(wanted.seed), lost_(wanted.lost),
       doubled_(wanted.doubled), most_delay_ms_(wanted.most_delay_ms) {
   if (wanted.has_service)
     settings_.mission_id = short_mission(wanted.who).mission_id;
@@ -103,8 +76,21 @@ void flight_world::load(const mission::document& what) {
   mission_client::mission_loaded loaded;
   loaded.document = what;
   take(core_->on_mission(loaded, now()));
-  take(core_->on_map({what.mission_id, mission_client::pull_state::synced, 0, 0, {}}, now()));
+  tell_map(what.mission_id);
   settle();
+}
+
+void flight_world::pull_map(mission_client::pull_state outcome) {
+  map_ = outcome;
+  if (state_.mission)
+    tell_map(state_.mission->mission_id);
+  settle();
+}
+
+// A pull that has not begun is not spoken of.
+void flight_world::tell_map(const std::string& mission_id) {
+  if (map_ != mission_client::pull_state::not_started)
+    take(core_->on_map({mission_id, map_, 0, 0, {}}, now()));
 }
 
 void flight_world::assign(const mission::assignment& wish) {
@@ -160,6 +146,7 @@ void flight_world::restore() {
 
 void flight_world::crash() {
   notes_.clear();
+  news_.clear();
   restore();
   core_ = std::make_unique<executor::core>(settings_, state_);
   take(core_->on_vehicle(
@@ -175,6 +162,7 @@ void flight_world::crash_failsafe() {
 
 void flight_world::crash_all() {
   notes_.clear();
+  news_.clear();
   restore();
   ++link_age_;
   link_ = new_link();
@@ -215,7 +203,7 @@ void flight_world::take(const failsafe::guard_settled& each) {
 }
 
 void flight_world::take(const failsafe::remember& each) {
-  static_cast<void>(failsafe::durable_core::handle(record_, each.what, now().wall_ns));
+  static_cast<void>(failsafe::durable_core::apply(record_, each.what, now().wall_ns));
 }
 
 void flight_world::take(const executor::say_to_failsafe& each) {
@@ -229,7 +217,7 @@ void flight_world::step() {
   if (core_->wants_service()) {
     mission_client::service_status status;
     status.mission_id = state_.mission->mission_id;
-    status.pull = mission_client::pull_state::synced;
+    status.pull = map_;
     core_->on_service(status);
   }
   const auto next = std::min({time_.now_ns() + executor_period_ns, failsafe_due_ns_, vehicle_->next_deadline_ns(),
@@ -271,10 +259,16 @@ void flight_world::settle() {
     while (!notes_.empty()) {
       const auto next = std::move(notes_.front());
       notes_.pop_front();
-      const auto effects = executor::durable_core::handle(state_, next, now().wall_ns);
-      core_->on_committed();
+      const auto effects = executor::durable_core::apply(state_, next, now().wall_ns);
+      core_->on_applied();
       for (const auto& each : effects)
-        let_out(each);
+        dispatch(each);
+    }
+    if (!news_.empty()) {
+      const auto tell = std::move(news_.front());
+      news_.pop_front();
+      tell();
+      continue;
     }
     const auto wanted = core_->advance(now());
     if (wanted.empty())
@@ -304,7 +298,7 @@ void flight_world::take(const executor::say_to_port& each) {
     shown_progress_.push_back(*progress);
 }
 
-void flight_world::let_out(const executor::durable_core::effect& each) {
+void flight_world::dispatch(const executor::durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, mission_client::report_progress>)
@@ -322,8 +316,8 @@ void flight_world::let_out(const executor::durable_core::effect& each) {
                           (m.reason.empty() ? "" : ": " + m.reason));
         else if constexpr (std::is_same_v<M, executor::preflight::phase_changed>)
           said_.push_back("preflight " + m.sentence);
-        else if constexpr (requires { core_->on_durable(m, now()); })
-          take(core_->on_durable(m, now()));
+        else if constexpr (requires { core_->on_news(m, now()); })
+          news_.emplace_back([this, m] { take(core_->on_news(m, now())); });
       },
       each);
 }
@@ -336,6 +330,8 @@ void flight_world::take(const executor::effects& wanted) {
 }
 
 void flight_world::take(const executor::order& each) {
+  for (const auto kind : each.expected)
+    take(executor::say_to_failsafe{failsafe::expect_mode{kind, executor::expected_for_ns / 1'000'000}});
   std::visit(
       [&]<class M>(const M& what) {
         if constexpr (std::is_same_v<M, failsafe::guard_mission>) {

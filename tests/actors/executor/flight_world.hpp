@@ -20,14 +20,10 @@
 #include "actors/failsafe/core.hpp"
 #include "actors/vehicle_link/core.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
+#include "tests/support/short_mission.hpp"
 #include "tests/support/virtual_time.hpp"
 
 namespace godwit::tests {
-
-// Takes off, flies two waypoints, returns; around the home of the simulated vehicles.
-[[nodiscard]] mission::document short_mission(sim::personality who);
-// The n-th waypoint around there.
-[[nodiscard]] mission::item place(const std::string& id, double north_m, double east_m, double up_m);
 
 class flight_world {
 public:
@@ -40,6 +36,7 @@ public:
     bool shows_home = false;
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
     failsafe::settings failsafe = {};
+    mission_client::pull_state map = mission_client::pull_state::synced; // what is told of it as a mission is loaded
     // Of the line between link and vehicle, both ways; of each frame.
     double lost = 0;
     double doubled = 0;
@@ -50,6 +47,8 @@ public:
   explicit flight_world(const options& wanted);
 
   void load(const mission::document& what);
+  // What becomes of the map's pull, now and for missions that are loaded later.
+  void pull_map(mission_client::pull_state outcome);
   void assign(const mission::assignment& wish);
   // What a ground station uploads, clears and starts; and what it is shown.
   template <class M>
@@ -114,6 +113,7 @@ private:
   [[nodiscard]] executor::instant now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] io::mavlink::instant link_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] static std::unique_ptr<vehicle_link::core> new_link();
+  void tell_map(const std::string& mission_id);
   void begin_link();
   void begin_executor();
   void step();
@@ -133,7 +133,7 @@ private:
   void take(const failsafe::guard_settled& each);
   void take(const failsafe::override_settled&) {}
   void take(const failsafe::warning& each) { said_.push_back("failsafe: " + each.text); }
-  void take(const failsafe::health_changed&) {}
+  void take(const godwit::runtime::condition&) {}
   void take(const failsafe::remember& each);
   void tick_failsafe();
   void carry(std::span<const std::byte> frame, std::function<void(const std::vector<std::byte>&)> deliver);
@@ -145,7 +145,7 @@ private:
   void take(const vehicle_link::settled_transfer& each);
   void take(const vehicle_link::observation& each);
   void take(const vehicle_link::announcement& each);
-  void let_out(const executor::durable_core::effect& each);
+  void dispatch(const executor::durable_core::effect& each);
   void change_mission(const std::string& key, const std::optional<std::string>& after,
                       const std::vector<mission::item>& items, bool keeps_rest);
   void restore();
@@ -158,6 +158,7 @@ private:
   executor::settings settings_;
   executor::state state_;
   std::unique_ptr<executor::core> core_;
+  mission_client::pull_state map_;
   failsafe::settings failsafe_settings_;
   failsafe::state record_;
   std::unique_ptr<failsafe::core> failsafe_;
@@ -173,6 +174,7 @@ private:
   std::unique_ptr<sim::vehicle> vehicle_;
   io::mavlink::scanner to_vehicle_;
   std::deque<executor::durable_core::event> notes_;
+  std::deque<std::function<void()>> news_; // what they have led to
   std::vector<mission::progress_report> reports_;
   std::vector<mission_client::respond_to_assignment> answers_;
   std::vector<std::string> said_;

@@ -97,6 +97,35 @@ TEST_P(rule, killed_on_the_ground_in_the_middle_of_its_preparations_it_waits_for
   }
 }
 
+// -- the map ----------------------------------------------------------------------------------------------
+
+TEST_P(rule, without_the_map_it_stays_on_the_ground_and_flies_when_it_is_there) {
+  using mission_client::pull_state;
+  for (const auto pull : {pull_state::not_started, pull_state::in_flight, pull_state::failed}) {
+    flight_world world({.who = GetParam(), .map = pull});
+    world.load(short_mission());
+    world.run_for(20);
+    EXPECT_TRUE(world.commands().empty()) << io::name_of(pull) << "\n" << world.story();
+    EXPECT_FALSE(world.durable().standing.in_flight) << io::name_of(pull) << "\n" << world.story();
+    world.pull_map(pull_state::synced);
+    EXPECT_TRUE(world.run_until_phase(phase::done)) << io::name_of(pull) << "\n" << world.story();
+  }
+}
+
+TEST_P(rule, with_the_map_of_an_earlier_pull_it_flies_when_an_operator_has_acknowledged_it) {
+  flight_world world({.who = GetParam(), .map = mission_client::pull_state::cached_fallback});
+  world.load(short_mission());
+  const auto awaits_word = [&] { return world.durable().preflight.now == preflight::phase::awaiting_ack; };
+  ASSERT_TRUE(world.run_until(awaits_word, 20)) << world.story();
+  world.run_for(20);
+  EXPECT_TRUE(world.commands().empty()) << world.story();
+  operator_words::word word;
+  word.verb = verb::acknowledge;
+  word.report = world.durable().preflight.report->id;
+  EXPECT_TRUE(world.say(word).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
 // -- a station that starts --------------------------------------------------------------------------------
 
 start_mission start_of_shown(const flight_world& world, std::uint64_t key) {

@@ -15,7 +15,7 @@ using runtime::crash_point;
 using vehicle_link::command_verdict;
 
 constexpr crash_point points[] = {crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
-                                  crash_point::before_let_out};
+                                  crash_point::before_dispatch};
 
 // A process in mid-flight inside of its fence.
 struct in_flight {
@@ -107,7 +107,7 @@ TEST(failsafe, a_command_does_not_wait_for_a_disk_that_fails) {
 // The journal refuses what an incarnation writes of which it believes that it was replaced.
 TEST(failsafe, where_the_journal_takes_nothing_it_acts_all_the_same_once_and_says_so) {
   in_flight f;
-  f.process->world.journal().recover("failsafe", 1'000, [](const auto&) {});
+  f.process->world.journal().refuse_writes(true);
   f.vehicle.east_m = 101;
   f.process->run_ms(250);
   EXPECT_EQ(f.log.returns(), 1);

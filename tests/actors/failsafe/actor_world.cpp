@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "runtime/actor_base.hpp"
 #include "tests/actors/failsafe/actor_world.hpp"
 
 #include <algorithm>
@@ -16,10 +17,10 @@ namespace {
 
 constexpr std::int64_t step_ms = 10;
 
-class link_double final : public runtime::cell<failsafe::vehicle_handle> {
+class link_double final : public runtime::actor_base<failsafe::vehicle_handle> {
 public:
-  link_double(runtime::actor_config& config, runtime::birth born, flown_vehicle* vehicle, flight_log* log)
-      : cell(config, std::move(born)), vehicle_(vehicle), log_(log) {}
+  link_double(runtime::spawn_context context, flown_vehicle* vehicle, flight_log* log)
+      : actor_base(std::move(context)), vehicle_(vehicle), log_(log) {}
 
 protected:
   behavior_type handlers() override {
@@ -44,10 +45,9 @@ private:
   flight_log* log_;
 };
 
-class executor_double final : public runtime::cell<failsafe::stance_ear> {
+class executor_double final : public runtime::actor_base<failsafe::stance_ear> {
 public:
-  executor_double(runtime::actor_config& config, runtime::birth born, flight_log* log)
-      : cell(config, std::move(born)), log_(log) {}
+  executor_double(runtime::spawn_context context, flight_log* log) : actor_base(std::move(context)), log_(log) {}
 
 protected:
   behavior_type handlers() override {
@@ -61,10 +61,9 @@ private:
   flight_log* log_;
 };
 
-class people_double final : public runtime::cell<failsafe::people_handle> {
+class people_double final : public runtime::actor_base<failsafe::people_handle> {
 public:
-  people_double(runtime::actor_config& config, runtime::birth born, flight_log* log)
-      : cell(config, std::move(born)), log_(log) {}
+  people_double(runtime::spawn_context context, flight_log* log) : actor_base(std::move(context)), log_(log) {}
 
 protected:
   behavior_type handlers() override {

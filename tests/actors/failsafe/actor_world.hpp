@@ -15,7 +15,7 @@
 #include "actors/failsafe/actor.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/simulation/simulation.hpp"
-#include "tests/actors/failsafe/fences.hpp"
+#include "tests/actors/failsafe/positions.hpp"
 
 namespace godwit::tests {
 

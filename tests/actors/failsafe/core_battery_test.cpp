@@ -83,7 +83,7 @@ TEST(failsafe_core, a_battery_that_jumps_by_more_than_20_points_is_unknown_and_y
   for (int i = 0; i < 30; ++i) {
     world.battery_percent = i % 2 == 0 ? 10 : 60;
     world.run_s(1);
-    EXPECT_EQ(world.health().how, wellness::impaired);
+    EXPECT_EQ(world.health().how, godwit::runtime::health_colour::yellow);
   }
   EXPECT_TRUE(world.sent.empty());
 }
@@ -93,7 +93,7 @@ TEST(failsafe_core, a_battery_of_which_the_autopilot_knows_nothing_is_yellow_and
   world.battery_percent = -1;
   world.run_s(60);
   EXPECT_TRUE(world.sent.empty());
-  EXPECT_EQ(world.health().how, wellness::impaired);
+  EXPECT_EQ(world.health().how, godwit::runtime::health_colour::yellow);
 }
 
 } // namespace

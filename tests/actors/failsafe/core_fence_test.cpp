@@ -83,7 +83,7 @@ TEST(failsafe_core, a_position_older_than_1_s_gives_no_verdict_and_is_yellow) {
   world.sends_positions = false;
   world.east_m = 500;
   world.run_s(5);
-  EXPECT_EQ(world.health().how, wellness::impaired);
+  EXPECT_EQ(world.health().how, godwit::runtime::health_colour::yellow);
   EXPECT_NE(world.health().reason.find("position"), std::string::npos);
   EXPECT_TRUE(world.sent.empty());
 }
@@ -107,7 +107,7 @@ TEST(failsafe_core, fences_that_are_refused_leave_the_ones_from_before) {
   ASSERT_EQ(world.limits_answered.size(), 2U);
   EXPECT_FALSE(world.limits_answered[1].taken);
   EXPECT_FALSE(world.limits_answered[1].reason.empty());
-  EXPECT_EQ(world.health().how, wellness::bad);
+  EXPECT_EQ(world.health().how, godwit::runtime::health_colour::red);
   world.east_m = 101;
   world.run_s(1);
   EXPECT_EQ(actions_of(world), these{action::return_home});

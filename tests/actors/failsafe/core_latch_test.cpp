@@ -152,7 +152,7 @@ TEST(failsafe_core, a_vehicle_of_unknown_kind_is_not_commanded_and_health_is_red
   flight_world world(vehicle_class::unknown);
   drain_to(world, 10);
   EXPECT_TRUE(world.sent.empty());
-  EXPECT_EQ(world.health().how, wellness::bad);
+  EXPECT_EQ(world.health().how, godwit::runtime::health_colour::red);
 }
 
 } // namespace

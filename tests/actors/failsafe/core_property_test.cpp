@@ -208,6 +208,8 @@ std::string text_of(const effects& all) {
             result += godwit::io::to_json(what.what);
           else if constexpr (std::is_same_v<E, stance_changed>)
             result += godwit::io::to_json(what.now);
+          else if constexpr (std::is_same_v<E, godwit::runtime::condition>)
+            result += std::to_string(static_cast<int>(what.how)) + what.reason;
           else if constexpr (requires { what.answer; })
             result += std::to_string(what.request_id) + godwit::io::to_json(what.answer);
           else

@@ -16,12 +16,12 @@ TEST(failsafe_core, sending_fails_again_each_tick_until_it_gets_through) {
   world.east_m = 101;
   world.run_ms(2'000);
   EXPECT_EQ(world.sent.size(), 20U);
-  EXPECT_EQ(world.health().how, wellness::bad);
+  EXPECT_EQ(world.health().how, godwit::runtime::health_colour::red);
   EXPECT_TRUE(world.has_warned_of("does not get through"));
   world.refuses.reset();
   world.run_s(10);
   EXPECT_EQ(world.obeyed.size(), 1U);
-  EXPECT_EQ(world.health().how, wellness::impaired);
+  EXPECT_EQ(world.health().how, godwit::runtime::health_colour::yellow);
 }
 
 TEST(failsafe_core, while_the_autopilot_is_not_heard_nothing_is_done) {
@@ -51,7 +51,7 @@ TEST(failsafe_core, when_the_autopilot_is_heard_again_its_mode_is_looked_at_firs
 }
 
 TEST(failsafe_core, a_command_goes_out_first_and_does_not_wait_for_the_disk) {
-  static_assert(command_vehicle::immediate);
+  static_assert(godwit::runtime::kind_of<command_vehicle> == godwit::runtime::effect_kind::at_once);
   core alone({}, {}, {});
   alone.take(heartbeat{vehicle_class::multirotor, true, in_mission}, {});
   alone.take(landed{landed_state::in_air}, {});

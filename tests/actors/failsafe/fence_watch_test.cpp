@@ -4,7 +4,7 @@
 
 #include "actors/failsafe/fence_watch.hpp"
 #include "actors/failsafe/instant.hpp"
-#include "tests/actors/failsafe/fences.hpp"
+#include "tests/actors/failsafe/positions.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr auto s = ns_per_s;
 
 fence_watch watch_of(const std::vector<geofence>& fences) {
   fence_watch result;
-  result.set(fence_judge::build(fences).value());
+  result.set(godwit::geofence::fence_set::build(fences).value());
   return result;
 }
 
@@ -124,7 +124,7 @@ TEST(fence_watch, new_fences_count_from_the_next_tick) {
   auto watch = within_100_m();
   watch.on_position(position_at(50, 0), 0);
   EXPECT_EQ(watch.evaluate(0, false).finding, fence_finding::inside);
-  watch.set(fence_judge::build({fence_of(fence_kind::inclusion, square(40))}).value());
+  watch.set(godwit::geofence::fence_set::build({fence_of(fence_kind::inclusion, square(40))}).value());
   EXPECT_EQ(watch.evaluate(s / 10, false).finding, fence_finding::breached);
 }
 

@@ -125,7 +125,7 @@ void flight_world::take_one(const stance_changed& what) {
 void flight_world::take_one(const remember& written) {
   ++remembered;
   auto next = records_.back();
-  (void)durable_core::handle(next, written.what, now().wall_ns);
+  (void)durable_core::apply(next, written.what, now().wall_ns);
   records_.push_back(std::move(next));
   if (records_.size() > max_records)
     records_.erase(records_.begin());

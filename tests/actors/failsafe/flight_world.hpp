@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "actors/failsafe/core.hpp"
-#include "tests/actors/failsafe/fences.hpp"
+#include "tests/actors/failsafe/positions.hpp"
 
 namespace godwit::tests {
 
@@ -75,7 +75,7 @@ public:
 
   [[nodiscard]] failsafe::instant now() const;
   [[nodiscard]] std::int64_t now_ms() const { return ms_; }
-  [[nodiscard]] const failsafe::health_changed& health() const { return core_->health(); }
+  [[nodiscard]] const godwit::runtime::condition& health() const { return core_->health(); }
   [[nodiscard]] const failsafe::state& kept() const { return records_.back(); }
   [[nodiscard]] bool has_warned_of(const std::string& text) const;
 
@@ -97,7 +97,7 @@ private:
   void take_one(const failsafe::override_settled& what) { answered.push_back(what.answer); }
   void take_one(const failsafe::guard_settled& what) { limits_answered.push_back(what.answer); }
   void take_one(const failsafe::warning& what) { warnings.push_back(what.text); }
-  void take_one(const failsafe::health_changed&) {}
+  void take_one(const godwit::runtime::condition&) {}
   void take_one(const failsafe::remember& written);
 
   failsafe::settings settings_;

@@ -18,19 +18,19 @@ findings all_well() {
 }
 
 TEST(health, when_all_is_known_and_nothing_acts_it_is_well_and_says_nothing) {
-  EXPECT_EQ(judge_health(all_well()), (health_changed{wellness::well, ""}));
+  EXPECT_EQ(judge_health(all_well()), (godwit::runtime::condition{godwit::runtime::health_colour::green, ""}));
 }
 
 TEST(health, an_unknown_battery_is_yellow) {
   auto all = all_well();
   all.battery = {};
-  EXPECT_EQ(judge_health(all).how, wellness::impaired);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::yellow);
 }
 
 TEST(health, a_position_that_is_too_old_is_yellow) {
   auto all = all_well();
   all.fences = fence_finding::no_verdict;
-  EXPECT_EQ(judge_health(all).how, wellness::impaired);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::yellow);
 }
 
 TEST(health, an_autopilot_that_is_not_heard_leaves_it_to_its_own_failsafes_and_says_so) {
@@ -42,13 +42,13 @@ TEST(health, an_autopilot_that_is_not_heard_leaves_it_to_its_own_failsafes_and_s
 TEST(health, what_keeps_failsafes_from_acting_is_said) {
   auto all = all_well();
   all.what = vehicle_class::unknown;
-  EXPECT_EQ(judge_health(all).how, wellness::bad);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::red);
   all = all_well();
   all.flight.landed_known = false;
-  EXPECT_EQ(judge_health(all).how, wellness::impaired);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::yellow);
   all = all_well();
   all.limits_refused = true;
-  EXPECT_EQ(judge_health(all).how, wellness::bad);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::red);
 }
 
 TEST(health, a_silent_operator_a_breach_and_a_pilot_are_yellow) {
@@ -59,15 +59,15 @@ TEST(health, a_silent_operator_a_breach_and_a_pilot_are_yellow) {
   auto piloted = all_well();
   piloted.taken_over = true;
   for (const auto& each : {silent, beyond, piloted})
-    EXPECT_EQ(judge_health(each).how, wellness::impaired);
+    EXPECT_EQ(judge_health(each).how, godwit::runtime::health_colour::yellow);
 }
 
 TEST(health, an_action_is_yellow_and_one_that_does_not_get_through_is_red) {
   auto all = all_well();
   all.reacts = told_reaction{};
-  EXPECT_EQ(judge_health(all).how, wellness::impaired);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::yellow);
   all.reacts->stage = reaction_stage::failing;
-  EXPECT_EQ(judge_health(all).how, wellness::bad);
+  EXPECT_EQ(judge_health(all).how, godwit::runtime::health_colour::red);
 }
 
 TEST(health, the_worst_gives_the_colour_and_all_sentences_are_there) {
@@ -75,7 +75,7 @@ TEST(health, the_worst_gives_the_colour_and_all_sentences_are_there) {
   all.battery = {};
   all.limits_refused = true;
   const auto result = judge_health(all);
-  EXPECT_EQ(result.how, wellness::bad);
+  EXPECT_EQ(result.how, godwit::runtime::health_colour::red);
   EXPECT_NE(result.reason.find("battery"), std::string::npos);
   EXPECT_NE(result.reason.find("; "), std::string::npos);
   EXPECT_NE(result.reason.find("refused"), std::string::npos);

@@ -8,10 +8,10 @@ using namespace godwit::failsafe;
 
 TEST(sentences, each_rule_says_its_cause) {
   const battery_verdict level{.known = true, .percent = 14};
-  const fence_verdict beyond{fence_finding::breached, breach{godwit::mission::fence_kind::exclusion, 2}, {}};
+  const fence_verdict beyond{fence_finding::breached, breach{2}, {}};
   EXPECT_EQ(cause_of(rule::battery_critical, level, {}), "the battery is at 14 %");
   EXPECT_EQ(cause_of(rule::battery_low, level, {}), "the battery is at 14 %");
-  EXPECT_EQ(cause_of(rule::fence, level, beyond), "a fence is breached: it is in the exclusion fence number 3");
+  EXPECT_EQ(cause_of(rule::fence, level, beyond), "a fence is breached: it is in geofence 3, which excludes it");
   EXPECT_EQ(cause_of(rule::operator_link, level, {}), "the operator's ground station is lost");
 }
 

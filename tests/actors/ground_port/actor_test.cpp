@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "actors/ground_port/actor.hpp"
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/ground_port/port_desk.hpp"
 
@@ -23,7 +24,7 @@ using test::station_id;
 using test::waypoints;
 
 constexpr std::array points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
-                            crash_point::before_let_out};
+                            crash_point::before_dispatch};
 
 // A line whose other end is the test. It outlives every incarnation, as the real one does.
 class test_line final : public wire {
@@ -72,10 +73,9 @@ using stand_in_handle =
                      runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>,
                      runtime::asks<operator_words::word, operator_words::answer>, runtime::tells<operator_link>>;
 
-class stand_in final : public runtime::cell<stand_in_handle> {
+class stand_in final : public runtime::actor_base<stand_in_handle> {
 public:
-  stand_in(runtime::actor_config& config, runtime::birth born, executor_record* record)
-      : cell(config, std::move(born)), record_(record) {}
+  stand_in(runtime::spawn_context context, executor_record* record) : actor_base(std::move(context)), record_(record) {}
 
 protected:
   behavior_type handlers() override {

@@ -100,7 +100,7 @@ TEST(ground_port, nothing_is_sent_while_the_link_is_down) {
   port.advance(3 * s);
   EXPECT_TRUE(port.frames.empty());
   EXPECT_GT(port.count_of("not_sent"), 0U);
-  EXPECT_EQ(port.port().health(port.now()).how, wellness::impaired);
+  EXPECT_EQ(port.port().health(port.now()).how, godwit::runtime::health_colour::yellow);
   port.link_is(io::link::link_phase::up);
   port.advance(1 * s);
   EXPECT_FALSE(port.frames.empty());
@@ -158,7 +158,7 @@ TEST(ground_port_as_autopilot, it_stands_down_when_the_autopilot_itself_is_on_th
   for (const auto& each : port.frames)
     EXPECT_EQ(each.frame.view().from(), port_id);
   EXPECT_EQ(port.last<mavlink::mission_current>().mission_id, id) << "the plans stay";
-  EXPECT_EQ(port.port().health(port.now()).how, wellness::bad);
+  EXPECT_EQ(port.port().health(port.now()).how, godwit::runtime::health_colour::red);
   EXPECT_TRUE(port.shown().autopilot_heard);
   port.forget();
   port.say(mavlink::command_long{.target_system = 1, .target_component = 1, .command = 300});
@@ -181,7 +181,7 @@ TEST(ground_port, an_autopilot_that_is_on_the_port_itself_is_not_forwarded_as_we
   port.advance(autopilot_is_here_ns);
   port.vehicle_says(mavlink::attitude{});
   EXPECT_EQ(port.sent<mavlink::attitude>().size(), 1U) << "it is gone";
-  EXPECT_EQ(port.port().health(port.now()).how, wellness::well);
+  EXPECT_EQ(port.port().health(port.now()).how, godwit::runtime::health_colour::green);
 }
 
 // -- stations -------------------------------------------------------------------------------------
@@ -261,7 +261,7 @@ TEST(ground_port, on_a_signed_port_unsigned_frames_are_not_heard_and_its_own_are
   port.say(mavlink::mission_request_list{});
   EXPECT_TRUE(port.sent<mavlink::mission_count>().empty());
   EXPECT_TRUE(port.shown().stations.empty());
-  EXPECT_EQ(port.port().health(port.now()).how, wellness::impaired);
+  EXPECT_EQ(port.port().health(port.now()).how, godwit::runtime::health_colour::yellow);
   port.vehicle_says(vehicle_beat());
   port.advance(1 * s);
   for (const auto& each : port.frames)

@@ -122,7 +122,7 @@ void desk::crash(bool let_out_again) {
 
 void desk::let_out_last_again() {
   for (const auto& each : std::vector(last_effects_))
-    let_out(each);
+    dispatch(each);
 }
 
 int desk::last_result() const {
@@ -174,12 +174,12 @@ void desk::reserve_signing_time() {
 
 void desk::write(const durable_event& each) {
   ++events;
-  last_effects_ = durable_core::handle(disk, each, now().wall_ns);
+  last_effects_ = durable_core::apply(disk, each, now().wall_ns);
   for (const auto& effect : std::vector(last_effects_))
-    let_out(effect);
+    dispatch(effect);
 }
 
-void desk::let_out(const durable_core::effect& each) {
+void desk::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, signing_time_reserved>)

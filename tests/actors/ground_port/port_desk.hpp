@@ -135,7 +135,7 @@ private:
   void carry_out(const effects& wanted);
   void write(const durable_event& each);
   void reserve_signing_time();
-  void let_out(const durable_core::effect& each);
+  void dispatch(const durable_core::effect& each);
   void make_core();
 
   settings settings_;

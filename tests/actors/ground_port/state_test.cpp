@@ -21,7 +21,7 @@ plan_noted noted(mav_mission_type type, std::size_t items) {
 
 TEST(ground_port_state, a_plan_that_is_on_the_disk_is_told_to_the_executor_before_it_is_acknowledged) {
   state s;
-  const auto effects = durable_core::handle(s, noted(mav_mission_type::mission, 3), 9);
+  const auto effects = durable_core::apply(s, noted(mav_mission_type::mission, 3), 9);
   ASSERT_EQ(effects.size(), 2U);
   EXPECT_EQ(std::get<executor::plan_taken>(effects[0]).items.size(), 3U);
   EXPECT_EQ(std::get<executor::plan_taken>(effects[0]).items[2].seq, 2);
@@ -33,11 +33,11 @@ TEST(ground_port_state, a_plan_that_is_on_the_disk_is_told_to_the_executor_befor
 
 TEST(ground_port_state, there_is_one_plan_of_each_type_and_a_cleared_one_is_gone) {
   state s;
-  (void)durable_core::handle(s, noted(mav_mission_type::mission, 3), 1);
-  (void)durable_core::handle(s, noted(mav_mission_type::fence, 2), 2);
-  (void)durable_core::handle(s, noted(mav_mission_type::mission, 4), 3);
+  (void)durable_core::apply(s, noted(mav_mission_type::mission, 3), 1);
+  (void)durable_core::apply(s, noted(mav_mission_type::fence, 2), 2);
+  (void)durable_core::apply(s, noted(mav_mission_type::mission, 4), 3);
   EXPECT_EQ(s.plans.size(), 2U);
-  const auto effects = durable_core::handle(s, noted(mav_mission_type::mission, 0), 4);
+  const auto effects = durable_core::apply(s, noted(mav_mission_type::mission, 0), 4);
   EXPECT_TRUE(std::holds_alternative<executor::plan_cleared>(effects[0]));
   ASSERT_EQ(s.plans.size(), 1U);
   EXPECT_EQ(s.plans[0].type, mav_mission_type::fence);
@@ -47,18 +47,18 @@ TEST(ground_port_state, a_mission_of_the_executors_is_not_told_back_to_it) {
   state s;
   auto what = noted(mav_mission_type::mission, 3);
   what.from_executor = true;
-  EXPECT_EQ(durable_core::handle(s, what, 1).size(), 1U);
+  EXPECT_EQ(durable_core::apply(s, what, 1).size(), 1U);
 }
 
 TEST(ground_port_state, a_start_is_given_to_the_executor_once_and_settled_once) {
   state s;
   start_noted what;
   what.record.asked.key = 9;
-  const auto asked = durable_core::handle(s, what, 1);
+  const auto asked = durable_core::apply(s, what, 1);
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_EQ(std::get<executor::start_mission>(asked[0]).key, 9U);
   what.record.is_settled = true;
-  const auto settled = durable_core::handle(s, what, 2);
+  const auto settled = durable_core::apply(s, what, 2);
   ASSERT_EQ(settled.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<start_settled>(settled[0]));
   EXPECT_TRUE(s.last_start->is_settled);
@@ -66,28 +66,28 @@ TEST(ground_port_state, a_start_is_given_to_the_executor_once_and_settled_once) 
 
 TEST(ground_port_state, a_start_item_is_kept_until_a_start_has_used_it_or_the_mission_changes) {
   state s;
-  (void)durable_core::handle(s, start_item_noted{1, 3, {}}, 1);
+  (void)durable_core::apply(s, start_item_noted{1, 3, {}}, 1);
   EXPECT_EQ(s.start_item, 3);
   start_noted refused;
   refused.record.is_settled = true;
   refused.record.result = io::mavlink::number(io::mavlink::mav_result::denied);
-  (void)durable_core::handle(s, refused, 2);
+  (void)durable_core::apply(s, refused, 2);
   EXPECT_EQ(s.start_item, 3);
   auto accepted = refused;
   accepted.record.result = 0;
-  (void)durable_core::handle(s, accepted, 3);
+  (void)durable_core::apply(s, accepted, 3);
   EXPECT_EQ(s.start_item, std::nullopt);
-  (void)durable_core::handle(s, start_item_noted{2, 3, {}}, 4);
-  (void)durable_core::handle(s, noted(mav_mission_type::fence, 3), 5);
+  (void)durable_core::apply(s, start_item_noted{2, 3, {}}, 4);
+  (void)durable_core::apply(s, noted(mav_mission_type::fence, 3), 5);
   EXPECT_EQ(s.start_item, 3);
-  (void)durable_core::handle(s, noted(mav_mission_type::mission, 3), 6);
+  (void)durable_core::apply(s, noted(mav_mission_type::mission, 3), 6);
   EXPECT_EQ(s.start_item, std::nullopt);
 }
 
 TEST(ground_port_state, signing_time_never_goes_back) {
   state s;
-  (void)durable_core::handle(s, signing_time_reserved{10}, 1);
-  (void)durable_core::handle(s, signing_time_reserved{7}, 2);
+  (void)durable_core::apply(s, signing_time_reserved{10}, 1);
+  (void)durable_core::apply(s, signing_time_reserved{7}, 2);
   EXPECT_EQ(s.signing_ceiling, 10U);
 }
 

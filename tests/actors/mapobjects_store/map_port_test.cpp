@@ -9,6 +9,8 @@
 #include <memory>
 
 #include "actors/mapobjects_store/actor.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/process.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
@@ -26,11 +28,10 @@ struct start_looking {
 using recogniser_handle = runtime::mailbox<runtime::tells<start_looking>>;
 
 // Says that it has seen something when it is told to, and keeps what it hears.
-class recogniser final : public runtime::cell<recogniser_handle> {
+class recogniser final : public runtime::actor_base<recogniser_handle> {
 public:
-  recogniser(runtime::actor_config& config, runtime::birth born, sighting_handle map,
-             std::shared_ptr<std::promise<sighting_answer>> heard)
-      : cell(config, std::move(born)), map_(std::move(map)), heard_(std::move(heard)) {}
+  recogniser(runtime::spawn_context context, sighting_handle map, std::shared_ptr<std::promise<sighting_answer>> heard)
+      : actor_base(std::move(context)), map_(std::move(map)), heard_(std::move(heard)) {}
 
 protected:
   behavior_type handlers() override {

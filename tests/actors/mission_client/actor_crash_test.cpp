@@ -149,7 +149,7 @@ void expect_each_once(const flight& f) {
 
 TEST(mission_client_crashes, at_every_message_and_crash_point_of_a_flight_all_is_once_in_effect) {
   for (const auto where : {crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
-                           crash_point::before_let_out})
+                           crash_point::before_dispatch})
     for (std::size_t after = 0;; ++after) {
       flight f({after, where});
       ASSERT_TRUE(f.fly()) << after;

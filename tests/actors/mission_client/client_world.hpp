@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "actors/mission_client/actor.hpp"
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/mission_client/scripted_service.hpp"
 #include "tests/actors/mission_client/scripted_store.hpp"
@@ -28,10 +29,9 @@ struct heard {
   std::vector<mission_settled> settled;
 };
 
-class listener final : public runtime::cell<listener_handle> {
+class listener final : public runtime::actor_base<listener_handle> {
 public:
-  listener(runtime::actor_config& config, runtime::birth born, heard* into)
-      : cell(config, std::move(born)), into_(into) {}
+  listener(runtime::spawn_context context, heard* into) : actor_base(std::move(context)), into_(into) {}
 
 protected:
   behavior_type handlers() override;

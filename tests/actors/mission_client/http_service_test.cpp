@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "actors/mission_client/judgement.hpp"
+#include "runtime/actor_base.hpp"
 #include "runtime/system.hpp"
 #include "tests/support/http_server.hpp"
 
@@ -37,10 +38,9 @@ struct alarm {
   int rings = 0;
 };
 
-class sleeper final : public runtime::cell<wake_handle> {
+class sleeper final : public runtime::actor_base<wake_handle> {
 public:
-  sleeper(runtime::actor_config& config, runtime::birth born, alarm* bell)
-      : cell(config, std::move(born)), bell_(bell) {}
+  sleeper(runtime::spawn_context context, alarm* bell) : actor_base(std::move(context)), bell_(bell) {}
 
 protected:
   behavior_type handlers() override {

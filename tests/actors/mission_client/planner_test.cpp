@@ -39,7 +39,7 @@ public:
     return result;
   }
   void happens(const event& what) {
-    for (const auto& each : durable_core::handle(s, what, now.wall_ns))
+    for (const auto& each : durable_core::apply(s, what, now.wall_ns))
       if (const auto* news = std::get_if<on_disk>(&each))
         planner_.on_disk(*news);
   }
@@ -158,7 +158,7 @@ TEST(mission_client_planner, an_answer_that_nobody_waits_for_changes_nothing) {
 
 TEST(mission_client_planner, what_is_not_on_the_disk_is_not_sent) {
   desk_top d;
-  (void)durable_core::handle(d.s, report(1), d.now.wall_ns); // its on_disk does not come
+  (void)durable_core::apply(d.s, report(1), d.now.wall_ns); // its on_disk does not come
   EXPECT_TRUE(d.plan().calls.empty());
   d.of().on_disk({d.s.next_order, false});
   EXPECT_EQ(d.plan().calls.size(), 1U);

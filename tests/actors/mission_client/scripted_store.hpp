@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "messages/mapobjects_store/handle.hpp"
-#include "runtime/cell.hpp"
+#include "runtime/actor_base.hpp"
 
 namespace godwit::mission_client::test {
 
@@ -66,10 +66,9 @@ private:
   std::uint64_t made_ = 0;
 };
 
-class store_actor final : public runtime::cell<store::client_handle> {
+class store_actor final : public runtime::actor_base<store::client_handle> {
 public:
-  store_actor(runtime::actor_config& config, runtime::birth born, scripted_store* held)
-      : cell(config, std::move(born)), held_(held) {}
+  store_actor(runtime::spawn_context context, scripted_store* held) : actor_base(std::move(context)), held_(held) {}
 
 protected:
   behavior_type handlers() override;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "actors/vehicle_link/actor.hpp"
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/vehicle_link/vehicle_frames.hpp"
 
@@ -52,9 +53,9 @@ struct heard {
 using ear_handle = runtime::mailbox<runtime::tells<connection_changed>, runtime::tells<mavlink::attitude>,
                                     runtime::tells<vehicle_restarted>>;
 
-class ear final : public runtime::cell<ear_handle> {
+class ear final : public runtime::actor_base<ear_handle> {
 public:
-  ear(runtime::actor_config& config, runtime::birth born, heard* what) : cell(config, std::move(born)), what_(what) {}
+  ear(runtime::spawn_context context, heard* what) : actor_base(std::move(context)), what_(what) {}
 
 protected:
   behavior_type handlers() override {

@@ -83,7 +83,7 @@ TEST(vehicle_link_core, the_heartbeat_is_held_back_while_one_of_those_who_vouch_
   c.it.on_vouch({"executor"}, at(0));
   EXPECT_TRUE(sent_of<mavlink::heartbeat>(c.it.on_time(at(s))).empty());
   EXPECT_TRUE(c.it.describe(at(s)).heartbeat_held_back);
-  EXPECT_EQ(c.it.health(at(s)).how, wellness::impaired);
+  EXPECT_EQ(c.it.health(at(s)).how, godwit::runtime::health_colour::yellow);
   c.it.on_vouch({"executor"}, at(s));
   c.it.on_vouch({"failsafe"}, at(s));
   EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(2 * s))).size(), 1U);
@@ -99,9 +99,9 @@ TEST(vehicle_link_core, tells_of_each_change_of_the_connection_once) {
   const auto lost = announced<connection_changed>(c.it.on_time(at(6 * s)));
   ASSERT_EQ(lost.size(), 1U);
   EXPECT_EQ(lost[0].phase, connection_phase::lost);
-  EXPECT_EQ(c.it.health(at(6 * s)).how, wellness::bad);
+  EXPECT_EQ(c.it.health(at(6 * s)).how, godwit::runtime::health_colour::red);
   EXPECT_EQ(announced<connection_changed>(c.vehicle.beat(c.it, 7 * s)).size(), 1U);
-  EXPECT_EQ(c.it.health(at(7 * s)).how, wellness::well);
+  EXPECT_EQ(c.it.health(at(7 * s)).how, godwit::runtime::health_colour::green);
 }
 
 TEST(vehicle_link_core, an_autopilot_that_restarts_while_it_is_lost_does_not_keep_the_link_busy) {
@@ -352,10 +352,10 @@ TEST(vehicle_link_core, signing_beyond_what_is_reserved_on_the_disk_is_bad_healt
   ASSERT_TRUE(wanted);
   c.it.on_reserved(*wanted);
   (void)c.it.on_time(at(s));
-  EXPECT_EQ(c.it.health(at(s)).how, wellness::well);
+  EXPECT_EQ(c.it.health(at(s)).how, godwit::runtime::health_colour::green);
   (void)c.vehicle.beat(c.it, 7 * s);
   (void)c.it.on_time(at(8 * s)); // the journal did not answer meanwhile
-  EXPECT_EQ(c.it.health(at(8 * s)).how, wellness::bad);
+  EXPECT_EQ(c.it.health(at(8 * s)).how, godwit::runtime::health_colour::red);
 }
 
 // -- bad input -------------------------------------------------------------------------------------------------------

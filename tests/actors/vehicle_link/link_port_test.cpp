@@ -13,6 +13,7 @@
 
 #include "actors/vehicle_link/actor.hpp"
 #include "actors/vehicle_link/link_port.hpp"
+#include "runtime/actor_base.hpp"
 #include "runtime/process.hpp"
 #include "tests/io/link/far_ends.hpp"
 
@@ -61,9 +62,9 @@ private:
 
 using ear_handle = runtime::mailbox<runtime::tells<connection_changed>, runtime::tells<mavlink::attitude>>;
 
-class ear final : public runtime::cell<ear_handle> {
+class ear final : public runtime::actor_base<ear_handle> {
 public:
-  ear(runtime::actor_config& config, runtime::birth born, news* what) : cell(config, std::move(born)), what_(what) {}
+  ear(runtime::spawn_context context, news* what) : actor_base(std::move(context)), what_(what) {}
 
 protected:
   behavior_type handlers() override {

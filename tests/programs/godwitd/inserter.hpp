@@ -1,6 +1,6 @@
 // Stands for whoever confirms a target in flight: asks once in effect for a waypoint, as soon as the map is there.
 //
-// The key is the same in each run, as it would be for who keeps it over a crash. Thread: as cell.
+// The key is the same in each run, as it would be for who keeps it over a crash. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "messages/mission_client/handle.hpp"
-#include "runtime/cell.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 
 namespace godwit::test {
 
@@ -18,11 +19,10 @@ struct look {
 
 using inserter_handle = runtime::mailbox<runtime::tells<look>>;
 
-class inserter final : public runtime::cell<inserter_handle> {
+class inserter final : public runtime::actor_base<inserter_handle> {
 public:
-  inserter(runtime::actor_config& config, runtime::birth born, mission_client::own_handle client,
-           std::string mission_id)
-      : cell(config, std::move(born)), client_(std::move(client)), mission_id_(std::move(mission_id)) {}
+  inserter(runtime::spawn_context context, mission_client::own_handle client, std::string mission_id)
+      : actor_base(std::move(context)), client_(std::move(client)), mission_id_(std::move(mission_id)) {}
 
 protected:
   behavior_type handlers() override {

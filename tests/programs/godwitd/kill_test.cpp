@@ -2,12 +2,13 @@
 // whatever commit it is, the next run goes on, and the service has every row once.
 //
 // The places are enumerated and not drawn: the first run dies at the first commit, the next one at the second, until a
-// run ends by itself. Each has a mission of its own, so that some can run side by side. GODWIT_FULL=1 makes it the size
+// run ends by itself. Each has a mission of its own, so that some can run side by side. TEST_FULL=1 makes it the size
 // of a flight.
 #include <gtest/gtest.h>
 
 #include "tests/programs/godwitd/daemon_world.hpp"
 #include "tests/programs/godwitd/process.hpp"
+#include "tests/support/run_options.hpp"
 
 namespace {
 

@@ -46,7 +46,7 @@ public:
 private:
   static std::vector<std::string> words(const std::string& path, const std::vector<std::string>& arguments) {
     // GODWIT_ variables of the test are none of godwitd's.
-    std::vector<std::string> result{"-c", R"(unset GODWIT_FULL GODWIT_SEED; echo "id $$"; exec "$0" "$@" 2>&1)", path};
+    std::vector<std::string> result{"-c", R"(unset TEST_FULL TEST_SEED; echo "id $$"; exec "$0" "$@" 2>&1)", path};
     result.insert(result.end(), arguments.begin(), arguments.end());
     return result;
   }

@@ -75,12 +75,11 @@ TEST(config, given_values_stay_beside_the_defaults) {
 }
 
 TEST(config, all_errors_are_reported_at_once_with_path_and_allowed_values) {
-  EXPECT_EQ(
-      message_of(R"({"trace": {"total_mib": 5, "segmnt_mib": 4}, "scheduler": {"workers": "two"}})"),
-      "godwit.json: scheduler.workers is \"two\"; allowed: an integer from 0 to 256\n"
-      "godwit.json: trace.total_mib is 5; allowed: an integer from 16 to 65536\n"
-      "godwit.json: trace.segmnt_mib is not known; did you mean segment_mib?; allowed: \"directory\", \"flush_ms\", "
-      "\"segment_mib\", \"total_mib\"");
+  EXPECT_EQ(message_of(R"({"trace": {"total_mib": 5, "segmnt_mib": 4}, "scheduler": {"workers": "two"}})"),
+            "godwit.json: scheduler.workers is \"two\"; allowed: a whole number from 0 to 256\n"
+            "godwit.json: trace.total_mib is 5; allowed: a whole number from 16 to 65536\n"
+            "godwit.json: trace.segmnt_mib is not known; did you mean segment_mib?; allowed: directory, flush_ms, "
+            "segment_mib, total_mib");
 }
 
 TEST(config, the_number_of_reported_problems_has_a_bound_and_the_rest_is_counted) {

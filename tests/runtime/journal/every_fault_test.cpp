@@ -37,7 +37,7 @@ journal_options options_of(const std::string& path, const char* vfs) {
 // Each event brings two effects, releases those of the event before, and writes a row into every kind of table.
 journal_write chapter(const std::string& actor, std::int64_t n) {
   auto write = event_write(actor, n);
-  write.event->body = std::string(700, 'e');
+  write.events.front().body = std::string(700, 'e');
   write.effects = {effect_of(n, 0), effect_of(n, 1)};
   if (n > 1)
     write.released = {{n - 1, 0}, {n - 1, 1}};

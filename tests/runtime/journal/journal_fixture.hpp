@@ -44,7 +44,7 @@ inline runtime::journal_write event_write(const std::string& actor, std::int64_t
   runtime::journal_write write;
   write.actor = actor;
   write.incarnation = incarnation;
-  write.event = runtime::event_record{number, 1'000 + number, "moved", "{\"n\":" + std::to_string(number) + "}"};
+  write.events = {{number, 1'000 + number, "moved", "{\"n\":" + std::to_string(number) + "}"}};
   return write;
 }
 

@@ -42,7 +42,7 @@ TEST(overlay_test, tells_what_the_database_will_tell) {
     for (std::int64_t n = 1; n <= 40; ++n) {
       const auto write = random_write(random, n, open);
       lay_over(laid, write);
-      ASSERT_TRUE(journal->submit(write));
+      ASSERT_TRUE(journal->submit(journal_write(write)));
     }
     const auto read = recover(*journal, "a");
     ASSERT_TRUE(read);

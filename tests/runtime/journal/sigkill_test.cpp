@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/runtime/journal/journal_fixture.hpp"
+#include "tests/support/run_options.hpp"
 #include "tests/support/victim.hpp"
 
 namespace godwit::tests {
@@ -27,7 +28,7 @@ void note_acknowledged(const std::string& text, std::map<std::string, std::int64
 TEST(sigkill_test, loses_no_acknowledged_event_and_the_journal_stays_sound) {
   const auto started_with = seed_of_this_run();
   const int rounds = is_full_run() ? 200 : 20;
-  std::cout << "seed " << started_with << " (GODWIT_SEED runs it again)\n";
+  std::cout << "seed " << started_with << " (TEST_SEED runs it again)\n";
   std::mt19937_64 random(started_with);
   std::uniform_int_distribution<int> life_us(2'000, 40'000);
   scratch_folder folder;

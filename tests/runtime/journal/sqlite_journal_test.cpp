@@ -87,8 +87,8 @@ TEST_F(sqlite_journal_test, an_unknown_actor_recovers_empty) {
 TEST_F(sqlite_journal_test, texts_keep_zero_bytes_quotes_and_emptiness) {
   auto journal = open_journal(options());
   auto write = event_write("it's", 1);
-  write.event->body = std::string("a\0b'\"", 5);
-  write.event->type = "";
+  write.events.front().body = std::string("a\0b'\"", 5);
+  write.events.front().type = "";
   ASSERT_TRUE(commit(*journal, std::move(write)));
   const auto state = recover(*journal, "it's");
   EXPECT_EQ(state->events.at(0).body, std::string("a\0b'\"", 5));
@@ -260,7 +260,7 @@ TEST_F(sqlite_journal_test, the_queue_is_bounded_in_writes_and_in_bytes) {
   opts.max_queued_bytes = 64 * 1024;
   auto journal = open_journal(opts);
   auto large = event_write("a", 1);
-  large.event->body = std::string(65 * 1024, 'x');
+  large.events.front().body = std::string(65 * 1024, 'x');
   const auto refused = journal->submit(std::move(large));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, journal_errc::queue_full);

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     std::binary_semaphore answered{0};
     journal_write write;
     write.actor = "counter";
-    write.event = event_record{number, number, "counted", "{}"};
+    write.events = {{number, number, "counted", "{}"}};
     write.done = [&](const commit_result&) { answered.release(); };
     if (!(*journal)->submit(std::move(write)))
       return 1;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "runtime/actor_base.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/support/ledger.hpp"
 
@@ -18,9 +20,9 @@ struct count_up {
 
 using worker_handle = mailbox<tells<fail>, tells<count_up>>;
 
-class worker final : public cell<worker_handle> {
+class worker final : public actor_base<worker_handle> {
 public:
-  worker(caf::actor_config& config, birth born, int* counted) : cell(config, std::move(born)), counted_(counted) {}
+  worker(spawn_context context, int* counted) : actor_base(std::move(context)), counted_(counted) {}
 
 protected:
   behavior_type handlers() override {
@@ -33,9 +35,9 @@ private:
 };
 
 // A child whose constructor throws the first N times.
-class late_bloomer final : public cell<mailbox<tells<count_up>>> {
+class late_bloomer final : public actor_base<mailbox<tells<count_up>>> {
 public:
-  late_bloomer(caf::actor_config& config, birth born, int* failures_left) : cell(config, std::move(born)) {
+  late_bloomer(spawn_context context, int* failures_left) : actor_base(std::move(context)) {
     if ((*failures_left)-- > 0)
       throw std::runtime_error("not yet");
   }
@@ -55,10 +57,10 @@ struct boss_notes {
 };
 
 // The actor that decides: adopts the children at its start, hears of them, sets their policies.
-class boss final : public cell<boss_handle> {
+class boss final : public actor_base<boss_handle> {
 public:
-  boss(caf::actor_config& config, birth born, guardian_handle guardian, boss_notes* notes)
-      : cell(config, std::move(born)), guardian_(std::move(guardian)), notes_(notes) {}
+  boss(spawn_context context, guardian_handle guardian, boss_notes* notes)
+      : actor_base(std::move(context)), guardian_(std::move(guardian)), notes_(notes) {}
 
 protected:
   behavior_type handlers() override {

@@ -18,6 +18,7 @@
 #include "io/mcap/byte_source.hpp"
 #include "io/mcap/repair.hpp"
 #include "io/mcap/stream_reader.hpp"
+#include "runtime/define_message.hpp"
 #include "runtime/trace/ring_trace.hpp"
 #include "runtime/trace/trace_renderer.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
@@ -150,7 +151,7 @@ struct recorder {
     entry.sender = bob;
     entry.incarnation = 3;
     entry.how = how;
-    trace->record(entry, type_of<T>, &body);
+    trace->record(entry, type_of<T>(), &body);
   }
   [[nodiscard]] health_entry trace_health() const {
     for (const auto& each : health.entries())

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/mission/convert/item_export.hpp"
 
 namespace godwit::mission {
@@ -72,7 +73,7 @@ json fence_of(const document& mission, loss_list& losses) {
     const auto& each = mission.geofences[i];
     if (each.floor_m || each.ceiling_m)
       losses.add({{},
-                  "geofence " + std::to_string(i) + ": floor and ceiling",
+                  godwit::geofence::fence_name(i) + ": floor and ceiling",
                   "the fences of a plan have no heights",
                   "left out"});
     polygons.push_back(

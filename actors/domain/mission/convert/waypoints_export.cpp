@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/mission/convert/item_export.hpp"
 #include "io/mavlink/waypoint_file/waypoint_writer.hpp"
 #include "runtime/assert.hpp"
@@ -50,7 +51,7 @@ exported export_waypoints(const document& mission) {
       lines.push_back(line_of(each, home));
   }
   for (std::size_t i = 0; i < mission.geofences.size(); ++i)
-    result.losses.add({{}, "geofence " + std::to_string(i), "a file of lines has no fences", "left out"});
+    result.losses.add({{}, godwit::geofence::fence_name(i), "a file of lines has no fences", "left out"});
   for (std::size_t i = 0; i < lines.size(); ++i)
     lines[i].seq = static_cast<std::uint16_t>(i);
   auto text = io::mavlink::write_waypoints(lines);

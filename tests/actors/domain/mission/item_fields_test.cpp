@@ -3,7 +3,12 @@
 #include <array>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "io/fields/binary.hpp"
+#include "io/fields/json_schema.hpp"
+#include "io/fields/json_text.hpp"
+#include "io/fields/json_value.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::mission {

@@ -52,8 +52,8 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
   const auto form = document_errc::wrong_form;
   const auto rule = document_errc::broken_rule;
   const wrong_case cases[] = {
-      {"/items/2/at/latitude", 95, form, "/items/2/at/latitude is 95; allowed: a number from -90 up to 90"},
-      {"/items/2/at/longitude", nullptr, form, "/items/2/at/longitude is null; allowed: a number from -180 up to 180"},
+      {"/items/2/at/latitude", 95, form, "/items/2/at/latitude is 95; allowed: a number from -90 to 90"},
+      {"/items/2/at/longitude", nullptr, form, "/items/2/at/longitude is null; allowed: a number from -180 to 180"},
       {"/items/2/speed_mps", 0, form, "/items/2/speed_mps is 0; allowed: a number above 0 up to 500"},
       {"/items/1/mps", -1, form, "/items/1/mps is -1; allowed: a number above 0 up to 500"},
       {"/items/0/kind", "hover", form,
@@ -62,11 +62,11 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
       {"/items/0/altitude", 4, form,
        "/items/0/altitude is not known; did you mean altitude_m?; allowed: altitude_m, id, kind"},
       {"/items/3/heading_deg", 360, form, "/items/3/heading_deg is 360; allowed: a number from 0 below 360"},
-      {"/items", json::array(), form, "/items is a list of 0; allowed: a list of at least 1 of at most 10000 entries"},
+      {"/items", json::array(), form, "/items is a list of 0; allowed: a list of 1 to 10000 entries"},
       {"/mission_id", "7D1C1F0E-6b0c-4c55-9d0d-2f6d3c8b1a42", form,
        "/mission_id is \"7D1C1F0E-6b0c-4c55-9d0d-2f6d3c8b1a42\"; allowed: a UUID in lower case, such as "
        "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42"},
-      {"/revision", 0, form, "/revision is 0; allowed: a whole number from 1 up to 2147483647"},
+      {"/revision", 0, form, "/revision is 0; allowed: a whole number from 1 to 2147483647"},
       {"/pilot", "me", form,
        "/pilot is not known; allowed: geofences, items, mission_id, return_point, revision, schema_version"},
       {"/geofences/0/kind", "inclusion", form,
@@ -108,7 +108,7 @@ TEST(read_mission, a_missing_property_is_named) {
   mission.erase("return_point");
   mission["items"][2].erase("hold_s");
   EXPECT_EQ(error_of(mission).message(), "/return_point is missing; allowed: a position\n"
-                                         "/items/2/hold_s is missing; allowed: a number from 0 up to 86400");
+                                         "/items/2/hold_s is missing; allowed: a number from 0 to 86400");
 }
 
 TEST(read_mission, an_item_without_a_kind_is_not_judged_as_each_kind) {
@@ -147,7 +147,7 @@ TEST(read_map, a_wrong_row_of_a_page_is_named_and_the_page_is_refused_as_a_whole
   wrong["confidence"] = 1.5;
   page["map_objects"].push_back(wrong);
   EXPECT_EQ(read<map_object_page>(page.dump()).error().message(),
-            "/map_objects/1/confidence is 1.5; allowed: a number from 0 up to 1");
+            "/map_objects/1/confidence is 1.5; allowed: a number from 0 to 1");
 }
 
 TEST(read_mission, at_most_10000_items) {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "actors/domain/mission/explain.hpp"
-#include "actors/domain/mission/judge.hpp"
 #include "actors/domain/mission/schema_store.hpp"
+#include "io/json_schema/compiled_schema.hpp"
+#include "io/json_schema/explain.hpp"
 #include "tests/actors/domain/mission/document_maker.hpp"
 
 namespace godwit::mission {
@@ -51,15 +51,16 @@ RC_GTEST_PROP(schema_check_property, it_agrees_with_valijson_and_with_the_senten
   for (const auto& each : embedded_schemas()) {
     const auto& schema = schema_named(each.name);
     const schema_check check(schema);
+    const io::schemas::compiled_schema by_valijson(schema);
     for (int i = 0; i < 10 && schema.contains("type"); ++i) {
       auto document = make.document(schema);
       for (int damages = make.whole(0, 2); damages > 0; --damages)
         make.damage(document);
       const bool holds = check.holds(document);
       (holds ? valid : wrong) += 1;
-      if (holds != is_valid_for_valijson(document, each.name))
+      if (holds != by_valijson.holds(document))
         RC_FAIL("valijson disagrees by " + std::string(each.name) + " about " + document.dump());
-      if (holds != explain(document, schema).empty())
+      if (holds != io::schemas::explain(document, schema, 32).empty())
         RC_FAIL("the sentences disagree by " + std::string(each.name) + " about " + document.dump());
     }
   }

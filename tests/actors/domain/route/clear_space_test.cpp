@@ -91,14 +91,5 @@ TEST(clear_space, who_is_too_near_to_the_edge_of_an_inclusion_may_fly_inwards) {
   EXPECT_FALSE(space.is_clear_from_here({{3, 50}, {1, 80}}));
 }
 
-TEST(clear_space, it_is_known_where_a_way_leaves) {
-  const flat_polygon area({{0, 0}, {100, 0}, {100, 100}, {0, 100}});
-  const std::vector<const flat_polygon*> areas{&area};
-  EXPECT_NEAR(*leaves_at(areas, {{50, 50}, {250, 50}}, 0), 0.25, 1e-9);
-  EXPECT_NEAR(*leaves_at(areas, {{50, 50}, {250, 50}}, 10), 0.2, 1e-9);
-  EXPECT_EQ(leaves_at(areas, {{150, 50}, {250, 50}}, 0), 0.0);
-  EXPECT_EQ(leaves_at(areas, {{0, 0}, {0, 100}}, 0), std::nullopt) << "a side is inside";
-}
-
 } // namespace
 } // namespace godwit::route

@@ -71,6 +71,51 @@ TEST(route, around_an_exclusion_with_the_margin) {
     EXPECT_FALSE(is_within(9.9, each, polygon_of(fences[0])));
 }
 
+// The places at which a vehicle can be that turns up to RADIUS before each corner and flies straight to the next place.
+std::vector<geo::point> with_cut_corners(const route& way, double radius_m) {
+  std::vector<geo::point> places;
+  for (std::size_t i = 1; i + 1 < way.points.size(); ++i) {
+    const geo::local_projection corner(way.points[i]);
+    const auto before = corner.to_local(way.points[i - 1]);
+    const auto next = corner.to_local(way.points[i + 1]);
+    const double length_m = std::hypot(before.east_m, before.north_m);
+    for (const double part : {0.5, 1.0}) {
+      const double early = std::min(1.0, part * radius_m / length_m);
+      const geo::local_point from{early * before.east_m, early * before.north_m};
+      for (int step = 0; step <= 40; ++step)
+        places.push_back(corner.to_globe({from.east_m + step / 40.0 * (next.east_m - from.east_m),
+                                          from.north_m + step / 40.0 * (next.north_m - from.north_m)}));
+    }
+  }
+  return places;
+}
+
+bool keeps_away(const std::vector<geo::point>& places, double metres, const mission::geofence& fence) {
+  const auto area = polygon_of(fence);
+  return std::none_of(places.begin(), places.end(), [&](const auto& each) { return is_within(metres, each, area); });
+}
+
+TEST(route, the_margin_holds_where_the_vehicle_cuts_a_corner) {
+  const auto sharp = exclusion({{-400, 0}, {0, -40}, {0, 40}});
+  auto request = from_to(place(-300, -200), place(-300, 200));
+  const auto without = find_route(request, fence_list{sharp});
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(keeps_away(with_cut_corners(*without, 5), 9.9, sharp)) << "else this shows nothing";
+  request.turn_room_m = 5;
+  const auto found = find_route(request, fence_list{sharp});
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->points.size(), 2U);
+  EXPECT_TRUE(keeps_away(with_cut_corners(*found, 5), 9.9, sharp));
+}
+
+TEST(route, a_destination_at_the_margin_is_reached_though_there_is_no_room_to_turn_at_it) {
+  auto request = from_to(place(-500, 0), place(61, 0));
+  request.turn_room_m = 5;
+  const auto found = find_route(request, fence_list{exclusion(box(-50, -200, 50, 100))});
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->points.size(), 2U);
+}
+
 TEST(route, inside_of_a_dented_inclusion_it_goes_around_the_dent) {
   const fence_list fences{inclusion({{-500, -500}, {500, -500}, {500, 500}, {0, -300}, {-500, 500}})};
   const auto found = find_route(from_to(place(-400, 200), place(400, 200)), fences);
@@ -114,10 +159,10 @@ TEST(route, refused_when_the_destination_is_in_a_fence_or_too_near_to_one) {
   ASSERT_FALSE(inside);
   EXPECT_EQ(inside.error().code, route_errc::end_is_blocked);
   EXPECT_EQ(inside.error().fence, 1U);
-  EXPECT_EQ(inside.error().reason, "The destination lies inside geofence 1, which excludes it.");
+  EXPECT_EQ(inside.error().reason, "The destination lies inside geofence 2, which excludes it.");
   const auto near = find_route(from_to(place(-500, 0), place(-4, 50)), fences);
   ASSERT_FALSE(near);
-  EXPECT_EQ(near.error().reason, "The destination is 4.0 m from geofence 1; keep 10.0 m away from it.");
+  EXPECT_EQ(near.error().reason, "The destination is 4.0 m from geofence 2; keep 10.0 m away from it.");
   const auto outside = find_route(from_to(place(-500, 0), place(2000, 50)), fences);
   ASSERT_FALSE(outside);
   EXPECT_EQ(outside.error().reason, "The destination lies outside of all inclusion fences.");
@@ -160,6 +205,9 @@ TEST(route, bounds_have_a_defined_result) {
   EXPECT_EQ(code_of(from_to(place(0, 0), place(60'000, 0)), {}), route_errc::too_far);
   EXPECT_EQ(code_of(from_to(place(0, 0), place(10, 0), 0.1), {}), route_errc::wrong_request);
   EXPECT_EQ(code_of(from_to(place(0, 0), place(10, 0), std::nan("")), {}), route_errc::wrong_request);
+  auto roomy = from_to(place(0, 0), place(10, 0));
+  roomy.turn_room_m = std::nan("");
+  EXPECT_EQ(code_of(roomy, {}), route_errc::wrong_request);
   EXPECT_EQ(code_of(from_to({95, 0}, {0, 0}), {}), route_errc::wrong_request);
   const fence_list many(max_corners / 4 + 1, exclusion(box(-50, -50, 50, 50)));
   EXPECT_EQ(code_of(from_to(place(-500, 0), place(500, 0)), many), route_errc::too_many_corners);
@@ -218,6 +266,21 @@ RC_GTEST_PROP(route_property, a_route_never_comes_nearer_to_a_fence_than_the_mar
       else
         RC_ASSERT(area.contains(at));
     }
+}
+
+RC_GTEST_PROP(route_property, cut_corners_come_no_nearer_to_an_exclusion_than_the_margin, ()) {
+  std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+  fence_list fences;
+  for (const double east_m : {-500.0, 0.0, 500.0})
+    fences.push_back(exclusion(tests::star(random, {east_m, 0}, 40, 350)));
+  auto request = from_to(place(-1100, -100), place(1100, 100), *tests::number_between(5, 30));
+  request.turn_room_m = *tests::number_between(0, 20);
+  const auto found = find_route(request, fences);
+  RC_CLASSIFY(!found.has_value(), "refused");
+  if (!found)
+    return;
+  for (const auto& fence : fences)
+    RC_ASSERT(keeps_away(with_cut_corners(*found, request.turn_room_m), request.margin_m - 0.05, fence));
 }
 
 RC_GTEST_PROP(route_property, the_way_back_is_as_long, ()) {

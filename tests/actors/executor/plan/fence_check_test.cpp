@@ -59,17 +59,17 @@ TEST(fence_check, a_waypoint_outside_names_the_fence_the_leg_and_the_item) {
   EXPECT_EQ(found[0].fence, 0U);
   EXPECT_EQ(found[0].leg, 1U);
   EXPECT_EQ(found[0].item_index, 1U);
-  EXPECT_EQ(found[0].message, "The way to item 'w' leaves geofence 0, which it has to stay in.");
+  EXPECT_EQ(found[0].message, "The way to item 'w' leaves geofence 1, which it has to stay in.");
   EXPECT_EQ(found[1].message, "The way to item 'back' lies outside of all inclusion fences.");
 }
 
 TEST(fence_check, a_leg_counts_and_not_only_its_ends) {
   const auto dented = inclusion({{-100, -500}, {1000, -500}, {1000, 500}, {500, -100}, {-100, 500}});
   const auto found = found_in(mission_with({dented}, {up, waypoint("w", at(950, 0, 30))}));
-  ASSERT_EQ(messages_of(found), (messages{"The way to item 'w' leaves geofence 0, which it has to stay in."}));
+  ASSERT_EQ(messages_of(found), (messages{"The way to item 'w' leaves geofence 1, which it has to stay in."}));
   const auto crossed =
       found_in(mission_with({field, exclusion(box(400, -50, 500, 50))}, {up, waypoint("w", at(900, 0, 30))}));
-  ASSERT_EQ(messages_of(crossed), (messages{"The way to item 'w' comes into geofence 1, which excludes it."}));
+  ASSERT_EQ(messages_of(crossed), (messages{"The way to item 'w' comes into geofence 2, which excludes it."}));
   EXPECT_EQ(crossed[0].kind, violation_kind::inside_exclusion);
 }
 
@@ -88,10 +88,10 @@ TEST(fence_check, a_side_belongs_to_both_kinds) {
 
 TEST(fence_check, altitudes_are_held_against_floor_and_ceiling) {
   const auto high = found_in(mission_with({between(field, 0, 40)}, {up, waypoint("w", at(900, 0, 45))}));
-  ASSERT_EQ(messages_of(high), (messages{"The way to item 'w' goes above the ceiling of geofence 0."}));
+  ASSERT_EQ(messages_of(high), (messages{"The way to item 'w' goes above the ceiling of geofence 1."}));
   EXPECT_EQ(high[0].kind, violation_kind::above_ceiling);
   const auto low = found_in(mission_with({between(field, 20, 120)}, {up, waypoint("w", at(900, 0, 15))}));
-  ASSERT_EQ(messages_of(low), (messages{"The way to item 'w' goes below the floor of geofence 0."}));
+  ASSERT_EQ(messages_of(low), (messages{"The way to item 'w' goes below the floor of geofence 1."}));
   EXPECT_EQ(low[0].kind, violation_kind::below_floor);
   EXPECT_EQ(low[0].fence, 0U);
 }
@@ -102,7 +102,7 @@ TEST(fence_check, climbing_from_the_ground_and_landing_are_not_held_against_floo
                   .empty());
   EXPECT_EQ(
       messages_of(found_in(mission_with({between(field, 20, 25)}, {up, mission::land{"down", at(0, 0, 0)}}))).at(0),
-      "The climb of item 'up' goes above the ceiling of geofence 0.");
+      "The climb of item 'up' goes above the ceiling of geofence 1.");
 }
 
 TEST(fence_check, an_exclusion_above_or_below_the_way_is_no_obstacle) {
@@ -127,7 +127,7 @@ TEST(fence_check, the_circle_of_a_plane_counts) {
   EXPECT_TRUE(found_in(mission_with({field}, items), px4_plane).empty());
   const auto near_the_edge = std::vector<mission::item>{up, mission::loiter{"look", at(950, 0, 30), 0, 60}};
   EXPECT_EQ(messages_of(found_in(mission_with({field}, near_the_edge), px4_plane)).at(0),
-            "The circle of item 'look' leaves geofence 0, which it has to stay in.");
+            "The circle of item 'look' leaves geofence 1, which it has to stay in.");
   EXPECT_TRUE(found_in(mission_with({field}, near_the_edge), px4_copter).empty()) << "it hovers";
 }
 
@@ -143,7 +143,7 @@ TEST(fence_check, the_return_counts_with_its_altitude) {
   const auto mission = mission_with({between(field, 0, 50)}, {up, waypoint("w", at(900, 0, 30)), back});
   EXPECT_TRUE(found_in(mission).empty());
   EXPECT_EQ(messages_of(found_in(mission, setting)).at(0),
-            "The way to item 'back' goes above the ceiling of geofence 0.");
+            "The way to item 'back' goes above the ceiling of geofence 1.");
 }
 
 TEST(fence_check, across_the_antimeridian) {
@@ -175,7 +175,7 @@ TEST(fence_check, the_return_point_lies_inside_whatever_the_altitude) {
   EXPECT_TRUE(return_point_violations(mission).empty());
   mission.return_point = at(450, 0, 0);
   EXPECT_EQ(messages_of(return_point_violations(mission)),
-            (messages{"The return point comes into geofence 1, which excludes it."}));
+            (messages{"The return point comes into geofence 2, which excludes it."}));
   mission.return_point = at(4500, 0, 0);
   EXPECT_EQ(messages_of(return_point_violations(mission)),
             (messages{"The return point lies outside of all inclusion fences."}));

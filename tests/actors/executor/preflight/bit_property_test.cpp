@@ -119,7 +119,7 @@ private:
     now_ns_ += one_second_ns;
     const bool has_mattered = matters(s_, what, now_ns_);
     const auto before = io::to_json(s_);
-    auto news = handle(s_, what, now_ns_);
+    auto news = apply(s_, what, now_ns_);
     trace_ += io::to_json(s_) + "\n";
     RC_ASSERT(has_mattered || (news.empty() && io::to_json(s_) == before));
     if (const auto opened = said<report_opened>(news)) {

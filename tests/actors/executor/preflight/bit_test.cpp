@@ -14,14 +14,14 @@ using namespace test;
 
 TEST(bit, before_a_flight_is_prepared_it_is_idle_and_looks_change_nothing) {
   state s;
-  EXPECT_TRUE(handle(s, looked{found({})}, 1).empty());
+  EXPECT_TRUE(apply(s, looked{found({})}, 1).empty());
   EXPECT_EQ(s.now, phase::idle);
   EXPECT_FALSE(is_passed(s, survey, 1));
 }
 
 TEST(bit, it_runs_until_the_first_look) {
   state s;
-  const auto news = handle(s, checks_wanted{survey, 1}, 1);
+  const auto news = apply(s, checks_wanted{survey, 1}, 1);
   ASSERT_EQ(news.size(), 1U);
   EXPECT_EQ(std::get<phase_changed>(news[0]).now, phase::running);
   EXPECT_FALSE(is_passed(s, survey, 1));

@@ -41,7 +41,7 @@ public:
 
   announcements happens(const event& what) {
     now_ns += one_second_ns;
-    return handle(s, what, now_ns);
+    return apply(s, what, now_ns);
   }
   announcements looks(const texts& degraded, const texts& failing = {}) {
     return happens(looked{found(degraded, failing)});

@@ -1,7 +1,7 @@
 // Flights of a model vehicle with everything that can go wrong, and any events in any order.
 //
-// Each flight is made from one number; it is printed when a flight fails, and GODWIT_SEED=number begins with that one.
-// GODWIT_FULL=1 makes ten times as many.
+// Each flight is made from one number; it is printed when a flight fails, and TEST_SEED=number begins with that one.
+// TEST_FULL=1 makes ten times as many.
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
@@ -25,12 +25,12 @@ constexpr int one_in_is_played_twice = 50;
 constexpr int one_in_has_a_calm_one_too = 6;
 
 std::uint64_t first_seed() {
-  const char* given = std::getenv("GODWIT_SEED");
+  const char* given = std::getenv("TEST_SEED");
   return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
 }
 
 int flights_of_each_kind() {
-  const char* full = std::getenv("GODWIT_FULL");
+  const char* full = std::getenv("TEST_FULL");
   const bool is_full = full != nullptr && std::string(full) == "1";
   return ((is_full ? flights_if_full : flights) + kinds_of_vehicle - 1) / kinds_of_vehicle;
 }
@@ -55,9 +55,9 @@ TEST_P(progress_flights, are_reported_truthfully_whatever_happens) {
     model_flight flight(seed, GetParam());
     flight.play();
     events += flight.events();
-    ASSERT_EQ(flight.violation(), "") << "to run it again: GODWIT_SEED=" << seed << "\n" << log_of(seed, GetParam());
+    ASSERT_EQ(flight.violation(), "") << "to run it again: TEST_SEED=" << seed << "\n" << log_of(seed, GetParam());
     if (i % one_in_is_played_twice == 0) {
-      ASSERT_EQ(log_of(seed, GetParam()), log_of(seed, GetParam())) << "another trace: GODWIT_SEED=" << seed;
+      ASSERT_EQ(log_of(seed, GetParam()), log_of(seed, GetParam())) << "another trace: TEST_SEED=" << seed;
     }
   }
   const auto us = 1e6 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / count;
@@ -71,9 +71,9 @@ TEST_P(progress_flights, that_are_calm_have_nothing_inferred) {
     const auto seed = first + static_cast<std::uint64_t>(i);
     model_flight flight(seed, GetParam());
     flight.play_calmly();
-    ASSERT_EQ(flight.violation(), "") << "GODWIT_SEED=" << seed << "\n" << flight.log();
+    ASSERT_EQ(flight.violation(), "") << "TEST_SEED=" << seed << "\n" << flight.log();
     for (const auto& each : flight.reports())
-      ASSERT_FALSE(each.inferred && each.item_id && flight.moves(*each.item_id)) << "GODWIT_SEED=" << seed << "\n"
+      ASSERT_FALSE(each.inferred && each.item_id && flight.moves(*each.item_id)) << "TEST_SEED=" << seed << "\n"
                                                                                  << flight.log();
   }
 }
@@ -141,7 +141,7 @@ RC_GTEST_PROP(progress_property, any_events_in_any_order_keep_numbers_and_indice
       continue;
     const bool mattered = matters(s, *happened, now_ns);
     const auto before = io::to_json(s);
-    const auto came = handle(s, *happened, now_ns);
+    const auto came = apply(s, *happened, now_ns);
     RC_ASSERT(mattered == (!came.empty() || io::to_json(s) != before));
     for (const auto& each : came) {
       const auto* report = std::get_if<mission::progress_report>(&each);

@@ -24,7 +24,7 @@ plan_map map_of(const flavour& vehicle, const texts& ids, std::uint32_t index, b
 desk::desk(flavour which) : vehicle(std::move(which)) { take(mission_opened{"m", 1}); }
 
 effects desk::take(const event& happened) {
-  auto result = handle(s, happened, now_ns);
+  auto result = apply(s, happened, now_ns);
   for (const auto& each : result) {
     if (const auto* report = std::get_if<mission::progress_report>(&each))
       reports.push_back(*report);

@@ -367,7 +367,7 @@ void model_flight::take(const event& happened) {
     return take_and_crash(happened);
   if (draw_.one_in(4) && !matters(s_, happened, now_ns_))
     return;
-  let_out(handle(s_, happened, now_ns_));
+  dispatch(apply(s_, happened, now_ns_));
 }
 
 void model_flight::take_and_crash(const event& happened) {
@@ -377,22 +377,22 @@ void model_flight::take_and_crash(const event& happened) {
     return crash();
   case 1: { // the actor dies while it handles the event, which is put back
     auto unwritten = s_;
-    static_cast<void>(handle(unwritten, happened, now_ns_));
+    static_cast<void>(apply(unwritten, happened, now_ns_));
     crash();
-    let_out(handle(s_, happened, now_ns_));
+    dispatch(apply(s_, happened, now_ns_));
     if (std::holds_alternative<upload_intended>(happened))
       upload_ = upload_phase::intended; // nothing had been sent, and the intent is there now
     return;
   }
   default: { // the process dies when the new state and its effects are written, and lets them out when it is back
-    const auto written = handle(s_, happened, now_ns_);
+    const auto written = apply(s_, happened, now_ns_);
     crash();
-    let_out(written);
+    dispatch(written);
   }
   }
 }
 
-void model_flight::let_out(const effects& all) {
+void model_flight::dispatch(const effects& all) {
   for (const auto& each : all) {
     if (const auto* report = std::get_if<mission::progress_report>(&each)) {
       open_generation(report->generation);

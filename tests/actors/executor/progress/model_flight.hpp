@@ -82,7 +82,7 @@ private:
   void hear(const heard& message);
   void take(const event& happened);
   void take_and_crash(const event& happened);
-  void let_out(const effects& all);
+  void dispatch(const effects& all);
   void check_end();
   void note(const news& what);
   void open_generation(std::uint32_t number);

@@ -3,7 +3,7 @@
 //
 // A vehicle that replaces item by item may end with a mixture, but then no station was told that this is its plan, and
 // who reads it back learns what is there. Each run is made from one number. It is printed when the run fails, and
-// GODWIT_SEED=number runs that one alone; GODWIT_FULL=1 makes ten times as many runs.
+// TEST_SEED=number runs that one alone; TEST_FULL=1 makes ten times as many runs.
 #include "actors/ground_port/mission_server/server.hpp"
 
 #include <algorithm>
@@ -179,14 +179,14 @@ private:
 class server_stations : public testing::TestWithParam<kind> {};
 
 TEST_P(server_stations, three_at_once_leave_a_whole_plan_and_are_told_the_truth) {
-  const char* one = std::getenv("GODWIT_SEED");
-  const char* full = std::getenv("GODWIT_FULL");
+  const char* one = std::getenv("TEST_SEED");
+  const char* full = std::getenv("TEST_FULL");
   const bool is_full = full != nullptr && std::string(full) == "1";
   const auto first = one != nullptr ? std::strtoull(one, nullptr, 10) : std::random_device{}();
   const int runs = one != nullptr ? 1 : is_full ? runs_of_each_if_full : runs_of_each;
   for (int i = 0; i < runs && !HasFailure(); ++i) {
     const auto seed = first + static_cast<std::uint64_t>(i);
-    SCOPED_TRACE("to run it again: GODWIT_SEED=" + std::to_string(seed));
+    SCOPED_TRACE("to run it again: TEST_SEED=" + std::to_string(seed));
     run(GetParam(), seed).play();
   }
 }

@@ -7,7 +7,7 @@ actor::behavior_type actor::handlers() {
           on<get_total>([this](const get_total&) { return total{current_state().total_m}; })};
 }
 
-void actor::let_out(const effect& each) {
+void actor::dispatch(const effect& each) {
   if (const auto* full = std::get_if<milestone>(&each))
     tell(listener_, *full);
 }

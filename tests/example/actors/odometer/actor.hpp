@@ -3,21 +3,21 @@
 
 #include <utility>
 
-#include "runtime/persistent_cell.hpp"
+#include "runtime/durable_actor.hpp"
 #include "tests/example/actors/odometer/core.hpp"
 #include "tests/example/messages/odometer/handle.hpp"
 
 namespace godwit::odometer {
 
-class actor final : public runtime::persistent_cell<handle, core> {
+class actor final : public runtime::durable_actor<handle, core> {
 public:
-  // Config and birth are the runtime's business and are handed on; what the actor has to know comes behind them.
-  actor(auto& config, runtime::birth born, listener_handle listener)
-      : persistent_cell(config, std::move(born)), listener_(std::move(listener)) {}
+  // The context is the runtime's business and is handed on; what the actor has to know comes behind it.
+  actor(runtime::spawn_context context, listener_handle listener)
+      : durable_actor(std::move(context)), listener_(std::move(listener)) {}
 
 protected:
   behavior_type handlers() override;
-  void let_out(const effect& each) override;
+  void dispatch(const effect& each) override;
 
 private:
   listener_handle listener_;

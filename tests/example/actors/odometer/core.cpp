@@ -23,7 +23,7 @@ std::vector<core::effect> decide(state& s, const reset& r, std::int64_t) {
 
 } // namespace
 
-std::vector<core::effect> core::handle(state& s, const event& happened, std::int64_t now_ns) {
+std::vector<core::effect> core::apply(state& s, const event& happened, std::int64_t now_ns) {
   return std::visit([&](const auto& each) { return decide(s, each, now_ns); }, happened);
 }
 

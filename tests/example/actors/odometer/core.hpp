@@ -21,7 +21,7 @@ struct core {
 
   static constexpr std::uint64_t milestone_m = 1000;
 
-  [[nodiscard]] static std::vector<effect> handle(state& s, const event& happened, std::int64_t now_ns);
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   [[nodiscard]] static std::vector<effect> resume(const state& s, std::int64_t now_ns);
   [[nodiscard]] static tl::expected<nlohmann::json, std::string> migrate(nlohmann::json old, int from_version);
 };

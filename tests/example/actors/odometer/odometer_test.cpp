@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "runtime/stored_state.hpp"
 #include "tests/example/actors/odometer/actor.hpp"
@@ -22,8 +23,8 @@ using runtime::crash_point;
 
 TEST(odometer_core, each_full_kilometre_is_one_milestone) {
   state s;
-  EXPECT_TRUE(core::handle(s, moved{999}, 1).empty());
-  const auto effects = core::handle(s, moved{2001}, 7);
+  EXPECT_TRUE(core::apply(s, moved{999}, 1).empty());
+  const auto effects = core::apply(s, moved{2001}, 7);
   ASSERT_EQ(effects.size(), 3U);
   EXPECT_EQ(std::get<milestone>(effects[2]).kilometre, 3U);
   EXPECT_EQ(std::get<milestone>(effects[2]).at_ns, 7);
@@ -31,9 +32,9 @@ TEST(odometer_core, each_full_kilometre_is_one_milestone) {
 
 TEST(odometer_core, a_reset_asked_for_again_takes_nothing_away) {
   state s{500, {}};
-  const auto first = core::handle(s, reset{42}, 1);
-  (void)core::handle(s, moved{300}, 2);
-  const auto again = core::handle(s, reset{42}, 3);
+  const auto first = core::apply(s, reset{42}, 1);
+  (void)core::apply(s, moved{300}, 2);
+  const auto again = core::apply(s, reset{42}, 3);
   EXPECT_EQ(std::get<reset_done>(first.at(0)).distance_m, 500U);
   EXPECT_EQ(std::get<reset_done>(again.at(0)).distance_m, 500U);
   EXPECT_EQ(s.total_m, 300U);
@@ -50,9 +51,9 @@ TEST(odometer_core, a_snapshot_of_version_1_is_read) {
 using milestones = std::map<std::uint64_t, int>; // kilometre -> how often it was told
 
 // Writes into the test's own memory, which no crash takes back.
-class listener final : public runtime::cell<listener_handle> {
+class listener final : public runtime::actor_base<listener_handle> {
 public:
-  listener(auto& config, runtime::birth born, milestones* heard) : cell(config, std::move(born)), heard_(heard) {}
+  listener(runtime::spawn_context context, milestones* heard) : actor_base(std::move(context)), heard_(heard) {}
 
 protected:
   behavior_type handlers() override {
@@ -88,7 +89,7 @@ struct process {
 };
 
 constexpr std::array points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
-                            crash_point::before_let_out};
+                            crash_point::before_dispatch};
 
 TEST(odometer, a_crash_at_any_point_neither_loses_nor_doubles_a_milestone) {
   for (const auto point : points) {
@@ -142,7 +143,7 @@ TEST(odometer, a_killed_process_starts_again_with_its_total_and_owes_the_milesto
   milestones heard;
   {
     process p(disk, heard);
-    p.world.crash_at("odometer", crash_point::before_let_out); // on the disk, and not let out
+    p.world.crash_at("odometer", crash_point::before_dispatch); // on the disk, and not let out
     p.world.tell(p.odometer, moved{2500});
     while (p.world.counters("odometer").crashes == 0 && p.world.step(1)) {
     }

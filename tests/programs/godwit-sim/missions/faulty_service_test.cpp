@@ -62,7 +62,7 @@ TEST(missions_faulty_service, a_status_has_no_effect_unless_it_was_committed_and
     EXPECT_EQ(given.what.status, 503U);
     EXPECT_TRUE(mission::read<mission::problem>(given.what.body));
     ASSERT_EQ(given.what.headers.size(), 1U);
-    EXPECT_EQ(given.what.headers[0], (std::pair<std::string, std::string>("Retry-After", "2")));
+    EXPECT_EQ(given.what.headers[0], (io::http::header{"Retry-After", "2"}));
     EXPECT_EQ(world.reports_there(), is_committed ? 2U : 0U);
     EXPECT_EQ(world.ask(two_reports()).what.body, R"({"stored":2,"repeated":0})");
   }

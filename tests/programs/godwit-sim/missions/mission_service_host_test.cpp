@@ -80,7 +80,7 @@ public:
     asked.body = std::move(body);
     asked.max_body_bytes = std::size_t{16} * 1024 * 1024;
     auto promise = std::make_shared<std::promise<got>>();
-    const auto sent = client->send(std::move(asked), [promise](got answer) { promise->set_value(std::move(answer)); });
+    const auto sent = client->send(std::move(asked), [promise](got end) { promise->set_value(std::move(end)); });
     EXPECT_TRUE(sent);
     return promise->get_future();
   }
@@ -88,12 +88,12 @@ public:
     return send(how, rest, std::move(body)).get();
   }
   unsigned status(verb how, const std::string& rest = {}, std::string body = {}) {
-    const auto answer = ask(how, rest, std::move(body));
-    return answer ? answer->status : 0;
+    const auto given = ask(how, rest, std::move(body));
+    return given ? given->status : 0;
   }
   std::optional<errc> failure(verb how, const std::string& rest = {}, std::string body = {}) {
-    const auto answer = ask(how, rest, std::move(body));
-    return answer ? std::nullopt : std::optional(answer.error().code);
+    const auto given = ask(how, rest, std::move(body));
+    return given ? std::nullopt : std::optional(given.error().code);
   }
 
   void write(const std::string& name, const std::string& text) const {

@@ -53,7 +53,7 @@ TEST(missions_service, nobody_without_the_token_learns_anything) {
     const auto given = service.ask(asked);
     EXPECT_EQ(given.status, 401U) << header;
     ASSERT_EQ(given.headers.size(), 1U);
-    EXPECT_EQ(given.headers[0].first, "WWW-Authenticate");
+    EXPECT_EQ(given.headers[0].name, "WWW-Authenticate");
     asked.target = "/nothing";
     EXPECT_EQ(service.ask(asked).status, 401U);
   }
@@ -76,7 +76,7 @@ TEST(missions_service, what_is_not_there_is_404_and_what_is_not_possible_405) {
   const auto given = service.ask(put);
   EXPECT_EQ(given.status, 405U);
   ASSERT_EQ(given.headers.size(), 1U);
-  EXPECT_EQ(given.headers[0], (std::pair<std::string, std::string>("Allow", "GET, POST")));
+  EXPECT_EQ(given.headers[0], (io::http::header{"Allow", "GET, POST"}));
 }
 
 TEST(missions_service, after_a_deletion_all_is_410_for_ever) {

@@ -5,6 +5,7 @@
 
 #include <sys/eventfd.h>
 
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 
 namespace {
@@ -23,10 +24,9 @@ using everybody_handle = runtime::mailbox<runtime::asks<mission_client::retry_ou
                                           runtime::asks<executor::get_flight, executor::flight_status>,
                                           runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
-class everybody final : public runtime::cell<everybody_handle> {
+class everybody final : public runtime::actor_base<everybody_handle> {
 public:
-  everybody(runtime::actor_config& config, runtime::birth born, bool answers)
-      : cell(config, std::move(born)), answers_(answers) {}
+  everybody(runtime::spawn_context context, bool answers) : actor_base(std::move(context)), answers_(answers) {}
 
 private:
   template <class Q, class F>
@@ -60,9 +60,9 @@ private:
   bool answers_;
 };
 
-class map_stand_in final : public runtime::cell<mapobjects_store::operator_handle> {
+class map_stand_in final : public runtime::actor_base<mapobjects_store::operator_handle> {
 public:
-  using cell::cell;
+  using actor_base::actor_base;
 
 protected:
   behavior_type handlers() override {

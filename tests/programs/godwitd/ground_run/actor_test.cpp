@@ -5,6 +5,7 @@
 #include <semaphore>
 
 #include "programs/godwitd/ground_run/actor.hpp"
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
@@ -36,10 +37,9 @@ struct run_log {
 using store_handle = mapobjects_store::handle;
 using sighting = mapobjects_store::sighting;
 
-class store_stand_in final : public runtime::cell<store_handle> {
+class store_stand_in final : public runtime::actor_base<store_handle> {
 public:
-  store_stand_in(runtime::actor_config& config, runtime::birth born, run_log* seen)
-      : cell(config, std::move(born)), log_(seen) {}
+  store_stand_in(runtime::spawn_context context, run_log* seen) : actor_base(std::move(context)), log_(seen) {}
 
 protected:
   behavior_type handlers() override {
@@ -85,10 +85,9 @@ private:
 
 using client_handle = mission_client::flight_handle;
 
-class client_stand_in final : public runtime::cell<client_handle> {
+class client_stand_in final : public runtime::actor_base<client_handle> {
 public:
-  client_stand_in(runtime::actor_config& config, runtime::birth born, run_log* seen)
-      : cell(config, std::move(born)), log_(seen) {}
+  client_stand_in(runtime::spawn_context context, run_log* seen) : actor_base(std::move(context)), log_(seen) {}
 
 protected:
   behavior_type handlers() override {
@@ -116,9 +115,9 @@ private:
   run_log* log_;
 };
 
-class vehicle_stand_in final : public runtime::cell<ground_run::vehicle_handle> {
+class vehicle_stand_in final : public runtime::actor_base<ground_run::vehicle_handle> {
 public:
-  using cell::cell;
+  using actor_base::actor_base;
 
 protected:
   behavior_type handlers() override {

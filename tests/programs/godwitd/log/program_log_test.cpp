@@ -95,7 +95,7 @@ TEST_F(daemon_log, nobody_waits_for_a_slow_reader_and_the_losses_are_json_too) {
   const io::link::descriptor reader(ends[0]);
   io::link::descriptor writer(ends[1]);
   auto log = program_log::open({"", log_format::json, log_level::info}, writer.number()).value();
-  for (std::size_t n = 0; n < 2 * sim::line_printer::max_waiting; ++n)
+  for (std::size_t n = 0; n < 2 * programs::line_printer::max_waiting; ++n)
     log->say(log_level::info, "a", "a line of some length, so that the pipe is full soon");
   ASSERT_GT(log->dropped(), 0U);
   std::string text;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
@@ -27,10 +28,9 @@ struct store_log {
   int chosen = 0;
 };
 
-class store_stand_in final : public runtime::cell<sightings::store_handle> {
+class store_stand_in final : public runtime::actor_base<sightings::store_handle> {
 public:
-  store_stand_in(runtime::actor_config& config, runtime::birth born, store_log* log)
-      : cell(config, std::move(born)), log_(log) {}
+  store_stand_in(runtime::spawn_context context, store_log* log) : actor_base(std::move(context)), log_(log) {}
 
 protected:
   behavior_type handlers() override {

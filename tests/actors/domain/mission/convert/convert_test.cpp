@@ -36,8 +36,8 @@ TEST(convert, what_is_lost_on_either_way_is_an_error_unless_it_is_allowed) {
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().message(), "the document can only be taken over in part: 3 losses\n"
                                        "item 3: the survey; a file of lines has no patterns; instead: left out\n"
-                                       "geofence 0; a file of lines has no fences; instead: left out\n"
-                                       "geofence 1; a file of lines has no fences; instead: left out");
+                                       "geofence 1; a file of lines has no fences; instead: left out\n"
+                                       "geofence 2; a file of lines has no fences; instead: left out");
   const auto allowed =
       convert(sample_file("ardupilot.plan"), mission_format::plan, mission_format::waypoints, {true, {}, {}});
   ASSERT_TRUE(allowed.has_value());
@@ -47,7 +47,7 @@ TEST(convert, what_is_lost_on_either_way_is_an_error_unless_it_is_allowed) {
 TEST(convert, heights_of_fences_have_no_place_in_a_plan) {
   const auto refused = convert(sample_file("every_kind.json"), mission_format::json, mission_format::plan);
   EXPECT_EQ(refused.error().losses.message(),
-            "geofence 0: floor and ceiling; the fences of a plan have no heights; instead: left out");
+            "geofence 1: floor and ceiling; the fences of a plan have no heights; instead: left out");
 }
 
 TEST(convert, latitude_0_and_longitude_0_can_not_be_said_to_a_vehicle) {

@@ -57,7 +57,7 @@ TEST(geojson_import, geojson_that_is_no_mission_is_refused_with_the_reason) {
   EXPECT_EQ(message(map), "/features/0/properties/role is \"house\"; allowed: item, geofence, return_point or path");
   map = json::parse(export_geojson(sample()).text);
   map["features"][2]["geometry"]["coordinates"][1] = 95;
-  EXPECT_EQ(message(map), "/items/2/at/latitude is 95; allowed: a number from -90 up to 90");
+  EXPECT_EQ(message(map), "/items/2/at/latitude is 95; allowed: a number from -90 to 90");
   map["features"][2]["geometry"] = {{"type", "LineString"}, {"coordinates", json::array()}};
   EXPECT_FALSE(import_geojson(map.dump()).has_value());
 }

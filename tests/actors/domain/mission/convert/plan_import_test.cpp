@@ -82,8 +82,7 @@ TEST(plan_import, an_old_fence_with_something_in_it_is_a_loss) {
 TEST(plan_import, a_plan_that_is_only_a_fence_is_no_mission) {
   auto plan = nlohmann::json::parse(sample_file("fence.plan"));
   plan["mission"]["items"] = nlohmann::json::array();
-  EXPECT_EQ(import_plan(plan.dump()).error().message(),
-            "/items is a list of 0; allowed: a list of at least 1 of at most 10000 entries");
+  EXPECT_EQ(import_plan(plan.dump()).error().message(), "/items is a list of 0; allowed: a list of 1 to 10000 entries");
 }
 
 TEST(plan_import, a_survey_at_one_height_becomes_a_survey) {
@@ -219,9 +218,8 @@ TEST(plan_import, another_version_is_refused_with_the_version_that_is_known) {
 TEST(plan_import, broken_plans_are_refused_with_each_place) {
   EXPECT_EQ(refused("no_plan.plan").message(), "/fileType is not \"Plan\"; allowed: a plan of QGroundControl");
   EXPECT_EQ(refused("cut_off.plan").error.code, document_errc::syntax);
-  EXPECT_EQ(refused("no_items.plan").message(),
-            "/items is a list of 0; allowed: a list of at least 1 of at most 10000 entries");
-  EXPECT_EQ(refused("off_earth.plan").message(), "/items/1/at/latitude is 95; allowed: a number from -90 up to 90");
+  EXPECT_EQ(refused("no_items.plan").message(), "/items is a list of 0; allowed: a list of 1 to 10000 entries");
+  EXPECT_EQ(refused("off_earth.plan").message(), "/items/1/at/latitude is 95; allowed: a number from -90 to 90");
   EXPECT_EQ(refused("wrong_types.plan").message(),
             "/mission/plannedHomePosition is no place; allowed: [latitude, longitude] or [latitude, longitude, "
             "altitude]\n"

@@ -54,7 +54,7 @@ TEST(waypoints_import, what_was_written_reads_back_but_for_surveys_and_fences) {
   mission.geofences = {{fence_kind::inclusion, {{0, 0}, {0, 1}, {1, 0}}, {}, {}}};
   EXPECT_EQ(export_waypoints(mission).losses.message(),
             "item 5: the survey; a file of lines has no patterns; instead: left out\n"
-            "geofence 0; a file of lines has no fences; instead: left out");
+            "geofence 1; a file of lines has no fences; instead: left out");
 }
 
 } // namespace

@@ -6,15 +6,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "actors/domain/geo/flat_polygon.hpp"
 #include "actors/domain/geo/geodesic.hpp"
-#include "actors/domain/route/flat_polygon.hpp"
 #include "tests/actors/domain/geo/places.hpp"
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
 namespace {
-
-using namespace route; // for the operators of local_point, which lives in geo
 
 const auto box = survey_of("box", tests::box(0, 0, 300, 100), 25);
 
@@ -62,14 +60,14 @@ TEST(survey_lines, what_can_not_be_laid_has_a_reason) {
 
 struct laid_survey {
   mission::survey area;
-  route::flat_polygon ground;
-  std::vector<route::segment> lines;
-  route::segment longest; // of them: it tells the direction best
+  geo::flat_polygon ground;
+  std::vector<geo::segment> lines;
+  geo::segment longest; // of them: it tells the direction best
 
   // Metres to the left of the longest line.
-  [[nodiscard]] double across_m(const route::local_point& at) const {
+  [[nodiscard]] double across_m(const geo::local_point& at) const {
     const auto way = longest.to - longest.from;
-    return route::cross(way, at - longest.from) / route::length_m(way);
+    return geo::cross(way, at - longest.from) / geo::length_m(way);
   }
 };
 
@@ -82,14 +80,17 @@ laid_survey any_survey() {
     area.polygon.push_back(tests::corner(each.east_m, each.north_m, around));
   if (random() % 2 == 0)
     area.heading_deg = *tests::number_between(0, 359);
-  const geo::local_projection projection({area.polygon.front().latitude, area.polygon.front().longitude});
-  laid_survey result{area, route::flat_polygon(area.polygon, projection), {}, {}};
+  std::vector<geo::point> corners;
+  for (const auto& each : area.polygon)
+    corners.push_back({each.latitude, each.longitude});
+  const geo::local_projection projection(corners.front());
+  laid_survey result{area, geo::flat_polygon(corners, projection), {}, {}};
   const auto lines = survey_lines(area, tests::place(-500, 200, around));
   RC_ASSERT(lines.has_value());
   for (const auto& each : *lines) {
-    const route::segment line{projection.to_local(each.from), projection.to_local(each.to)};
+    const geo::segment line{projection.to_local(each.from), projection.to_local(each.to)};
     result.lines.push_back(line);
-    if (route::length_m(line.to - line.from) > route::length_m(result.longest.to - result.longest.from))
+    if (geo::length_m(line.to - line.from) > geo::length_m(result.longest.to - result.longest.from))
       result.longest = line;
   }
   return result;
@@ -100,7 +101,7 @@ RC_GTEST_PROP(survey_lines_property, lines_stay_inside_the_polygon, ()) {
   constexpr double tolerance_m = 0.01;
   for (const auto& each : survey.lines)
     for (int step = 0; step <= 50; ++step) {
-      const auto at = route::at_share(each, step / 50.0);
+      const auto at = geo::at_share(each, step / 50.0);
       RC_ASSERT(survey.ground.contains(at) || survey.ground.distance_to_sides_m(at) < tolerance_m);
     }
 }
@@ -120,7 +121,7 @@ RC_GTEST_PROP(survey_lines_property, each_point_of_the_polygon_is_half_a_spacing
   std::uniform_real_distribution<double> anywhere(-1300, 1300);
   for (int i = 0; i < 300; ++i) {
     const double east_m = anywhere(random);
-    const route::local_point at{east_m, anywhere(random)};
+    const geo::local_point at{east_m, anywhere(random)};
     if (!survey.ground.contains(at))
       continue;
     double nearest_m = survey.area.line_spacing_m;
@@ -134,15 +135,15 @@ RC_GTEST_PROP(survey_lines_property, each_point_of_the_polygon_is_half_a_spacing
 RC_GTEST_PROP(survey_lines_property, each_point_of_a_row_that_lies_in_the_polygon_is_on_a_line, ()) {
   const auto survey = any_survey();
   const auto way = survey.longest.to - survey.longest.from;
-  const auto left = (1 / route::length_m(way)) * route::local_point{-way.north_m, way.east_m};
+  const auto left = (1 / geo::length_m(way)) * geo::local_point{-way.north_m, way.east_m};
   for (int row = -300; row <= 300; ++row)
     for (int step = -60; step <= 60; ++step) {
-      const double along = step * 25 / route::length_m(way);
-      const auto at = route::at_share(survey.longest, along) + (row * survey.area.line_spacing_m) * left;
+      const double along = step * 25 / geo::length_m(way);
+      const auto at = geo::at_share(survey.longest, along) + (row * survey.area.line_spacing_m) * left;
       if (!survey.ground.contains(at) || survey.ground.distance_to_sides_m(at) < 0.2)
         continue;
       RC_ASSERT(std::any_of(survey.lines.begin(), survey.lines.end(),
-                            [&](const route::segment& each) { return route::distance_m(at, each) < 0.1; }));
+                            [&](const geo::segment& each) { return geo::distance_m(at, each) < 0.1; }));
     }
 }
 

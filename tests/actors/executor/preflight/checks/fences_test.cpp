@@ -34,13 +34,13 @@ TEST(fences_check, passes_when_the_way_keeps_to_the_fences) { EXPECT_EQ(with(sma
 TEST(fences_check, fails_when_the_way_leaves_an_inclusion_and_names_the_item) {
   const auto found = with(mission_within(tests::inclusion(tests::box(-50, -50, 90, 50))));
   EXPECT_EQ(found, fail("The mission does not keep to its fences; change it or them. The way to item 'east' leaves "
-                        "geofence 0, which it has to stay in. (and 1 more)"));
+                        "geofence 1, which it has to stay in. (and 1 more)"));
 }
 
 TEST(fences_check, fails_when_a_leg_crosses_an_exclusion_though_its_ends_are_outside) {
   const auto found = with(mission_within(tests::exclusion(tests::box(40, -10, 60, 10))));
   EXPECT_EQ(found.how, verdict::fail);
-  EXPECT_TRUE(has(found.sentence, "comes into geofence 0")) << found.sentence;
+  EXPECT_TRUE(has(found.sentence, "comes into geofence 1")) << found.sentence;
 }
 
 TEST(fences_check, fails_before_the_way_was_looked_at) {

@@ -1,0 +1,19 @@
+// What the journal keeps of this actor: its JSON and binary forms (runtime/define_message.hpp).
+#include "actors/executor/state.hpp"
+#include "runtime/define_message.hpp"
+
+GODWIT_DEFINE_MESSAGE(godwit::executor::arrival_refused);
+GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_kept);
+GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_rejected);
+GODWIT_DEFINE_MESSAGE(godwit::executor::change_asked);
+GODWIT_DEFINE_MESSAGE(godwit::executor::change_settled);
+GODWIT_DEFINE_MESSAGE(godwit::executor::mission_arrived);
+GODWIT_DEFINE_MESSAGE(godwit::executor::mission_taken);
+GODWIT_DEFINE_MESSAGE(godwit::executor::start_settled);
+GODWIT_DEFINE_MESSAGE(godwit::executor::state);
+GODWIT_DEFINE_MESSAGE(godwit::executor::station_fence_taken);
+GODWIT_DEFINE_MESSAGE(godwit::executor::station_plan_dropped);
+GODWIT_DEFINE_MESSAGE(godwit::executor::station_plan_taken);
+GODWIT_DEFINE_MESSAGE(godwit::executor::stood);
+GODWIT_DEFINE_MESSAGE(godwit::executor::task_begun);
+GODWIT_DEFINE_MESSAGE(godwit::executor::task_ended);

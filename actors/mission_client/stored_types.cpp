@@ -1,0 +1,26 @@
+// What the journal keeps of this actor: its JSON and binary forms (runtime/define_message.hpp).
+#include "actors/mission_client/events.hpp"
+#include "actors/mission_client/state.hpp"
+#include "runtime/define_message.hpp"
+
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::assignments_seen);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::batch_empty);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::batch_planned);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_done);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_failed);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::clock_jumped);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::earlier_delivered);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::errand_done);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::fetch_failed);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_fetched);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_gone);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_looked_up);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::on_disk);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::owed_found);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::pull_ended);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::row_noted);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::rows_delivered);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::rows_failed);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::rows_refused);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::state);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::table_pruned);

@@ -1,0 +1,74 @@
+// Beast's parser, fed with the bytes of a connection as they come, in pieces of any size.
+//
+//   head --> body --> done --begin()--> head ...         what lies behind a message is kept for the next one
+//
+// Errors: those of Beast; need_more is none of them, but the wish for more bytes. Thread: as any value.
+// Source: RFC 9112; Boost.Beast 1.81.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/parser.hpp>
+
+#include "io/http/sink_body.hpp"
+
+namespace godwit::io::http {
+
+template <bool IsRequest>
+class incremental_parser {
+public:
+  using parser = boost::beast::http::parser<IsRequest, sink_body>;
+
+  // BUFFER_BYTES: what may wait unread; more is a broken invariant of whoever feeds.
+  explicit incremental_parser(std::size_t buffer_bytes) : buffer_(buffer_bytes) {}
+
+  // The next message. The limit of the body is the sink's.
+  parser& begin(std::size_t head_limit, sink_body::value_type take_body) {
+    needs_more_ = false;
+    parser_.emplace();
+    parser_->header_limit(static_cast<std::uint32_t>(head_limit));
+    parser_->body_limit(boost::none);
+    parser_->get().body() = std::move(take_body);
+    return *parser_;
+  }
+  [[nodiscard]] parser& current() { return *parser_; }
+  [[nodiscard]] const parser& current() const { return *parser_; }
+
+  void feed(std::span<const std::byte> bytes) {
+    const auto from = boost::asio::buffer(bytes.data(), bytes.size());
+    buffer_.commit(boost::asio::buffer_copy(buffer_.prepare(bytes.size()), from));
+  }
+  [[nodiscard]] std::size_t unread_bytes() const { return buffer_.size(); }
+  [[nodiscard]] std::string_view unread() const {
+    return {static_cast<const char*>(buffer_.data().data()), buffer_.size()};
+  }
+
+  // Reads on, up to the end of the head at most when it is in the head.
+  boost::beast::error_code step() {
+    if (needs_more_ && parser_->is_header_done() && buffer_.size() < shortest_last_chunk)
+      return boost::beast::http::error::need_more;
+    boost::beast::error_code code;
+    buffer_.consume(parser_->put(buffer_.data(), code));
+    needs_more_ = code == boost::beast::http::error::need_more;
+    return code;
+  }
+
+private:
+  // "0", two line ends. Behind the head of a chunk that is incomplete there always come as many bytes as this; and with
+  // fewer the parser of Boost 1.81 ends the process by an assertion, when the last chunk comes byte by byte.
+  static constexpr std::size_t shortest_last_chunk = 5;
+
+  boost::beast::flat_buffer buffer_;
+  std::optional<parser> parser_;
+  bool needs_more_ = false; // what is in the buffer was looked at and is incomplete
+};
+
+} // namespace godwit::io::http

@@ -1,0 +1,14 @@
+// The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
+#include "messages/executor/types.hpp"
+#include "messages/executor/flight.hpp"
+#include "runtime/define_message.hpp"
+
+GODWIT_DEFINE_MESSAGE(godwit::executor::current_answer);
+GODWIT_DEFINE_MESSAGE(godwit::executor::flight_status);
+GODWIT_DEFINE_MESSAGE(godwit::executor::get_flight);
+GODWIT_DEFINE_MESSAGE(godwit::executor::plan_cleared);
+GODWIT_DEFINE_MESSAGE(godwit::executor::plan_taken);
+GODWIT_DEFINE_MESSAGE(godwit::executor::set_current);
+GODWIT_DEFINE_MESSAGE(godwit::executor::start_answer);
+GODWIT_DEFINE_MESSAGE(godwit::executor::start_mission);
+GODWIT_DEFINE_MESSAGE(godwit::executor::tick);

@@ -1,0 +1,108 @@
+#include "programs/godwitd/flight_actors.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "actors/executor/actor.hpp"
+#include "actors/failsafe/actor.hpp"
+#include "actors/ground_port/actor.hpp"
+#include "actors/mapobjects_store/actor.hpp"
+#include "actors/mission_client/actor.hpp"
+#include "actors/vehicle_link/actor.hpp"
+#include "programs/godwitd/child_policies.hpp"
+
+namespace godwit::daemon {
+namespace {
+
+constexpr const char* executor_name = "executor";
+constexpr const char* failsafe_name = "failsafe";
+
+executor::house look_at_house(const runtime::system& actors, const actor_surroundings& outside) {
+  executor::house result;
+  result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
+  result.journal.is_writable = !outside.journal->status().failing;
+  result.journal.free_bytes = outside.host->free_bytes();
+  for (auto& each : actors.standings())
+    result.actors.push_back({std::move(each.name), each.is_running});
+  return result;
+}
+
+executor::outside_world world_of(const runtime::system& actors, const actor_surroundings& outside) {
+  return {[&outside](const executor::announce& said) { outside.say(executor_name, said.sentence, said.is_warning); },
+          [&actors, &outside] { return look_at_house(actors, outside); },
+          [&outside](const executor::stood& standing) {
+            outside.on_standing(standing);
+            outside.say(executor_name,
+                        "flight: " + std::string(io::name_of(standing.now)) +
+                            (standing.reason.empty() ? "" : " (" + standing.reason + ")"),
+                        standing.now == executor::phase::paused);
+          }};
+}
+
+ground_port::settings settings_of_ground(const daemon_settings& settings) {
+  ground_port::settings result;
+  result.as.system = std::max<std::uint8_t>(settings.vehicle_system, 1);
+  if (settings.speaks_as_autopilot)
+    result.as.component = io::mavlink::number(io::mavlink::mav_component::autopilot1);
+  return result;
+}
+
+} // namespace
+
+base_actors add_base(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside) {
+  base_actors made;
+  made.of_vehicle = std::make_shared<vehicle_link::listeners>();
+  made.of_client = std::make_shared<mission_client::neighbours>();
+  made.of_failsafe = std::make_shared<failsafe::neighbours>();
+  vehicle_link::settings link;
+  link.watch.system = settings.vehicle_system;
+  if (settings.flies)
+    link.vouchers = {executor_name, failsafe_name};
+  made.vehicle =
+      actors.add<vehicle_link::actor>({.name = "vehicle_link"}, essential, link, outside.vehicle_signing,
+                                      outside.vehicle, std::shared_ptr<const vehicle_link::listeners>(made.of_vehicle));
+  if (settings.flies)
+    made.failsafe = actors.add<failsafe::actor>({.name = failsafe_name}, essential, settings.failsafe, made.vehicle,
+                                                std::shared_ptr<const failsafe::neighbours>(made.of_failsafe));
+  made.store = actors.add<mapobjects_store::actor>({.name = "mapobjects_store"}, replaceable, outside.map);
+  if (outside.service)
+    made.client = actors.add<mission_client::actor>(
+        {.name = "mission_client"}, replaceable, settings.client, outside.service,
+        std::shared_ptr<const mission_client::neighbours>(made.of_client), outside.seed);
+  made.of_client->map = made.store;
+  return made;
+}
+
+flight_actors add_flight(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,
+                         const base_actors& base) {
+  flight_actors made;
+  const auto of_executor = std::make_shared<executor::neighbours>();
+  made.executor =
+      actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
+                                  std::shared_ptr<const executor::neighbours>(of_executor), world_of(actors, outside));
+  if (outside.ground) {
+    const auto of_ground = std::make_shared<ground_port::neighbours>();
+    made.ground = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings_of_ground(settings),
+                                                 outside.ground_signing, outside.ground,
+                                                 std::shared_ptr<const ground_port::neighbours>(of_ground));
+    of_executor->port = made.ground;
+    of_ground->executor = made.executor;
+    of_ground->operator_ears.emplace_back(base.failsafe);
+    base.of_failsafe->people.emplace_back(made.ground);
+    base.of_vehicle->add(made.ground);
+  }
+  of_executor->vehicle = base.vehicle;
+  of_executor->failsafe = base.failsafe;
+  if (outside.service)
+    of_executor->client = base.client;
+  base.of_failsafe->ears.emplace_back(made.executor);
+  base.of_failsafe->log = [&outside](const failsafe::warning& said) {
+    outside.say(failsafe_name, said.text, said.severity <= io::mavlink::mav_severity::warning);
+  };
+  base.of_client->listener = made.executor;
+  base.of_vehicle->add(base.failsafe);
+  base.of_vehicle->add(made.executor);
+  return made;
+}
+
+} // namespace godwit::daemon

@@ -1,0 +1,100 @@
+// The actors of a flight, joined to each other: the one place for the daemon and for its simulation in virtual time.
+//
+//   autopilot ── wire ── vehicle_link ──> executor, failsafe, ground_port ── wire ── ground stations
+//   missions service ── service_port ── mission_client ──> executor
+//   file of the map ── map_port ── mapobjects_store
+//
+// Whoever calls it owns what may block and what differs: ports, clock, journal, seed, facts about the host, the log. A
+// run on the ground has the same base and somebody else in the executor's place.
+//
+//   auto base = add_base(actors, settings, outside);
+//   auto flight = add_flight(actors, settings, outside, base);
+//   actors.start();
+//
+// Thread: one owner, before the actors start. OUTSIDE outlives the actors, and its functions may be called by any
+// thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "actors/mapobjects_store/map_port.hpp"
+#include "actors/mission_client/service_port.hpp"
+#include "actors/vehicle_link/listeners.hpp"
+#include "io/link/wire.hpp"
+#include "io/mavlink/signing/channel.hpp"
+#include "messages/executor/handle.hpp"
+#include "messages/failsafe/handle.hpp"
+#include "messages/ground_port/handle.hpp"
+#include "messages/mapobjects_store/handle.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "messages/vehicle_link/handle.hpp"
+#include "programs/godwitd/host_facts.hpp"
+#include "programs/godwitd/settings.hpp"
+#include "runtime/journal/journal.hpp"
+#include "runtime/system.hpp"
+
+namespace godwit::executor {
+struct stood;
+}
+
+namespace godwit::failsafe {
+struct neighbours;
+}
+
+namespace godwit::mission_client {
+struct neighbours;
+}
+
+namespace godwit::daemon {
+
+// What the actors meet of the world.
+struct actor_surroundings {
+  // -- ports; they outlive the incarnations of their actors
+  std::shared_ptr<io::link::wire> vehicle;
+  io::mavlink::signing_settings vehicle_signing;
+  std::shared_ptr<mapobjects_store::map_port> map;
+  std::shared_ptr<mission_client::service_port> service; // none: the mission comes from elsewhere
+  std::shared_ptr<io::link::wire> ground;                // none: no ground station is spoken to
+  io::mavlink::signing_settings ground_signing;
+
+  // Of this process, and of no other one: what is delivered has keys that are made with it.
+  std::uint64_t seed = 0;
+  const runtime::journal* journal = nullptr;
+  host_facts* host = nullptr;
+
+  // A sentence for people. PART: of whom it is said.
+  std::function<void(std::string_view part, const std::string& sentence, bool is_warning)> say;
+  // How the flight stands: at each change, and as each incarnation of the executor begins.
+  std::function<void(const executor::stood& now)> on_standing;
+};
+
+// What a flight and a run on the ground have in common.
+struct base_actors {
+  vehicle_link::own_handle vehicle;
+  mapobjects_store::own_handle store;
+  mission_client::own_handle client; // none without a service
+  failsafe::own_handle failsafe;     // none in a run on the ground
+
+  // Whom each actor speaks with; filled in before the actors start.
+  std::shared_ptr<vehicle_link::listeners> of_vehicle;
+  std::shared_ptr<mission_client::neighbours> of_client;
+  std::shared_ptr<failsafe::neighbours> of_failsafe;
+};
+
+struct flight_actors {
+  executor::own_handle executor;
+  ground_port::own_handle ground; // none without a line for ground stations
+};
+
+// SETTINGS.flies: with a failsafe.
+[[nodiscard]] base_actors add_base(runtime::system& actors, const daemon_settings& settings,
+                                   const actor_surroundings& outside);
+
+[[nodiscard]] flight_actors add_flight(runtime::system& actors, const daemon_settings& settings,
+                                       const actor_surroundings& outside, const base_actors& base);
+
+} // namespace godwit::daemon

@@ -1,0 +1,17 @@
+// The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
+#include "programs/godwitd/control/messages.hpp"
+#include "programs/godwitd/ground_run/messages.hpp"
+#include "programs/godwitd/sightings/messages.hpp"
+#include "programs/godwitd/sightings/sighting_counts.hpp"
+#include "runtime/define_message.hpp"
+
+GODWIT_DEFINE_MESSAGE(godwit::control::control_request);
+GODWIT_DEFINE_MESSAGE(godwit::daemon::sighting_counts);
+GODWIT_DEFINE_MESSAGE(godwit::ground_run::get_run);
+GODWIT_DEFINE_MESSAGE(godwit::ground_run::retry_due);
+GODWIT_DEFINE_MESSAGE(godwit::ground_run::run_status);
+GODWIT_DEFINE_MESSAGE(godwit::ground_run::tick);
+GODWIT_DEFINE_MESSAGE(godwit::ground_run::woken);
+GODWIT_DEFINE_MESSAGE(godwit::sightings::get_sightings);
+GODWIT_DEFINE_MESSAGE(godwit::sightings::tick);
+GODWIT_DEFINE_MESSAGE(godwit::sightings::woken);

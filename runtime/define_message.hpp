@@ -1,0 +1,40 @@
+// Makes the message_type of a type. For the one source file in which the type is defined, its types.cpp:
+//
+//   #include "messages/odometer/types.hpp"
+//   #include "runtime/define_message.hpp"
+//
+//   GODWIT_DEFINE_MESSAGE(godwit::odometer::moved);
+//
+// Tests whose message types are their own include this file and need no macro.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "io/fields/binary.hpp"
+#include "io/fields/json_schema.hpp"
+#include "io/fields/json_text.hpp"
+#include "io/fields/json_value.hpp"
+#include "runtime/message_type.hpp"
+
+namespace godwit::runtime {
+
+template <io::has_fields T>
+const message_type& type_of() noexcept {
+  static constexpr message_type made{
+      T::fields.type_name,
+      [](io::byte_sink& sink, const void* body) { io::encode_value(sink, *static_cast<const T*>(body)); },
+      [](std::string& out, io::byte_source& source) { io::append_decoded_json<T>(out, source); },
+      []() { return io::json_schema<T>(); },
+      [](std::string& out, const void* body) { io::append_json(out, *static_cast<const T*>(body)); },
+      [](const nlohmann::json& document, void* body) {
+        const auto read = io::read_json(document, *static_cast<T*>(body));
+        return read ? std::string() : read.error().message();
+      },
+  };
+  return made;
+}
+
+} // namespace godwit::runtime
+
+#define GODWIT_DEFINE_MESSAGE(T)                                                                                       \
+  template const ::godwit::runtime::message_type& ::godwit::runtime::type_of<T>() noexcept

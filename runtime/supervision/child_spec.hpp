@@ -1,0 +1,54 @@
+// A child of the guardian as the composition declares it, why a process should end, and what is seen of the guardian
+// from outside. Thread: plain values and atomics.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "runtime/actor_frame.hpp"
+#include "runtime/seam.hpp"
+#include "runtime/supervision/messages.hpp"
+#include "runtime/supervision/policy.hpp"
+
+namespace godwit::runtime {
+
+// Makes the actor of an incarnation. May throw: then the incarnation does not come to be.
+using actor_maker = std::function<std::unique_ptr<actor_frame>(spawn_context)>;
+
+using guardian_handle = mailbox<asks<get_children, children>, tells<set_policy>, tells<want_child>>;
+using decider_handle = mailbox<tells<child_event>>;
+
+struct child_spec {
+  actor_ref address;
+  child_policy policy;
+  bool is_durable = false; // has state in the journal
+  actor_maker make;
+};
+
+enum class exit_cause { requested, essential_given_up, essential_silent, no_free_worker, guardian_died };
+
+constexpr auto enum_names(exit_cause) {
+  return io::names<exit_cause>({{exit_cause::requested, "requested"},
+                                {exit_cause::essential_given_up, "essential_given_up"},
+                                {exit_cause::essential_silent, "essential_silent"},
+                                {exit_cause::no_free_worker, "no_free_worker"},
+                                {exit_cause::guardian_died, "guardian_died"}});
+}
+
+struct exit_request {
+  exit_cause cause = exit_cause::requested;
+  std::string reason; // a sentence for people
+};
+
+// What the outside sees of the guardian while it runs.
+struct guardian_status {
+  std::atomic<std::int64_t> last_tick_ns{0}; // monotonic; 0 = not started
+  std::atomic<std::uint32_t> hanging{0};     // incarnations left behind in a handler that does not return
+  std::atomic<std::uint64_t> restarts{0};
+  std::atomic<bool> has_begun{false}; // each child has been up once, or was given up; stays true
+};
+
+} // namespace godwit::runtime

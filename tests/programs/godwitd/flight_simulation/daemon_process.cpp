@@ -1,0 +1,121 @@
+#include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
+
+#include <utility>
+
+#include "actors/mapobjects_store/map_port.hpp"
+#include "programs/godwitd/flight_actors.hpp"
+#include "runtime/simulation/simulation.hpp"
+#include "tests/actors/mapobjects_store/stepped_map.hpp"
+
+namespace godwit::tests {
+
+const std::int64_t daemon_process::wall_began_ns = runtime::simulated_time::start_ns;
+
+struct daemon_process::parts {
+  parts(process_surroundings& around, std::int64_t now_ns, std::uint64_t seed)
+      : outside(around), map(std::make_shared<stepped_map>(around.map_file)), world(around.journal, seed, {}, false),
+        facts([&around] { return around.free_disk_bytes; }, world.time()) {
+    world.pass_time_until(now_ns);
+    surround(seed);
+    auto& actors = world.actors();
+    base = daemon::add_base(actors, around.settings, meets);
+    flight = daemon::add_flight(actors, around.settings, meets, base);
+    open_ports();
+  }
+
+  void surround(std::uint64_t seed) {
+    meets.vehicle = vehicle_wire;
+    meets.map = map_port;
+    meets.service = service_port;
+    meets.ground = ground_wire;
+    meets.seed = seed;
+    meets.journal = &world.journal();
+    meets.host = &facts;
+    meets.say = [this](std::string_view part, const std::string& sentence, bool) { outside.say(part, sentence); };
+    meets.on_standing = [this](const executor::stood& now) { outside.on_standing(now); };
+  }
+
+  // As composition::open() does it: what may fail before the actors, the links behind them.
+  void open_ports() {
+    map_port->attach(std::shared_ptr<mapobjects_store::map_access>(map),
+                     [this] { world.tell(base.store, mapobjects_store::wake{}); });
+    service_port->attach([this] { world.tell(base.client, mission_client::wake{}); });
+    world.start();
+    vehicle_wire->open([this] { world.tell(base.vehicle, vehicle_link::wake{}); });
+    ground_wire->open([this] { world.tell(flight.ground, ground_port::wake{}); });
+  }
+
+  process_surroundings& outside;
+  std::shared_ptr<simulated_wire> vehicle_wire = std::make_shared<simulated_wire>();
+  std::shared_ptr<simulated_wire> ground_wire = std::make_shared<simulated_wire>();
+  std::shared_ptr<simulated_service_port> service_port = std::make_shared<simulated_service_port>();
+  std::shared_ptr<mapobjects_store::map_port> map_port = std::make_shared<mapobjects_store::map_port>();
+  std::shared_ptr<stepped_map> map;
+  daemon::actor_surroundings meets;
+  runtime::simulation world;
+  daemon::host_facts facts;
+  daemon::base_actors base;
+  daemon::flight_actors flight;
+};
+
+daemon_process::daemon_process(process_surroundings& outside, std::int64_t now_ns, std::uint64_t seed)
+    : parts_(std::make_unique<parts>(outside, now_ns, seed)) {}
+
+daemon_process::~daemon_process() = default;
+
+std::int64_t daemon_process::next_timer_ns() const { return parts_->world.next_timer_ns(); }
+
+void daemon_process::pass_time_until(std::int64_t now_ns) { parts_->world.pass_time_until(now_ns); }
+
+bool daemon_process::step(std::uint64_t choice) {
+  constexpr std::uint64_t map_share = 8; // of the steps one in so many is the map's, when it has something to do
+  if (choice % map_share == 0 && parts_->map->step())
+    return true;
+  return parts_->world.step(choice / map_share) || parts_->map->step();
+}
+
+void daemon_process::settle() {
+  do
+    parts_->world.settle();
+  while (parts_->map->step());
+}
+
+bool daemon_process::has_uncommitted() const { return parts_->world.journal().waiting() > 0; }
+
+simulated_wire& daemon_process::vehicle_wire() { return *parts_->vehicle_wire; }
+
+simulated_wire& daemon_process::ground_wire() { return *parts_->ground_wire; }
+
+const std::shared_ptr<simulated_service_port>& daemon_process::service_port() const { return parts_->service_port; }
+
+void daemon_process::say(const operator_words::word& what) { parts_->world.tell(parts_->flight.executor, what); }
+
+void daemon_process::see(const mapobjects_store::sighting& what) { parts_->world.tell(parts_->base.store, what); }
+
+void daemon_process::crash_at(const std::string& actor, runtime::crash_point point) {
+  parts_->world.forget_planned_crashes();
+  parts_->world.crash_at(actor, point);
+}
+
+bool daemon_process::kill(const std::string& actor) { return parts_->world.kill(actor); }
+
+void daemon_process::fail_journal(bool failing) { parts_->world.journal().fail_writes(failing); }
+
+void daemon_process::fill_journal(bool full) { parts_->world.journal().refuse_writes(full); }
+
+runtime::health_colour daemon_process::health(const std::string& component) const {
+  auto worst = runtime::health_colour::green;
+  for (const auto& each : parts_->world.health().entries())
+    if (each.component == component)
+      worst = std::max(worst, each.colour);
+  return worst;
+}
+
+std::optional<std::string> daemon_process::wants_exit() const {
+  const auto asked = parts_->world.exit();
+  return asked ? std::optional(asked->reason) : std::nullopt;
+}
+
+std::uint64_t daemon_process::crashes(const std::string& actor) const { return parts_->world.counters(actor).crashes; }
+
+} // namespace godwit::tests

@@ -1,0 +1,83 @@
+// godwitd as one process in virtual time: its real actors, joined by the daemon's own code, on ports that a test holds
+// the other ends of.
+//
+// Destroying it is SIGKILL: mailboxes and what was not committed are gone. The disk and the files outlive it. Nothing
+// runs but by step(). Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "actors/executor/state.hpp"
+#include "messages/mapobjects_store/observation.hpp"
+#include "messages/operator/types.hpp"
+#include "programs/godwitd/settings.hpp"
+#include "runtime/crash_points.hpp"
+#include "runtime/simulation/simulated_journal.hpp"
+#include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
+#include "tests/programs/godwitd/flight_simulation/simulated_wire.hpp"
+
+namespace godwit::tests {
+
+// What a process meets, and what is left of it.
+struct process_surroundings {
+  daemon::daemon_settings settings;
+  runtime::simulated_disk journal;
+  std::string map_file;
+  std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
+  std::function<void(std::string_view part, const std::string& sentence)> say;
+  std::function<void(const executor::stood& now)> on_standing;
+};
+
+class daemon_process {
+public:
+  // Since 1970, when virtual time is 0.
+  static const std::int64_t wall_began_ns;
+
+  // OUTSIDE outlives it. SEED: another one for each process.
+  daemon_process(process_surroundings& outside, std::int64_t now_ns, std::uint64_t seed);
+  daemon_process(const daemon_process&) = delete;
+  daemon_process& operator=(const daemon_process&) = delete;
+  ~daemon_process();
+
+  [[nodiscard]] std::int64_t next_timer_ns() const;
+  void pass_time_until(std::int64_t now_ns);
+  // Runs one thing that can happen now, chosen by CHOICE: a message, a step of the journal's or of the map's writer.
+  // False: nothing can, without time passing.
+  bool step(std::uint64_t choice);
+  // All of them, the journal behind the messages: the order that costs least.
+  void settle();
+  [[nodiscard]] bool has_uncommitted() const;
+
+  [[nodiscard]] simulated_wire& vehicle_wire();
+  [[nodiscard]] simulated_wire& ground_wire();
+  [[nodiscard]] const std::shared_ptr<simulated_service_port>& service_port() const;
+
+  // -- people, and what else comes from beside
+  void say(const operator_words::word& what);
+  void see(const mapobjects_store::sighting& what);
+
+  // -- faults
+  // The next time that ACTOR passes POINT it throws. In place of what was planned before: a third throw on one message
+  // would make a dead letter of it.
+  void crash_at(const std::string& actor, runtime::crash_point point);
+  // Ends its incarnation between two messages. False: there is none now.
+  bool kill(const std::string& actor);
+  void fail_journal(bool failing);
+  // Its queue is full.
+  void fill_journal(bool full);
+  [[nodiscard]] runtime::health_colour health(const std::string& component) const;
+
+  // Why the guardian wants the process to end.
+  [[nodiscard]] std::optional<std::string> wants_exit() const;
+  [[nodiscard]] std::uint64_t crashes(const std::string& actor) const;
+
+private:
+  struct parts;
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::tests

@@ -1,0 +1,103 @@
+#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/messages.hpp"
+
+namespace godwit::tests {
+namespace {
+
+namespace mavlink = io::mavlink;
+using mission::progress_kind;
+
+// The numbers rise by one, and nothing goes back.
+std::string flaw_of_order(const std::vector<mission::progress_report>& reports) {
+  std::uint32_t number = 0;
+  std::uint32_t generation = 0;
+  std::map<std::uint32_t, std::uint32_t> last_index;
+  std::set<std::int32_t> complete;
+  std::set<std::tuple<std::uint32_t, progress_kind, std::string>> told;
+  for (const auto& each : reports) {
+    const auto at = "report " + std::to_string(each.report_no);
+    if (each.report_no != ++number)
+      return at + " stands where " + std::to_string(number) + " should";
+    if (each.generation < generation)
+      return at + " is of an old generation";
+    generation = each.generation;
+    if (each.item_index && each.kind != progress_kind::skipped) {
+      auto& last = last_index[generation];
+      if (*each.item_index < last)
+        return at + " goes back to an earlier item";
+      last = *each.item_index;
+    }
+    if (each.item_id && !told.emplace(generation, each.kind, *each.item_id).second)
+      return at + " tells of " + *each.item_id + " a second time";
+    if (each.kind == progress_kind::complete && !complete.insert(each.revision).second)
+      return at + " completes the mission a second time";
+  }
+  return {};
+}
+
+std::string flaw_of_items(const std::vector<mission::progress_report>& reports, const mission::document& mission) {
+  if (reports.empty() || reports.back().kind != progress_kind::complete)
+    return "the mission is done, and the last report does not say so";
+  std::set<std::string> told;
+  for (const auto& each : reports)
+    if (each.kind == progress_kind::reached || each.kind == progress_kind::skipped)
+      told.insert(each.item_id.value_or(""));
+  for (const auto& each : mission.items)
+    if (!told.contains(mission::id_of(each)))
+      return "item " + mission::id_of(each) + " was never told";
+  return {};
+}
+
+bool moves_vehicle(const vehicle_order& order) {
+  constexpr std::array harmless{mavlink::number(mavlink::mav_cmd::set_message_interval),
+                                mavlink::number(mavlink::mav_cmd::request_message)};
+  switch (order.message_id) {
+  case mavlink::command_long::message_id:
+  case mavlink::command_int::message_id:
+    return std::ranges::find(harmless, order.command) == harmless.end();
+  case mavlink::set_mode::message_id:
+  case mavlink::mission_set_current::message_id:
+  case mavlink::mission_count::message_id:
+  case mavlink::mission_clear_all::message_id:
+  case mavlink::param_set::message_id:
+    return true;
+  default:
+    return false;
+  }
+}
+
+} // namespace
+
+std::string flaw_of_reports(flight_simulation& flight) {
+  if (flight.service().figures(sim::missions::row_kind::progress).differing != 0)
+    return "a report came again with another content";
+  const auto reports = flight.reports();
+  auto flaw = flaw_of_order(reports);
+  if (flaw.empty() && flight.standing().now == executor::phase::done)
+    flaw = flaw_of_items(reports, flight.service().mission(flight.mission_id()));
+  return flaw;
+}
+
+std::string flaw_of_end(const flight_simulation& flight) {
+  const auto& at = flight.standing();
+  if (executor::is_at_rest(at.now))
+    return {};
+  if (at.now != executor::phase::paused)
+    return "it neither ends nor waits for a person";
+  return at.reason.empty() ? "it is paused, and says not why" : "";
+}
+
+int moves_since(const flight_simulation& flight, std::int64_t since_ns) {
+  return static_cast<int>(std::ranges::count_if(
+      flight.orders(), [&](const vehicle_order& each) { return each.at_ns >= since_ns && moves_vehicle(each); }));
+}
+
+} // namespace godwit::tests

@@ -1,0 +1,22 @@
+// What must hold of every flight, whatever has happened in it. Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tests/programs/godwitd/flight_simulation/flight_simulation.hpp"
+
+namespace godwit::tests {
+
+// Of what the service has got: no report is missing or doubled, they came in order, no generation or index goes back, a
+// revision is complete once; when the mission is done each of its items was told. A report that the service has already
+// may come again, with the same content: its answer was lost. Empty: it holds; else a sentence.
+[[nodiscard]] std::string flaw_of_reports(flight_simulation& flight);
+
+// It has its end, or waits for a person and says for what.
+[[nodiscard]] std::string flaw_of_end(const flight_simulation& flight);
+
+// Orders since SINCE_NS that move the vehicle or could: modes, arming, starts, another item, another plan.
+[[nodiscard]] int moves_since(const flight_simulation& flight, std::int64_t since_ns);
+
+} // namespace godwit::tests

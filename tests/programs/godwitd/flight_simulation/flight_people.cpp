@@ -1,0 +1,45 @@
+#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+
+namespace godwit::tests {
+
+using executor::phase;
+
+std::uint32_t pilot_mode(sim::personality who) {
+  constexpr std::uint32_t px4_position_control = 0x0003'0000;
+  constexpr std::uint32_t ardupilot_by_hand = 0; // STABILIZE of a copter, MANUAL of a rover
+  return who == sim::personality::px4 ? px4_position_control : ardupilot_by_hand;
+}
+
+namespace {
+
+// The last word about the mission is at the service.
+bool is_told(flight_simulation& flight) {
+  const auto reports = flight.reports();
+  return !reports.empty() && (reports.back().kind == mission::progress_kind::complete ||
+                              reports.back().kind == mission::progress_kind::aborted);
+}
+
+} // namespace
+
+bool fly_with_help(flight_simulation& flight) {
+  constexpr int most_times = 60;
+  constexpr double patience_s = 30;
+  constexpr double delivery_s = 60; // five tries with their back-off
+  const auto is_at_rest = [&] { return executor::is_at_rest(flight.standing().now); };
+  for (int i = 0; i < most_times && !is_at_rest(); ++i) {
+    (void)flight.run_until([&] { return is_at_rest() || flight.standing().now == phase::paused; }, patience_s);
+    if (is_at_rest())
+      break;
+    if (!flight.vehicle().describe().in_air)
+      flight.vehicle().set_battery(100, flight.now_ns());
+    if (executor::needs_hand_back(flight.standing().cause))
+      flight.say(operator_words::verb::hand_back);
+    flight.run_for(1);
+    if (flight.standing().now == phase::paused)
+      flight.say(operator_words::verb::resume);
+    flight.run_for(1);
+  }
+  return is_at_rest() && flight.run_until([&] { return is_told(flight); }, delivery_s);
+}
+
+} // namespace godwit::tests

@@ -1,0 +1,244 @@
+#include "tests/programs/godwitd/flight_simulation/flight_simulation.hpp"
+
+#include <algorithm>
+
+#include "actors/domain/mission/read.hpp"
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/messages.hpp"
+#include "programs/godwitd/configuration.hpp"
+#include "runtime/assert.hpp"
+#include "tests/support/short_mission.hpp"
+
+namespace godwit::tests {
+namespace {
+
+namespace mavlink = io::mavlink;
+
+// A person's own sender: a radio beside the vehicle, of which godwit knows nothing.
+constexpr mavlink::sender pilot{254, 190};
+
+// As an operator writes them; addresses are needed, and nobody goes there.
+daemon::daemon_settings settings_for(const std::string& mission_id, bool starts_by_itself) {
+  daemon::given_texts words{{"service", "https://missions.example.org"},
+                            {"mission-id", mission_id},
+                            {"vehicle", "udpin://127.0.0.1:0"},
+                            {"ground", "udpin://127.0.0.1:0"}};
+  words["arm-on-start"] = "true";
+  if (starts_by_itself)
+    words["start"] = "automatic";
+  const auto configuration = daemon::effective_configuration(words, {});
+  GODWIT_ASSERT(configuration.has_value(), "test: the words are right");
+  auto settings = daemon::settings_from(*configuration);
+  GODWIT_ASSERT(settings.has_value(), "test: the configuration can be used");
+  return *std::move(settings);
+}
+
+} // namespace
+
+flight_simulation::flight_simulation(const options& wanted) : flight_simulation(wanted, short_mission(wanted.who)) {}
+
+flight_simulation::flight_simulation(const options& wanted, const mission::document& mission)
+    : seed_(wanted.seed), dice_(wanted.seed), is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id),
+      service_(daemon_process::wall_began_ns), station_([this](std::span<const std::byte> frame) {
+        if (process_)
+          process_->ground_wire().receive(frame);
+      }),
+      line_(wanted.seed, [this](sim::way to, std::span<const std::byte> frame, bool is_damaged) {
+        arrived(to, frame, is_damaged);
+      }) {
+  service_.add_mission(mission);
+  sim::vehicle_settings vehicle;
+  vehicle.who = wanted.who;
+  vehicle.speed = wanted.speed;
+  vehicle.seed = wanted.seed;
+  vehicle.stream_factor = wanted.stream_factor;
+  vehicle_ = std::make_unique<sim::vehicle>(
+      vehicle, now_ns_, [this](std::span<const std::byte> frame) { line_.send(sim::way::out, frame, now_ns_); });
+  line_.set(wanted.line);
+  outside_.settings = settings_for(mission_id_, wanted.starts_by_itself);
+  outside_.map_file = folder_.file("map.db");
+  outside_.say = [this](std::string_view part, const std::string& sentence) {
+    note(std::string(part) + ": " + sentence);
+  };
+  outside_.on_standing = [this](const executor::stood& now) { standing_ = now; };
+  begins_ns_ = now_ns_;
+}
+
+// -- time -------------------------------------------------------------------------------------------
+
+std::int64_t flight_simulation::next_due_ns() const {
+  return std::min({vehicle_->next_deadline_ns(), line_.next_deadline_ns(), service_.next_deadline_ns(),
+                   station_.next_deadline_ns(), process_ ? process_->next_timer_ns() : begins_ns_});
+}
+
+void flight_simulation::step(std::int64_t end_ns) {
+  now_ns_ = std::clamp(next_due_ns(), now_ns_, end_ns);
+  if (process_)
+    process_->pass_time_until(now_ns_);
+  else if (now_ns_ >= begins_ns_)
+    begin_process();
+  line_.on_time(now_ns_);
+  if (vehicle_->next_deadline_ns() <= now_ns_)
+    vehicle_->on_time(now_ns_);
+  service_.on_time(now_ns_);
+  station_.on_time(now_ns_);
+  settle();
+}
+
+// Until nothing more happens without time passing.
+void flight_simulation::settle() {
+  do
+    run_process();
+  while (exchange());
+  watch_process();
+}
+
+void flight_simulation::run_process() {
+  if (process_ && !is_shuffled_ && !planned_kill_)
+    return process_->settle();
+  while (process_ && process_->step(dice_()))
+    if (is_time_to_die())
+      kill_process();
+}
+
+bool flight_simulation::exchange() {
+  if (!process_)
+    return false;
+  const auto orders = process_->vehicle_wire().take_sent();
+  for (const auto& each : orders)
+    line_.send(sim::way::in, each, now_ns_);
+  const auto shown = process_->ground_wire().take_sent();
+  for (const auto& each : shown)
+    station_.receive(each);
+  const bool has_called = service_.take_from(process_->service_port(), now_ns_);
+  return !orders.empty() || !shown.empty() || has_called;
+}
+
+// -- the process ------------------------------------------------------------------------------------
+
+void flight_simulation::begin_process() {
+  note("process " + std::to_string(++processes_));
+  process_ = std::make_unique<daemon_process>(outside_, now_ns_, dice_());
+}
+
+void flight_simulation::kill_process() {
+  if (!process_)
+    return;
+  note("killed at commit " + std::to_string(commits()));
+  (void)exchange(); // what it has sent is on its way
+  process_.reset();
+  begins_ns_ = now_ns_ + restart_takes_ns;
+}
+
+// As the service manager does it.
+void flight_simulation::watch_process() {
+  const auto why = process_ ? process_->wants_exit() : std::nullopt;
+  if (!why)
+    return;
+  note("the process ends: " + *why);
+  kill_process();
+}
+
+void flight_simulation::kill_process_at_commit(std::uint64_t number, side where) {
+  planned_kill_ = planned_kill{number, where};
+}
+
+// Before: somewhere between the first write that would be in this commit and the commit.
+bool flight_simulation::is_time_to_die() {
+  if (!planned_kill_ || commits() + 1 < planned_kill_->commit)
+    return false;
+  const bool is_done = commits() >= planned_kill_->commit;
+  const bool is_now =
+      is_done || (planned_kill_->where == side::before && process_->has_uncommitted() && dice_() % 4 == 0);
+  if (is_now)
+    planned_kill_.reset();
+  return is_now;
+}
+
+// -- the vehicle ------------------------------------------------------------------------------------
+
+void flight_simulation::arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged) {
+  if (to == sim::way::out) {
+    if (process_)
+      process_->vehicle_wire().receive(frame);
+    return;
+  }
+  const auto hand_on = [this](const mavlink::frame_view& good) { reaches_vehicle(good); };
+  if (is_damaged)
+    damaged_.feed_datagram(frame, hand_on);
+  else
+    hand_on(mavlink::frame_view(frame.data()));
+}
+
+void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
+  vehicle_order order{now_ns_, frame.id()};
+  if (frame.id() == mavlink::command_long::message_id)
+    order.command = mavlink::decode<mavlink::command_long>(frame).command;
+  if (frame.id() == mavlink::command_int::message_id)
+    order.command = mavlink::decode<mavlink::command_int>(frame).command;
+  if (frame.id() != mavlink::heartbeat::message_id)
+    orders_.push_back(order);
+  vehicle_->on_frame(frame, now_ns_);
+}
+
+void flight_simulation::switch_mode(std::uint32_t custom_mode) {
+  note("a pilot switches to mode " + std::to_string(custom_mode));
+  mavlink::set_mode wish;
+  wish.target_system = 1;
+  wish.base_mode = 1;
+  wish.custom_mode = custom_mode;
+  const auto frame = mavlink::encode(wish, pilot, 0);
+  vehicle_->on_frame(frame.view(), now_ns_);
+}
+
+void flight_simulation::cut_line(double seconds) {
+  note("the line is cut for " + std::to_string(seconds) + " s");
+  line_.cut(now_ns_ + static_cast<std::int64_t>(seconds * 1e9));
+}
+
+// -- people -----------------------------------------------------------------------------------------
+
+void flight_simulation::say(operator_words::verb what) {
+  operator_words::word word;
+  word.verb = what;
+  say(std::move(word));
+}
+
+void flight_simulation::say(operator_words::word what) {
+  note("the operator says " + std::string(io::name_of(what.verb)));
+  what.by = "test";
+  if (process_)
+    process_->say(what);
+}
+
+// -- what has happened ------------------------------------------------------------------------------
+
+std::vector<mission::progress_report> flight_simulation::reports() {
+  std::vector<mission::progress_report> result;
+  for (const auto& each : service_.rows(mission_id_, sim::missions::row_kind::progress)) {
+    auto read = mission::read<mission::progress_report>(each.text);
+    GODWIT_ASSERT(read.has_value(), "the service has stored a good report");
+    result.push_back(*std::move(read));
+  }
+  return result;
+}
+
+void flight_simulation::note(const std::string& sentence) {
+  told_.push_back(std::to_string(now_ns_ / 1'000'000) + " ms: " + sentence);
+}
+
+std::string flight_simulation::story() {
+  std::string result = "seed " + std::to_string(seed_) + "\n";
+  for (const auto& each : told_)
+    result += each + "\n";
+  for (const auto& each : reports())
+    result += std::to_string(each.report_no) + " r" + std::to_string(each.revision) + " g" +
+              std::to_string(each.generation) + " " + std::string(io::name_of(each.kind)) + " " +
+              each.item_id.value_or("") + (each.inferred ? " (inferred)" : "") + "\n";
+  const auto seen = vehicle_->describe();
+  return result + "vehicle: " + seen.mode + (seen.armed ? ", armed" : ", disarmed") +
+         (seen.in_air ? ", in the air" : "") + ", mission " + seen.mission_state + " at " +
+         std::to_string(seen.mission_current) + " of " + std::to_string(seen.mission_count) + "\n";
+}
+
+} // namespace godwit::tests

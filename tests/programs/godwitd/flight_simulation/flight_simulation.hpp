@@ -1,0 +1,152 @@
+// The whole daemon in virtual time: its real actors, a simulated vehicle, the simulated missions service and a ground
+// station in one thread, by seed.
+//
+//   station ── wire ── ground_port ┐
+//   service ── port ── mission_client ┼── executor, failsafe, mapobjects_store
+//   vehicle ── line ── vehicle_link ┘
+//
+// Time jumps from one thing that is due to the next; between two of them everything that can happen happens, in an
+// order that the seed draws. The process can be killed at any moment and comes back after restart_takes_ns; so it does
+// when its guardian gives up. Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/mavlink/scanner.hpp"
+#include "messages/mission/document.hpp"
+#include "messages/mission/progress.hpp"
+#include "programs/godwit-sim/line/faulty_line.hpp"
+#include "programs/godwit-sim/vehicle/vehicle.hpp"
+#include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
+#include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
+#include "tests/programs/godwitd/flight_simulation/simulated_station.hpp"
+#include "tests/programs/godwitd/scratch.hpp"
+
+namespace godwit::tests {
+
+// An order to the vehicle, as it came out of the line.
+struct vehicle_order {
+  std::int64_t at_ns = 0;
+  std::uint32_t message_id = 0;
+  std::uint16_t command = 0; // of COMMAND_LONG and COMMAND_INT
+};
+
+class flight_simulation {
+public:
+  struct options {
+    sim::personality who = sim::personality::px4;
+    std::uint64_t seed = 1;
+    bool starts_by_itself = true; // else by MISSION_START of the station
+    double speed = 10;            // of the vehicle's world
+    double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
+    sim::line_faults line = {};
+    bool is_shuffled = true; // else in the order that costs least
+  };
+
+  static constexpr std::int64_t restart_takes_ns = 300'000'000;
+
+  // The service has MISSION (of short_mission(), when none is named), and nothing has happened yet.
+  explicit flight_simulation(const options& wanted);
+  flight_simulation(const options& wanted, const mission::document& mission);
+
+  // Until CONDITION, or for so long. True: it held.
+  template <class Condition>
+  bool run_until(Condition condition, double most_s) {
+    const auto end_ns = now_ns_ + static_cast<std::int64_t>(most_s * 1e9);
+    while (now_ns_ < end_ns) {
+      if (condition())
+        return true;
+      step(end_ns);
+    }
+    return condition();
+  }
+  void run_for(double seconds) {
+    (void)run_until([] { return false; }, seconds);
+  }
+  bool run_until_phase(executor::phase wanted, double most_s = 600) {
+    return run_until([&] { return standing().now == wanted; }, most_s);
+  }
+
+  // -- what is to go wrong
+  // Now; the next process begins after restart_takes_ns.
+  void kill_process();
+  enum class side { before, after };
+  // At the N-th commit of all processes, counted from 1.
+  void kill_process_at_commit(std::uint64_t number, side where);
+  // As a pilot's switch would, without godwit knowing.
+  void switch_mode(std::uint32_t custom_mode);
+  void cut_line(double seconds);
+
+  // -- its parts
+  [[nodiscard]] sim::vehicle& vehicle() { return *vehicle_; }
+  [[nodiscard]] simulated_service& service() { return service_; }
+  [[nodiscard]] simulated_station& station() { return station_; }
+  // None while it is down.
+  [[nodiscard]] daemon_process* process() { return process_.get(); }
+  [[nodiscard]] process_surroundings& outside() { return outside_; }
+  void say(operator_words::verb what);
+  void say(operator_words::word what);
+
+  // -- what has happened
+  [[nodiscard]] std::int64_t now_ns() const { return now_ns_; }
+  [[nodiscard]] std::int64_t wall_ns() const { return daemon_process::wall_began_ns + now_ns_; }
+  [[nodiscard]] const std::string& mission_id() const { return mission_id_; }
+  // As the executor has told it last.
+  [[nodiscard]] const executor::stood& standing() const { return standing_; }
+  [[nodiscard]] const std::vector<vehicle_order>& orders() const { return orders_; }
+  [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
+  [[nodiscard]] int processes() const { return processes_; }
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  // As the service has them, in the order in which they came.
+  [[nodiscard]] std::vector<mission::progress_report> reports();
+  // All of it, for messages of tests.
+  [[nodiscard]] std::string story();
+
+private:
+  void step(std::int64_t end_ns);
+  [[nodiscard]] std::int64_t next_due_ns() const;
+  void settle();
+  void run_process();
+  // True: something was moved.
+  bool exchange();
+  void watch_process();
+  void begin_process();
+  [[nodiscard]] bool is_time_to_die();
+  void arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged);
+  void reaches_vehicle(const io::mavlink::frame_view& frame);
+  void note(const std::string& sentence);
+
+  std::uint64_t seed_;
+  std::mt19937_64 dice_;
+  bool is_shuffled_;
+  std::string mission_id_;
+  std::int64_t now_ns_ = 1'000'000'000;
+  test::scratch folder_;
+  std::vector<std::string> told_;
+  executor::stood standing_;
+  std::vector<vehicle_order> orders_;
+
+  simulated_service service_;
+  simulated_station station_;
+  sim::faulty_line line_;
+  std::unique_ptr<sim::vehicle> vehicle_;
+  io::mavlink::scanner damaged_;
+
+  process_surroundings outside_;
+  std::unique_ptr<daemon_process> process_;
+  int processes_ = 0;
+  std::int64_t begins_ns_ = 0; // the next process, when there is none
+  struct planned_kill {
+    std::uint64_t commit = 0;
+    side where = side::after;
+  };
+  std::optional<planned_kill> planned_kill_;
+};
+
+} // namespace godwit::tests

@@ -1,0 +1,60 @@
+// The process is killed before and behind commits of its journal, one flight for each place: the next process goes on,
+// and the service gets each report once.
+//
+// The places are enumerated and not drawn: every n-th commit of a flight without a kill, and with TEST_FULL=1 every
+// one of them.
+#include <gtest/gtest.h>
+
+#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
+#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "tests/support/run_options.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::tests;
+using side = flight_simulation::side;
+
+struct kill_case {
+  sim::personality who;
+  side where;
+};
+
+class process_kill : public testing::TestWithParam<kill_case> {};
+
+std::uint64_t commits_of_whole_flight(sim::personality who) {
+  flight_simulation flight({.who = who});
+  EXPECT_TRUE(flight.run_until_phase(executor::phase::done, 300)) << flight.story();
+  return flight.commits();
+}
+
+TEST_P(process_kill, at_any_commit_of_a_flight_loses_and_doubles_nothing) {
+  constexpr std::uint64_t usual_places = 25;
+  const auto [who, where] = GetParam();
+  const auto last = commits_of_whole_flight(who);
+  ASSERT_GT(last, usual_places);
+  const auto stride = is_full_run() ? 1 : last / usual_places;
+  int kills = 0; // with another order of events a flight can have a few commits less
+  for (std::uint64_t commit = 1; commit <= last; commit += stride) {
+    flight_simulation flight({.who = who, .seed = commit});
+    flight.kill_process_at_commit(commit, where);
+    EXPECT_TRUE(fly_with_help(flight)) << "commit " << commit << "\n" << flight.story();
+    kills += flight.processes() - 1;
+    EXPECT_EQ(flaw_of_reports(flight), "") << "commit " << commit << "\n" << flight.story();
+    if (HasFailure())
+      return;
+  }
+  EXPECT_GE(kills, static_cast<int>(last / stride * 9 / 10));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    every_vehicle, process_kill,
+    testing::Values(kill_case{sim::personality::rover, side::before}, kill_case{sim::personality::rover, side::after},
+                    kill_case{sim::personality::px4, side::before}, kill_case{sim::personality::px4, side::after},
+                    kill_case{sim::personality::ardupilot, side::before},
+                    kill_case{sim::personality::ardupilot, side::after}),
+    [](const auto& each) {
+      return std::string(io::name_of(each.param.who)) + (each.param.where == side::before ? "_before" : "_behind");
+    });
+
+} // namespace

@@ -1,0 +1,141 @@
+// A whole mission of the missions service on the real composition of the daemon, while nobody crashes.
+#include <gtest/gtest.h>
+
+#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
+#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "tests/programs/godwitd/sighting_text.hpp"
+#include "tests/support/short_mission.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::tests;
+using executor::phase;
+using mission::progress_kind;
+using sim::missions::row_kind;
+
+class whole_flight : public testing::TestWithParam<sim::personality> {
+protected:
+  flight_simulation flight{{.who = GetParam()}};
+
+  void expect_sound_end() {
+    EXPECT_TRUE(executor::is_at_rest(flight.standing().now)) << flight.story();
+    EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+  }
+  // On its way to an item in the middle.
+  void fly_past(const std::string& item) {
+    const auto has_been_there = [&] {
+      for (const auto& each : flight.reports())
+        if (each.kind == progress_kind::reached && each.item_id == item)
+          return true;
+      return false;
+    };
+    ASSERT_TRUE(flight.run_until(has_been_there, 120)) << flight.story();
+  }
+};
+
+TEST_P(whole_flight, a_mission_is_fetched_uploaded_flown_and_told_once_and_in_order) {
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  expect_sound_end();
+  const auto reports = flight.reports();
+  EXPECT_EQ(reports.front().kind, progress_kind::started);
+  EXPECT_FALSE(flight.vehicle().describe().in_air) << flight.story();
+}
+
+TEST_P(whole_flight, what_was_seen_on_the_way_is_delivered_once_behind_the_flight) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  mapobjects_store::sighting seen;
+  seen.id = test::sighting_id(1);
+  seen.mission_id = flight.mission_id();
+  seen.class_group = "vehicle";
+  seen.position = {47.3981, 8.5461, {}};
+  seen.at_ns = flight.wall_ns();
+  seen.confidence = 0.9;
+  flight.process()->see(seen);
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  const auto rows = flight.service().rows(flight.mission_id(), row_kind::observation);
+  ASSERT_EQ(rows.size(), 1U) << flight.story();
+  EXPECT_EQ(rows.front().id, seen.id);
+  EXPECT_EQ(rows.front().deliveries, 1U);
+}
+
+TEST_P(whole_flight, an_assignment_on_the_way_is_flown_and_answered_once) {
+  fly_past("w1");
+  sim::missions::assignment_wish wish;
+  const double up_m = GetParam() == sim::personality::rover ? 0 : 20;
+  wish.replace_after_item_id = "w2";
+  wish.items = {place("n1", 20, 20, up_m), place("n2", -30, 20, up_m)};
+  if (GetParam() != sim::personality::rover)
+    wish.items.emplace_back(mission::return_home{"home_again"});
+  ASSERT_TRUE(flight.service().assign(flight.mission_id(), wish, flight.now_ns()));
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  expect_sound_end();
+  EXPECT_EQ(flight.service().rows(flight.mission_id(), row_kind::response).size(), 1U) << flight.story();
+  EXPECT_EQ(flight.service().mission(flight.mission_id()).revision, 2) << flight.story();
+}
+
+TEST_P(whole_flight, a_pilot_who_takes_the_vehicle_on_the_way_is_left_alone_until_it_is_handed_back) {
+  fly_past("w1");
+  flight.switch_mode(pilot_mode(GetParam()));
+  ASSERT_TRUE(flight.run_until_phase(phase::paused, 5)) << flight.story();
+  EXPECT_EQ(flight.standing().cause, executor::pause_cause::taken_over) << flight.story();
+  const auto since_ns = flight.now_ns();
+  flight.run_for(20);
+  EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
+  EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+  expect_sound_end();
+}
+
+TEST_P(whole_flight, a_map_that_can_not_be_pulled_keeps_it_on_the_ground_and_the_reason_is_said) {
+  flight.service().set_fault("status 503 on get-mapobjects");
+  flight.run_for(60);
+  EXPECT_FALSE(flight.standing().in_flight) << flight.story();
+  EXPECT_FALSE(flight.vehicle().describe().armed) << flight.story();
+  EXPECT_TRUE(flight.reports().empty());
+  EXPECT_NE(flight.story().find("map could not be pulled"), std::string::npos) << flight.story();
+}
+
+TEST_P(whole_flight, a_pull_that_is_late_delays_the_flight_and_does_not_end_it) {
+  flight.service().set_fault("status 503 on get-mapobjects times 2");
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  expect_sound_end();
+}
+
+TEST_P(whole_flight, a_disk_without_room_keeps_it_on_the_ground) {
+  flight.outside().free_disk_bytes = 1;
+  flight.run_for(60);
+  EXPECT_FALSE(flight.vehicle().describe().armed) << flight.story();
+  EXPECT_NE(flight.story().find("are free on the disk"), std::string::npos) << flight.story();
+}
+
+TEST_P(whole_flight, begins_by_the_start_of_a_ground_station_and_not_before) {
+  flight_simulation waits({.who = GetParam(), .starts_by_itself = false});
+  ASSERT_TRUE(waits.run_until_phase(phase::ready, 120)) << waits.story();
+  waits.run_for(20);
+  EXPECT_FALSE(waits.vehicle().describe().armed) << waits.story();
+  waits.station().start_mission();
+  EXPECT_TRUE(waits.run_until_phase(phase::done, 300)) << waits.story();
+  ASSERT_TRUE(waits.station().start_answer());
+  EXPECT_EQ(waits.station().start_answer()->result, 0) << "accepted";
+  EXPECT_EQ(flaw_of_reports(waits), "") << waits.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(every_vehicle, whole_flight,
+                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
+                         [](const auto& who) { return std::string(io::name_of(who.param)); });
+
+// What makes a failure of a random flight worth anything.
+TEST(flight_simulation, the_same_seed_flies_the_same_flight) {
+  const auto story_of = [](std::uint64_t seed) {
+    flight_simulation flight({.seed = seed});
+    flight.kill_process_at_commit(20, flight_simulation::side::before);
+    flight.run_for(20);
+    flight.process()->crash_at("executor", runtime::crash_point::after_handler);
+    (void)fly_with_help(flight);
+    return flight.story();
+  };
+  EXPECT_EQ(story_of(7), story_of(7));
+  EXPECT_NE(story_of(7), story_of(8));
+}
+
+} // namespace

@@ -1,0 +1,48 @@
+#include "programs/godwitd/signal_handler.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <future>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace godwit::daemon {
+namespace {
+
+constexpr std::chrono::seconds patience{60};
+
+// Each in a process of its own, because the signals stay blocked.
+
+TEST(signal_handler_death, a_hangup_and_a_stop_are_told_and_the_stop_by_its_name) {
+  EXPECT_EXIT(
+      {
+        signal_handler handler;
+        std::promise<std::string> stopped;
+        std::promise<void> hung_up;
+        handler.start([&](const std::string& name) { stopped.set_value(name); }, [&] { hung_up.set_value(); });
+        ::kill(::getpid(), SIGHUP);
+        const bool is_heard = hung_up.get_future().wait_for(patience) == std::future_status::ready;
+        ::kill(::getpid(), SIGTERM);
+        auto name = stopped.get_future();
+        const bool is_told = name.wait_for(patience) == std::future_status::ready && name.get() == "SIGTERM";
+        ::_exit(is_heard && is_told ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST(signal_handler_death, a_second_stop_ends_the_process) {
+  EXPECT_EXIT(
+      {
+        signal_handler handler;
+        std::promise<void> never;
+        handler.start([](const std::string&) { ::kill(::getpid(), SIGINT); });
+        ::kill(::getpid(), SIGINT);
+        never.get_future().wait_for(patience);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+} // namespace
+} // namespace godwit::daemon

@@ -1,0 +1,36 @@
+#include "tests/support/short_mission.hpp"
+
+namespace godwit::tests {
+namespace {
+
+constexpr double home_latitude = 47.397742; // of the simulated vehicles, when they are given no other
+constexpr double home_longitude = 8.545594;
+constexpr double metres_of_latitude = 111'200;
+constexpr double metres_of_longitude = 75'300; // there
+
+} // namespace
+
+mission::item place(const std::string& id, double north_m, double east_m, double up_m) {
+  mission::waypoint result;
+  result.id = id;
+  result.at = {home_latitude + north_m / metres_of_latitude, home_longitude + east_m / metres_of_longitude, up_m};
+  return result;
+}
+
+mission::document short_mission(sim::personality who) {
+  mission::document result;
+  result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  result.return_point = {home_latitude, home_longitude, 0};
+  const bool drives = who == sim::personality::rover;
+  if (!drives)
+    result.items.emplace_back(mission::takeoff{"up", 20});
+  const double up_m = drives ? 0 : 20;
+  result.items.push_back(place("w1", 60, 0, up_m));
+  result.items.push_back(place("w2", 60, 60, up_m));
+  result.items.push_back(place("w3", 0, 60, up_m));
+  if (!drives)
+    result.items.emplace_back(mission::return_home{"home"});
+  return result;
+}
+
+} // namespace godwit::tests

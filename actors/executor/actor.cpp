@@ -203,8 +203,8 @@ void actor::let_out(const order& each) {
 }
 
 void actor::send(const order& each) {
-  for (const auto kind : each.expected)
-    tell(others_->failsafe, failsafe::expect_mode{kind, expected_for_ns / 1'000'000});
+  if (!each.expected.empty())
+    tell(others_->failsafe, failsafe::expect_mode{each.expected, flight::order_is_expected_ns / 1'000'000});
   std::visit([&](const auto& what) { send(each.number, what); }, each.what);
 }
 

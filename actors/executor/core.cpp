@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
@@ -21,17 +22,18 @@ using mission_client::pull_state;
 constexpr std::uint64_t first_reading_back = 1ULL << 32U;
 constexpr std::int64_t read_again_after_ns = 2'000'000'000;
 constexpr std::int64_t check_period_ns = 1'000'000'000;
-constexpr std::int64_t plan_end_expected_ns = 10'000'000'000; // told again in good time while the plan ends
-constexpr std::int64_t last_word_within_ns = 4'000'000'000;   // MISSION_CURRENT comes once a second, and may be lost
+constexpr std::int64_t stands_ns = 2'000'000'000; // disarmed for so long, before its mode is changed
+constexpr double landed_there_m = 15;
+constexpr double fixed_wing_landed_there_m = 150;
+constexpr std::int64_t last_word_within_ns = 4'000'000'000; // MISSION_CURRENT comes once a second, and may be lost
 
 bool is_before_start(phase now) {
   return now == phase::disconnected || now == phase::connected || now == phase::preflight || now == phase::uploading ||
          now == phase::ready;
 }
 
-// A plan may leave the vehicle in these.
-bool ends_plans(mode_kind kind) {
-  return kind == mode_kind::hold || kind == mode_kind::returning || kind == mode_kind::landing;
+void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& more) {
+  to.insert(to.end(), more.begin(), more.end());
 }
 
 bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }
@@ -66,8 +68,8 @@ effects core::advance(instant now) {
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out, now) || run_task(out, now) ||
-                      end_flight(out, now) || answer_assignment(out, now) || deploy_arrived(out, now) ||
-                      follow_started(out) || begin_wished(out, now) || prepare(out, now));
+                      end_flight(out, now) || leave_mission_mode(out, now) || answer_assignment(out, now) ||
+                      deploy_arrived(out, now) || follow_started(out) || begin_wished(out, now) || prepare(out, now));
     const bool has_notes =
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
@@ -93,27 +95,48 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
   view_.take(m, now.now_ns);
   if (view_.is_under_way())
     was_up_ = true;
-  if (!has_looked_ || !is_in_flight() || !view_.is_armed())
+  if (view_.is_armed()) {
+    disarmed_since_ns_ = 0;
+    has_stood_by_ = false;
+  } else if (disarmed_since_ns_ == 0) {
+    disarmed_since_ns_ = now.now_ns;
+  }
+  const bool is_failsafes = stance_ && stance_->reacts;
+  if (!has_looked_ || is_failsafes || !(is_starting() || is_in_flight()))
     return {};
-  effects out;
-  const bool leads_down =
-      is_at_plan_end() || s_.standing.now == phase::landing || s_.progress.paused == progress::pause_reason::aborted;
-  modes_.set_plan_end(leads_down);
-  if (leads_down)
-    plan_ends(out, now);
-  if (stance_ && stance_->reacts)
-    modes_.adopt(*view_.mode());
-  else if (!modes_.is_taken_over_by(*view_.mode(), now.now_ns))
-    unclear_since_ns_ = 0;
-  else if (unclear_since_ns_ == 0)
-    unclear_since_ns_ = now.now_ns;
-  return out;
+  know_plan_end();
+  if (is_in_flight() && !view_.is_armed())
+    authority_.expect_also(modes_behind_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);
+  authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+  return {};
+}
+
+// PX4 goes back to its mission mode when it disarms in another one, or holds when the mission is done.
+std::vector<std::uint32_t> core::modes_behind_disarm() const {
+  if (view_.owner().autopilot != io::mavlink::mav_autopilot::px4)
+    return {};
+  auto result = flight::modes_obeying(view_.owner(), mode_kind::mission);
+  append(result, flight::modes_obeying(view_.owner(), mode_kind::hold));
+  return result;
+}
+
+// Of the plan that was accepted last.
+void core::know_plan_end() {
+  if (!view_.mode() || known_end_ == s_.progress.last_generation)
+    return;
+  known_end_ = s_.progress.last_generation;
+  authority_.set_plan_end(end_of_plan(view_.owner(), s_));
 }
 
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   view_.take(m, now.now_ns);
+  const auto complete = io::mavlink::number(io::mavlink::mission_state::complete);
+  know_plan_end();
+  authority_.on_place(m.seq, m.mission_state == complete, now.now_ns);
   effects out;
-  const progress::current_told told{m, !view_.is_armed()};
+  progress::current_told told{m, !view_.is_armed(), !has_person() && authority_.is_ours()};
+  if (m.mission_state == complete && !is_complete_credible(now))
+    told.message.mission_state = io::mavlink::number(io::mavlink::mission_state::active);
   if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
     out.emplace_back(note{told});
   return out;
@@ -121,10 +144,45 @@ effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
 
 effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now) {
   effects out;
+  const bool is_early =
+      ends_on_ground() && m.seq >= end_of_plan(view_.owner(), s_).from_sequence && !came_down_as_planned(now);
   const progress::reached_told told{m.seq};
-  if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
+  if (!is_early && !has_person() && authority_.is_ours() && s_.progress.plan &&
+      progress::matters(s_.progress, told, now.wall_ns))
     out.emplace_back(note{told});
   return out;
+}
+
+// A rover drives home and stays as it is.
+bool core::ends_on_ground() const {
+  using io::mavlink::mav_cmd;
+  if (!s_.flown || s_.flown->items.empty() || view_.owner().vehicle == flight::vehicle_class::rover)
+    return false;
+  return std::ranges::any_of(std::array{mav_cmd::nav_land, mav_cmd::nav_vtol_land, mav_cmd::nav_return_to_launch},
+                             [&](mav_cmd each) { return s_.flown->items.back().command == io::mavlink::number(each); });
+}
+
+// PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the
+// plan leads: on the ground there, or in the air in a mode of the plan.
+bool core::is_complete_credible(instant now) const {
+  if (!s_.flown || view_.owner().vehicle == flight::vehicle_class::rover)
+    return true;
+  if (ends_on_ground())
+    return came_down_as_planned(now);
+  const bool flies_plan = view_.is_in(mode_kind::mission) || view_.is_in_one_of(end_of_plan(view_.owner(), s_).modes);
+  return flies_plan && view_.is_under_way();
+}
+
+// On the ground, where the last item of the plan leads.
+bool core::came_down_as_planned(instant now) const {
+  if (!ends_on_ground() || view_.is_under_way())
+    return false;
+  const auto& last = s_.flown->items.back();
+  const bool is_wing = view_.owner().vehicle == flight::vehicle_class::fixed_wing;
+  const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
+  if (last.command != io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
+    return (last.x == 0 && last.y == 0) || view_.is_within(metres, last.x * 1e-7, last.y * 1e-7, now.now_ns);
+  return view_.home() && view_.is_within(metres, view_.home()->latitude, view_.home()->longitude, now.now_ns);
 }
 
 core::release core::lets_out(const order& what, instant now) {
@@ -133,8 +191,8 @@ core::release core::lets_out(const order& what, instant now) {
     return release::revoked;
   if (now.now_ns - what.decided_ns > order_is_worth_ns)
     return release::too_late;
-  for (const auto kind : what.expected)
-    modes_.expect(kind, now.now_ns);
+  if (!what.expected.empty())
+    authority_.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
   return release::now;
 }
 
@@ -261,7 +319,7 @@ effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
 effects core::on_delivered(const mission_client::mission_settled& m, instant) {
   effects out;
   if (s_.standing.now == phase::post_flight && s_.mission && s_.mission->mission_id == m.mission_id)
-    stand(out, phase::done);
+    stand(out, phase::done, s_.standing.cause, s_.standing.reason);
   return out;
 }
 
@@ -270,10 +328,10 @@ effects core::on_delivered(const mission_client::mission_settled& m, instant) {
 operator_words::answer core::on_operator(const operator_words::word& m, instant now) {
   using operator_words::verb;
   const auto refuse = [](const std::string& why) { return operator_words::answer{false, why}; };
-  const bool belongs_to_person = is_paused_for_person();
+  const bool drives_plan = view_.is_under_way() && view_.is_in(mode_kind::mission);
   switch (m.verb) {
   case verb::hand_back:
-    if (!is_paused_for_person())
+    if (!has_person())
       return refuse("nobody has taken the vehicle from godwit");
     is_handed_back_ = true;
     return {true, {}};
@@ -286,8 +344,8 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   case verb::go_to:
   case verb::cancel:
   case verb::insert:
-    return belongs_to_person ? refuse("the vehicle has to be handed back first: " + s_.standing.reason)
-                             : take_change(m, now);
+    return has_person() ? refuse("the vehicle has to be handed back first: " + s_.standing.reason)
+                        : take_change(m, now);
   case verb::start:
     if (s_.standing.now != phase::ready)
       return refuse("the flight is not ready: " + sentence());
@@ -296,14 +354,18 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   case verb::resume:
     if (s_.standing.now != phase::paused)
       return refuse("the flight is not paused: " + sentence());
+    if (is_in_flight() && !view_.is_under_way())
+      return refuse("the vehicle stands on the ground; say it again when its flight has ended, in a few seconds");
+    if (is_in_flight() && (is_plan_finished() || s_.progress.paused == progress::pause_reason::aborted))
+      return refuse("nothing of the mission is left to fly; come_home brings the vehicle back");
     break;
   case verb::pause:
   case verb::come_home:
-    if (!is_in_flight())
+    if (!is_in_flight() && !drives_plan)
       return refuse("no flight is under way: " + sentence());
     break;
   }
-  if (belongs_to_person)
+  if (has_person())
     return refuse("the vehicle has to be handed back first: " + s_.standing.reason);
   wanted_change_.reset(); // the last word counts
   is_held_for_change_ = false;
@@ -371,32 +433,27 @@ std::string core::sentence() const {
 
 // -- decisions --------------------------------------------------------------------------------------
 
-bool core::is_paused_for_person() const {
-  return s_.standing.now == phase::paused && needs_hand_back(s_.standing.cause);
-}
-
 bool core::may_change_plan() const {
   const auto& at = s_.standing;
-  return at.in_flight && (at.now == phase::flying || (at.now == phase::paused && at.cause == pause_cause::asked));
+  return at.in_flight && (at.now == phase::flying || (at.now == phase::paused && at.cause == pause_cause::asked) ||
+                          (at.now == phase::landing && hovers()));
+}
+
+// Behind a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.
+bool core::hovers() const {
+  return is_plan_finished() && !ends_on_ground() && view_.is_under_way() &&
+         s_.progress.paused != progress::pause_reason::aborted;
 }
 
 bool core::is_plan_finished() const { return s_.progress.plan && s_.progress.plan->generation.is_finished; }
 
 bool core::is_mission_finished() const { return is_plan_finished() && s_.progress.plan->map.ends_mission; }
 
-bool core::is_at_plan_end() const {
-  if (!s_.progress.plan)
-    return false;
-  const auto end = progress::end_sequence(s_.progress.plan->map);
-  return is_plan_finished() || progress::is_at_last_movement(s_.progress) ||
-         (view_.current() && view_.current()->seq + 1U >= end && view_.current()->seq < end);
-}
-
 // A new incarnation knows what it meant to do, and not what the vehicle does. It looks first.
 bool core::recover(effects& out, instant now) {
   if (has_looked_)
     return false;
-  if (!view_.is_seen() || !stance_ || awaits_place_in_plan(now))
+  if (!view_.is_seen() || !stance_)
     return true;
   has_looked_ = true;
   was_up_ = view_.is_under_way();
@@ -409,21 +466,21 @@ bool core::recover(effects& out, instant now) {
     else if (const auto* start = std::get_if<progress::settle_start>(&each))
       static_cast<void>(on_news(*start, now));
   if (view_.is_under_way())
-    recover_in_flight(out);
+    recover_in_flight(out, now);
   else
-    recover_on_ground(out);
+    recover_on_ground(out, now);
   return true;
 }
 
-// A mode into which a plan may lead: the next MISSION_CURRENT says whether it did.
-bool core::awaits_place_in_plan(instant now) const {
-  const bool may_have_led_there = is_in_flight() && s_.standing.now != phase::paused && !s_.doing &&
-                                  view_.is_under_way() && ends_plans(view_.mode()->kind);
-  return may_have_led_there && !view_.current() && !is_at_plan_end() && now.now_ns - began_ns_ < last_word_within_ns;
-}
-
 // Nothing begins by itself: whoever stands beside the vehicle has seen godwit fail.
-void core::recover_on_ground(effects& out) {
+void core::recover_on_ground(effects& out, instant now) {
+  if (is_in_flight() && !has_person()) { // it has come down meanwhile: by itself, or by somebody
+    auto modes = left_in(s_.doing);
+    append(modes, end_of_plan(view_.owner(), s_).modes);
+    append(modes, modes_behind_disarm());
+    authority_.resume(std::move(modes));
+    authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+  }
   if (s_.doing) {
     if (s_.doing->start_key)
       answer_start(out, *s_.doing->start_key, start_verdict::failed, "godwit was restarted before the vehicle moved");
@@ -437,25 +494,53 @@ void core::recover_on_ground(effects& out) {
         "godwit was restarted on the ground; resume prepares the flight again");
 }
 
+// Where the vehicle may be, when nobody else has touched it since.
+std::vector<std::uint32_t> core::left_in(const std::optional<task>& doing) const {
+  const auto& whose = view_.owner();
+  const auto holds = flight::modes_obeying(whose, mode_kind::hold);
+  const auto returns = flight::modes_obeying(whose, mode_kind::returning);
+  auto result = flight::modes_of_start(whose);
+  const auto at = s_.standing.now;
+  const bool was_held = at == phase::paused && s_.standing.cause == pause_cause::asked;
+  if (was_held && !doing)
+    return holds;
+  if (was_held || at == phase::paused || (doing && doing->kind != task_kind::come_home))
+    append(result, holds);
+  if ((doing && doing->kind == task_kind::come_home) || s_.progress.paused == progress::pause_reason::aborted)
+    append(result, returns);
+  if (s_.progress.paused == progress::pause_reason::aborted)
+    append(result, holds); // a rover that has come home
+  if (at == phase::landing)
+    append(result, end_of_plan(whose, s_).modes);
+  return result;
+}
+
 // What was meant and is not done is finished by a mode change, and only out of the hold that we have commanded.
-void core::recover_in_flight(effects& out) {
-  const bool was_starting = s_.doing && s_.doing->kind == task_kind::start;
-  const bool is_ours = is_in_flight() || was_starting;
+void core::recover_in_flight(effects& out, instant now) {
   const auto doing = s_.doing;
+  const bool was_starting = is_starting();
+  if (was_starting && !is_in_flight() && !view_.is_moving())
+    return recover_on_ground(out, now); // a rover that is armed and stands
   if (doing) {
     if (doing->start_key)
       answer_start(out, *doing->start_key, start_verdict::failed, "godwit was restarted while the vehicle started");
     out.emplace_back(note{task_ended{doing->number}});
   }
-  modes_.adopt(*view_.mode());
-  if (!is_ours || is_paused_for_person())
+  if (!(is_in_flight() || was_starting) || has_person())
     return;
   must_guard_ = doing && doing->kind == task_kind::deploy;
   if (stance_->reacts || stance_->taken_over) {
     stand_as(out, phase::flying, true); // heed_others says the rest
     return;
   }
-  const bool is_held = view_.is_in(mode_kind::hold);
+  know_plan_end();
+  authority_.resume(left_in(doing));
+  if (view_.current())
+    authority_.on_place(view_.current()->seq,
+                        view_.current()->mission_state == io::mavlink::number(io::mavlink::mission_state::complete),
+                        now.now_ns);
+  authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+  const bool is_held = authority_.is_ours() && view_.obeys(mode_kind::hold);
   const bool meant_to_go_on =
       doing && (doing->kind == task_kind::resume || (doing->kind == task_kind::deploy && doing->goes_on));
   if (is_held && meant_to_go_on) {
@@ -463,17 +548,14 @@ void core::recover_in_flight(effects& out) {
     stand_as(out, phase::flying, true);
   } else if (is_held && (s_.standing.cause == pause_cause::asked || (doing && doing->kind == task_kind::hold))) {
     stand(out, phase::paused, pause_cause::asked, "held as asked");
-  } else if (s_.standing.now == phase::landing && ends_plans(view_.mode()->kind)) {
-    stand_as(out, phase::landing, true);
-  } else if (view_.is_in(mode_kind::mission) || is_at_plan_end() || (doing && doing->kind == task_kind::come_home)) {
+  } else if (s_.standing.now == phase::landing || !authority_.is_ours() || authority_.is_unclear()) {
+    stand_as(out, s_.standing.now == phase::landing ? phase::landing : phase::flying,
+             true); // heed_others says the rest
+  } else {
     stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
     if (view_.is_in(mode_kind::mission) && doing &&
         (doing->kind == task_kind::hold || doing->kind == task_kind::come_home))
       wanted_ = doing->kind; // an operator's word, which the vehicle has not heard or not shown yet
-  } else {
-    stand_paused(out, pause_cause::taken_over,
-                 "the vehicle is in another mode (" + std::string(io::name_of(view_.mode()->kind)) +
-                     ") than godwit left it in; hand it back when godwit is to go on");
   }
 }
 
@@ -487,7 +569,7 @@ void core::read_back(effects& out, instant now) {
 
 // What an upload or a start came to, where its answer was lost.
 bool core::settle(effects& out, instant now) {
-  if (looking_ == question::none || (is_in_flight() && is_paused_for_person()))
+  if (looking_ == question::none || (is_in_flight() && has_person()))
     return false;
   if (!view_.is_connected())
     return true;
@@ -519,44 +601,42 @@ bool core::settle(effects& out, instant now) {
   return true;
 }
 
-// A pilot, or a failsafe. A pilot is one who either of the two watches has seen.
+// Whoever has the vehicle besides godwit. A person is one whom either of the two watches has seen, ours or the
+// failsafe's; while it is unclear who has it nothing is sent.
 bool core::heed_others(effects& out, instant now) {
-  const bool is_ours_to_lose = is_in_flight() || (s_.doing && s_.doing->kind == task_kind::start);
-  if (!is_ours_to_lose || is_paused_for_person() || !view_.mode()) {
-    unclear_since_ns_ = 0;
+  const bool is_ours_to_lose = is_in_flight() || is_starting();
+  if (!is_ours_to_lose && has_person() && stance_ && stance_->in_flight && !stance_->taken_over) {
+    stance_->taken_over = true; // a flight that nobody has handed to us
+    out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
+    return true;
+  }
+  if (!is_ours_to_lose || has_person() || !view_.mode())
     return false;
-  }
-  const bool led_there = is_at_plan_end() && ends_plans(view_.mode()->kind);
-  if (unclear_since_ns_ != 0 && !led_there && ends_plans(view_.mode()->kind) &&
-      view_.current_heard_ns() <= unclear_since_ns_ && now.now_ns - unclear_since_ns_ < last_word_within_ns)
-    return true; // after a silence: whether the plan led there is told next, and nothing is sent before
-  const bool has_pilot = !led_there && (unclear_since_ns_ != 0 || stance_->taken_over);
-  if (unclear_since_ns_ != 0 && led_there) {
-    plan_ends(out, now);
-    modes_.adopt(*view_.mode());
-  }
-  if (led_there && stance_->taken_over) { // the failsafe does not know where the plan leads before it is told
-    out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
-    stance_->taken_over = false;
-  }
-  unclear_since_ns_ = 0;
+  authority_.on_time(now.now_ns);
+  const std::string mode(io::name_of(view_.mode()->kind));
   if (stance_->reacts) {
     const auto& acts = *stance_->reacts;
     yield(out, pause_cause::failsafe,
           "a failsafe acts (" + std::string(io::name_of(acts.why)) + ": " + std::string(io::name_of(acts.what)) +
               "); nothing else is sent until an operator hands the vehicle back");
-  } else if (has_pilot) {
+  } else if (authority_.who() == flight::holder::autopilot_failsafe) {
+    yield(out, pause_cause::autopilot_failsafe,
+          "the autopilot's own failsafe acts (mode " + mode + "); nothing is sent until an operator hands it back");
+  } else if (is_starting() && runner_.has_armed() && !view_.is_armed()) {
     yield(out, pause_cause::taken_over,
-          "a pilot has the vehicle (mode " + std::string(io::name_of(view_.mode()->kind)) +
-              "); nothing is sent until an operator hands it back");
+          "the vehicle was disarmed while it was started, and not by godwit; nothing is sent until an operator hands "
+          "it back");
+  } else if (!authority_.is_ours() || stance_->taken_over) {
+    yield(out, pause_cause::taken_over,
+          "a pilot has the vehicle (mode " + mode + "); nothing is sent until an operator hands it back");
   } else {
-    return false;
+    return authority_.is_unclear();
   }
   return true;
 }
 
 void core::yield(effects& out, pause_cause to, const std::string& why) {
-  runner_.drop({s_, view_, modes_, 0, out});
+  runner_.drop({s_, view_, authority_, 0, out});
   if (s_.doing) {
     if (s_.doing->start_key)
       answer_start(out, *s_.doing->start_key, start_verdict::failed, why);
@@ -568,28 +648,21 @@ void core::yield(effects& out, pause_cause to, const std::string& why) {
   is_held_for_change_ = false;
   is_start_wanted_ = false;
   finishes_intent_ = false;
-  if (to == pause_cause::taken_over && !stance_->taken_over)
+  if (to != pause_cause::failsafe && !stance_->taken_over) {
+    stance_->taken_over = true;
     out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
+  }
   if (is_in_flight())
     stand_paused(out, to, why);
   else
-    out.emplace_back(note{stood{phase::paused, to, why, view_.is_under_way()}});
-}
-
-// What the plan leads to by itself is nobody's takeover; behind another plan it is again.
-void core::plan_ends(effects& out, instant now) {
-  modes_.set_plan_end(true);
-  if (told_plan_end_ns_ != 0 && now.now_ns - told_plan_end_ns_ < plan_end_expected_ns / 2)
-    return;
-  told_plan_end_ns_ = now.now_ns;
-  for (const auto kind : {mode_kind::hold, mode_kind::returning, mode_kind::landing})
-    out.emplace_back(say_to_failsafe{failsafe::expect_mode{kind, plan_end_expected_ns / 1'000'000}});
+    out.emplace_back(note{stood{phase::paused, to, why, view_.is_moving()}});
 }
 
 bool core::run_task(effects& out, instant now) {
   const auto what = runner_.doing();
   const bool is_pointless = what && what->kind == task_kind::deploy && what->goes_on && is_plan_finished() &&
-                            !s_.progress.upload && s_.progress.last_generation == deploying_over_;
+                            !deploys_behind_end_ && !s_.progress.upload &&
+                            s_.progress.last_generation == deploying_over_;
   if (is_pointless) { // the plan ended before another one could take its place
     runner_.drop(world(now, out));
     out.emplace_back(note{task_ended{what->number}});
@@ -601,7 +674,7 @@ bool core::run_task(effects& out, instant now) {
   case task_runner::verdict::under_way:
     break;
   case task_runner::verdict::done:
-    task_done(out, *what, now);
+    task_done(out, *what);
     break;
   case task_runner::verdict::failed:
     task_failed(out, *what, runner_.why_failed(), now);
@@ -623,15 +696,9 @@ bool core::is_down(instant now) const {
 }
 
 // What a Copter and PX4 do not say: that the landing, or the return, with which the plan ends is done.
-bool core::was_brought_down() const {
-  if (view_.is_armed() || !s_.flown || !progress::is_at_last_movement(s_.progress))
-    return false;
-  const auto kind = view_.mode()->kind;
-  if (kind != mode_kind::mission && !ends_plans(kind))
-    return false;
-  using io::mavlink::mav_cmd;
-  return std::ranges::any_of(std::array{mav_cmd::nav_land, mav_cmd::nav_vtol_land, mav_cmd::nav_return_to_launch},
-                             [&](mav_cmd each) { return s_.flown->items.back().command == io::mavlink::number(each); });
+bool core::was_brought_down(instant now) const {
+  return !view_.is_armed() && !has_person() && authority_.is_ours() && progress::is_at_last_movement(s_.progress) &&
+         came_down_as_planned(now);
 }
 
 bool core::end_flight(effects& out, instant now) {
@@ -654,35 +721,56 @@ bool core::end_flight(effects& out, instant now) {
   const bool is_told = is_plan_finished() || s_.progress.paused == progress::pause_reason::aborted;
   if (!is_told && now.now_ns - down_since_ns_ < last_word_within_ns)
     return false; // how far it came is told after it is down, where the line was silent before
-  if (was_brought_down()) {
+  if (was_brought_down(now)) {
     out.emplace_back(note{progress::came_down{}});
     return true;
   }
   down_since_ns_ = 0;
-  modes_.forget();
-  told_plan_end_ns_ = 0;
+  authority_.end();
+  known_end_.reset();
   was_up_ = false;
   if (s_.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::flight_ended{}});
   if (is_mission_finished() || s_.progress.paused == progress::pause_reason::aborted) {
     end_mission(out);
+  } else if (has_person()) {
+    out.emplace_back(note{stood{phase::paused, s_.standing.cause,
+                                "the flight ended under somebody else; nothing is brought, armed or started until an "
+                                "operator hands the vehicle back",
+                                false}});
   } else if (is_plan_finished()) {
     stand_as(out, phase::connected, false); // the next plan of the mission
   } else {
-    out.emplace_back(note{stood{phase::paused, pause_cause::not_done,
-                                "the flight ended before its plan; resume prepares the rest of it", false}});
+    out.emplace_back(note{stood{phase::paused, pause_cause::taken_over,
+                                "the flight ended before its plan, and not by godwit; look at the vehicle and hand it "
+                                "back, then resume prepares the rest",
+                                false}});
   }
   return true;
 }
 
+// Whoever arms a vehicle that stands in its mission mode is run over: PX4 goes back into it when it disarms, ArduPilot
+// stays in it. The only thing that is sent to a vehicle that somebody else has, and never while it is armed.
+bool core::leave_mission_mode(effects& out, instant now) {
+  const bool is_our_plan = s_.flown && s_.progress.paused != progress::pause_reason::vehicle_restarted &&
+                           s_.progress.paused != progress::pause_reason::foreign_plan;
+  if (is_in_flight() || runner_.is_busy() || has_stood_by_ || !is_our_plan || !view_.is_connected())
+    return false;
+  if (!view_.is_in(mode_kind::mission) || view_.is_armed() || disarmed_since_ns_ == 0 ||
+      now.now_ns - disarmed_since_ns_ < stands_ns)
+    return false;
+  has_stood_by_ = true;
+  begin(out, task_kind::stand_by, {stand_by{}});
+  return true;
+}
+
+// Who has the vehicle still has it behind the end of the mission: the next one waits for a hand-back.
 void core::end_mission(effects& out) {
   if (settings_.has_service)
     out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
-  stand_as(out,
-           !is_mission_finished()  ? phase::aborted
-           : settings_.has_service ? phase::post_flight
-                                   : phase::done,
-           false);
+  const auto over = !is_mission_finished() ? phase::aborted : settings_.has_service ? phase::post_flight : phase::done;
+  const auto reason = has_person() ? "somebody else has the vehicle; hand it back before another mission" : "";
+  out.emplace_back(note{stood{over, has_person() ? s_.standing.cause : pause_cause::none, reason, false}});
 }
 
 } // namespace godwit::executor

@@ -1,6 +1,6 @@
 // Every decision about a flight: from the mission to the delivery, through crashes, replans and pilots.
 //
-//   the vehicle's word ──> vehicle_view ──> mode_watch: who flies?
+//   the vehicle's word ──> vehicle_view ──> control_authority: who has it?
 //                               │               │
 //   missions, assignments ──────┼──> wishes ────┼──> decide ──> a task, one at a time ──> task_runner ──> orders
 //   operators, stations ────────┘               │       │
@@ -27,8 +27,8 @@
 
 #include <tl/expected.hpp>
 
+#include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/executor/effects.hpp"
-#include "actors/executor/mode_watch.hpp"
 #include "actors/executor/plan/builder.hpp"
 #include "actors/executor/preflight/facts.hpp"
 #include "actors/executor/settings.hpp"
@@ -134,7 +134,7 @@ private:
   // What a restart or a lost answer left open about the vehicle.
   enum class question { none, plan_id, read_back, start };
 
-  [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s_, view_, modes_, now.now_ns, out}; }
+  [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s_, view_, authority_, now.now_ns, out}; }
 
   // core.cpp: in this order; true: something is under way, and the rest waits.
   [[nodiscard]] bool recover(effects& out, instant now);
@@ -150,14 +150,21 @@ private:
   [[nodiscard]] bool begin_wished(effects& out, instant now);
 
   [[nodiscard]] bool is_down(instant now) const;
-  [[nodiscard]] bool was_brought_down() const;
+  [[nodiscard]] bool was_brought_down(instant now) const;
   void read_back(effects& out, instant now);
-  [[nodiscard]] bool awaits_place_in_plan(instant now) const;
+  [[nodiscard]] std::vector<std::uint32_t> left_in(const std::optional<task>& doing) const;
+  [[nodiscard]] bool is_starting() const { return s_.doing && s_.doing->kind == task_kind::start; }
+  [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
+  void know_plan_end();
+  [[nodiscard]] bool came_down_as_planned(instant now) const;
+  [[nodiscard]] bool is_complete_credible(instant now) const;
+  [[nodiscard]] bool hovers() const;
+  [[nodiscard]] bool ends_on_ground() const; // the plan on the vehicle, by a landing or a return
+  [[nodiscard]] bool leave_mission_mode(effects& out, instant now);
   void end_mission(effects& out);
-  void plan_ends(effects& out, instant now);
   void yield(effects& out, pause_cause to, const std::string& why);
-  void recover_on_ground(effects& out);
-  void recover_in_flight(effects& out);
+  void recover_on_ground(effects& out, instant now);
+  void recover_in_flight(effects& out, instant now);
   void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
 
   // core_changes.cpp
@@ -173,6 +180,7 @@ private:
   [[nodiscard]] change_or_reason wish_to_cancel() const;
   [[nodiscard]] change_or_reason wish_to_insert(const operator_words::word& m) const;
   [[nodiscard]] tl::expected<mission::document, std::string> changed(const wished_change& wish) const;
+  [[nodiscard]] std::string why_not_there(const mission::position& to) const;
   [[nodiscard]] std::string why_not_changed(const wished_change& wish, instant now) const;
   [[nodiscard]] std::size_t first_item(const mission::document& mission) const; // to go on with
   [[nodiscard]] plan::plan_from going_on(const mission::document& mission, std::size_t first_item) const;
@@ -210,7 +218,7 @@ private:
   [[nodiscard]] bool begin_wanted(effects& out, task_kind what, instant now);
   [[nodiscard]] bool begin_asked_start(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
-  void task_done(effects& out, const task& what, instant now);
+  void task_done(effects& out, const task& what);
   void task_failed(effects& out, const task& what, const std::string& why, instant now);
   [[nodiscard]] bool is_start_tried_on(const task& what, instant now);
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
@@ -226,22 +234,21 @@ private:
   void answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason);
 
   [[nodiscard]] bool is_in_flight() const { return s_.standing.in_flight; }
-  [[nodiscard]] bool is_paused_for_person() const;
+  // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
+  [[nodiscard]] bool has_person() const { return needs_hand_back(s_.standing.cause); }
   [[nodiscard]] bool may_change_plan() const; // of a flight
   [[nodiscard]] bool is_plan_finished() const;
   [[nodiscard]] bool is_mission_finished() const;
-  [[nodiscard]] bool is_at_plan_end() const;
   [[nodiscard]] bool plan_has_home() const;
 
   settings settings_;
   const state& s_;
   vehicle_view view_;
-  mode_watch modes_;
+  flight::control_authority authority_;
   task_runner runner_;
 
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   std::int64_t began_ns_ = 0;
-  std::int64_t unclear_since_ns_ = 0; // since when it is in a mode that nobody of ours has asked for; 0: it is not
   std::optional<failsafe::stance> stance_;
   question looking_ = question::none;
   std::int64_t looking_since_ns_ = 0;
@@ -255,7 +262,10 @@ private:
   std::uint32_t deploying_over_ = 0;        // the generation that the deployment under way takes the place of
   bool finishes_intent_ = false;            // of an earlier incarnation: it is held, and meant to fly on
   bool must_guard_ = false;                 // it may fly a plan whose fences the failsafe was not told
-  std::int64_t told_plan_end_ns_ = 0;       // to the failsafe, last; 0: not in this flight
+  std::optional<std::uint32_t> known_end_;  // the generation whose end authority_ knows
+  bool deploys_behind_end_ = false;         // the plan before was done already when the deployment began
+  std::int64_t disarmed_since_ns_ = 0;      // 0: it is armed
+  bool has_stood_by_ = false;               // tried, since it was armed last
   bool must_choose_item_ = false;           // it holds the plan, and is elsewhere in it
   std::uint64_t last_task_before_ = 0;      // this incarnation began
   std::int64_t start_refused_since_ns_ = 0; // the automatic one; 0: it is not

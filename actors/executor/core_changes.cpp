@@ -1,8 +1,10 @@
 // What operators change in flight: go there, cancel, insert. The service numbers the revision; where there is none, we
 // do. And what becomes of a revision that comes in flight, whoever asked for it.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/route/route.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/core.hpp"
@@ -21,6 +23,8 @@ constexpr std::uint64_t changes = 0x6368616e6765; // keeps their keys apart from
 // an ArduPilot multirotor or rover within its own of 2 m (WP_RADIUS); wind and control add to it.
 constexpr double turn_accept_radius_m = 2;
 constexpr double turn_room_m = 5;
+
+constexpr double lowest_m = 1; // what flies is sent above home
 
 operator_words::answer refused(std::string why) { return {false, std::move(why)}; }
 
@@ -47,6 +51,9 @@ operator_words::answer core::take_change(const operator_words::word& m, instant 
     return refused("another change is under way; say it again when it is over");
   if (m.verb != verb::cancel && !m.place)
     return refused("the word has no place");
+  if (m.verb != verb::cancel)
+    if (auto why = why_not_there(*m.place); !why.empty())
+      return refused(std::move(why));
   auto wish = m.verb == verb::go_to    ? wish_to_go(*m.place, now)
               : m.verb == verb::cancel ? wish_to_cancel()
                                        : wish_to_insert(m);
@@ -57,6 +64,24 @@ operator_words::answer core::take_change(const operator_words::word& m, instant 
   wanted_change_ = *std::move(wish);
   wanted_.reset(); // the last word counts
   return {true, {}};
+}
+
+// Empty: a place like those of a mission, within the limits that are set.
+std::string core::why_not_there(const mission::position& to) const {
+  const geo::point there{to.latitude, to.longitude};
+  if (!geo::is_valid(there) || !std::isfinite(to.altitude_m))
+    return "the place is none: latitude -90 to 90, longitude -180 to 180, altitude in metres above home";
+  const bool drives = view_.owner().vehicle == flight::vehicle_class::rover;
+  if (to.altitude_m > settings_.max_altitude_m || (!drives && to.altitude_m < lowest_m))
+    return "the altitude has to be between " + std::to_string(static_cast<int>(lowest_m)) + " and " +
+           std::to_string(static_cast<int>(settings_.max_altitude_m)) + " m above home (flight.max_altitude_m)";
+  if (!view_.home())
+    return "the vehicle has told no home yet";
+  const auto away_m = geo::distance_m({view_.home()->latitude, view_.home()->longitude}, there);
+  if (away_m > settings_.max_distance_m)
+    return "the place is " + std::to_string(static_cast<int>(away_m)) + " m from home; allowed are " +
+           std::to_string(static_cast<int>(settings_.max_distance_m)) + " m (flight.max_distance_m)";
+  return {};
 }
 
 core::change_or_reason core::wish_to_go(const mission::position& to, instant now) const {
@@ -163,11 +188,11 @@ tl::expected<plan::flight_plan, std::string> core::plan_in_flight(const mission:
 
 // Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there.
 bool core::begin_change(effects& out, instant now) {
-  if (!is_in_flight() || is_plan_finished()) {
+  if (!is_in_flight() || (is_plan_finished() && !hovers())) {
     drop_change(out, "the flight was over before");
     return true;
   }
-  if (wanted_change_->kind == change_kind::go_to && !view_.is_in(mode_kind::hold)) {
+  if (wanted_change_->kind == change_kind::go_to && !view_.obeys(mode_kind::hold)) {
     if (!std::exchange(is_held_for_change_, true)) {
       begin(out, task_kind::hold, {change_mode{mode_kind::hold}});
       return true;
@@ -238,7 +263,7 @@ bool core::deploy_arrived(effects& out, instant now) {
     return true;
   }
   const bool was_asked_for = s_.change && s_.change->kind != change_kind::insert;
-  begin_deploy(out, *s_.arrived, *plan, {}, s_.standing.now == phase::flying || was_asked_for);
+  begin_deploy(out, *s_.arrived, *plan, {}, s_.standing.now != phase::paused || was_asked_for);
   return true;
 }
 

@@ -82,7 +82,7 @@ effects core::take_plan(const plan_taken& m, instant now) {
     return not_taken("missions come from " + elsewhere + " here");
   if (is_flight_begun(s_))
     return not_taken("another one is flown; upload it after the flight");
-  if (is_paused_for_person())
+  if (has_person())
     return not_taken("the vehicle has to be handed back first");
   mission::item_list_options options;
   options.mission_id = new_mission_id(m.plan_id, now.wall_ns);
@@ -133,10 +133,10 @@ effects core::on_station(const start_mission& m, instant now) {
     answer_start(out, m.key, start_verdict::too_late, "the request came too late");
   else if (const auto why = why_not_meant(m); !why.empty())
     answer_start(out, m.key, start_verdict::no_such_item, why);
-  else if (asked_start_ || runner_.is_busy())
-    answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
   else if (fly_again(out, now))
     answer_start(out, m.key, start_verdict::not_ready, "it was flown, and is prepared anew; start it when it is ready");
+  else if (asked_start_ || runner_.is_busy())
+    answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
   else
     asked_start_ = m;
   return out;

@@ -17,6 +17,8 @@ using io::mavlink::mav_autopilot;
 
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
+bool is_over_phase(phase now) { return now == phase::post_flight || is_at_rest(now); }
+
 bool holds_our_plan(pause_cause cause) {
   return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
 }
@@ -64,12 +66,18 @@ void core::begin_deploy(effects& out, const mission::document& mission, const pl
   out.emplace_back(note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys}}});
   must_choose_item_ = false;
   deploying_over_ = s_.progress.last_generation;
+  deploys_behind_end_ = is_plan_finished();
   runner_.begin(doing, deploy_steps(what.map, goes_on), std::move(intent));
 }
 
 void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
   const task what{s_.last_task + 1, task_kind::start, false, key};
   stand(out, phase::starting);
+  authority_.begin(*view_.mode());
+  if (stance_ && stance_->taken_over) { // of a flight before; whoever starts this one hands the vehicle over
+    stance_->taken_over = false;
+    out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+  }
   out.emplace_back(note{task_begun{what, {}}});
   runner_.begin(what, start_steps(), {});
 }
@@ -102,31 +110,30 @@ bool core::is_copter() const {
 }
 
 // A vehicle that is left in its mission mode on the ground would begin what it holds as soon as somebody arms it (PX4),
-// or does not begin at all when it is started in the mode in which it is (ArduPilot's rover). A Copter can not be armed
-// in AUTO, and leaves it with the start.
+// or does not begin at all when it is started in the mode in which it is (ArduPilot's rover).
 steps core::out_of_mission_steps() const {
   using io::mavlink::mission_state;
   const bool is_over = view_.current() && view_.current()->mission_state == number(mission_state::complete);
-  if (is_copter() || !view_.is_in(mode_kind::mission) || (view_.is_armed() && !(is_over && !is_in_air())))
+  if (!view_.is_in(mode_kind::mission) || (view_.is_armed() && !(is_over && !is_in_air())))
     return {};
-  return {change_mode{mode_kind::hold}};
+  return {stand_by{}};
 }
 
 // ArduPilot's Copter can not be armed in AUTO.
 steps core::start_steps() const {
   steps result{guard{}};
   if (!view_.is_armed()) {
-    if (is_copter())
-      result.emplace_back(change_mode{mode_kind::guided});
     for (auto& each : out_of_mission_steps())
       result.push_back(std::move(each));
+    if (is_copter())
+      result.emplace_back(change_mode{mode_kind::guided});
     result.emplace_back(arm{});
   }
   result.emplace_back(start_plan{s_.progress.plan->map.start_sequence});
   return result;
 }
 
-void core::task_done(effects& out, const task& what, instant now) {
+void core::task_done(effects& out, const task& what) {
   out.emplace_back(note{task_ended{what.number}});
   switch (what.kind) {
   case task_kind::deploy:
@@ -140,7 +147,6 @@ void core::task_done(effects& out, const task& what, instant now) {
     if (what.start_key)
       answer_start(out, *what.start_key, start_verdict::started, {});
     start_refused_since_ns_ = 0;
-    modes_.adopt(*view_.mode());
     was_up_ = view_.is_under_way();
     out.emplace_back(note{preflight::took_off{}});
     stand_as(out, phase::flying, true);
@@ -152,9 +158,9 @@ void core::task_done(effects& out, const task& what, instant now) {
     stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
     return;
   case task_kind::stand_down:
+  case task_kind::stand_by:
     return;
   case task_kind::come_home:
-    plan_ends(out, now);
     out.emplace_back(note{progress::mission_aborted{}});
     stand(out, phase::landing, pause_cause::none, "the vehicle returns");
     return;
@@ -180,6 +186,16 @@ void core::task_failed(effects& out, const task& what, const std::string& why, i
     answer_start(out, *what.start_key, start_verdict::failed, why);
   if (what.kind == task_kind::stand_down) {
     out.emplace_back(announce{"the vehicle stays armed: " + why, true});
+    return;
+  }
+  if (what.kind == task_kind::stand_by) {
+    out.emplace_back(announce{"do not arm the vehicle: it stands in its mission mode and would move. " + why, true});
+    return;
+  }
+  if (what.kind == task_kind::hold || what.kind == task_kind::come_home) {
+    out.emplace_back(announce{"not obeyed: " + why, true});
+    stand(out, s_.standing.now, s_.standing.cause,
+          s_.standing.now == phase::paused ? s_.standing.reason : "the vehicle has not obeyed: " + why);
     return;
   }
   const bool is_rejected_replan = what.kind == task_kind::deploy && is_in_flight() && view_.is_in(mode_kind::mission);
@@ -231,6 +247,7 @@ preflight::report core::look_at_all(instant now) {
   vehicle.is_home_known = view_.home().has_value();
   vehicle.battery_percent = view_.battery_percent(); // absent before the first word of it
   vehicle.own = view_.own_checks();
+  vehicle.is_moving = view_.is_moving() && !is_in_flight();
   seen.mission.document = s_.mission ? &*s_.mission : nullptr;
   seen.mission.refusal = refusal_;
   seen.mission.has_service = settings_.has_service;
@@ -264,7 +281,7 @@ bool core::answer_assignment(effects& out, instant now) {
                                                         at == phase::ready || at == phase::disconnected);
   if (s_.waiting.empty() || !s_.mission)
     return false;
-  const bool is_too_late = is_mission_finished() || at == phase::aborted;
+  const bool is_too_late = (is_mission_finished() && !may_change_plan()) || at == phase::aborted;
   if (!is_too_late && !(may_change_plan() || is_waiting_on_ground))
     return false;
   if (!is_too_late && may_change_plan() && !view_.is_under_way())
@@ -296,29 +313,31 @@ bool core::answer_assignment(effects& out, instant now) {
     return reject(plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), wanted->mission, where->vehicle); !found.empty())
     return reject(found.front().message);
-  begin_deploy(out, wanted->mission, plans->front(), wish.assignment_id, at == phase::flying);
+  begin_deploy(out, wanted->mission, plans->front(), wish.assignment_id, at != phase::paused);
   return true;
 }
 
 bool core::begin_wished(effects& out, instant now) {
   if (is_handed_back_) {
     is_handed_back_ = false;
-    if (!is_paused_for_person())
+    if (!has_person())
       return false;
     out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
     if (stance_) { // what still holds then is told anew
       stance_->taken_over = false;
       stance_->reacts.reset();
     }
-    if (view_.mode())
-      modes_.adopt(*view_.mode());
-    if (is_in_flight() && view_.is_in(mode_kind::mission))
+    if (is_in_flight() && view_.mode())
+      authority_.begin(*view_.mode());
+    if (is_over_phase(s_.standing.now))
+      stand(out, s_.standing.now);
+    else if (is_in_flight() && view_.is_in(mode_kind::mission))
       stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
     else
       stand_paused(out, pause_cause::asked, "handed back; resume goes on with the mission");
     return true;
   }
-  if (is_paused_for_person()) {
+  if (has_person()) {
     if (asked_start_)
       answer_start(out, std::exchange(asked_start_, {})->key, start_verdict::not_ready, s_.standing.reason);
     return true;
@@ -411,17 +430,19 @@ void core::begin_again(effects& out, instant now) {
 }
 
 bool core::begin_wanted(effects& out, task_kind what, instant now) {
-  if (!is_in_flight()) {
-    if (what != task_kind::resume || s_.standing.now != phase::paused)
+  if (!is_in_flight() && what == task_kind::resume) {
+    if (s_.standing.now != phase::paused)
       return false;
     stand(out, phase::connected);
     return true;
   }
   if (s_.change && !s_.arrived) // an operator who says something else waits for the service no longer
     out.emplace_back(note{change_settled{s_.change->key, false}});
-  if (what == task_kind::hold)
+  if (what == task_kind::hold) {
+    if (s_.standing.now == phase::flying || s_.standing.now == phase::landing)
+      stand(out, s_.standing.now, pause_cause::none, "pausing: the vehicle was told to hold");
     begin(out, what, {change_mode{mode_kind::hold}});
-  else if (what == task_kind::resume && !holds_our_plan(s_.standing.cause))
+  } else if (what == task_kind::resume && !holds_our_plan(s_.standing.cause))
     begin_again(out, now);
   else if (what == task_kind::resume)
     begin(out, what, guarded(going_on_steps()));
@@ -464,7 +485,7 @@ bool core::follow_started(effects& out) {
   const bool flies = view_.is_under_way() && view_.is_in_begun_mission();
   if (is_in_flight() || !waits || !flies || !s_.progress.plan || !s_.flown)
     return false;
-  modes_.adopt(*view_.mode());
+  authority_.begin(*view_.mode());
   was_up_ = true;
   out.emplace_back(note{preflight::took_off{}});
   stand_as(out, phase::flying, true);
@@ -486,7 +507,7 @@ bool core::prepare(effects& out, instant now) {
   const bool is_prepared =
       at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
   const bool is_over = is_at_rest(at);
-  if (is_in_flight() || !(is_prepared || (is_over && s_.arrived)))
+  if (is_in_flight() || has_person() || !(is_prepared || (is_over && s_.arrived)))
     return false;
   if (!view_.is_connected() || !view_.mode()) {
     stand(out, phase::disconnected, pause_cause::none, view_.why_not_connected());
@@ -540,9 +561,12 @@ bool core::prepare(effects& out, instant now) {
     begin_deploy(out, *s_.mission, first, s_.assigned, false);
     return true;
   }
-  const bool starts_itself = settings_.start == start_policy::automatic && settings_.arm_on_start;
+  const bool waits_for_word = s_.awaits_word && settings_.takeoff_again == start_policy::on_command;
+  const bool starts_itself = settings_.start == start_policy::automatic && settings_.arm_on_start && !waits_for_word;
   const bool is_rover = view_.owner().vehicle == flight::vehicle_class::rover;
   const bool stands = !view_.is_under_way() || (is_rover && view_.is_in(mode_kind::hold)); // and nobody drives it
+  if (at == phase::ready && waits_for_word && settings_.start == start_policy::automatic)
+    stand(out, phase::ready, pause_cause::none, "this mission was begun before; a person has to start it");
   if (at == phase::ready && starts_itself && stands) {
     begin_start(out, {});
     return true;

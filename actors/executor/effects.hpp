@@ -8,7 +8,6 @@
 
 #include "actors/executor/state.hpp"
 #include "messages/failsafe/types.hpp"
-#include "messages/flight/flight_mode.hpp"
 #include "messages/ground_port/mission.hpp"
 #include "messages/mission_client/types.hpp"
 #include "messages/vehicle_link/types.hpp"
@@ -31,7 +30,7 @@ struct order {
   goes when = goes::after_notes;
   std::uint64_t number = 0;
   std::int64_t decided_ns = 0;
-  std::vector<flight::mode_kind> expected;
+  std::vector<std::uint32_t> expected; // the exact modes that obey it
   std::variant<vehicle_link::send_command, vehicle_link::set_current_item, vehicle_link::upload_plan,
                vehicle_link::download_plan, failsafe::guard_mission>
       what;

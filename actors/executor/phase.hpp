@@ -51,13 +51,14 @@ constexpr auto enum_names(phase) {
 
 enum class pause_cause {
   none,
-  asked,             // an operator said so
-  taken_over,        // a pilot has the vehicle: until an operator hands it back
-  failsafe,          // a failsafe acts: until an operator hands it back
-  vehicle_restarted, // what the autopilot flew is lost
-  foreign_plan,      // the vehicle holds a plan that is not ours
-  not_done,          // a command or an upload failed for good; the reason says which
-  restarted          // godwit was restarted on the ground: nothing begins by itself
+  asked,              // an operator said so
+  taken_over,         // a pilot has the vehicle: until an operator hands it back
+  failsafe,           // a failsafe acts: until an operator hands it back
+  autopilot_failsafe, // the autopilot's own acts: until an operator hands it back
+  vehicle_restarted,  // what the autopilot flew is lost
+  foreign_plan,       // the vehicle holds a plan that is not ours
+  not_done,           // a command or an upload failed for good; the reason says which
+  restarted           // godwit was restarted on the ground: nothing begins by itself
 };
 
 constexpr auto enum_names(pause_cause) {
@@ -65,6 +66,7 @@ constexpr auto enum_names(pause_cause) {
                                  {pause_cause::asked, "asked"},
                                  {pause_cause::taken_over, "taken_over"},
                                  {pause_cause::failsafe, "failsafe"},
+                                 {pause_cause::autopilot_failsafe, "autopilot_failsafe"},
                                  {pause_cause::vehicle_restarted, "vehicle_restarted"},
                                  {pause_cause::foreign_plan, "foreign_plan"},
                                  {pause_cause::not_done, "not_done"},
@@ -73,7 +75,7 @@ constexpr auto enum_names(pause_cause) {
 
 // Only after an operator's word may anything be sent again.
 [[nodiscard]] constexpr bool needs_hand_back(pause_cause cause) {
-  return cause == pause_cause::taken_over || cause == pause_cause::failsafe;
+  return cause == pause_cause::taken_over || cause == pause_cause::failsafe || cause == pause_cause::autopilot_failsafe;
 }
 
 } // namespace godwit::executor

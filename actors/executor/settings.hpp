@@ -30,8 +30,12 @@ struct settings {
   bool has_service = true;
   start_policy start = start_policy::on_command;
   bool arm_on_start = false; // else a person arms
+  // Behind a landing on the way, and whenever else this mission has flown before.
+  start_policy takeoff_again = start_policy::on_command;
   refusal_policy refused_inserts = refusal_policy::go_on;
-  double fence_margin_m = 10; // of the way to where an operator sends the vehicle
+  double max_altitude_m = 500;    // above home: of a place to which an operator sends the vehicle
+  double max_distance_m = 20'000; // from home: the same
+  double fence_margin_m = 10;     // of the way to where an operator sends the vehicle
   double own_loiter_radius_m = 80;
   double return_altitude_m = 0;
   bool allow_partial = false;  // of a station's plan: take what a mission can say, and tell what it can not

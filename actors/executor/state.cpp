@@ -122,6 +122,8 @@ effects take(state& s, const mission_arrived& happened, std::int64_t) {
 }
 
 effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
+  if (!s.mission || s.mission->mission_id != happened.mission.mission_id)
+    s.awaits_word = false;
   s.mission = happened.mission;
   s.arrived.reset();
   if (happened.assignment) {
@@ -200,6 +202,9 @@ effects take(state& s, const task_ended& happened, std::int64_t) {
 }
 
 effects take(state& s, const stood& happened, std::int64_t) {
+  const bool has_landed = s.standing.in_flight && !happened.in_flight;
+  const bool is_resumed = s.standing.now == phase::paused && happened.now == phase::connected;
+  s.awaits_word = s.awaits_word || has_landed || is_resumed;
   s.standing = happened;
   return {happened};
 }

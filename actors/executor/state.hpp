@@ -44,7 +44,8 @@ enum class task_kind {
   hold,
   resume,
   come_home,
-  stand_down // behind a start that failed
+  stand_down, // behind a start that failed
+  stand_by    // disarmed in its mission mode: into one in which it begins nothing
 };
 
 constexpr auto enum_names(task_kind) {
@@ -53,7 +54,8 @@ constexpr auto enum_names(task_kind) {
                                {task_kind::hold, "hold"},
                                {task_kind::resume, "resume"},
                                {task_kind::come_home, "come_home"},
-                               {task_kind::stand_down, "stand_down"}});
+                               {task_kind::stand_down, "stand_down"},
+                               {task_kind::stand_by, "stand_by"}});
 }
 
 // What the vehicle is being brought to.
@@ -236,19 +238,20 @@ struct state {
   std::optional<task> doing;
   std::uint64_t last_task = 0;
   stood standing;
+  bool awaits_word = false; // this mission has flown, or was resumed on the ground: a person starts it, nothing else
   preflight::state preflight;
   progress::state progress;
 
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
-                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
-                io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
-                io::field("set_aside", &state::set_aside), io::field("station", &state::station),
-                io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
-                io::field("flown", &state::flown), io::field("doing", &state::doing),
-                io::field("last_task", &state::last_task), io::field("standing", &state::standing),
-                io::field("preflight", &state::preflight), io::field("progress", &state::progress));
+  static constexpr auto fields = io::table(
+      "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+      io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+      io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
+      io::field("set_aside", &state::set_aside), io::field("station", &state::station),
+      io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
+      io::field("flown", &state::flown), io::field("doing", &state::doing), io::field("last_task", &state::last_task),
+      io::field("standing", &state::standing), io::field("awaits_word", &state::awaits_word),
+      io::field("preflight", &state::preflight), io::field("progress", &state::progress));
 };
 
 // From the decision to start on.

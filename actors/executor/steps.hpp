@@ -6,6 +6,7 @@
 //   start                                guard, (guided or hold, arm,) start
 //   hold, resume, come home              that mode
 //   stand down                           disarm
+//   stand by                             the standing mode, on the ground
 //
 // A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
 // the vehicle to show it; then it has failed, and with it the task. Thread: plain values.
@@ -25,6 +26,7 @@ namespace godwit::executor {
 struct change_mode {
   flight::mode_kind to = flight::mode_kind::hold;
 };
+struct stand_by {};   // on the ground: the mode in which it begins nothing when somebody arms it
 struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
 struct choose_item {
@@ -36,12 +38,14 @@ struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, guard, bring_plan, choose_item, arm, disarm, start_plan>;
+using step = std::variant<change_mode, stand_by, guard, bring_plan, choose_item, arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step
+inline constexpr int max_tries_of_stop = 5;                     // of a word that holds, returns or lands
 inline constexpr std::int64_t shown_within_ns = 4'000'000'000;  // from the answer to the heartbeat that shows it
-inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try
+inline constexpr std::uint64_t heartbeats_to_show = 3;          // so many that do not show it: it was not obeyed
+inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try of what was refused
 
 // An automatic start is begun anew for so long while the vehicle refuses it for now: an ArduPilot that has just been
 // switched on is ready by its own checks some 20 s before its position estimate lets it start.

@@ -1,7 +1,9 @@
 #include "actors/executor/task_runner.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "actors/domain/control_authority/mode_tables.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -23,6 +25,15 @@ bool is_final(const vehicle_link::command_outcome& outcome) {
 }
 
 } // namespace
+
+flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s) {
+  if (!s.flown)
+    return {};
+  const auto& items = s.flown->items;
+  const auto last = std::find_if(items.rbegin(), items.rend(),
+                                 [](const auto& each) { return each.command <= number(mav_cmd::nav_last); });
+  return last == items.rend() ? flight::plan_end{} : flight::plan_end_of(whose, last->command, last->seq);
+}
 
 progress::upload_ended end_of(const transfer::outcome& outcome) {
   using progress::upload_verdict;
@@ -97,7 +108,7 @@ task_runner::verdict task_runner::advance(const world& w) {
       begin_step(w);
     else if (stage_ == stage::showing && is_shown(w.view))
       was_obeyed(w);
-    else if (stage_ == stage::showing && w.now_ns >= deadline_ns_)
+    else if (stage_ == stage::showing && is_overdue(w))
       was_not_done(w, last_reason_.empty() ? "the vehicle does not show it" : last_reason_, false);
     else if (stage_ == stage::pausing && w.now_ns >= deadline_ns_)
       enter(stage::begin);
@@ -125,7 +136,11 @@ bool task_runner::has_intent() const {
 bool task_runner::is_shown(const vehicle_view& view) const {
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
-    return view.is_in(mode->to);
+    return view.obeys(mode->to);
+  if (std::holds_alternative<stand_by>(what)) {
+    const auto standing = flight::standing_mode(view.owner());
+    return standing && view.is_in_one_of({*standing});
+  }
   if (std::holds_alternative<arm>(what))
     return view.is_armed();
   if (std::holds_alternative<disarm>(what))
@@ -155,6 +170,8 @@ std::string task_runner::wish() const {
     return "to change to " + std::string(io::name_of(mode->to));
   if (const auto* item = std::get_if<choose_item>(&what))
     return "to go to item " + std::to_string(item->sequence);
+  if (std::holds_alternative<stand_by>(what))
+    return "to leave its mission mode on the ground";
   if (std::holds_alternative<arm>(what))
     return "to arm";
   if (std::holds_alternative<disarm>(what))
@@ -214,8 +231,16 @@ void task_runner::ask(const world& w, const change_mode& what) {
   const auto command = flight::mode_command(w.view.owner(), what.to);
   if (!command)
     return fail("this vehicle has no mode " + wish().substr(std::string("to change to ").size()));
-  expect(w, what.to);
+  expect(w, flight::modes_obeying(w.view.owner(), what.to));
   give_order(w, *command);
+}
+
+void task_runner::ask(const world& w, const stand_by&) {
+  const auto mode = flight::standing_mode(w.view.owner());
+  if (!mode)
+    return fail("this vehicle has no mode in which it stands");
+  expect(w, {*mode});
+  give_order(w, flight::mode_command(w.view.owner(), *mode));
 }
 
 // The plan and the failsafe count heights from the same place, the vehicle's home.
@@ -224,6 +249,7 @@ void task_runner::ask(const world& w, const guard&) {
   if (w.durable.flown) {
     limits.geofences = w.durable.flown->mission.geofences;
     limits.land_start = w.durable.flown->landing_sequence;
+    limits.plan_end = end_of_plan(w.view.owner(), w.durable);
   }
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), std::move(limits)});
 }
@@ -256,8 +282,7 @@ void task_runner::ask(const world& w, const disarm&) {
 void task_runner::ask(const world& w, const start_plan&) {
   vehicle_link::send_command command;
   command.command = number(mav_cmd::mission_start);
-  expect(w, flight::mode_kind::mission);
-  expect(w, flight::mode_kind::take_off);
+  expect(w, flight::modes_of_start(w.view.owner()));
   give_order(w, command);
 }
 
@@ -273,9 +298,16 @@ bool task_runner::lets_out(const order& what) const {
 }
 
 // Also told to the failsafe, with the command.
-void task_runner::expect(const world& w, flight::mode_kind kind) {
-  w.modes.expect(kind, w.now_ns);
-  expected_.push_back(kind);
+void task_runner::expect(const world& w, std::vector<std::uint32_t> modes) {
+  w.authority.expect(modes, w.now_ns + flight::order_is_expected_ns);
+  expected_ = std::move(modes);
+}
+
+// It goes out at once, and is said again as soon as it seems lost.
+bool task_runner::is_stop() const { return urgency() == goes::at_once && task_->kind != task_kind::stand_down; }
+
+bool task_runner::is_overdue(const world& w) const {
+  return w.now_ns >= deadline_ns_ || w.view.heartbeats() >= show_before_heartbeat_;
 }
 
 void task_runner::give_order(const world& w, vehicle_link::send_command what) {
@@ -295,6 +327,11 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))
     return was_obeyed(w);
   was_accepted_ = outcome.verdict == command_verdict::accepted;
+  if (!was_accepted_ && is_stop() && !is_shown(w.view)) {
+    show_before_heartbeat_ = 0; // lost, as far as anybody can tell; the mode is still the one in which it was said
+    return enter(stage::showing, w.now_ns);
+  }
+  show_before_heartbeat_ = w.view.heartbeats() + (was_accepted_ ? heartbeats_to_show : 1);
   enter(stage::showing, w.now_ns + shown_within_ns);
 }
 
@@ -326,8 +363,9 @@ void task_runner::was_obeyed(const world& w) {
 }
 
 void task_runner::was_not_done(const world& w, const std::string& why, bool is_final) {
-  if (!is_final && tries_ < max_tries)
-    return enter(stage::pausing, w.now_ns + pause_between_ns);
+  const bool was_refused = stage_ == stage::asked;
+  if (!is_final && tries_ < (is_stop() ? max_tries_of_stop : max_tries))
+    return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
   const auto sentence = "the vehicle was asked " + wish() + ", and did not: " + why;
   if (!has_intent())
     return fail(sentence);

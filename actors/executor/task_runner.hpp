@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/executor/effects.hpp"
-#include "actors/executor/mode_watch.hpp"
 #include "actors/executor/steps.hpp"
 #include "actors/executor/view.hpp"
 
@@ -26,13 +26,16 @@ namespace godwit::executor {
 // What the outcome of an upload means to the progress.
 [[nodiscard]] progress::upload_ended end_of(const vehicle_link::transfer::outcome& outcome);
 
+// How the plan on the vehicle ends.
+[[nodiscard]] flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s);
+
 class task_runner {
 public:
   // What a step sees and leaves behind.
   struct world {
     const state& durable;
     const vehicle_view& view;
-    mode_watch& modes;
+    flight::control_authority& authority;
     std::int64_t now_ns; // monotonic
     effects& out;
   };
@@ -80,19 +83,22 @@ private:
   void begin_step(const world& w);
   void ask(const world& w);
   void ask(const world& w, const change_mode& what);
+  void ask(const world& w, const stand_by& what);
   void ask(const world& w, const guard& what);
   void ask(const world& w, const bring_plan& what);
   void ask(const world& w, const choose_item& what);
   void ask(const world& w, const arm& what);
   void ask(const world& w, const disarm& what);
   void ask(const world& w, const start_plan& what);
-  void expect(const world& w, flight::mode_kind kind);
+  void expect(const world& w, std::vector<std::uint32_t> modes);
   void give_order(const world& w, vehicle_link::send_command what);
   void was_obeyed(const world& w);
   void was_not_done(const world& w, const std::string& why, bool is_final);
   void settle_upload(const world& w);
 
   [[nodiscard]] bool has_intent() const;
+  [[nodiscard]] bool is_stop() const;
+  [[nodiscard]] bool is_overdue(const world& w) const;
   [[nodiscard]] bool is_shown(const vehicle_view& view) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
   [[nodiscard]] std::string wish() const;
@@ -111,7 +117,8 @@ private:
   bool was_in_mission_before_ = false; // armed and in its mission mode, when it was asked
   bool was_accepted_ = false;          // what was asked last
   std::uint64_t last_order_ = 0;
-  std::vector<flight::mode_kind> expected_; // by the order that is made
+  std::uint64_t show_before_heartbeat_ = 0; // the number of the one that has to show it
+  std::vector<std::uint32_t> expected_;     // by the order that is made
   std::uint32_t generation_before_ = 0;
   std::string last_reason_;
   std::optional<verdict> ended_;

@@ -1,7 +1,9 @@
 #include "actors/executor/view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/executor/preflight/checks/autopilot_checks.hpp"
 #include "io/mavlink/enums.hpp"
@@ -36,6 +38,8 @@ void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t) {
   owner_ = flight::owner_of(m);
   mode_ = flight::mode_of(m);
   is_armed_ = (m.base_mode & io::mavlink::number(io::mavlink::mav_mode_flag::safety_armed)) != 0;
+  is_critical_ = m.system_status == io::mavlink::number(io::mavlink::mav_state::critical);
+  ++heartbeats_;
 }
 
 void vehicle_view::take(const io::mavlink::sys_status& m) {
@@ -67,13 +71,29 @@ void vehicle_view::take(const io::mavlink::mission_current& m, std::int64_t now_
   current_heard_ns_ = now_ns;
 }
 
-bool vehicle_view::stands_at_home(std::int64_t now_ns) const {
+bool vehicle_view::is_in_one_of(const std::vector<std::uint32_t>& modes) const {
+  return mode_ && std::ranges::find(modes, mode_->custom_mode) != modes.end();
+}
+
+bool vehicle_view::obeys(flight::mode_kind kind) const { return is_in_one_of(flight::modes_obeying(owner_, kind)); }
+
+bool vehicle_view::is_within(double metres, double latitude_deg, double longitude_deg, std::int64_t now_ns) const {
   const auto at = place(now_ns);
-  if (!at || !home_ || speed_mps_ > standing_mps)
+  if (!at)
     return false;
   const geo::point here{at->latitude, at->longitude};
-  const geo::point there{home_->latitude, home_->longitude};
-  return geo::is_valid(here) && geo::is_valid(there) && geo::distance_m(here, there) <= at_home_m;
+  const geo::point there{latitude_deg, longitude_deg};
+  return geo::is_valid(here) && geo::is_valid(there) && geo::distance_m(here, there) <= metres;
+}
+
+bool vehicle_view::stands_at_home(std::int64_t now_ns) const {
+  return home_ && speed_mps_ <= standing_mps && is_within(at_home_m, home_->latitude, home_->longitude, now_ns);
+}
+
+bool vehicle_view::is_moving() const {
+  if (owner_.vehicle != flight::vehicle_class::rover)
+    return is_under_way();
+  return is_armed_ && (is_in(flight::mode_kind::mission) || speed_mps_ > standing_mps);
 }
 
 bool vehicle_view::is_under_way() const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/executor/plan/setting.hpp"
@@ -35,12 +36,22 @@ public:
   // Since the link was up last: none before the first heartbeat.
   [[nodiscard]] const std::optional<flight::flight_mode>& mode() const { return mode_; }
   [[nodiscard]] bool is_in(flight::mode_kind kind) const { return mode_ && mode_->kind == kind; }
+  [[nodiscard]] bool is_in_one_of(const std::vector<std::uint32_t>& modes) const;
+  // In a mode that obeys an order of this kind: the exact one that is ordered.
+  [[nodiscard]] bool obeys(flight::mode_kind kind) const;
+  // The autopilot says of itself that something is wrong (MAV_STATE_CRITICAL).
+  [[nodiscard]] bool is_critical() const { return is_critical_; }
+  [[nodiscard]] std::uint64_t heartbeats() const { return heartbeats_; }
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; }
   [[nodiscard]] bool is_armed() const { return is_armed_; }
   // Not moving, within a few metres of its home.
   [[nodiscard]] bool stands_at_home(std::int64_t now_ns) const;
   // Armed and off the ground; a rover: armed.
   [[nodiscard]] bool is_under_way() const;
+  // It moves, or would by itself: a rover that is armed in HOLD does not.
+  [[nodiscard]] bool is_moving() const;
+  // On the ground or standing, within so many metres of there.
+  [[nodiscard]] bool is_within(double metres, double latitude_deg, double longitude_deg, std::int64_t now_ns) const;
   // In its mission mode, and says itself that the mission has begun.
   [[nodiscard]] bool is_in_begun_mission() const;
   // Where it stands is known well enough to judge by it.
@@ -66,6 +77,8 @@ private:
   std::optional<flight::flight_mode> mode_;
   flight::mode_owner owner_;
   bool is_armed_ = false;
+  bool is_critical_ = false;
+  std::uint64_t heartbeats_ = 0;
   io::mavlink::mav_landed_state landed_ = io::mavlink::mav_landed_state::undefined;
   std::optional<mission::position> place_;
   double speed_mps_ = 0; // over the ground

@@ -5,7 +5,9 @@
 #include <tuple>
 #include <utility>
 
+#include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/failsafe/sentences.hpp"
+#include "actors/failsafe/vehicle_words.hpp"
 
 namespace godwit::failsafe {
 
@@ -22,7 +24,8 @@ link_memory memory_for(const standing& restored) { return restored.in_flight ? r
 } // namespace
 
 core::core(const settings& configured, const state& restored, instant now)
-    : settings_(configured), flight_(restored.now.in_flight, configured.moving_mps), pilot_(restored.now.pilot, now),
+    : settings_(configured), flight_(restored.now.in_flight, configured.moving_mps),
+      pilot_(restored.now.pilot, restored.limits.plan_end, now),
       battery_(configured.battery_critical_percent, configured.battery_low_percent),
       link_(configured, memory_for(restored.now), now), overrides_(restored.now.overridden, now),
       latches_(restored.now.latches), reaction_(restored.now.reacts, restored.now.last_number, now.monotonic_ns),
@@ -31,6 +34,8 @@ core::core(const settings& configured, const state& restored, instant now)
     fences_.set(std::move(*fences));
   else
     limits_refused_ = true;
+  if (restored.now.reacts && restored.now.reacts->tries > 0)
+    pilot_.forget_the_plan();
   stance_ = stand(restored.now.in_flight);
 }
 
@@ -56,6 +61,7 @@ void core::take_one(const position& what, instant now) {
 void core::take_one(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }
 
 void core::take_one(const mission_current& what, instant now) {
+  place_ = {what, now};
   if (what.sequence == no_sequence)
     return;
   sequence_ = what.sequence;
@@ -75,9 +81,7 @@ void core::take_one(const hand_back&, instant) { told_hand_back_ = true; }
 
 void core::take_one(const asked_guard& what, instant) { new_limits_ = what; }
 
-void core::take_one(const expect_mode& what, instant now) {
-  pilot_.expect(what.kind, what.lasts_ms == 0 ? std::nullopt : std::optional(what.lasts_ms), now);
-}
+void core::take_one(const expect_mode& what, instant) { orders_.push_back(what); }
 
 void core::take_one(const taken_over&, instant) { told_taken_over_ = true; }
 
@@ -90,7 +94,7 @@ effects core::tick(instant now) {
   take_limits(out);
   const auto seen = look(now);
   follow_flight(seen);
-  hear_words(seen, now, out);
+  hear_words(now, out);
   watch_pilot(seen, now, out);
   judge_rules(seen, out);
   drive(seen, now, out);
@@ -112,7 +116,9 @@ void core::take_limits(effects& out) {
     fences_.set(std::move(*fences));
     has_new_limits_ = wanted->what != limits_;
     limits_ = std::move(wanted->what);
-    sequence_.reset(); // it may be that of the plan before
+    pilot_.set_plan_end(limits_.plan_end);
+    place_.reset(); // it may be that of the plan before
+    sequence_.reset();
     sequence_ns_ = 0;
     out.emplace_back(guard_settled{wanted->request_id, {true, {}}});
   } else {
@@ -138,12 +144,12 @@ void core::follow_flight(const view& seen) {
   reaction_.drop();
 }
 
-// Of two contrary words in one tick, that a pilot has the vehicle counts. On the ground nobody takes over: a word that
-// comes so late is about a flight that has ended.
-void core::hear_words(const view& seen, instant now, effects& out) {
+// Of two contrary words in one tick, that a pilot has the vehicle counts. It does on the ground too: a person may have
+// ended a start.
+void core::hear_words(instant now, effects& out) {
   const bool taken = std::exchange(told_taken_over_, false);
   const bool handed_back = std::exchange(told_hand_back_, false) && !taken;
-  if (taken && !pilot_.is_taken_over() && (seen.flight.in_flight || !seen.flight.link_up)) {
+  if (taken && !pilot_.is_taken_over()) {
     pilot_.take_over();
     out.emplace_back(warning{mav_severity::notice, "a pilot has the vehicle; the failsafes only warn"});
   }
@@ -175,12 +181,15 @@ void core::lift(rule scope) {
   latches_.release_all();
 }
 
+// An order is given to the vehicle where it is: of the two, the place is first.
 void core::watch_pilot(const view& seen, instant now, effects& out) {
-  if (!seen.flight.link_up)
-    return;
   const bool before = pilot_.is_taken_over();
-  const auto& current = reaction_.current();
-  pilot_.evaluate(seen.flight, newest_.mode, current ? std::optional(current->what) : std::nullopt, now);
+  if (const auto place = std::exchange(place_, std::nullopt))
+    pilot_.on_place(place->what.sequence, place->what.is_complete, place->at);
+  for (const auto& each : std::exchange(orders_, {}))
+    pilot_.expect(each.modes, each.lasts_ms, now);
+  if (seen.flight.link_up)
+    pilot_.evaluate(seen.flight, {owner(), newest_.mode, newest_.is_critical, heartbeat_ns_}, now);
   if (before || !pilot_.is_taken_over())
     return;
   out.emplace_back(warning{mav_severity::notice, "the mode was changed by somebody else; the failsafes only warn"});
@@ -236,16 +245,26 @@ void core::act(rule why, action what, const view& seen, effects& out) {
   out.emplace_back(warning{mav_severity::critical, cause + ": " + deed_of(what)});
 }
 
+// Behind a return some vehicles hold by themselves, and a person may hold there too: neither is told to return again.
+bool core::follows_what_is_wanted() const {
+  const auto& current = reaction_.current();
+  if (!current)
+    return false;
+  const auto wanted = modes_for(current->what, owner());
+  return std::any_of(wanted.begin(), wanted.end(), [this](std::uint32_t each) {
+    return flight::follows_by_itself(owner(), each, newest_.mode.custom_mode, true);
+  });
+}
+
 // A command that was sent may show in a heartbeat after another has taken its place.
 void core::drive(const view& seen, instant now, effects& out) {
-  const bool may_send = seen.flight.link_up && seen.flight.may_act && !leaves_it_to_pilot();
+  const bool may_send = seen.flight.link_up && seen.flight.may_act && !leaves_it_to_pilot() && !pilot_.is_unclear();
   const bool on_landing = limits_.land_start && sequence_ && *sequence_ >= *limits_.land_start;
-  const auto step =
-      reaction_.drive({newest_.mode.kind, heartbeat_ns_, may_send, !pilot_.is_taken_over(), on_landing, sequence_ns_},
-                      now.monotonic_ns);
+  const bool is_ours = !pilot_.is_taken_over() && !pilot_.is_unclear() && !follows_what_is_wanted();
+  const auto step = reaction_.drive({newest_.mode.kind, heartbeat_ns_, may_send, is_ours, on_landing, sequence_ns_},
+                                    now.monotonic_ns);
   if (step.send) {
-    for (const auto kind : modes_of(step.send->what))
-      pilot_.expect(kind, command_answer_ms + obedience_ms, now);
+    pilot_.expect(modes_for(step.send->what, owner()), command_answer_ms + obedience_ms, now);
     out.insert(out.begin(), *step.send); // before anything else
   }
   if (step.fails_first)

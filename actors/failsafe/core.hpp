@@ -86,11 +86,13 @@ private:
   [[nodiscard]] view look(instant now);
   void take_limits(effects& out);
   void follow_flight(const view& seen);
-  void hear_words(const view& seen, instant now, effects& out);
+  void hear_words(instant now, effects& out);
   void lift(rule scope);
   void watch_pilot(const view& seen, instant now, effects& out);
+  [[nodiscard]] bool follows_what_is_wanted() const;
   [[nodiscard]] bool has_cause(rule each, const view& seen) const;
   [[nodiscard]] bool leaves_it_to_pilot() const;
+  [[nodiscard]] flight::mode_owner owner() const { return {newest_.autopilot, newest_.what}; }
   void judge_rules(const view& seen, effects& out);
   void act(rule why, action what, const view& seen, effects& out);
   void drive(const view& seen, instant now, effects& out);
@@ -120,6 +122,12 @@ private:
   // What came since the last tick.
   std::vector<asked_override> wanted_overrides_;
   std::optional<asked_guard> new_limits_;
+  struct heard_place {
+    mission_current what;
+    instant at;
+  };
+  std::optional<heard_place> place_;
+  std::vector<expect_mode> orders_;
   bool told_taken_over_ = false;
   bool told_hand_back_ = false;
 

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "actors/failsafe/vehicle.hpp"
+#include "io/mavlink/enums/vehicle.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/vehicle_link/command.hpp"
 
@@ -17,6 +18,8 @@ struct heartbeat {
   vehicle_class what = vehicle_class::unknown;
   bool armed = false;
   flight_mode mode;
+  io::mavlink::mav_autopilot autopilot = io::mavlink::mav_autopilot::generic;
+  bool is_critical = false; // MAV_STATE_CRITICAL: the autopilot says that something is wrong
 };
 
 struct landed {
@@ -39,6 +42,7 @@ struct battery {
 // Which item of its plan the vehicle is at.
 struct mission_current {
   std::uint16_t sequence = 0;
+  bool is_complete = false;
 };
 
 // What became of a command that the failsafe sent.

@@ -4,96 +4,92 @@
 
 namespace godwit::failsafe {
 
-namespace {
-
-std::size_t index_of(mode_kind kind) { return static_cast<std::size_t>(kind); }
-
-bool follows_by_itself(mode_kind before, mode_kind after) {
-  if (before == mode_kind::returning)
-    return after == mode_kind::landing;
-  return before == mode_kind::take_off && (after == mode_kind::mission || after == mode_kind::hold);
-}
-
-bool is_wanted(std::optional<action> reacts, mode_kind kind) {
-  if (!reacts)
-    return false;
-  const auto wanted = modes_of(*reacts);
-  return std::find(wanted.begin(), wanted.end(), kind) != wanted.end();
-}
-
-} // namespace
-
-pilot_watch::pilot_watch(const pilot_memory& restored, instant now)
-    : ours_(restored.ours), taken_over_(restored.taken_over) {
+pilot_watch::pilot_watch(const pilot_memory& restored, const flight::plan_end& end, instant now)
+    : plan_end_(end), last_(restored.ours) {
+  if (restored.ours)
+    authority_.begin(*restored.ours);
+  authority_.set_plan_end(end);
+  std::vector<std::uint32_t> modes;
+  std::int64_t left_ns = 0;
   for (const auto& each : restored.expected)
-    if (!each.until_ns)
-      expected_.at(index_of(each.kind)) = expectation{};
-    else if (const auto left_ns = std::min(*each.until_ns - now.wall_ns, max_expectation_ms * ns_per_ms); left_ns > 0)
-      expected_.at(index_of(each.kind)) = expectation{each.until_ns, now.monotonic_ns + left_ns};
+    if (each.custom_mode && each.until_ns) {
+      modes.push_back(*each.custom_mode);
+      left_ns = std::clamp(*each.until_ns - now.wall_ns, left_ns, max_expectation_ms * ns_per_ms);
+    }
+  if (left_ns > 0)
+    expect(modes, left_ns / ns_per_ms, now);
+  if (restored.taken_over)
+    take_over();
 }
 
-void pilot_watch::expect(mode_kind kind, std::optional<std::int64_t> lasts_ms, instant now) {
-  auto& slot = expected_.at(index_of(kind));
-  if (!lasts_ms) {
-    slot = expectation{};
-    return;
-  }
-  const auto lasts_ns = std::clamp<std::int64_t>(*lasts_ms, 0, max_expectation_ms) * ns_per_ms;
-  const auto until_ns = now.monotonic_ns + lasts_ns;
-  if (!slot || (slot->until_monotonic_ns && *slot->until_monotonic_ns < until_ns)) // the longer one counts
-    slot = expectation{now.wall_ns + lasts_ns, until_ns};
+void pilot_watch::expect(const std::vector<std::uint32_t>& modes, std::int64_t lasts_ms, instant now) {
+  const auto lasts_ns = std::clamp<std::int64_t>(lasts_ms, 0, max_expectation_ms) * ns_per_ms;
+  authority_.expect_also(modes, now.monotonic_ns, now.monotonic_ns + lasts_ns);
+  expected_until_wall_ns_ = std::max(expected_until_wall_ns_.value_or(0), now.wall_ns + lasts_ns);
 }
 
-void pilot_watch::forget_the_plan() {
-  for (auto& each : expected_)
-    if (each && !each->until_monotonic_ns)
-      each.reset();
+void pilot_watch::set_plan_end(const flight::plan_end& end) {
+  plan_end_ = end;
+  authority_.set_plan_end(end);
 }
 
-void pilot_watch::hand_back() {
-  taken_over_ = false;
-  adopts_ = true;
-}
-
-bool pilot_watch::is_expected(mode_kind kind) const { return expected_.at(index_of(kind)).has_value(); }
-
-void pilot_watch::expire(instant now) {
-  for (auto& each : expected_)
-    if (each && each->until_monotonic_ns && now.monotonic_ns >= *each->until_monotonic_ns)
-      each.reset();
-}
-
-bool pilot_watch::is_ours(const flight_now& flight, const flight_mode& mode) const {
-  if (adopts_ || is_expected(mode.kind))
-    return true;
-  if (flight.begins && !flight.is_found) // a take-off that we saw: by a person at the sticks, or by itself
-    return mode.kind != mode_kind::manual;
-  if (flight.is_found || !ours_)
-    return mode.kind == mode_kind::mission;
-  return mode == *ours_ || follows_by_itself(ours_->kind, mode.kind);
-}
-
-void pilot_watch::evaluate(const flight_now& flight, const flight_mode& mode, std::optional<action> reacts,
-                           instant now) {
-  if (flight.ends) {
-    taken_over_ = false;
-    expected_ = {};
-  }
-  if (!flight.in_flight)
-    ours_ = mode;
-  else if (!taken_over_ && (is_ours(flight, mode) || is_wanted(reacts, mode.kind)))
-    ours_ = mode;
-  else
-    taken_over_ = true;
+void pilot_watch::take_over() {
+  authority_.take_away(flight::holder::person);
+  begun_ns_.reset();
   adopts_ = false;
-  expire(now);
+}
+
+void pilot_watch::on_place(std::uint16_t sequence, bool is_complete, instant now) {
+  authority_.on_place(sequence, is_complete, now.monotonic_ns);
+}
+
+bool pilot_watch::begins_as_ours(const seen_mode& seen, instant now) const {
+  if (seen.mode.kind == mode_kind::mission || authority_.expects(seen.mode, now.monotonic_ns))
+    return true;
+  return !is_found_ && seen.mode.kind == mode_kind::take_off;
+}
+
+void pilot_watch::judge_begin(const seen_mode& seen, instant now) {
+  if (begins_as_ours(seen, now))
+    authority_.begin(seen.mode);
+  else if (is_found_ || seen.heard_ns > *begun_ns_)
+    take_over();
+  else
+    return;
+  begun_ns_.reset();
+}
+
+void pilot_watch::evaluate(const flight_now& flight, const seen_mode& seen, instant now) {
+  if (flight.ends && authority_.is_ours()) { // who has taken it still has it
+    authority_.end();
+    authority_.set_plan_end(plan_end_);
+    expected_until_wall_ns_.reset();
+    begun_ns_.reset();
+  }
+  const bool was_known = authority_.is_watching();
+  if (adopts_) {
+    authority_.begin(seen.mode);
+    begun_ns_.reset();
+  } else if (flight.in_flight && authority_.is_ours() && (flight.begins || begun_ns_ || !was_known)) {
+    if (!begun_ns_) {
+      begun_ns_ = now.monotonic_ns;
+      is_found_ = flight.is_found;
+    }
+    judge_begin(seen, now);
+  } else if (flight.in_flight) {
+    if (judged_ns_ != seen.heard_ns)
+      authority_.on_mode(seen.whose, seen.mode, seen.is_critical, now.monotonic_ns);
+    authority_.on_time(now.monotonic_ns);
+  }
+  judged_ns_ = seen.heard_ns;
+  adopts_ = false;
+  last_ = flight.in_flight ? authority_.ours() : seen.mode;
 }
 
 pilot_memory pilot_watch::memory() const {
-  pilot_memory result{ours_, taken_over_, {}};
-  for (const auto& [kind, text] : enum_names(mode_kind{}))
-    if (const auto& each = expected_.at(index_of(kind)))
-      result.expected.push_back({kind, each->until_ns});
+  pilot_memory result{last_, is_taken_over(), {}};
+  for (const auto each : authority_.expected())
+    result.expected.push_back({mode_kind::unknown, expected_until_wall_ns_, each});
   return result;
 }
 

@@ -1,28 +1,28 @@
-// Who flies: godwit, or somebody else.
+// Who has the vehicle, as far as the failsafe can tell without an executor.
 //
 //             ┌──a mode that nobody of ours expects, or the executor says so──┐
 //             │                                                               v
 //   ──> ours ─┘                                                          a pilot
 //             ^                                                               │
-//             └───────────hand-back by an operator, end of the flight─────────┘
+//             └───────────────────────hand-back──────────────────────────────┘
 //
-// A mode change in flight that no command of ours caused is a pilot, and godwit never fights one. The executor says
-// which changes are ours before they happen. Without an executor this errs to the side of silence: the autopilot's own
-// failsafes are still there. Two changes are always ours, because what we asked for leads to them: a return that lands,
-// and a take-off that goes on.
-// After a restart the mode is compared with the last one that was ours. Without such a record a vehicle in the air is
-// only taken for ours when it flies a mission. On the ground modes change as they like. Thread: pure.
+// The rules of control_authority, and what of them survives a restart. The executor says which changes are ours before
+// they happen, and how the plan on the vehicle ends. Without an executor this errs to the side of silence: the
+// autopilot's own failsafes are still there. A take-off that was seen is ours when it was commanded, or when it is that
+// of a plan; its heartbeat may be older than what shows the take-off, so that a newer one is waited for. After a
+// restart the mode is compared with the last one that was ours; without such a record a vehicle in the air is only
+// taken for ours when it flies a mission. On the ground modes change as they like. Who has taken the vehicle has it
+// also behind its landing: an operator hands it back, or the executor when it starts the next flight. Thread: pure.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/failsafe/flight_watch.hpp"
 #include "actors/failsafe/instant.hpp"
-#include "actors/failsafe/rules.hpp"
 #include "actors/failsafe/vehicle.hpp"
 #include "io/fields/field_table.hpp"
 
@@ -31,21 +31,21 @@ namespace godwit::failsafe {
 // Longer than three tries of a command take, and their effect in a heartbeat.
 inline constexpr std::int64_t max_expectation_ms = 60'000;
 
-inline constexpr std::size_t mode_kinds = enum_names(mode_kind{}).size();
-
 struct expected_mode {
-  mode_kind kind = mode_kind::unknown;
-  std::optional<std::int64_t> until_ns; // wall clock; absent: to the end of the flight
+  mode_kind kind = mode_kind::unknown;  // only read: earlier versions kept it, and it counts no more
+  std::optional<std::int64_t> until_ns; // wall clock
+  std::optional<std::uint32_t> custom_mode;
 
-  static constexpr auto fields = io::table("failsafe.expected_mode", io::field("kind", &expected_mode::kind),
-                                           io::field("until_ns", &expected_mode::until_ns));
+  static constexpr auto fields =
+      io::table("failsafe.expected_mode", io::field("kind", &expected_mode::kind),
+                io::field("until_ns", &expected_mode::until_ns), io::field("custom_mode", &expected_mode::custom_mode));
   friend bool operator==(const expected_mode&, const expected_mode&) = default;
 };
 
 struct pilot_memory {
   std::optional<flight_mode> ours; // the last mode that was
   bool taken_over = false;
-  std::vector<expected_mode> expected; // at most one for each kind
+  std::vector<expected_mode> expected; // in the order in which they may come
 
   static constexpr auto fields =
       io::table("failsafe.pilot_memory", io::field("ours", &pilot_memory::ours),
@@ -53,37 +53,47 @@ struct pilot_memory {
   friend bool operator==(const pilot_memory&, const pilot_memory&) = default;
 };
 
+// What the vehicle says at a tick.
+struct seen_mode {
+  flight::mode_owner whose;
+  flight_mode mode;
+  bool is_critical = false;
+  std::int64_t heard_ns = 0; // monotonic; of the heartbeat
+};
+
 class pilot_watch {
 public:
-  pilot_watch(const pilot_memory& restored, instant now);
+  pilot_watch(const pilot_memory& restored, const flight::plan_end& end, instant now);
 
-  // Nothing: to the end of the flight, or until a failsafe acts.
-  void expect(mode_kind kind, std::optional<std::int64_t> lasts_ms, instant now);
+  // An order, of the executor or of the failsafe itself.
+  void expect(const std::vector<std::uint32_t>& modes, std::int64_t lasts_ms, instant now);
+  void set_plan_end(const flight::plan_end& end);
   // A failsafe acts: from here on the plan leads nowhere by itself.
-  void forget_the_plan();
-  void take_over() { taken_over_ = true; }
-  void hand_back();
+  void forget_the_plan() { authority_.forget_plan_end(); }
+  void take_over();
+  void hand_back() { adopts_ = true; }
 
-  // Once at each tick at which the vehicle is heard. REACTS: what the failsafe itself is doing.
-  void evaluate(const flight_now& flight, const flight_mode& mode, std::optional<action> reacts, instant now);
+  void on_place(std::uint16_t sequence, bool is_complete, instant now);
+  // Once at each tick at which the vehicle is heard.
+  void evaluate(const flight_now& flight, const seen_mode& seen, instant now);
 
-  [[nodiscard]] bool is_taken_over() const { return taken_over_; }
+  [[nodiscard]] bool is_taken_over() const { return !adopts_ && !authority_.is_ours(); }
+  // Who has it is told next; until then nothing is sent.
+  [[nodiscard]] bool is_unclear() const { return begun_ns_ || authority_.is_unclear(); }
   [[nodiscard]] pilot_memory memory() const;
 
 private:
-  struct expectation {
-    std::optional<std::int64_t> until_ns;
-    std::optional<std::int64_t> until_monotonic_ns;
-  };
+  [[nodiscard]] bool begins_as_ours(const seen_mode& seen, instant now) const;
+  void judge_begin(const seen_mode& seen, instant now);
 
-  [[nodiscard]] bool is_expected(mode_kind kind) const;
-  [[nodiscard]] bool is_ours(const flight_now& flight, const flight_mode& mode) const;
-  void expire(instant now);
-
-  std::optional<flight_mode> ours_;
-  bool taken_over_ = false;
-  bool adopts_ = false; // handed back: whatever mode comes next is ours
-  std::array<std::optional<expectation>, mode_kinds> expected_;
+  flight::control_authority authority_;
+  flight::plan_end plan_end_;
+  std::optional<flight_mode> last_; // in flight, ours; on the ground, any
+  std::optional<std::int64_t> expected_until_wall_ns_;
+  std::optional<std::int64_t> judged_ns_; // the newest heartbeat whose mode was judged: each is judged once
+  std::optional<std::int64_t> begun_ns_;  // a flight that nobody is known to have begun
+  bool is_found_ = false;                 // it was in the air already
+  bool adopts_ = false;                   // handed back: whatever mode comes next is ours
 };
 
 } // namespace godwit::failsafe

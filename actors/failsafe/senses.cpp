@@ -17,7 +17,9 @@ constexpr double mps_from_cm = 1e-2;
 
 heartbeat sense(const mavlink::heartbeat& m) {
   const bool armed = (m.base_mode & mavlink::number(mavlink::mav_mode_flag::safety_armed)) != 0;
-  return {flight::owner_of(m).vehicle, armed, flight::mode_of(m)};
+  const auto owner = flight::owner_of(m);
+  return {owner.vehicle, armed, flight::mode_of(m), owner.autopilot,
+          m.system_status == mavlink::number(mavlink::mav_state::critical)};
 }
 
 landed sense(const mavlink::extended_sys_state& m) {
@@ -43,6 +45,8 @@ position sense(const mavlink::global_position_int& m) {
 
 battery sense(const mavlink::sys_status& m) { return {m.battery_remaining}; }
 
-mission_current sense(const mavlink::mission_current& m) { return {m.seq}; }
+mission_current sense(const mavlink::mission_current& m) {
+  return {m.seq, m.mission_state == mavlink::number(mavlink::mission_state::complete)};
+}
 
 } // namespace godwit::failsafe

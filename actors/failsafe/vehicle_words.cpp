@@ -1,5 +1,6 @@
 #include "actors/failsafe/vehicle_words.hpp"
 
+#include "actors/domain/control_authority/mode_tables.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::failsafe {
@@ -45,6 +46,20 @@ std::optional<vehicle_link::set_mode> mode_words_for(const command_vehicle& want
   if (!number)
     return std::nullopt;
   return vehicle_link::set_mode{mavlink::number(mavlink::mav_mode_flag::custom_mode_enabled), *number};
+}
+
+std::vector<std::uint32_t> modes_for(action what, const flight::mode_owner& whose) {
+  switch (what) {
+  case action::return_home:
+    return flight::modes_obeying(whose, flight::mode_kind::returning);
+  case action::land:
+    return flight::modes_obeying(whose, flight::mode_kind::landing);
+  case action::do_land_start:
+    return flight::modes_obeying(whose, flight::mode_kind::mission);
+  case action::hold:
+    break;
+  }
+  return flight::modes_obeying(whose, flight::mode_kind::hold);
 }
 
 } // namespace godwit::failsafe

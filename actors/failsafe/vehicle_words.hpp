@@ -5,7 +5,9 @@
 // without an answer. Thread: pure. Source: MAVLink's common.xml, MAV_CMD.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/failsafe/command.hpp"
@@ -20,5 +22,8 @@ namespace godwit::failsafe {
 // The same as a SET_MODE. None: it is no mode, or as above.
 [[nodiscard]] std::optional<vehicle_link::set_mode> mode_words_for(const command_vehicle& wanted,
                                                                    const flight::mode_owner& whose);
+
+// The exact modes that obey it.
+[[nodiscard]] std::vector<std::uint32_t> modes_for(action what, const flight::mode_owner& whose);
 
 } // namespace godwit::failsafe

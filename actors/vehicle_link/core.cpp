@@ -143,6 +143,10 @@ void core::take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view
     if (watch_.is_vehicle(from.system, from.component))
       vehicle_peer_ = peer;
   }
+  if (watch_.is_vehicle(from.system, from.component) && is_late_heartbeat(frame, t.now)) {
+    ++late_heartbeats_; // a mode from before would be taken for somebody's
+    return;
+  }
   if (frame.id() == mavlink::radio_status::message_id) {
     t.done.emplace_back(observation(mavlink::decode<mavlink::radio_status>(frame)));
     return;
@@ -154,6 +158,16 @@ void core::take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view
     return;
   }
   streams_.on_message(frame.id());
+}
+
+bool core::is_late_heartbeat(const mavlink::frame_view& frame, instant now) {
+  const auto number = watch_.number_of(frame.sequence(), now.monotonic_ns);
+  if (frame.id() != mavlink::heartbeat::message_id)
+    return false;
+  const bool is_late = heartbeat_number_ && number <= *heartbeat_number_;
+  if (!is_late)
+    heartbeat_number_ = number;
+  return is_late;
 }
 
 template <mavlink::message M>
@@ -206,7 +220,7 @@ void core::take(turn& t, const mavlink::ping& m) {
 }
 
 void core::note_boot_time(turn& t, std::uint32_t boot_ms) {
-  const auto restarted = watch_.on_boot_time(boot_ms);
+  const auto restarted = watch_.on_boot_time(boot_ms, t.now.monotonic_ns);
   if (!restarted)
     return;
   for (const auto& each :
@@ -511,6 +525,7 @@ connection core::describe(instant now) const {
   result.heartbeat_held_back = heartbeat_held_back_;
   result.not_accepted = not_accepted_;
   result.vehicle_restarts = watch_.restarts();
+  result.late_heartbeats = late_heartbeats_;
   result.reconnects = reconnects_;
   for (const auto id : streams_.missing())
     if (const auto* const info = mavlink::find_message(id))

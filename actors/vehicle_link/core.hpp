@@ -79,6 +79,7 @@ private:
   [[nodiscard]] mavlink::sender ourselves() const;
   [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
 
+  [[nodiscard]] bool is_late_heartbeat(const mavlink::frame_view& frame, instant now);
   void take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame);
   void take(turn& t, const mavlink::heartbeat& m);
   void take(turn& t, const mavlink::command_ack& m);
@@ -120,6 +121,8 @@ private:
   std::string link_reason_;
   std::uint64_t reconnects_ = 0;
   io::link::peer_id vehicle_peer_ = io::link::every_peer;
+  std::optional<std::int64_t> heartbeat_number_; // of the newest
+  std::uint64_t late_heartbeats_ = 0;
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;

@@ -57,20 +57,42 @@ std::optional<connection_changed> vehicle_watch::on_time(std::int64_t now_ns) {
                                            " s; is it powered, and is the line or radio up?");
 }
 
-std::optional<vehicle_restarted> vehicle_watch::on_boot_time(std::uint32_t boot_ms) {
+std::optional<vehicle_restarted> vehicle_watch::on_boot_time(std::uint32_t boot_ms, std::int64_t now_ns) {
   const auto before = boot_ms_;
-  if (!before || boot_ms >= *before) {
+  const bool is_wrapped = before && boot_ms < *before && *before - boot_ms >= wrap_guard_ms;
+  if (!before || boot_ms >= *before || is_wrapped) {
     boot_ms_ = boot_ms;
+    maybe_.reset();
     return std::nullopt;
   }
-  const auto back_by = *before - boot_ms;
-  if (back_by <= boot_time_tolerance_ms)
-    return std::nullopt; // late; the newest time stays the mark
-  boot_ms_ = boot_ms;
-  if (back_by >= wrap_guard_ms)
+  if (*before - boot_ms <= boot_time_tolerance_ms) { // late; the newest time stays the mark
+    maybe_.reset();
     return std::nullopt;
+  }
+  if (!maybe_ || boot_ms < maybe_->newest_ms)
+    maybe_ = new_clock{boot_ms, 1, now_ns};
+  else if (boot_ms > maybe_->newest_ms) {
+    maybe_->newest_ms = boot_ms;
+    ++maybe_->frames;
+  }
+  if (maybe_->frames < frames_of_new_clock || now_ns - maybe_->since_ns < new_clock_ns)
+    return std::nullopt;
+  boot_ms_ = boot_ms;
+  maybe_.reset();
   ++restarts_;
   return vehicle_restarted{*before, boot_ms};
+}
+
+std::int64_t vehicle_watch::number_of(std::uint8_t sequence, std::int64_t now_ns) {
+  constexpr std::int64_t wrap = 256;
+  constexpr std::uint8_t half = 128;
+  const auto ahead = static_cast<std::uint8_t>(sequence - static_cast<std::uint8_t>(newest_number_));
+  const bool may_be_late = newest_ns_ && now_ns - *newest_ns_ < late_within_ns;
+  if (may_be_late && (ahead == 0 || ahead >= half))
+    return newest_number_ - (ahead == 0 ? 0 : wrap - ahead);
+  newest_number_ += ahead == 0 ? wrap : ahead;
+  newest_ns_ = now_ns;
+  return newest_number_;
 }
 
 std::int64_t vehicle_watch::heartbeat_age_ms(std::int64_t now_ns) const {

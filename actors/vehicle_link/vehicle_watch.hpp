@@ -26,6 +26,9 @@ struct watch_settings {
 
 // UDP may deliver a frame late, and streams are stamped at different moments: going back less is no restart.
 inline constexpr std::uint32_t boot_time_tolerance_ms = 1'000;
+inline constexpr int frames_of_new_clock = 3;
+inline constexpr std::int64_t new_clock_ns = 1'000'000'000; // from the first of them to the last, at least
+inline constexpr std::int64_t late_within_ns = 1'500'000'000;
 
 struct known_vehicle {
   std::uint8_t system = 0;
@@ -44,8 +47,12 @@ public:
                                                                std::uint8_t component, std::int64_t now_ns);
   [[nodiscard]] std::optional<connection_changed> on_time(std::int64_t now_ns);
 
-  // The autopilot's time since boot, from any of its messages.
-  [[nodiscard]] std::optional<vehicle_restarted> on_boot_time(std::uint32_t boot_ms);
+  // The autopilot's time since boot, from any of its messages. It has started again when three of them that rise, over
+  // a second at least, go back behind what was heard before, and none of the old clock comes between.
+  [[nodiscard]] std::optional<vehicle_restarted> on_boot_time(std::uint32_t boot_ms, std::int64_t now_ns);
+  // For each frame of the vehicle: its number as if it did not wrap, by which one that comes late, or twice, is known.
+  // A loss of more than 127 frames in a row makes it too low for a while.
+  [[nodiscard]] std::int64_t number_of(std::uint8_t sequence, std::int64_t now_ns);
 
   [[nodiscard]] bool is_vehicle(std::uint8_t system, std::uint8_t component) const {
     return vehicle_ && vehicle_->system == system && vehicle_->component == component;
@@ -67,7 +74,17 @@ private:
   std::string reason_ = "the link is not open yet";
   std::optional<known_vehicle> vehicle_;
   std::optional<std::int64_t> last_heartbeat_ns_;
+  // A clock that may be a new one.
+  struct new_clock {
+    std::uint32_t newest_ms = 0;
+    int frames = 1;
+    std::int64_t since_ns = 0;
+  };
+
   std::optional<std::uint32_t> boot_ms_;
+  std::optional<new_clock> maybe_;
+  std::int64_t newest_number_ = 0; // of all frames
+  std::optional<std::int64_t> newest_ns_;
   std::uint64_t restarts_ = 0;
   std::uint64_t other_autopilots_ = 0;
 };

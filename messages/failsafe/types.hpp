@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
-#include "messages/flight/flight_mode.hpp"
+#include "messages/flight/plan_end.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::failsafe {
@@ -47,9 +47,11 @@ constexpr auto enum_names(action) {
 struct guard_mission {
   std::vector<mission::geofence> geofences;
   std::optional<std::uint16_t> land_start; // sequence of DO_LAND_START in the plan on the vehicle, as that counts
+  flight::plan_end plan_end;               // of that plan
 
-  static constexpr auto fields = io::table("failsafe.guard_mission", io::field("geofences", &guard_mission::geofences),
-                                           io::field("land_start", &guard_mission::land_start));
+  static constexpr auto fields =
+      io::table("failsafe.guard_mission", io::field("geofences", &guard_mission::geofences),
+                io::field("land_start", &guard_mission::land_start), io::field("plan_end", &guard_mission::plan_end));
   friend bool operator==(const guard_mission&, const guard_mission&) = default;
 };
 
@@ -62,14 +64,13 @@ struct guard_answer {
                                            io::field("reason", &guard_answer::reason));
 };
 
-// The next change into such a mode is ours: it was commanded, or the plan leads there by itself (a plan that ends with
-// a return, a vehicle that holds after its last item). Said before the command goes out. A mode that nobody expected is
-// a pilot's.
+// The next change into one of these modes is ours: it was commanded. Said before the command goes out. A mode that
+// nobody expected is a pilot's.
 struct expect_mode {
-  flight::mode_kind kind = flight::mode_kind::unknown;
-  std::int64_t lasts_ms = 0; // 0: until the flight ends, or a failsafe acts
+  std::vector<std::uint32_t> modes; // HEARTBEAT.custom_mode, in the order in which they may come
+  std::int64_t lasts_ms = 0;
 
-  static constexpr auto fields = io::table("failsafe.expect_mode", io::field("kind", &expect_mode::kind),
+  static constexpr auto fields = io::table("failsafe.expect_mode", io::field("modes", &expect_mode::modes),
                                            io::field("lasts_ms", &expect_mode::lasts_ms));
 };
 

@@ -63,6 +63,7 @@ struct connection {
   std::uint64_t dropped_in = 0;            // bytes that came faster than they were read
   std::uint64_t dropped_out = 0;           // frames that the link had no room for
   std::uint64_t vehicle_restarts = 0;
+  std::uint64_t late_heartbeats = 0;        // sent before one that had come already, and dropped
   std::uint64_t reconnects = 0;             // of the transport
   std::vector<std::string> missing_streams; // wanted messages that do not come
   static constexpr auto fields = io::table(
@@ -79,7 +80,8 @@ struct connection {
       io::field("signing_rejected", &connection::signing_rejected),
       io::field("signing_errors", &connection::signing_errors), io::field("not_accepted", &connection::not_accepted),
       io::field("dropped_in", &connection::dropped_in), io::field("dropped_out", &connection::dropped_out),
-      io::field("vehicle_restarts", &connection::vehicle_restarts), io::field("reconnects", &connection::reconnects),
+      io::field("vehicle_restarts", &connection::vehicle_restarts),
+      io::field("late_heartbeats", &connection::late_heartbeats), io::field("reconnects", &connection::reconnects),
       io::field("missing_streams", &connection::missing_streams));
 };
 

@@ -50,6 +50,8 @@ inline constexpr std::array option_rows{
     option_row{"start", "/flight/start", option_kind::text, "WHEN",
                "on_command (as it is), or automatic, as soon as a flight is ready"},
     option_row{"arm-on-start", "/flight/arm_on_start", option_kind::flag, "", "Arms the vehicle when a flight starts"},
+    option_row{"takeoff-again", "/flight/takeoff_again", option_kind::text, "WHEN",
+               "Behind a landing on the way: on_command (as it is), or automatic"},
     option_row{"allow-crash", "/flight/allow_crash", option_kind::flag, "",
                "Obeys `godwitd ctl crash ACTOR`: for drills only"},
     option_row{"ground", "/ground/uri", option_kind::text, "URI",

@@ -99,16 +99,18 @@ std::optional<std::uint32_t> number_of(const mode_owner& whose, mode_kind kind) 
 
 std::optional<vehicle_link::send_command> mode_command(const mode_owner& whose, mode_kind kind) {
   const auto number = number_of(whose, kind);
-  if (!number)
-    return std::nullopt;
+  return number ? std::optional(mode_command(whose, *number)) : std::nullopt;
+}
+
+vehicle_link::send_command mode_command(const mode_owner& whose, std::uint32_t custom_mode) {
   vehicle_link::send_command result;
   result.command = io::mavlink::number(io::mavlink::mav_cmd::do_set_mode);
   result.param1 = static_cast<float>(io::mavlink::number(io::mavlink::mav_mode_flag::custom_mode_enabled));
   if (whose.autopilot == mav_autopilot::px4) {
-    result.param2 = static_cast<float>(*number >> 16U & 0xFFU);
-    result.param3 = static_cast<float>(*number >> 24U);
+    result.param2 = static_cast<float>(custom_mode >> 16U & 0xFFU);
+    result.param3 = static_cast<float>(custom_mode >> 24U);
   } else {
-    result.param2 = static_cast<float>(*number);
+    result.param2 = static_cast<float>(custom_mode);
   }
   return result;
 }

@@ -35,7 +35,9 @@ struct mode_owner {
 // The number that asks for a mode of this kind. None: this vehicle has none, as a fixed wing has no landing mode.
 [[nodiscard]] std::optional<std::uint32_t> number_of(const mode_owner& whose, mode_kind kind);
 
-// DO_SET_MODE. None as above.
+// DO_SET_MODE.
+[[nodiscard]] vehicle_link::send_command mode_command(const mode_owner& whose, std::uint32_t custom_mode);
+// None as above.
 [[nodiscard]] std::optional<vehicle_link::send_command> mode_command(const mode_owner& whose, mode_kind kind);
 
 } // namespace godwit::flight

@@ -6,6 +6,7 @@
 //   vehicle_kind      class and autopilot are known                                  else                 not heard
 //   position          3-D fix, position of now                  few satellites       else                 not heard
 //   home              known                                                          else                 not heard
+//   on_ground         stands, or flies for us                                        else                 not heard
 //   battery           above return level and margin             level not known      else, no news yet    not heard
 //   autopilot_checks  pass                                      does not say         fail, no news yet    not heard
 //   mission           loaded, and planned for this vehicle                           else
@@ -35,6 +36,7 @@
 #include "actors/executor/preflight/checks/journal.hpp"
 #include "actors/executor/preflight/checks/map_objects.hpp"
 #include "actors/executor/preflight/checks/mission.hpp"
+#include "actors/executor/preflight/checks/on_ground.hpp"
 #include "actors/executor/preflight/checks/operator_session.hpp"
 #include "actors/executor/preflight/checks/position.hpp"
 #include "actors/executor/preflight/checks/return_point.hpp"
@@ -53,6 +55,7 @@ inline constexpr std::array checks{check{"vehicle_link", look_at_vehicle_link},
                                    check{"vehicle_kind", look_at_vehicle_kind},
                                    check{"position", look_at_position},
                                    check{"home", look_at_home},
+                                   check{"on_ground", look_at_on_ground},
                                    check{"battery", look_at_battery},
                                    check{"autopilot_checks", look_at_autopilot_checks},
                                    check{"mission", look_at_mission},

@@ -39,6 +39,7 @@ struct vehicle_facts {
   std::optional<std::uint8_t> satellites;                                     // absent: the receiver does not count
   std::optional<std::int64_t> position_age_ns;                                // absent: never heard
   bool is_home_known = false;
+  bool is_moving = false;                      // in the air or driving, and godwit has not started it
   std::optional<std::int32_t> battery_percent; // absent: not heard; -1: the autopilot does not know
   own_checks own = own_checks::unknown;
 };

@@ -126,8 +126,11 @@ void note_complete(turn& t, std::uint16_t sequence) {
   auto& g = plan.generation;
   if (g.is_finished || g.complete_upto)
     return;
+  const auto at = g.moved_to.value_or(g.current);
+  if (std::max(at, sequence) < last_movement(plan.map).value_or(0))
+    return; // PX4 says so of any landing; the plan is not done by that
   const bool was_waiting = is_waiting(g);
-  const bool is_put_back = sequence < g.moved_to.value_or(g.current); // ArduPilot, when it disarms
+  const bool is_put_back = sequence < at; // ArduPilot, when it disarms
   g.complete_upto = is_put_back ? static_cast<std::uint16_t>(end_sequence(plan.map) - 1) : sequence;
   if (g.moved_to || awaits_reached(plan))
     wait_if_new(t, was_waiting);

@@ -124,9 +124,10 @@ struct start_ended {
 struct current_told {
   io::mavlink::mission_current message;
   bool is_disarmed = false; // the vehicle flies nothing, whatever its mode (PX4 lands and stays in that of its mission)
+  bool is_ours = true;      // godwit has the vehicle; what it does under anybody else is no progress of the mission
   static constexpr auto fields =
       io::table("executor.progress_current_told", io::field("message", &current_told::message),
-                io::field("is_disarmed", &current_told::is_disarmed));
+                io::field("is_disarmed", &current_told::is_disarmed), io::field("is_ours", &current_told::is_ours));
 };
 
 struct reached_told {

@@ -172,7 +172,7 @@ bool may_be_started(const turn& t, const mission_current& message) {
 // A vehicle that stands begins nothing: what it says then counts for a plan that it has flown.
 void take(turn& t, const current_told& what) {
   const bool has_begun = t.s.plan && t.s.plan->generation.is_armed;
-  if (what.is_disarmed && !has_begun) {
+  if (!what.is_ours || (what.is_disarmed && !has_begun)) {
     if (t.s.plan && !t.s.paused && !t.s.upload && !t.s.start)
       static_cast<void>(look_for_foreign(t, what.message));
   } else if (t.s.upload)

@@ -44,6 +44,12 @@ bool has_sequence(const plan_map& map, std::uint16_t sequence) {
   return sequence >= map.first_sequence && sequence < end_sequence(map);
 }
 
+std::optional<std::uint16_t> last_movement(const plan_map& map) {
+  const auto last = std::find_if(map.items.rbegin(), map.items.rend(),
+                                 [](const mapped_item& each) { return each.last_nav_sequence.has_value(); });
+  return last == map.items.rend() ? std::nullopt : last->last_nav_sequence;
+}
+
 std::optional<std::uint32_t> position_at(const plan_map& map, std::uint16_t sequence) {
   const auto found = std::partition_point(map.items.begin(), map.items.end(),
                                           [&](const mapped_item& each) { return behind(each) <= sequence; });

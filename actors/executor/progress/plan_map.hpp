@@ -65,6 +65,9 @@ inline constexpr std::uint16_t no_sequence = 65535;
 [[nodiscard]] std::uint16_t end_sequence(const plan_map& map);
 [[nodiscard]] bool has_sequence(const plan_map& map, std::uint16_t sequence);
 
+// The last sequence of its items that moves the vehicle. Absent: none does.
+[[nodiscard]] std::optional<std::uint16_t> last_movement(const plan_map& map);
+
 // The position in `items` of the one that SEQUENCE belongs to.
 [[nodiscard]] std::optional<std::uint32_t> position_at(const plan_map& map, std::uint16_t sequence);
 

@@ -65,7 +65,10 @@ private:
     world_.pull_map(mission_client::pull_state::synced);
   }
 
-  [[nodiscard]] bool is_waiting_for_person() const { return world_.durable().standing.now == phase::paused; }
+  [[nodiscard]] bool is_waiting_for_person() const {
+    const auto& durable = world_.durable();
+    return durable.standing.now == phase::paused || (durable.standing.now == phase::ready && durable.awaits_word);
+  }
 
   // Half of the lines lose, double and reorder frames.
   static flight_world::options any_world(std::mt19937_64& dice, sim::personality who, bool is_map_late) {
@@ -192,8 +195,10 @@ private:
     if (needs_hand_back(at.cause))
       (void)world_.say(operator_words::verb::hand_back);
     world_.run_for(1);
-    if (is_waiting_for_person())
+    if (world_.durable().standing.now == phase::paused)
       note_answer(world_.say(operator_words::verb::resume));
+    else if (is_waiting_for_person())
+      note_answer(world_.say(operator_words::verb::start));
     if (!world_.durable().set_aside.empty())
       note_answer(world_.say(operator_words::verb::cancel));
   }

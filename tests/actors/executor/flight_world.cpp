@@ -36,6 +36,7 @@ flight_world::flight_world(const options& wanted)
   settings_.has_service = wanted.has_service;
   settings_.start = wanted.start;
   settings_.arm_on_start = wanted.arm_on_start;
+  settings_.takeoff_again = wanted.takeoff_again;
   settings_.refused_inserts = wanted.refused_inserts;
   settings_.shows_home = wanted.shows_home;
   sim::vehicle_settings vehicle;
@@ -330,15 +331,22 @@ void flight_world::take(const executor::effects& wanted) {
 }
 
 void flight_world::take(const executor::order& each) {
-  for (const auto kind : each.expected)
-    take(executor::say_to_failsafe{failsafe::expect_mode{kind, executor::expected_for_ns / 1'000'000}});
+  if (!each.expected.empty())
+    take(executor::say_to_failsafe{failsafe::expect_mode{each.expected, flight::order_is_expected_ns / 1'000'000}});
+  const bool stands_by = state_.doing && state_.doing->kind == executor::task_kind::stand_by;
+  const bool changes_nothing = std::holds_alternative<failsafe::guard_mission>(each.what) ||
+                               std::holds_alternative<vehicle_link::download_plan>(each.what);
+  orders_ += stands_by || changes_nothing ? 0 : 1;
   std::visit(
       [&]<class M>(const M& what) {
         if constexpr (std::is_same_v<M, failsafe::guard_mission>) {
           failsafe_->take(failsafe::asked_guard{each.number, what}, failsafe_now());
           tick_failsafe();
         } else if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
-          commands_.push_back(what.command);
+          if (stands_by)
+            ++stand_bys_;
+          else
+            commands_.push_back(what.command);
           take(link_->on_command(each.number, what, link_now()));
         } else if constexpr (std::is_same_v<M, vehicle_link::set_current_item>) {
           take(link_->on_set_current(each.number, what, link_now()));
@@ -367,7 +375,24 @@ void flight_world::take(const vehicle_link::effects& wanted) {
     std::visit([this](const auto& what) { take(what); }, each);
 }
 
+// Of the executor and of the failsafe alike.
+bool flight_world::is_lost(std::span<const std::byte> frame) {
+  if (losses_.second == 0)
+    return false;
+  bool result = false;
+  io::mavlink::scanner one;
+  one.feed(frame, [&](const io::mavlink::frame_view& each) {
+    result = each.id() == io::mavlink::command_long::message_id &&
+             io::mavlink::decode<io::mavlink::command_long>(each).command == losses_.first;
+  });
+  if (result)
+    --losses_.second;
+  return result;
+}
+
 void flight_world::take(const vehicle_link::transmission& each) {
+  if (is_lost(each.frame.span()))
+    return;
   carry(each.frame.span(), [this](const std::vector<std::byte>& bytes) {
     to_vehicle_.feed(bytes,
                      [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
@@ -420,12 +445,13 @@ void flight_world::take(const vehicle_link::announcement& each) {
 
 // -- people -----------------------------------------------------------------------------------------
 
-void flight_world::send_by_hand(std::uint16_t command, float param1, float param7) {
+void flight_world::send_by_hand(std::uint16_t command, float param1, float param7, float param2) {
   io::mavlink::command_long wish;
   wish.target_system = 1;
   wish.target_component = 1;
   wish.command = command;
   wish.param1 = param1;
+  wish.param2 = param2;
   wish.param7 = param7;
   io::mavlink::scanner one;
   one.feed(io::mavlink::encode(wish, station, 0).span(),
@@ -456,6 +482,18 @@ void flight_world::switch_mode(std::uint32_t custom_mode) {
   io::mavlink::scanner one;
   one.feed(io::mavlink::encode(wish, station, 0).span(),
            [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
+}
+
+void flight_world::arm_by_hand() { send_by_hand(400, 1); }
+
+void flight_world::disarm_by_hand() {
+  constexpr float force = 21'196;
+  send_by_hand(400, 0, 0, force);
+}
+
+std::optional<std::uint32_t> flight_world::heard_mode() const {
+  const auto& mode = core_->view().mode();
+  return mode ? std::optional(mode->custom_mode) : std::nullopt;
 }
 
 std::string flight_world::story() const {

@@ -31,6 +31,7 @@ public:
     sim::personality who = sim::personality::px4;
     executor::start_policy start = executor::start_policy::automatic;
     bool arm_on_start = true;
+    executor::start_policy takeoff_again = executor::start_policy::on_command;
     double speed = 5; // of the vehicle's world
     bool has_service = true;
     bool shows_home = false;
@@ -95,8 +96,15 @@ public:
   [[nodiscard]] const std::vector<mission::progress_report>& reports() const { return reports_; }
   [[nodiscard]] const std::vector<mission_client::respond_to_assignment>& answers() const { return answers_; }
   [[nodiscard]] const std::vector<std::string>& said() const { return said_; }
-  // Commands that went to the vehicle, by number of MAV_CMD, in order.
+  // Commands that went to the vehicle, by number of MAV_CMD, in order; but for those that take it out of its mission
+  // mode on the ground, which are counted by themselves.
+  [[nodiscard]] int stand_bys() const { return stand_bys_; }
   [[nodiscard]] const std::vector<std::uint16_t>& commands() const { return commands_; }
+  // All that went to the vehicle to change something: commands, uploads, items to go on with; what is counted in
+  // stand_bys() is not.
+  [[nodiscard]] int orders() const { return orders_; }
+  // The next so many of this MAV_CMD do not come to the vehicle.
+  void lose_command(std::uint16_t command, int times) { losses_ = {command, times}; }
   // Those of the failsafe.
   [[nodiscard]] const std::vector<failsafe::command_vehicle>& reactions() const { return reactions_; }
   // What the failsafe watches over.
@@ -108,8 +116,13 @@ public:
   void fly_by_hand(std::uint32_t custom_mode);
   // As a pilot's switch would.
   void switch_mode(std::uint32_t custom_mode);
+  void arm_by_hand();
+  void disarm_by_hand(); // also in the air
+  // The mode that the executor has heard last.
+  [[nodiscard]] std::optional<std::uint32_t> heard_mode() const;
 
 private:
+  [[nodiscard]] bool is_lost(std::span<const std::byte> frame);
   [[nodiscard]] executor::instant now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] io::mavlink::instant link_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] static std::unique_ptr<vehicle_link::core> new_link();
@@ -125,7 +138,7 @@ private:
   void take(const executor::say_to_client& each);
   void take(const executor::say_to_failsafe& each);
   void take(const executor::say_to_port& each);
-  void send_by_hand(std::uint16_t command, float param1, float param7 = 0);
+  void send_by_hand(std::uint16_t command, float param1, float param7 = 0, float param2 = 0);
   void take_report(const mission::progress_report& report);
   void take(const failsafe::effects& wanted);
   void take(const failsafe::command_vehicle& each);
@@ -179,6 +192,9 @@ private:
   std::vector<mission_client::respond_to_assignment> answers_;
   std::vector<std::string> said_;
   std::vector<std::uint16_t> commands_;
+  int stand_bys_ = 0;
+  int orders_ = 0;
+  std::pair<std::uint16_t, int> losses_; // MAV_CMD, how many more
   std::vector<failsafe::command_vehicle> reactions_;
   mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
   std::vector<io::mavlink::mission_item_int> shown_items_;

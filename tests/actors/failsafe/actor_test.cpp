@@ -194,7 +194,7 @@ TEST(failsafe, a_takeover_is_told_and_nothing_is_sent_until_hand_back) {
 
 TEST(failsafe, a_mode_that_the_executor_announced_is_no_takeover) {
   in_flight f;
-  f.process->world.tell(f.process->failsafe, failsafe::expect_mode{flight::mode_kind::hold, 5'000});
+  f.process->world.tell(f.process->failsafe, failsafe::expect_mode{{px4_hold}, 5'000});
   f.vehicle.mode = px4_hold;
   f.process->run_s(10);
   EXPECT_FALSE(f.process->stands().taken_over);
@@ -210,7 +210,8 @@ TEST(failsafe, a_takeover_that_the_executor_saw_silences_it_at_once) {
 
 TEST(failsafe, fences_that_make_no_sense_are_refused_with_the_reason_and_the_ones_before_count) {
   in_flight f;
-  const auto asked = f.process->world.ask(f.process->failsafe, 1s, failsafe::guard_mission{{mission::geofence{}}, {}});
+  const auto asked =
+      f.process->world.ask(f.process->failsafe, 1s, failsafe::guard_mission{{mission::geofence{}}, {}, {}});
   f.process->world.settle();
   ASSERT_EQ(asked->answers, 1);
   EXPECT_FALSE(asked->answer.taken);

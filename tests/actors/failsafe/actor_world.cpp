@@ -191,7 +191,7 @@ void failsafe_process::run_ms(std::int64_t ms) {
 
 failsafe::guard_answer failsafe_process::guard() {
   const auto asked =
-      world.ask(failsafe, 1s, failsafe::guard_mission{{fence_of(mission::fence_kind::inclusion, square(100))}, {}});
+      world.ask(failsafe, 1s, failsafe::guard_mission{{fence_of(mission::fence_kind::inclusion, square(100))}, {}, {}});
   world.settle();
   EXPECT_EQ(asked->answers, 1);
   return asked->answer;

@@ -71,7 +71,7 @@ TEST(failsafe_core, a_lower_one_never_cancels_a_higher) {
   world.operator_there = false;
   world.run_s(60);
   EXPECT_EQ(actions_of(world), these{action::hold});
-  EXPECT_EQ(world.mode, in_hold);
+  EXPECT_EQ(world.mode, world.in(mode_kind::hold));
 }
 
 TEST(failsafe_core, a_higher_one_cancels_a_lower) {
@@ -119,7 +119,7 @@ TEST(failsafe_core, an_override_that_lifts_a_return_gives_what_was_covered_its_s
 TEST(failsafe_core, who_returns_or_lands_already_is_not_told_to_return) {
   for (const auto& mode : {in_return, in_landing}) {
     flight_world world;
-    world.tell(expect_mode{mode.kind, 0});
+    world.tell(expect_mode{{mode.custom_mode}, 5'000});
     world.run_s(1);
     world.mode = mode;
     world.run_s(1);

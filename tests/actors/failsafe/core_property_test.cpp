@@ -17,13 +17,18 @@ using namespace godwit::failsafe;
 using namespace godwit::tests;
 using godwit::mission::fence_kind;
 using godwit::vehicle_link::command_verdict;
+namespace flight = godwit::flight;
+namespace io = godwit::io;
+
+constexpr std::uint16_t last_item = 6;
 
 // One flight under all that can happen to it, and what was seen of it.
 class ordeal {
 public:
   ordeal(vehicle_class what, bool has_land_start) : world_(what), has_land_start_(has_land_start) {
     const auto land_start = has_land_start ? std::optional(landing_sequence) : std::nullopt;
-    world_.set_fences({fence_of(fence_kind::inclusion, square(100))}, land_start);
+    const flight::plan_end end{last_item, false, {world_.in(mode_kind::hold).custom_mode}};
+    world_.set_fences({fence_of(fence_kind::inclusion, square(100))}, land_start, end);
     world_.run_s(8);
   }
 
@@ -44,8 +49,8 @@ public:
     case it_is_armed:
       world_.armed = number % 4 != 0;
       break;
-    case pilot_comes:
-      world_.mode = {mode_kind::manual, static_cast<std::uint32_t>(number % 5)};
+    case pilot_comes: // one who puts a mode of ours back between two heartbeats, nobody can see
+      world_.mode = {mode_kind::manual, ++pilots_mode_};
       break;
     case operator_speaks:
       speak(number);
@@ -66,6 +71,9 @@ public:
     case following_changes:
       world_.tell(following{number % 2 == 0});
       break;
+    case plan_ends:
+      end_plan(number);
+      break;
     }
     for (int i = 0; i < 1 + number % 40; ++i)
       tick();
@@ -83,6 +91,7 @@ public:
     heartbeats_stop,
     it_crashes,
     following_changes,
+    plan_ends,
     kinds
   };
 
@@ -92,9 +101,10 @@ private:
     switch (number % 3) {
     case 0:
       world_.tell(hand_back{});
-      world_.tell(expect_mode{mode_kind::mission, 5'000});
-      world_.mode = in_mission;
+      world_.mode = world_.in(mode_kind::mission);
+      world_.tell(expect_mode{{world_.mode.custom_mode}, 5'000});
       world_.sequence = 3;
+      world_.is_complete = false;
       begin_epoch();
       break;
     case 1:
@@ -103,6 +113,16 @@ private:
     default:
       world_.override_for_s(rule::operator_link, 1 + number % 30);
     }
+  }
+
+  // Or a person holds the vehicle on the way to the last item. MISSION_CURRENT may be late.
+  void end_plan(int number) {
+    world_.sends_sequence = number % 3 != 0;
+    if (world_.mode.kind != mode_kind::mission || world_.sequence >= landing_sequence)
+      return;
+    world_.sequence = last_item;
+    world_.is_complete = number % 2 == 0;
+    world_.mode = world_.in(mode_kind::hold);
   }
 
   void begin_epoch() {
@@ -135,6 +155,7 @@ private:
 
   flight_world world_;
   bool has_land_start_;
+  std::uint32_t pilots_mode_ = 100;
   int epoch_ = 0;
   int highest_ = static_cast<int>(rules.size()) + 1;
   std::uint64_t last_number_ = 0;
@@ -227,7 +248,8 @@ std::vector<event> events_of_a_tick(dice& random, std::int64_t wall_ns) {
       result.push_back(what);
   };
   const flight_mode modes[] = {in_mission, in_mission, in_mission, in_return, in_hold, in_manual};
-  maybe(3, heartbeat{vehicle_class::fixed_wing, !random.one_in(20), modes[random.between(0, 5)]});
+  maybe(3, heartbeat{vehicle_class::fixed_wing, !random.one_in(20), modes[random.between(0, 5)],
+                     io::mavlink::mav_autopilot::generic, random.one_in(20)});
   maybe(3, landed{random.one_in(10) ? landed_state::on_ground : landed_state::in_air});
   maybe(2, position_at(random.up_to(120), 0, 50, 5));
   maybe(5, battery{random.between(5, 30)});
@@ -238,10 +260,14 @@ std::vector<event> events_of_a_tick(dice& random, std::int64_t wall_ns) {
                 1, {rules.at(static_cast<std::size_t>(random.between(0, 3))), "why not", wall_ns + 2 * ns_per_s}});
   maybe(30, hand_back{});
   maybe(30, taken_over{});
-  maybe(10, expect_mode{static_cast<mode_kind>(random.between(0, 7)), random.between(0, 3) * 1'000});
+  maybe(10, expect_mode{{modes[random.between(0, 5)].custom_mode, modes[random.between(0, 5)].custom_mode},
+                        random.between(0, 3) * 1'000});
   maybe(20, following{random.one_in(2)});
-  maybe(20, asked_guard{1, {{fence_of(fence_kind::inclusion, square(random.between(50, 150)))}, landing_sequence}});
-  maybe(5, mission_current{static_cast<std::uint16_t>(random.between(0, 12))});
+  maybe(20, asked_guard{1,
+                        {{fence_of(fence_kind::inclusion, square(random.between(50, 150)))},
+                         landing_sequence,
+                         {last_item, random.one_in(2), {in_hold.custom_mode}}}});
+  maybe(5, mission_current{static_cast<std::uint16_t>(random.between(0, 12)), random.one_in(2)});
   return result;
 }
 

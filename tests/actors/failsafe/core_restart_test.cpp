@@ -92,7 +92,7 @@ TEST(failsafe_restart, already_returning_or_landing_by_others_it_latches_and_doe
 }
 
 TEST(failsafe_restart, changed_by_others_meanwhile_it_latches_and_does_not_send) {
-  for (const auto& mode : {in_manual, in_hold, flight_mode{mode_kind::unknown, 77}}) {
+  for (const auto& mode : {in_manual, in_hold, in_loiter, flight_mode{mode_kind::unknown, 77}}) {
     auto world = fenced();
     world.restart();
     world.mode = mode;
@@ -104,7 +104,7 @@ TEST(failsafe_restart, changed_by_others_meanwhile_it_latches_and_does_not_send)
 }
 
 TEST(failsafe_restart, started_for_the_first_time_in_mid_flight_it_leaves_a_return_and_a_pilot_alone) {
-  for (const auto& mode : {in_return, in_landing, in_manual, in_hold}) {
+  for (const auto& mode : {in_return, in_landing, in_manual, in_hold, in_loiter}) {
     flight_world world;
     world.mode = mode;
     world.set_fences({fence_of(fence_kind::inclusion, square(100))});
@@ -188,14 +188,43 @@ TEST(failsafe_restart, on_the_ground_an_operator_of_an_earlier_flight_is_forgott
   EXPECT_TRUE(world.sent.empty());
 }
 
-TEST(failsafe_restart, what_the_executor_announced_is_still_expected) {
-  auto world = fenced();
-  world.tell(expect_mode{mode_kind::returning, 0});
-  world.run_s(1);
-  world.restart();
-  world.mode = in_return;
-  world.run_s(5);
-  EXPECT_EQ(world.pilots_seen, 0);
+TEST(failsafe_restart, the_exact_mode_that_the_executor_announced_is_still_expected_until_its_deadline) {
+  const auto is_pilots = [](const flight_mode& mode, std::int64_t after_s) {
+    auto world = fenced();
+    world.tell(expect_mode{{in_hold.custom_mode}, 5'000});
+    world.run_s(1);
+    world.restart();
+    world.run_s(after_s);
+    world.mode = mode;
+    world.run_s(2);
+    return world.pilots_seen == 1;
+  };
+  EXPECT_FALSE(is_pilots(in_hold, 0));
+  EXPECT_FALSE(is_pilots(in_hold, 2));
+  EXPECT_TRUE(is_pilots(in_hold, 5));
+  EXPECT_TRUE(is_pilots(in_loiter, 0));
+}
+
+TEST(failsafe_restart, how_the_plan_ends_is_remembered_and_what_is_unclear_stays_so) {
+  for (const bool is_end : {false, true}) {
+    flight_world world;
+    world.set_fences({fence_of(fence_kind::inclusion, square(100))}, {}, {6, false, {in_hold.custom_mode}});
+    world.run_s(10);
+    world.sends_sequence = false;
+    world.sequence = 6;
+    world.mode = in_hold;
+    world.run_s(1);
+    world.east_m = 101;
+    world.run_s(1);
+    world.restart();
+    world.run_s(2);
+    EXPECT_TRUE(world.sent.empty());
+    world.is_complete = is_end;
+    world.sends_sequence = true;
+    world.run_s(10);
+    EXPECT_EQ(world.sent.size(), is_end ? 1U : 0U);
+    EXPECT_EQ(world.pilots_seen, is_end ? 0 : 1);
+  }
 }
 
 TEST(failsafe_restart, a_flight_that_ended_meanwhile_leaves_no_latch) {

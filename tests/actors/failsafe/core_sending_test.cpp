@@ -55,7 +55,7 @@ TEST(failsafe_core, a_command_goes_out_first_and_does_not_wait_for_the_disk) {
   core alone({}, {}, {});
   alone.take(heartbeat{vehicle_class::multirotor, true, in_mission}, {});
   alone.take(landed{landed_state::in_air}, {});
-  alone.take(asked_guard{1, {{fence_of(fence_kind::inclusion, square(100))}, {}}}, {});
+  alone.take(asked_guard{1, {{fence_of(fence_kind::inclusion, square(100))}, {}, {}}}, {});
   alone.take(position_at(101, 0), {});
   const auto wanted = alone.tick({});
   ASSERT_GE(wanted.size(), 3U);

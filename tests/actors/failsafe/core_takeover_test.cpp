@@ -7,17 +7,39 @@ namespace {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
+using godwit::mission::fence_kind;
 using godwit::vehicle_link::command_verdict;
+
+constexpr std::uint16_t last_item = 6;
+
+// On its mission, behind whose last item the vehicle changes its mode.
+flight_world ends_in(const flight_mode& mode) {
+  flight_world world;
+  world.set_fences({fence_of(fence_kind::inclusion, square(100))}, {}, {last_item, false, {mode.custom_mode}});
+  world.run_s(10);
+  return world;
+}
 
 TEST(failsafe_core, it_acts_while_the_mission_is_paused) {
   auto world = fenced();
-  world.tell(expect_mode{mode_kind::hold, 5'000});
+  world.tell(expect_mode{{in_hold.custom_mode}, 5'000});
   world.mode = in_hold;
   world.run_s(10);
   EXPECT_EQ(world.pilots_seen, 0);
   world.east_m = 101;
   world.run_s(1);
   EXPECT_EQ(actions_of(world), these{action::return_home});
+}
+
+TEST(failsafe_core, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
+  auto world = fenced();
+  world.tell(expect_mode{{in_hold.custom_mode}, 5'000});
+  world.mode = in_loiter;
+  world.run_s(2);
+  EXPECT_EQ(world.pilots_seen, 1);
+  world.east_m = 101;
+  world.run_s(10);
+  EXPECT_TRUE(world.sent.empty());
 }
 
 TEST(failsafe_core, it_acts_while_the_executor_is_dead) {
@@ -95,7 +117,7 @@ TEST(failsafe_core, handed_back_it_leaves_alone_what_is_over) {
   world.east_m = 0;
   world.run_s(2);
   world.tell(hand_back{});
-  world.tell(expect_mode{mode_kind::mission, 5'000});
+  world.tell(expect_mode{{in_mission.custom_mode}, 5'000});
   world.run_ms(100);
   world.mode = in_mission;
   world.run_s(60);
@@ -117,7 +139,7 @@ TEST(failsafe_core, of_a_takeover_and_a_hand_back_in_one_tick_the_takeover_count
   }
 }
 
-TEST(failsafe_core, a_takeover_that_is_told_after_the_landing_is_about_a_flight_that_has_ended) {
+TEST(failsafe_core, a_takeover_that_is_told_on_the_ground_counts_in_the_air_until_a_hand_back) {
   auto world = fenced();
   world.armed = false;
   world.landed = landed_state::on_ground;
@@ -129,14 +151,19 @@ TEST(failsafe_core, a_takeover_that_is_told_after_the_landing_is_about_a_flight_
   world.run_s(2);
   world.east_m = 101;
   world.run_s(1);
+  EXPECT_TRUE(world.sent.empty());
+  world.tell(hand_back{});
+  world.run_s(1);
   EXPECT_EQ(world.sent.size(), 1U);
 }
 
-TEST(failsafe_core, a_command_of_the_executor_that_was_on_its_way_is_answered_with_the_same_again) {
+TEST(failsafe_core, a_command_of_the_executor_that_comes_behind_its_own_is_answered_with_the_same_again) {
   auto world = fenced();
-  world.tell(expect_mode{mode_kind::mission, 5'000});
   world.east_m = 101;
-  world.run_ms(1'500);
+  world.run_ms(100);
+  ASSERT_EQ(world.sent.size(), 1U);
+  world.tell(expect_mode{{in_mission.custom_mode}, 5'000}); // said before it has heard of the return
+  world.run_ms(1'400);
   EXPECT_EQ(world.mode, in_return);
   world.mode = in_mission; // it arrives now
   world.run_s(10);
@@ -145,16 +172,150 @@ TEST(failsafe_core, a_command_of_the_executor_that_was_on_its_way_is_answered_wi
   EXPECT_EQ(world.mode, in_return);
 }
 
-TEST(failsafe_core, once_it_has_acted_a_mode_into_which_the_plan_leads_is_a_pilots) {
+TEST(failsafe_core, a_command_of_the_executor_that_its_own_has_overtaken_is_expected_no_more) {
   auto world = fenced();
-  world.tell(expect_mode{mode_kind::hold, 0}); // after the last item
+  world.tell(expect_mode{{in_mission.custom_mode}, 5'000});
   world.east_m = 101;
-  world.run_s(5);
-  world.mode = in_hold;
-  world.run_s(20);
+  world.run_ms(1'500);
+  EXPECT_EQ(world.mode, in_return);
+  world.mode = in_mission;
+  world.run_s(10);
   EXPECT_EQ(world.sent.size(), 1U);
   EXPECT_EQ(world.pilots_seen, 1);
 }
+
+// -- the end of the plan ---------------------------------------------------------------------------
+
+TEST(failsafe_core, on_the_way_to_the_last_item_a_hold_is_a_pilots_and_a_low_battery_only_warns) {
+  auto world = ends_in(in_hold);
+  world.sequence = last_item;
+  world.run_s(2);
+  world.mode = in_hold;
+  world.run_s(3);
+  EXPECT_EQ(world.pilots_seen, 1);
+  EXPECT_TRUE(world.has_warned_of("the mode was changed by somebody else"));
+  drain_to(world, 20);
+  EXPECT_TRUE(world.sent.empty());
+  EXPECT_TRUE(world.has_warned_of("the battery is at 20 %; a pilot has the vehicle, nothing is sent"));
+}
+
+TEST(failsafe_core, at_the_end_of_the_plan_its_hold_is_nobodys_takeover_and_it_still_acts) {
+  for (const bool told_before : {false, true}) {
+    auto world = ends_in(in_hold);
+    world.sequence = last_item;
+    world.is_complete = told_before;
+    world.run_s(2);
+    world.is_complete = true;
+    world.mode = in_hold;
+    world.run_s(60);
+    EXPECT_EQ(world.pilots_seen, 0);
+    EXPECT_TRUE(world.sent.empty());
+    drain_to(world, 20);
+    EXPECT_EQ(actions_of(world), these{action::return_home});
+    EXPECT_EQ(world.mode, in_return);
+    EXPECT_EQ(world.pilots_seen, 0);
+  }
+}
+
+TEST(failsafe_core, who_takes_the_vehicle_at_the_end_of_the_plan_is_a_pilot) {
+  for (const auto& mode : {in_loiter, in_manual, in_return}) {
+    auto world = ends_in(in_hold);
+    world.sequence = last_item;
+    world.is_complete = true;
+    world.mode = in_hold;
+    world.run_s(5);
+    world.mode = mode;
+    world.run_s(2);
+    EXPECT_EQ(world.pilots_seen, 1);
+    world.east_m = 101;
+    world.run_s(10);
+    EXPECT_TRUE(world.sent.empty());
+  }
+}
+
+// A breach while nobody knows whose the hold is: decided, and not sent.
+flight_world unclear() {
+  auto world = ends_in(in_hold);
+  world.sends_sequence = false;
+  world.sequence = last_item;
+  world.mode = in_hold;
+  world.run_s(1);
+  world.east_m = 101;
+  world.run_s(2);
+  EXPECT_EQ(world.acted.size(), 1U);
+  EXPECT_TRUE(world.sent.empty());
+  EXPECT_EQ(world.pilots_seen, 0);
+  return world;
+}
+
+TEST(failsafe_core, while_it_is_unclear_whose_the_mode_is_nothing_is_sent_and_at_the_end_of_the_plan_it_is_then) {
+  auto world = unclear();
+  world.is_complete = true;
+  world.sends_sequence = true;
+  world.run_ms(100);
+  EXPECT_EQ(actions_of(world), these{action::return_home});
+  world.run_s(30);
+  EXPECT_EQ(world.sent.size(), 1U);
+  EXPECT_EQ(world.mode, in_return);
+  EXPECT_EQ(world.pilots_seen, 0);
+}
+
+TEST(failsafe_core, what_was_unclear_and_is_not_the_end_of_the_plan_is_a_pilots_and_nothing_is_sent) {
+  for (const bool is_told : {false, true}) {
+    auto world = unclear();
+    world.sends_sequence = is_told;
+    world.run_s(30);
+    EXPECT_TRUE(world.sent.empty());
+    EXPECT_EQ(world.mode, in_hold);
+    EXPECT_EQ(world.pilots_seen, 1);
+    EXPECT_TRUE(world.has_warned_of("the mode was changed by somebody else"));
+  }
+}
+
+TEST(failsafe_core, on_the_ground_that_was_unclear_is_forgotten) {
+  auto world = unclear();
+  world.armed = false;
+  world.landed = landed_state::on_ground;
+  world.run_s(10);
+  EXPECT_EQ(world.pilots_seen, 0);
+  EXPECT_TRUE(world.sent.empty());
+}
+
+TEST(failsafe_core, once_it_has_acted_a_mode_into_which_the_plan_leads_is_a_pilots) {
+  for (const bool starts_again : {false, true}) {
+    auto world = ends_in(in_loiter);
+    world.sequence = last_item;
+    world.is_complete = true;
+    world.east_m = 101;
+    world.run_s(5);
+    EXPECT_EQ(world.mode, in_return);
+    if (starts_again)
+      world.restart();
+    world.mode = in_loiter;
+    world.run_s(20);
+    EXPECT_EQ(world.sent.size(), 1U) << starts_again;
+    EXPECT_EQ(world.pilots_seen, 1) << starts_again;
+  }
+}
+
+// -- behind its own return -------------------------------------------------------------------------
+
+// At home, or because a person says so: by its mode alone nobody can tell.
+TEST(failsafe_core, a_hold_that_follows_the_return_is_not_answered_with_the_same_again) {
+  for (const auto what : {vehicle_class::multirotor, vehicle_class::rover}) {
+    flight_world world(what);
+    world.run_s(5);
+    drain_to(world, 20);
+    ASSERT_EQ(actions_of(world), these{action::return_home});
+    EXPECT_EQ(world.mode, world.in(mode_kind::returning));
+    world.mode = world.in(mode_kind::hold);
+    world.run_s(30);
+    EXPECT_EQ(world.sent.size(), 1U);
+    EXPECT_EQ(world.mode, world.in(mode_kind::hold));
+  }
+}
+
+// -- as it is set ----------------------------------------------------------------------------------
 
 TEST(failsafe_core, where_it_is_set_so_it_acts_in_manual_flight_too) {
   flight_world world(vehicle_class::multirotor, {.failsafe_in_manual = true});

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actors/domain/flight_mode/flight_modes.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
 #include "runtime/assert.hpp"
@@ -19,18 +20,18 @@ namespace {
 constexpr std::int64_t command_timeout_ms = 1'000; // of vehicle_link
 constexpr std::size_t max_records = 8;             // as far back as a kill can go
 
-flight_mode mode_after(action what) {
+mode_kind kind_after(action what) {
   switch (what) {
   case action::return_home:
-    return in_return;
+    return mode_kind::returning;
   case action::land:
-    return in_landing;
+    return mode_kind::landing;
   case action::hold:
-    return in_hold;
+    return mode_kind::hold;
   case action::do_land_start:
     break;
   }
-  return in_mission;
+  return mode_kind::mission;
 }
 
 state through_json(const state& from) {
@@ -43,6 +44,7 @@ state through_json(const state& from) {
 } // namespace
 
 flight_world::flight_world(vehicle_class of, const settings& configured) : type(of), settings_(configured) {
+  mode = in(mode_kind::mission);
   core_.emplace(settings_, records_.back(), now());
 }
 
@@ -50,10 +52,15 @@ instant flight_world::now() const {
   return {500 * ns_per_s + ms_ * ns_per_ms, 1'700'000'000 * ns_per_s + ms_ * ns_per_ms};
 }
 
+flight_mode flight_world::in(mode_kind kind) const {
+  return {kind, flight::number_of({io::mavlink::mav_autopilot::generic, type}, kind).value_or(0)};
+}
+
 void flight_world::tell(const event& what) { core_->take(what, now()); }
 
-void flight_world::set_fences(const std::vector<mission::geofence>& fences, std::optional<std::uint16_t> land_start) {
-  tell(asked_guard{1, {fences, land_start}});
+void flight_world::set_fences(const std::vector<mission::geofence>& fences, std::optional<std::uint16_t> land_start,
+                              const flight::plan_end& end) {
+  tell(asked_guard{1, {fences, land_start, end}});
 }
 
 void flight_world::override_for_s(rule scope, std::int64_t s) {
@@ -70,7 +77,7 @@ void flight_world::speak() {
       told_in_air = armed && (type == vehicle_class::rover || landed != landed_state::on_ground);
     }
     if (sends_sequence)
-      tell(mission_current{sequence});
+      tell(mission_current{sequence, is_complete});
     if (sends_battery)
       tell(battery{battery_percent});
     if (port_alive)
@@ -85,7 +92,7 @@ void flight_world::obey() {
     const auto command = to_vehicle_.front().what;
     to_vehicle_.pop_front();
     obeyed.push_back(command);
-    mode = mode_after(command.what);
+    mode = in(kind_after(command.what));
     if (command.what == action::do_land_start)
       sequence = landing_sequence;
   }

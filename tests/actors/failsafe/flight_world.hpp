@@ -13,8 +13,10 @@
 
 namespace godwit::tests {
 
+// Of a multirotor.
 inline constexpr failsafe::flight_mode in_mission{failsafe::mode_kind::mission, 3};
-inline constexpr failsafe::flight_mode in_hold{failsafe::mode_kind::hold, 5};
+inline constexpr failsafe::flight_mode in_hold{failsafe::mode_kind::hold, 17};  // BRAKE, as it is ordered
+inline constexpr failsafe::flight_mode in_loiter{failsafe::mode_kind::hold, 5}; // which only a person chooses
 inline constexpr failsafe::flight_mode in_return{failsafe::mode_kind::returning, 6};
 inline constexpr failsafe::flight_mode in_landing{failsafe::mode_kind::landing, 9};
 inline constexpr failsafe::flight_mode in_manual{failsafe::mode_kind::manual, 0};
@@ -32,6 +34,7 @@ public:
   failsafe::landed_state landed = failsafe::landed_state::in_air;
   failsafe::flight_mode mode = in_mission;
   std::uint16_t sequence = 3;
+  bool is_complete = false; // the plan
   double east_m = 0;
   double north_m = 0;
   double altitude_m = 50;
@@ -65,13 +68,17 @@ public:
   void run_ms(std::int64_t ms);
   void run_s(std::int64_t s) { run_ms(1'000 * s); }
   void tell(const failsafe::event& what);
-  void set_fences(const std::vector<mission::geofence>& fences, std::optional<std::uint16_t> land_start = {});
+  void set_fences(const std::vector<mission::geofence>& fences, std::optional<std::uint16_t> land_start = {},
+                  const flight::plan_end& end = {});
   void override_for_s(failsafe::rule scope, std::int64_t s);
 
   // The failsafe crashes and starts with what it had remembered, through its JSON form.
   void restart();
   // The same, and what it gave out in its last KEPT_LESS records never reached the disk.
   void kill(std::size_t kept_less);
+
+  // The mode that an order of this kind names, by the numbers of this vehicle.
+  [[nodiscard]] failsafe::flight_mode in(failsafe::mode_kind kind) const;
 
   [[nodiscard]] failsafe::instant now() const;
   [[nodiscard]] std::int64_t now_ms() const { return ms_; }

@@ -1,10 +1,16 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "actors/failsafe/pilot_watch.hpp"
+#include "io/fields/json_value.hpp"
 
 namespace {
 
 using namespace godwit::failsafe;
+using godwit::flight::end_is_told_within_ns;
+using godwit::flight::mode_owner;
+using godwit::flight::plan_end;
+using godwit::io::mavlink::mav_autopilot;
 
 constexpr instant start{100 * ns_per_s, 1'700'000'000 * ns_per_s};
 
@@ -16,119 +22,189 @@ constexpr flight_now is_found{.link_up = true, .in_flight = true, .may_act = tru
 constexpr flight_now on_ground{.link_up = true};
 constexpr flight_now has_ended{.link_up = true, .ends = true};
 
+constexpr mode_owner copter{mav_autopilot::generic, vehicle_class::multirotor};
+constexpr mode_owner px4{mav_autopilot::px4, vehicle_class::multirotor};
+
 constexpr flight_mode mission{mode_kind::mission, 3};
-constexpr flight_mode holds{mode_kind::hold, 5};
+constexpr flight_mode guided{mode_kind::guided, 4};
+constexpr flight_mode loiters{mode_kind::hold, 5};
 constexpr flight_mode brakes{mode_kind::hold, 17};
 constexpr flight_mode returns{mode_kind::returning, 6};
 constexpr flight_mode lands{mode_kind::landing, 9};
 constexpr flight_mode manual{mode_kind::manual, 0};
+constexpr flight_mode climbs{mode_kind::take_off, 18};
 constexpr flight_mode unknown{mode_kind::unknown, 99};
+constexpr flight_mode px4_take_off{mode_kind::take_off, 4U << 16U | 2U << 24U};
+constexpr flight_mode px4_mission{mode_kind::mission, 4U << 16U | 4U << 24U};
+constexpr flight_mode px4_hold{mode_kind::hold, 4U << 16U | 3U << 24U};
 
-pilot_watch on_mission() {
-  pilot_watch watch({}, start);
-  watch.evaluate(on_ground, mission, {}, start);
-  watch.evaluate(takes_off, mission, {}, start);
+constexpr std::uint16_t last_item = 6;
+
+plan_end ends_in_hold() { return {last_item, false, {brakes.custom_mode}}; }
+
+// Each in a heartbeat of its own.
+void see(pilot_watch& watch, const flight_now& flight, const flight_mode& mode, std::int64_t ms = 0,
+         const mode_owner& whose = copter) {
+  static std::int64_t heartbeats = 0;
+  watch.evaluate(flight, {whose, mode, false, later(ms).monotonic_ns + ++heartbeats}, later(ms));
+}
+
+pilot_watch on_mission(const plan_end& end = {}) {
+  pilot_watch watch({}, end, start);
+  see(watch, on_ground, mission);
+  see(watch, takes_off, mission);
   return watch;
 }
 
-bool takes_over(pilot_watch watch, const flight_mode& mode, std::optional<action> reacts = {}, std::int64_t ms = 0) {
-  watch.evaluate(flies, mode, reacts, later(ms));
+bool takes_over(pilot_watch watch, const flight_mode& mode, std::int64_t ms = 0) {
+  see(watch, flies, mode, ms);
   return watch.is_taken_over();
 }
 
 TEST(pilot_watch, a_mode_change_in_flight_that_no_command_of_ours_caused_is_a_pilot) {
-  for (const auto& mode : {manual, holds, returns, lands, unknown})
+  for (const auto& mode : {manual, loiters, brakes, returns, lands, unknown})
     EXPECT_TRUE(takes_over(on_mission(), mode)) << godwit::io::name_of(mode.kind);
   EXPECT_FALSE(takes_over(on_mission(), mission));
 }
 
 TEST(pilot_watch, a_change_between_two_modes_of_one_kind_is_a_change) {
   auto watch = on_mission();
-  watch.expect(mode_kind::hold, 1'000, start);
-  watch.evaluate(flies, holds, {}, start);
-  watch.evaluate(flies, holds, {}, later(2'000));
+  watch.expect({brakes.custom_mode}, 1'000, start);
+  see(watch, flies, brakes);
+  see(watch, flies, brakes, 2'000);
   EXPECT_FALSE(watch.is_taken_over());
-  EXPECT_TRUE(takes_over(watch, brakes, {}, 2'000));
+  EXPECT_TRUE(takes_over(watch, loiters, 2'000));
 }
 
-TEST(pilot_watch, when_a_failsafe_acts_the_plan_leads_nowhere_any_more_and_commands_are_still_on_their_way) {
+TEST(pilot_watch, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
   auto watch = on_mission();
-  watch.expect(mode_kind::hold, {}, start);
-  watch.expect(mode_kind::guided, 5'000, start);
-  watch.forget_the_plan();
-  EXPECT_TRUE(takes_over(watch, holds));
-  EXPECT_FALSE(takes_over(watch, {mode_kind::guided, 4}));
+  watch.expect({brakes.custom_mode}, 5'000, start);
+  EXPECT_FALSE(takes_over(watch, brakes));
+  EXPECT_TRUE(takes_over(watch, loiters));
 }
 
 TEST(pilot_watch, a_mode_that_was_commanded_is_ours_for_a_while) {
   auto watch = on_mission();
-  watch.expect(mode_kind::hold, 5'000, start);
-  EXPECT_FALSE(takes_over(watch, holds, {}, 4'900));
-  watch.evaluate(flies, mission, {}, later(5'000)); // the deadline
-  EXPECT_TRUE(takes_over(watch, holds, {}, 5'100));
+  watch.expect({brakes.custom_mode}, 5'000, start);
+  EXPECT_FALSE(takes_over(watch, brakes, 4'900));
+  EXPECT_TRUE(takes_over(watch, brakes, 5'000)) << "the deadline";
 }
 
-TEST(pilot_watch, a_mode_to_which_the_plan_leads_is_ours_to_the_end_of_the_flight) {
+TEST(pilot_watch, a_mode_that_was_commanded_is_ours_once) {
   auto watch = on_mission();
-  watch.expect(mode_kind::returning, std::nullopt, start);
-  EXPECT_FALSE(takes_over(watch, returns, {}, 3'600'000));
+  watch.expect({brakes.custom_mode}, 5'000, start);
+  see(watch, flies, brakes);
+  watch.expect({mission.custom_mode}, 5'000, start);
+  see(watch, flies, mission);
+  EXPECT_FALSE(watch.is_taken_over());
+  EXPECT_TRUE(takes_over(watch, brakes, 2'000));
+}
+
+TEST(pilot_watch, of_several_commands_the_later_one_leaves_the_earlier_behind_and_not_the_other_way_round) {
+  auto watch = on_mission();
+  watch.expect({brakes.custom_mode}, 5'000, start);
+  watch.expect({guided.custom_mode}, 5'000, start);
+  auto both = watch;
+  see(both, flies, brakes);
+  EXPECT_FALSE(takes_over(both, guided));
+  see(watch, flies, guided);
+  EXPECT_FALSE(watch.is_taken_over());
+  EXPECT_TRUE(takes_over(watch, brakes)) << "it will not come any more";
 }
 
 TEST(pilot_watch, a_short_expectation_does_not_shorten_a_long_one) {
   auto watch = on_mission();
-  watch.expect(mode_kind::returning, std::nullopt, start);
-  watch.expect(mode_kind::returning, 1'000, start);
-  watch.evaluate(flies, mission, {}, later(2'000));
-  EXPECT_FALSE(takes_over(watch, returns, {}, 3'000));
+  watch.expect({returns.custom_mode}, 5'000, start);
+  watch.expect({returns.custom_mode}, 1'000, start);
+  see(watch, flies, mission, 2'000);
+  EXPECT_FALSE(takes_over(watch, returns, 3'000));
 }
 
 TEST(pilot_watch, an_expectation_has_an_upper_bound) {
   auto watch = on_mission();
-  watch.expect(mode_kind::hold, 86'400'000, start);
-  watch.evaluate(flies, mission, {}, later(max_expectation_ms));
-  EXPECT_TRUE(takes_over(watch, holds, {}, max_expectation_ms));
+  watch.expect({brakes.custom_mode}, 86'400'000, start);
+  EXPECT_FALSE(takes_over(watch, brakes, max_expectation_ms - 1));
+  EXPECT_TRUE(takes_over(watch, brakes, max_expectation_ms));
 }
 
-TEST(pilot_watch, what_the_failsafe_itself_does_is_ours) {
-  EXPECT_FALSE(takes_over(on_mission(), returns, action::return_home));
-  EXPECT_FALSE(takes_over(on_mission(), lands, action::land));
-  EXPECT_FALSE(takes_over(on_mission(), holds, action::hold));
-  EXPECT_TRUE(takes_over(on_mission(), holds, action::return_home));
-}
-
-TEST(pilot_watch, a_return_lands_by_itself_and_a_take_off_goes_on_by_itself) {
+TEST(pilot_watch, an_expectation_that_lasts_no_time_expects_nothing) {
   auto watch = on_mission();
-  watch.expect(mode_kind::returning, 1'000, start);
-  watch.evaluate(flies, returns, {}, start);
-  EXPECT_FALSE(takes_over(watch, lands));
-  pilot_watch climbing({}, start);
-  climbing.evaluate(on_ground, {mode_kind::take_off, 2}, {}, start);
-  climbing.evaluate(takes_off, {mode_kind::take_off, 2}, {}, start);
-  EXPECT_FALSE(takes_over(climbing, mission));
-  EXPECT_FALSE(takes_over(climbing, holds));
-  EXPECT_TRUE(takes_over(climbing, manual));
+  watch.expect({brakes.custom_mode}, 0, start);
+  EXPECT_TRUE(takes_over(watch, brakes));
+}
+
+TEST(pilot_watch, a_return_does_not_land_by_itself) {
+  auto watch = on_mission();
+  watch.expect({returns.custom_mode}, 1'000, start);
+  see(watch, flies, returns);
+  EXPECT_TRUE(takes_over(watch, lands));
+}
+
+TEST(pilot_watch, a_take_off_of_px4_goes_on_by_itself) {
+  pilot_watch climbing({}, {}, start);
+  see(climbing, on_ground, px4_take_off, 0, px4);
+  see(climbing, takes_off, px4_take_off, 0, px4);
+  EXPECT_FALSE(climbing.is_taken_over());
+  for (const auto& mode : {px4_mission, px4_hold}) {
+    auto watch = climbing;
+    see(watch, flies, mode, 0, px4);
+    EXPECT_FALSE(watch.is_taken_over());
+  }
+  see(climbing, flies, {mode_kind::manual, 1U << 16U}, 0, px4);
+  EXPECT_TRUE(climbing.is_taken_over());
+}
+
+TEST(pilot_watch, a_change_that_the_autopilot_makes_when_something_is_wrong_is_left_to_it) {
+  auto watch = on_mission();
+  watch.evaluate(flies, {copter, returns, true, later(1).monotonic_ns}, later(1));
+  EXPECT_TRUE(watch.is_taken_over());
 }
 
 TEST(pilot_watch, a_pilot_who_puts_the_mode_back_still_has_the_vehicle) {
   auto watch = on_mission();
-  watch.evaluate(flies, manual, {}, start);
-  watch.evaluate(flies, mission, {}, start);
+  see(watch, flies, manual);
+  see(watch, flies, mission);
   EXPECT_TRUE(watch.is_taken_over());
 }
 
-TEST(pilot_watch, nothing_but_a_hand_back_or_the_end_of_the_flight_gives_it_back) {
+TEST(pilot_watch, nothing_but_a_hand_back_gives_it_back_not_even_a_landing) {
   auto watch = on_mission();
-  watch.evaluate(flies, manual, {}, start);
-  watch.expect(mode_kind::mission, std::nullopt, start);
-  watch.evaluate(flies, mission, {}, start);
+  see(watch, flies, manual);
+  watch.expect({mission.custom_mode}, 5'000, start);
+  see(watch, flies, mission);
   EXPECT_TRUE(watch.is_taken_over());
   auto handed_back = watch;
   handed_back.hand_back();
-  handed_back.evaluate(flies, manual, {}, start);
+  see(handed_back, flies, manual);
   EXPECT_FALSE(handed_back.is_taken_over());
   EXPECT_FALSE(takes_over(handed_back, manual)) << "the mode in which it was handed back is ours";
-  watch.evaluate(has_ended, manual, {}, start);
-  EXPECT_FALSE(watch.is_taken_over());
+  see(watch, has_ended, manual);
+  see(watch, takes_off, mission);
+  EXPECT_TRUE(watch.is_taken_over());
+}
+
+TEST(pilot_watch, a_command_that_was_announced_along_with_the_hand_back_is_ours) {
+  for (const bool hand_back_first : {false, true}) {
+    auto watch = on_mission();
+    see(watch, flies, manual);
+    if (hand_back_first)
+      watch.hand_back();
+    watch.expect({mission.custom_mode}, 5'000, start);
+    if (!hand_back_first)
+      watch.hand_back();
+    see(watch, flies, manual);
+    EXPECT_FALSE(takes_over(watch, mission, 500));
+    EXPECT_TRUE(takes_over(watch, returns, 500));
+  }
+}
+
+TEST(pilot_watch, who_takes_over_behind_a_hand_back_that_nobody_could_see_yet_has_the_vehicle) {
+  auto watch = on_mission();
+  see(watch, flies, manual);
+  watch.hand_back();
+  watch.take_over();
+  EXPECT_TRUE(watch.is_taken_over());
+  EXPECT_TRUE(takes_over(watch, manual));
 }
 
 TEST(pilot_watch, the_executors_word_is_enough) {
@@ -138,61 +214,242 @@ TEST(pilot_watch, the_executors_word_is_enough) {
 }
 
 TEST(pilot_watch, on_the_ground_modes_change_as_they_like) {
-  pilot_watch watch({}, start);
-  for (const auto& mode : {manual, holds, mission, unknown, mission})
-    watch.evaluate(on_ground, mode, {}, start);
-  watch.evaluate(takes_off, mission, {}, start);
+  pilot_watch watch({}, {}, start);
+  for (const auto& mode : {manual, loiters, mission, unknown, mission})
+    see(watch, on_ground, mode);
+  see(watch, takes_off, mission);
   EXPECT_FALSE(watch.is_taken_over());
 }
 
-TEST(pilot_watch, who_takes_off_by_hand_is_a_pilot) {
-  pilot_watch watch({}, start);
-  watch.evaluate(on_ground, manual, {}, start);
-  watch.evaluate(takes_off, manual, {}, start);
+// -- the take-off ---------------------------------------------------------------------------------
+
+TEST(pilot_watch, who_takes_off_in_any_mode_but_that_of_a_plan_or_of_a_take_off_is_a_pilot) {
+  const auto taken_off_in = [](const flight_mode& mode) {
+    pilot_watch watch({}, {}, start);
+    see(watch, on_ground, mode);
+    see(watch, takes_off, mode);
+    return watch.is_taken_over();
+  };
+  for (const auto& mode : {mission, climbs})
+    EXPECT_FALSE(taken_off_in(mode));
+  for (const auto& mode : {manual, guided, loiters, returns, lands, unknown})
+    EXPECT_TRUE(taken_off_in(mode)) << godwit::io::name_of(mode.kind);
+}
+
+// The landed state may be newer than the mode.
+TEST(pilot_watch, whose_a_take_off_is_a_heartbeat_says_that_came_behind_it) {
+  pilot_watch known({}, {}, start);
+  see(known, on_ground, guided);
+  pilot_watch started_again(known.memory(), {}, start);
+  for (const auto& before : {known, started_again}) {
+    auto watch = before;
+    const seen_mode older{copter, guided, false, start.monotonic_ns};
+    watch.evaluate(takes_off, older, later(100));
+    watch.evaluate(flies, older, later(900));
+    EXPECT_TRUE(watch.is_unclear());
+    EXPECT_FALSE(watch.is_taken_over());
+    auto starts = watch;
+    see(starts, flies, mission, 1'000);
+    EXPECT_FALSE(starts.is_unclear());
+    EXPECT_FALSE(starts.is_taken_over());
+    see(watch, flies, guided, 1'000);
+    EXPECT_FALSE(watch.is_unclear());
+    EXPECT_TRUE(watch.is_taken_over());
+  }
+}
+
+TEST(pilot_watch, a_take_off_of_which_the_executor_says_that_it_is_a_pilots_is_not_unclear) {
+  pilot_watch watch({}, {}, start);
+  watch.evaluate(takes_off, {copter, manual, false, start.monotonic_ns}, later(100));
+  watch.take_over();
+  watch.evaluate(flies, {copter, manual, false, start.monotonic_ns}, later(200));
   EXPECT_TRUE(watch.is_taken_over());
+  EXPECT_FALSE(watch.is_unclear());
+}
+
+TEST(pilot_watch, a_take_off_that_was_commanded_is_ours_in_any_mode) {
+  pilot_watch watch({}, {}, start);
+  watch.expect({guided.custom_mode}, 5'000, start);
+  see(watch, on_ground, guided);
+  see(watch, takes_off, guided);
+  EXPECT_FALSE(watch.is_taken_over());
+}
+
+TEST(pilot_watch, a_command_that_was_announced_before_the_take_off_was_seen_is_ours) {
+  pilot_watch watch({}, {}, start);
+  watch.expect({loiters.custom_mode, mission.custom_mode}, 5'000, start); // it stands, and starts
+  see(watch, on_ground, mission);
+  watch.expect({brakes.custom_mode}, 5'000, start);
+  see(watch, takes_off, mission, 100);
+  EXPECT_FALSE(takes_over(watch, brakes, 500));
+  EXPECT_TRUE(takes_over(watch, loiters, 500)) << "that was before the start";
 }
 
 TEST(pilot_watch, what_was_expected_in_one_flight_is_not_in_the_next) {
   auto watch = on_mission();
-  watch.expect(mode_kind::returning, std::nullopt, start);
-  watch.evaluate(has_ended, mission, {}, start);
-  watch.evaluate(takes_off, mission, {}, start);
+  watch.expect({returns.custom_mode}, 60'000, start);
+  see(watch, has_ended, mission);
+  see(watch, takes_off, mission);
   EXPECT_TRUE(takes_over(watch, returns));
 }
 
+// -- the end of the plan ---------------------------------------------------------------------------
+
+TEST(pilot_watch, on_the_way_to_the_last_item_a_hold_is_a_pilots) {
+  auto watch = on_mission(ends_in_hold());
+  watch.on_place(last_item, false, start);
+  see(watch, flies, brakes);
+  EXPECT_TRUE(watch.is_unclear()) << "the word that the plan is done may be on its way";
+  EXPECT_FALSE(watch.is_taken_over());
+  watch.on_place(last_item, false, later(1'000));
+  see(watch, flies, brakes, 1'000);
+  EXPECT_TRUE(watch.is_taken_over());
+  EXPECT_FALSE(watch.is_unclear());
+}
+
+TEST(pilot_watch, at_its_end_the_mode_into_which_the_plan_leads_is_ours_and_no_other) {
+  auto watch = on_mission(ends_in_hold());
+  watch.on_place(last_item, true, start);
+  EXPECT_TRUE(takes_over(watch, loiters));
+  EXPECT_TRUE(takes_over(watch, returns));
+  see(watch, flies, brakes);
+  EXPECT_FALSE(watch.is_taken_over());
+  EXPECT_FALSE(watch.is_unclear());
+  EXPECT_TRUE(takes_over(watch, manual, 5'000));
+}
+
+TEST(pilot_watch, until_the_end_of_the_plan_is_told_it_is_unclear_and_without_that_it_is_a_pilot) {
+  auto watch = on_mission(ends_in_hold());
+  see(watch, flies, brakes);
+  EXPECT_TRUE(watch.is_unclear());
+  auto told = watch;
+  told.on_place(last_item, true, later(1'000));
+  see(told, flies, brakes, 1'000);
+  EXPECT_FALSE(told.is_unclear());
+  EXPECT_FALSE(told.is_taken_over());
+  constexpr auto within_ms = end_is_told_within_ns / ns_per_ms;
+  see(watch, flies, brakes, within_ms - 1);
+  EXPECT_TRUE(watch.is_unclear());
+  see(watch, flies, brakes, within_ms);
+  EXPECT_FALSE(watch.is_unclear());
+  EXPECT_TRUE(watch.is_taken_over());
+}
+
+TEST(pilot_watch, a_plan_that_returns_does_so_as_its_return_begins) {
+  auto watch = on_mission({last_item, true, {returns.custom_mode}});
+  watch.on_place(last_item - 1, false, start);
+  auto early = watch;
+  see(early, flies, returns);
+  early.on_place(last_item - 1, false, later(1'000));
+  EXPECT_TRUE(takes_over(early, returns, 1'000));
+  watch.on_place(last_item, false, start);
+  EXPECT_FALSE(takes_over(watch, returns));
+}
+
+TEST(pilot_watch, when_a_failsafe_acts_the_plan_leads_nowhere_any_more_and_commands_are_still_on_their_way) {
+  auto watch = on_mission(ends_in_hold());
+  watch.on_place(last_item, true, start);
+  watch.expect({guided.custom_mode}, 5'000, start);
+  watch.forget_the_plan();
+  EXPECT_TRUE(takes_over(watch, brakes));
+  EXPECT_FALSE(takes_over(watch, guided));
+}
+
+TEST(pilot_watch, what_a_failsafe_made_of_the_plan_is_over_with_the_flight) {
+  auto watch = on_mission(ends_in_hold());
+  watch.forget_the_plan();
+  see(watch, has_ended, mission);
+  see(watch, takes_off, mission);
+  watch.on_place(last_item, true, start);
+  EXPECT_FALSE(takes_over(watch, brakes));
+}
+
+TEST(pilot_watch, what_was_said_of_the_plan_before_ends_no_plan) {
+  auto watch = on_mission(ends_in_hold());
+  watch.on_place(last_item, true, start);
+  watch.set_plan_end(ends_in_hold());
+  see(watch, flies, brakes);
+  EXPECT_TRUE(watch.is_unclear());
+}
+
+// -- a restart ------------------------------------------------------------------------------------
+
+pilot_watch restored(const pilot_watch& watch, instant now, const plan_end& end = {}) {
+  return {watch.memory(), end, now};
+}
+
 TEST(pilot_watch, after_a_restart_a_mode_that_others_changed_is_a_pilots) {
-  const auto memory = on_mission().memory();
-  EXPECT_FALSE(takes_over(pilot_watch(memory, later(1'000)), mission));
-  for (const auto& mode : {returns, lands, manual, holds})
-    EXPECT_TRUE(takes_over(pilot_watch(memory, later(1'000)), mode));
+  const auto again = restored(on_mission(), later(1'000));
+  EXPECT_FALSE(takes_over(again, mission));
+  for (const auto& mode : {returns, lands, manual, loiters, brakes})
+    EXPECT_TRUE(takes_over(again, mode));
 }
 
 TEST(pilot_watch, after_a_restart_a_takeover_still_stands) {
   auto watch = on_mission();
-  watch.evaluate(flies, manual, {}, start);
-  EXPECT_TRUE(takes_over(pilot_watch(watch.memory(), later(1'000)), mission));
+  see(watch, flies, manual);
+  EXPECT_TRUE(takes_over(restored(watch, later(1'000)), mission));
 }
 
-TEST(pilot_watch, after_a_restart_what_was_expected_still_is) {
+TEST(pilot_watch, after_a_restart_the_exact_modes_that_were_expected_still_are_until_their_deadline) {
   auto watch = on_mission();
-  watch.expect(mode_kind::hold, 10'000, start);
-  watch.expect(mode_kind::landing, std::nullopt, start);
+  watch.expect({brakes.custom_mode, returns.custom_mode}, 10'000, start);
   const instant rebooted{1, later(5'000).wall_ns}; // the monotonic clock began anew
-  pilot_watch restored(watch.memory(), rebooted);
-  EXPECT_FALSE(takes_over(restored, holds));
-  EXPECT_FALSE(takes_over(restored, lands));
-  pilot_watch late(watch.memory(), later(10'000));
-  EXPECT_TRUE(takes_over(late, holds));
+  const auto at = [&](std::int64_t ms) { return instant{1 + ms * ns_per_ms, rebooted.wall_ns + ms * ns_per_ms}; };
+  const auto is_pilots = [&](const flight_mode& mode, std::int64_t ms) {
+    auto again = restored(watch, rebooted);
+    again.evaluate(flies, {copter, mode, false, at(ms).monotonic_ns}, at(ms));
+    return again.is_taken_over();
+  };
+  EXPECT_FALSE(is_pilots(brakes, 4'900));
+  EXPECT_FALSE(is_pilots(returns, 4'900));
+  EXPECT_TRUE(is_pilots(loiters, 0)) << "of the same kind, and not the same";
+  EXPECT_TRUE(is_pilots(brakes, 5'000));
+  EXPECT_TRUE(takes_over(restored(watch, later(10'000)), brakes, 10'000));
+}
+
+TEST(pilot_watch, after_a_restart_with_a_clock_that_was_set_back_an_expectation_is_still_bounded) {
+  auto watch = on_mission();
+  watch.expect({brakes.custom_mode}, 10'000, start);
+  const instant set_back{start.monotonic_ns, start.wall_ns - 3'600 * ns_per_s};
+  EXPECT_TRUE(takes_over(restored(watch, set_back), brakes, max_expectation_ms));
+}
+
+TEST(pilot_watch, after_a_restart_the_plan_still_ends_where_it_ends) {
+  auto watch = on_mission(ends_in_hold());
+  see(watch, flies, brakes);
+  ASSERT_TRUE(watch.is_unclear());
+  auto again = restored(watch, later(500), ends_in_hold());
+  see(again, flies, brakes, 500);
+  EXPECT_TRUE(again.is_unclear());
+  again.on_place(last_item, true, later(1'000));
+  EXPECT_FALSE(takes_over(again, brakes, 1'000));
+}
+
+TEST(pilot_watch, a_record_of_an_earlier_version_is_read_and_what_it_expected_by_kind_counts_no_more) {
+  const auto written = nlohmann::json::parse(R"({
+    "ours": {"kind": "mission", "custom_mode": 3},
+    "taken_over": false,
+    "expected": [{"kind": "hold", "until_ns": 1700000060000000000}, {"kind": "returning", "until_ns": null},
+                 {"kind": "landing"}]})");
+  pilot_memory memory;
+  const auto read = godwit::io::read_json(written, memory);
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(memory.ours, mission);
+  const pilot_watch watch(memory, {}, start);
+  EXPECT_FALSE(takes_over(watch, mission));
+  for (const auto& mode : {brakes, loiters, returns, lands})
+    EXPECT_TRUE(takes_over(watch, mode)) << godwit::io::name_of(mode.kind);
 }
 
 TEST(pilot_watch, found_in_the_air_without_a_record_only_a_mission_is_ours) {
   const auto found_in = [](const flight_mode& mode) {
-    pilot_watch watch({}, start);
-    watch.evaluate(is_found, mode, {}, start);
+    pilot_watch watch({}, {}, start);
+    see(watch, is_found, mode);
     return watch.is_taken_over();
   };
   EXPECT_FALSE(found_in(mission));
-  for (const auto& mode : {returns, lands, manual, holds, unknown})
+  for (const auto& mode : {returns, lands, manual, loiters, unknown, climbs})
     EXPECT_TRUE(found_in(mode));
 }
 

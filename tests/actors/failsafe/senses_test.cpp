@@ -16,12 +16,20 @@ TEST(senses, a_heartbeat_says_what_it_is_whether_it_is_armed_and_in_which_mode) 
   EXPECT_EQ(flies.what, vehicle_class::fixed_wing);
   EXPECT_TRUE(flies.armed);
   EXPECT_EQ(flies.mode.kind, mode_kind::returning);
+  EXPECT_EQ(flies.autopilot, mavlink::mav_autopilot::px4);
   const auto stands = sense(mavlink::heartbeat{.type = mavlink::number(mavlink::mav_type::ground_rover),
                                                .autopilot = mavlink::number(mavlink::mav_autopilot::ardupilotmega),
                                                .base_mode = 1,
                                                .custom_mode = 99});
   EXPECT_FALSE(stands.armed);
   EXPECT_EQ(stands.mode, (flight_mode{mode_kind::unknown, 99}));
+}
+
+TEST(senses, a_heartbeat_says_whether_the_autopilot_thinks_that_something_is_wrong) {
+  using mavlink::mav_state;
+  for (const auto state : {mav_state::standby, mav_state::active, mav_state::critical, mav_state::emergency})
+    EXPECT_EQ(sense(mavlink::heartbeat{.system_status = mavlink::number(state)}).is_critical,
+              state == mav_state::critical);
 }
 
 TEST(senses, the_landed_state_is_unknown_where_the_autopilot_does_not_know_it_or_says_a_new_one) {
@@ -47,6 +55,16 @@ TEST(senses, a_position_is_in_degrees_metres_above_home_and_metres_a_second) {
 TEST(senses, a_battery_of_which_the_autopilot_knows_nothing_is_minus_one) {
   EXPECT_EQ(sense(mavlink::sys_status{.battery_remaining = -1}).percent, -1);
   EXPECT_EQ(sense(mavlink::sys_status{.battery_remaining = 15}).percent, 15);
+}
+
+TEST(senses, where_the_vehicle_is_in_its_plan_and_whether_that_is_complete) {
+  using mavlink::mission_state;
+  for (const auto state :
+       {mission_state::unknown, mission_state::active, mission_state::paused, mission_state::complete}) {
+    const auto there = sense(mavlink::mission_current{.seq = 6, .mission_state = mavlink::number(state)});
+    EXPECT_EQ(there.sequence, 6);
+    EXPECT_EQ(there.is_complete, state == mission_state::complete);
+  }
 }
 
 } // namespace

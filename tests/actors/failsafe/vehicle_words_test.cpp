@@ -48,13 +48,29 @@ TEST(vehicle_words, hold_can_be_said_without_waiting_for_an_answer) {
   EXPECT_EQ(ardupilot.base_mode, 1);
 }
 
+TEST(vehicle_words, each_is_obeyed_by_exact_modes) {
+  using modes = std::vector<std::uint32_t>;
+  constexpr flight::mode_owner copter{mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+  constexpr flight::mode_owner plane{mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
+  EXPECT_EQ(modes_for(action::return_home, copter), modes{6});
+  EXPECT_EQ(modes_for(action::land, copter), modes{9});
+  EXPECT_EQ(modes_for(action::hold, copter), modes{17}); // BRAKE, and not LOITER
+  EXPECT_EQ(modes_for(action::return_home, plane), (modes{11, 21, 20}));
+  EXPECT_EQ(modes_for(action::do_land_start, plane), modes{10});
+  EXPECT_EQ(modes_for(action::hold, ardupilot_rover), modes{4});
+  EXPECT_EQ(modes_for(action::hold, px4_rover), modes{4U << 16U | 3U << 24U});
+}
+
 // For each class and each rule that can act on it.
 TEST(vehicle_words, there_are_words_for_all_that_a_failsafe_wants_of_a_vehicle) {
   for (const auto vehicle : {vehicle_class::multirotor, vehicle_class::fixed_wing, vehicle_class::rover})
     for (const auto autopilot : {mav_autopilot::px4, mav_autopilot::ardupilotmega, mav_autopilot::generic})
       for (const auto each : rules)
-        for (const bool has_land_start : {false, true})
-          EXPECT_TRUE(words_for(to(action_for(each, vehicle, has_land_start).value()), {autopilot, vehicle}));
+        for (const bool has_land_start : {false, true}) {
+          const auto what = action_for(each, vehicle, has_land_start).value();
+          EXPECT_TRUE(words_for(to(what), {autopilot, vehicle}));
+          EXPECT_FALSE(modes_for(what, {autopilot, vehicle}).empty());
+        }
 }
 
 } // namespace

@@ -65,29 +65,56 @@ TEST(vehicle_watch, a_transport_that_goes_down_says_why_and_comes_back_silent) {
   EXPECT_EQ(watch.on_transport(true, {})->phase, connection_phase::silent);
 }
 
-TEST(vehicle_watch, a_clock_that_goes_back_is_a_restart) {
+constexpr std::int64_t ms = 1'000'000;
+
+TEST(vehicle_watch, a_clock_that_goes_back_and_rises_from_there_is_a_restart) {
   vehicle_watch watch({});
-  EXPECT_FALSE(watch.on_boot_time(500'000));
-  const auto restarted = watch.on_boot_time(3'000);
+  EXPECT_FALSE(watch.on_boot_time(500'000, 0));
+  EXPECT_FALSE(watch.on_boot_time(3'000, 100 * ms));
+  EXPECT_FALSE(watch.on_boot_time(3'500, 600 * ms));
+  const auto restarted = watch.on_boot_time(4'000, 1'100 * ms);
   ASSERT_TRUE(restarted);
   EXPECT_EQ(restarted->boot_ms_before, 500'000U);
-  EXPECT_EQ(restarted->boot_ms_now, 3'000U);
-  EXPECT_FALSE(watch.on_boot_time(3'100)) << "told once";
+  EXPECT_EQ(restarted->boot_ms_now, 4'000U);
+  EXPECT_FALSE(watch.on_boot_time(4'100, 1'200 * ms)) << "told once";
   EXPECT_EQ(watch.restarts(), 1U);
 }
 
-TEST(vehicle_watch, a_frame_that_comes_late_is_no_restart) {
+TEST(vehicle_watch, frames_that_come_late_are_no_restart) {
   vehicle_watch watch({});
-  (void)watch.on_boot_time(500'000);
-  EXPECT_FALSE(watch.on_boot_time(500'000 - boot_time_tolerance_ms));
-  EXPECT_FALSE(watch.on_boot_time(500'000 - boot_time_tolerance_ms / 2)) << "measured against the newest time";
+  (void)watch.on_boot_time(500'000, 0);
+  EXPECT_FALSE(watch.on_boot_time(500'000 - boot_time_tolerance_ms, ms));
+  EXPECT_FALSE(watch.on_boot_time(500'000 - boot_time_tolerance_ms / 2, 2 * ms)) << "measured against the newest time";
+  for (std::int64_t i = 1; i <= 20; ++i) { // each second one of 1.5 s before
+    EXPECT_FALSE(watch.on_boot_time(static_cast<std::uint32_t>(500'000 + i * 1'000), i * 1'000 * ms));
+    EXPECT_FALSE(watch.on_boot_time(static_cast<std::uint32_t>(498'500 + i * 1'000), i * 1'000 * ms + ms));
+  }
+  EXPECT_EQ(watch.restarts(), 0U);
+}
+
+TEST(vehicle_watch, one_frame_that_comes_again_and_again_is_no_restart) {
+  vehicle_watch watch({});
+  (void)watch.on_boot_time(500'000, 0);
+  for (std::int64_t i = 1; i <= 5; ++i)
+    EXPECT_FALSE(watch.on_boot_time(3'000, i * 1'000 * ms));
 }
 
 TEST(vehicle_watch, the_wrap_of_the_clock_after_49_days_is_no_restart) {
   vehicle_watch watch({});
-  (void)watch.on_boot_time(0xFFFF'FF00U);
-  EXPECT_FALSE(watch.on_boot_time(100));
+  (void)watch.on_boot_time(0xFFFF'FF00U, 0);
+  for (std::uint32_t i = 1; i <= 5; ++i)
+    EXPECT_FALSE(watch.on_boot_time(i * 1'000, i * 1'000 * ms));
   EXPECT_EQ(watch.restarts(), 0U);
+}
+
+TEST(vehicle_watch, frames_are_numbered_as_they_were_sent) {
+  vehicle_watch watch({});
+  const auto first = watch.number_of(254, 0);
+  EXPECT_EQ(watch.number_of(1, ms), first + 3) << "two were lost";
+  EXPECT_EQ(watch.number_of(255, 2 * ms), first + 1) << "late";
+  EXPECT_EQ(watch.number_of(1, 3 * ms), first + 3) << "the same again";
+  EXPECT_EQ(watch.number_of(2, 4 * ms), first + 4);
+  EXPECT_GT(watch.number_of(1, 4 * ms + late_within_ns), first + 4) << "behind a silence nothing is late";
 }
 
 } // namespace

@@ -261,7 +261,10 @@ void ardupilot::on_happening(const happening& what) {
 }
 
 void ardupilot::on_time() {
-  if (now().world_ns >= preflight_ends_ns_ && !craft().is_in_air())
+  if (now().world_ns < preflight_ends_ns_)
+    return;
+  preflight_ends_ns_ = never_ns; // also for who was armed again in the air
+  if (!craft().is_in_air())
     disarm();
 }
 

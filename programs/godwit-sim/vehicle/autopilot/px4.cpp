@@ -77,8 +77,12 @@ void px4::on_armed() {
 void px4::on_disarmed() {
   say_tabbed(mav_severity::info, "Disarmed by " + std::string(reason_));
   preflight_ends_ns_ = never_ns;
+  const auto kind = state().mode->kind;
+  const bool is_finished = run().state() == run_state::completed || run().current() + 1 == run().count();
   if (run().state() == run_state::running)
     run().stop();
+  if (!run().is_empty() && (kind == mode_kind::land || kind == mode_kind::come_back)) // by itself
+    enter(is_finished ? mode_kind::hold : mode_kind::mission);
 }
 
 void px4::disarm_by(std::string_view reason) {
@@ -147,6 +151,7 @@ autopilot::answer px4::start_mission(const role::order& what) {
 }
 
 void px4::begin_mission() {
+  says_complete_ = false;
   if (run().is_empty()) {
     say_tabbed(mav_severity::info, "No valid mission available, loitering");
     enter(mode_kind::hold);
@@ -216,6 +221,7 @@ void px4::on_change(const plans::plan_change& what) {
 }
 
 void px4::take_plan(const plans::plan_change& what) {
+  says_complete_ = false;
   const bool had_plan = !run().is_empty();
   const int old_current = run().current();
   const bool was_completed = run().state() == run_state::completed;
@@ -248,6 +254,7 @@ void px4::on_happening(const happening& what) {
     preflight_ends_ns_ = never_ns;
   } else if (std::holds_alternative<landed>(what)) {
     say_tabbed(mav_severity::info, "Landing detected");
+    says_complete_ = says_complete_ || (!run().is_empty() && state().is_in(mode_kind::land));
     if (!flies_mission() && !(state().is_in(mode_kind::mission) && run().state() == run_state::completed))
       disarm_by("landing");
   } else if (std::holds_alternative<mission_completed>(what)) {
@@ -260,8 +267,11 @@ void px4::on_happening(const happening& what) {
 void px4::on_time() {
   while (const auto sequence = reached_.due(now().world_ns))
     with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(*sequence)});
-  if (now().world_ns >= preflight_ends_ns_ && !craft().is_in_air())
-    disarm_by("auto preflight disarming");
+  if (now().world_ns >= preflight_ends_ns_) {
+    preflight_ends_ns_ = never_ns; // also for who was armed again in the air
+    if (!craft().is_in_air())
+      disarm_by("auto preflight disarming");
+  }
   if (now().world_ns >= trigger_again_ns_) {
     trigger_again_ns_ = never_ns;
     stop_trigger(1);
@@ -273,7 +283,10 @@ std::int64_t px4::next_timer_ns() const {
 }
 
 mavlink::mission_current px4::progress() const {
-  return progress_of(run(), with().plans, habits(), state().is_in(mode_kind::mission));
+  auto result = progress_of(run(), with().plans, habits(), state().is_in(mode_kind::mission));
+  if (says_complete_)
+    result.mission_state = mavlink::number(mavlink::mission_state::complete);
+  return result;
 }
 
 // -- commands ---------------------------------------------------------------------------------------

@@ -67,6 +67,7 @@ private:
   void say_tabbed(mavlink::mav_severity severity, const std::string& text) { say(severity, text + '\t'); }
 
   repeated_reached reached_;
+  bool says_complete_ = false; // it stands behind a landing, whoever landed it
   old_news old_news_;
   std::int64_t heard_station_ns_ = -1; // real time
   std::int64_t preflight_ends_ns_ = never_ns;

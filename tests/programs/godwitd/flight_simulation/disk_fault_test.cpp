@@ -69,6 +69,7 @@ TEST_P(disk_fault, does_not_keep_the_vehicle_from_being_held) {
   EXPECT_EQ(flight.standing().cause, executor::pause_cause::asked) << flight.story();
   EXPECT_GE(moves_since(flight, since_ns), 1) << flight.story();
   expect_no_crash();
+  flight.run_for(0.1);
   const auto held_ns = flight.now_ns();
   flight.say(operator_words::verb::resume);
   flight.run_for(10);

@@ -26,8 +26,12 @@ bool fly_with_help(flight_simulation& flight) {
   constexpr double patience_s = 30;
   constexpr double delivery_s = 60; // five tries with their back-off
   const auto is_at_rest = [&] { return executor::is_at_rest(flight.standing().now); };
+  const auto waits = [&] { // for a person: to be resumed, or to be started again
+    const auto& at = flight.standing();
+    return at.now == phase::paused || (at.now == phase::ready && !at.reason.empty());
+  };
   for (int i = 0; i < most_times && !is_at_rest(); ++i) {
-    (void)flight.run_until([&] { return is_at_rest() || flight.standing().now == phase::paused; }, patience_s);
+    (void)flight.run_until([&] { return is_at_rest() || waits(); }, patience_s);
     if (is_at_rest())
       break;
     if (!flight.vehicle().describe().in_air)
@@ -37,6 +41,8 @@ bool fly_with_help(flight_simulation& flight) {
     flight.run_for(1);
     if (flight.standing().now == phase::paused)
       flight.say(operator_words::verb::resume);
+    else if (waits())
+      flight.say(operator_words::verb::start);
     flight.run_for(1);
   }
   return is_at_rest() && flight.run_until([&] { return is_told(flight); }, delivery_s);

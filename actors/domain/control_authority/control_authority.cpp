@@ -1,0 +1,132 @@
+#include "actors/domain/control_authority/control_authority.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "actors/domain/control_authority/mode_tables.hpp"
+
+namespace godwit::flight {
+namespace {
+
+constexpr std::uint16_t no_sequence = 65535;
+constexpr flight_mode not_known{mode_kind::unknown, std::numeric_limits<std::uint32_t>::max()};
+
+} // namespace
+
+void control_authority::begin(const flight_mode& mode) {
+  is_watching_ = true;
+  drop_expected(mode);
+  adopt(mode, holder::godwit);
+}
+
+// What stands before it will not come any more.
+void control_authority::drop_expected(const flight_mode& mode) {
+  const auto found = std::ranges::find(expected_, mode.custom_mode);
+  if (found != expected_.end())
+    expected_.erase(expected_.begin(), std::next(found));
+}
+
+void control_authority::resume(std::vector<std::uint32_t> left_in) {
+  begin(not_known);
+  expect(std::move(left_in), std::numeric_limits<std::int64_t>::max());
+}
+
+void control_authority::end() { *this = {}; }
+
+void control_authority::adopt(const flight_mode& mode, holder who) {
+  ours_ = mode;
+  who_ = who;
+  was_ordered_ = false;
+  unclear_.reset();
+}
+
+void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t until_ns) {
+  expected_ = std::move(modes);
+  expected_until_ns_ = until_ns;
+}
+
+void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns,
+                                    std::int64_t until_ns) {
+  if (now_ns >= expected_until_ns_)
+    expected_.clear();
+  for (const auto each : modes)
+    if (std::ranges::find(expected_, each) == expected_.end())
+      expected_.push_back(each);
+  expected_until_ns_ = std::max(expected_until_ns_, until_ns);
+}
+
+bool control_authority::expects(const flight_mode& mode, std::int64_t now_ns) const {
+  return now_ns < expected_until_ns_ && std::ranges::find(expected_, mode.custom_mode) != expected_.end();
+}
+
+void control_authority::set_plan_end(plan_end end) {
+  plan_end_ = std::move(end);
+  sequence_.reset();
+  is_complete_ = false;
+}
+
+bool control_authority::leads_to(const flight_mode& mode) const {
+  return std::ranges::find(plan_end_.modes, mode.custom_mode) != plan_end_.modes.end();
+}
+
+bool control_authority::is_at_end() const {
+  return sequence_ && *sequence_ >= plan_end_.from_sequence && (plan_end_.as_it_begins || is_complete_);
+}
+
+void control_authority::on_place(std::uint16_t sequence, bool is_complete, std::int64_t now_ns) {
+  if (sequence == no_sequence)
+    return;
+  sequence_ = sequence;
+  is_complete_ = is_complete;
+  place_heard_ns_ = now_ns;
+  on_time(now_ns);
+}
+
+void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical,
+                                std::int64_t now_ns) {
+  if (!is_watching_ || !is_ours())
+    return;
+  if (!ours_)
+    ours_ = mode;
+  if (unclear_ && mode == unclear_->to)
+    return on_time(now_ns);
+  if (!unclear_ && mode == *ours_)
+    return;
+  if (expects(mode, now_ns)) {
+    drop_expected(mode);
+    adopt(mode, holder::godwit);
+    was_ordered_ = true;
+    return;
+  }
+  if (follows_by_itself(whose, ours_->custom_mode, mode.custom_mode, was_ordered_))
+    return adopt(mode, who_);
+  if (leads_to(mode) && !unclear_) {
+    unclear_ = change{mode, now_ns, is_critical};
+    return on_time(now_ns);
+  }
+  take_away(is_critical ? holder::autopilot_failsafe : holder::person);
+}
+
+void control_authority::on_time(std::int64_t now_ns) {
+  if (!unclear_)
+    return;
+  if (is_at_end()) {
+    const auto to = unclear_->to;
+    plan_end_.modes.clear(); // believed once
+    expected_.clear();
+    return adopt(to, holder::autopilot_end);
+  }
+  const bool is_denied = place_heard_ns_ >= unclear_->since_ns + end_is_denied_after_ns;
+  if (is_denied || now_ns >= unclear_->since_ns + end_is_told_within_ns)
+    take_away(unclear_->is_critical ? holder::autopilot_failsafe : holder::person);
+}
+
+void control_authority::take_away(holder by) {
+  is_watching_ = true;
+  who_ = by;
+  unclear_.reset();
+  expected_.clear();
+}
+
+} // namespace godwit::flight

@@ -1,0 +1,112 @@
+// Who has the vehicle. godwit commands only while it is godwit.
+//
+//                    an order of ours is obeyed
+//          ┌──────────────────────────────────────────┐
+//          v                                          │
+//   ──> godwit ──the plan leads there by itself──> autopilot_end
+//          │  ^                                       │
+//          │  └── hand-back ──┐                       │
+//          ├──another mode, autopilot critical──> autopilot_failsafe
+//          └──any other change of the mode──────> person   <──┘
+//
+// An order names the exact modes that obey it and how long it may take; nothing else is expected. A plan's own change
+// (mode_tables.hpp) is believed once, and only where the vehicle says that it is at its end: until MISSION_CURRENT has
+// told so, or has not for 4 s, it is unclear who has the vehicle, and nothing may be sent. A person who puts
+// the mode back still has it: only begin() gives it back. Executor and failsafe have one each, and a person whom either
+// has seen is a person for both. Monotonic nanoseconds. Thread: pure.
+//
+// Source: HEARTBEAT (0): custom_mode, system_status; MISSION_CURRENT (42).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "messages/flight/plan_end.hpp"
+
+namespace godwit::flight {
+
+enum class holder {
+  godwit,
+  person,
+  autopilot_end,     // a plan has ended as it says; an order takes the vehicle from here
+  autopilot_failsafe // the autopilot's own
+};
+
+constexpr auto enum_names(holder) {
+  return io::names<holder>({{holder::godwit, "godwit"},
+                            {holder::person, "person"},
+                            {holder::autopilot_end, "autopilot_end"},
+                            {holder::autopilot_failsafe, "autopilot_failsafe"}});
+}
+
+// A vehicle changes its mode within a heartbeat of its answer; a slow link delays both.
+inline constexpr std::int64_t order_is_expected_ns = 5'000'000'000;
+// MISSION_CURRENT comes once a second, and may be lost.
+inline constexpr std::int64_t end_is_told_within_ns = 4'000'000'000;
+// A MISSION_CURRENT that comes right behind the mode may have been sent before it.
+inline constexpr std::int64_t end_is_denied_after_ns = 500'000'000;
+
+class control_authority {
+public:
+  // A flight or a start of ours, or a hand-back: whatever the mode is now is ours. What is expected still is.
+  void begin(const flight_mode& mode);
+  // A new incarnation: the vehicle was left in one of these. Another mode is judged as a change from them.
+  void resume(std::vector<std::uint32_t> left_in);
+  // The flight is over: nobody is watched until the next begin().
+  void end();
+  [[nodiscard]] bool is_watching() const { return is_watching_; }
+
+  // Before an order goes out. MODES obey it, in this order. It takes the place of what was expected.
+  void expect(std::vector<std::uint32_t> modes, std::int64_t until_ns);
+  // Behind what is expected already, whose effect may still come.
+  void expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns, std::int64_t until_ns);
+  // Of the plan on the vehicle. What MISSION_CURRENT said before was about another one.
+  void set_plan_end(plan_end end);
+  // What the plan says of itself counts no more: something else brings the vehicle down.
+  void forget_plan_end() { plan_end_.modes.clear(); }
+
+  void on_place(std::uint16_t sequence, bool is_complete, std::int64_t now_ns);
+  void on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical, std::int64_t now_ns);
+  void on_time(std::int64_t now_ns);
+  // Somebody else has seen who took it.
+  void take_away(holder by);
+
+  [[nodiscard]] holder who() const { return who_; }
+  [[nodiscard]] bool is_ours() const { return who_ == holder::godwit || who_ == holder::autopilot_end; }
+  // Who has it is told next: nothing may be sent.
+  [[nodiscard]] bool is_unclear() const { return unclear_.has_value(); }
+  [[nodiscard]] bool expects(const flight_mode& mode, std::int64_t now_ns) const;
+
+  // What a record keeps of it.
+  [[nodiscard]] const std::optional<flight_mode>& ours() const { return ours_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& expected() const { return expected_; }
+  [[nodiscard]] std::int64_t expected_until_ns() const { return expected_until_ns_; }
+
+private:
+  struct change {
+    flight_mode to;
+    std::int64_t since_ns = 0;
+    bool is_critical = false;
+  };
+
+  void adopt(const flight_mode& mode, holder who);
+  void drop_expected(const flight_mode& mode);
+  [[nodiscard]] bool leads_to(const flight_mode& mode) const;
+  [[nodiscard]] bool is_at_end() const;
+
+  holder who_ = holder::godwit;
+  bool is_watching_ = false;
+  std::optional<flight_mode> ours_; // none: the first one that is seen
+  bool was_ordered_ = false;        // the mode that is ours
+  std::vector<std::uint32_t> expected_;
+  std::int64_t expected_until_ns_ = 0;
+  plan_end plan_end_;
+  std::optional<std::uint16_t> sequence_;
+  bool is_complete_ = false;
+  std::int64_t place_heard_ns_ = 0;
+  std::optional<change> unclear_;
+};
+
+} // namespace godwit::flight

@@ -1,0 +1,146 @@
+#include "actors/domain/control_authority/control_authority.hpp"
+
+#include <gtest/gtest.h>
+
+namespace godwit::flight {
+namespace {
+
+using io::mavlink::mav_autopilot;
+
+constexpr mode_owner copter{mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+constexpr mode_owner px4{mav_autopilot::px4, vehicle_class::multirotor};
+
+constexpr flight_mode stabilize{mode_kind::manual, 0};
+constexpr flight_mode automatic{mode_kind::mission, 3};
+constexpr flight_mode loiter{mode_kind::hold, 5};
+constexpr flight_mode brake{mode_kind::hold, 17};
+constexpr flight_mode px4_mission{mode_kind::mission, 4U << 16U | 4U << 24U};
+constexpr flight_mode px4_hold{mode_kind::hold, 4U << 16U | 3U << 24U};
+
+constexpr std::int64_t s = 1'000'000'000;
+constexpr std::uint16_t last_item = 6;
+
+control_authority in_flight(const flight_mode& mode = automatic) {
+  control_authority result;
+  result.begin(mode);
+  return result;
+}
+
+// The last item is a waypoint, behind which PX4 holds.
+control_authority near_its_end() {
+  auto result = in_flight(px4_mission);
+  result.set_plan_end({last_item, false, {px4_hold.custom_mode}});
+  return result;
+}
+
+holder behind(control_authority who, const flight_mode& mode, std::int64_t now_ns = 0) {
+  who.on_mode(copter, mode, false, now_ns);
+  return who.who();
+}
+
+TEST(control_authority, a_mode_that_nobody_has_ordered_is_a_persons) {
+  EXPECT_EQ(behind(in_flight(), automatic), holder::godwit);
+  for (const auto& mode : {stabilize, loiter, brake})
+    EXPECT_EQ(behind(in_flight(), mode), holder::person);
+}
+
+TEST(control_authority, an_order_is_obeyed_by_the_exact_mode_and_not_by_another_of_its_kind) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 5 * s);
+  EXPECT_EQ(behind(who, brake), holder::godwit);
+  EXPECT_EQ(behind(who, loiter), holder::person) << "the hold was lost, and a pilot took LOITER";
+}
+
+TEST(control_authority, what_was_ordered_is_expected_once) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 60 * s);
+  who.on_mode(copter, brake, false, 0);
+  who.expect({automatic.custom_mode}, 60 * s);
+  who.on_mode(copter, automatic, false, s);
+  EXPECT_EQ(behind(who, brake, 3 * s), holder::person);
+}
+
+TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 5 * s);
+  EXPECT_EQ(behind(who, brake, 5 * s), holder::person);
+}
+
+TEST(control_authority, a_person_who_puts_the_mode_back_still_has_it) {
+  auto who = in_flight();
+  who.on_mode(copter, loiter, false, 0);
+  who.expect({automatic.custom_mode}, 5 * s);
+  who.on_mode(copter, automatic, false, s);
+  EXPECT_EQ(who.who(), holder::person);
+  who.begin(automatic);
+  EXPECT_EQ(who.who(), holder::godwit);
+}
+
+TEST(control_authority, a_change_while_the_autopilot_is_critical_is_its_own) {
+  auto who = in_flight();
+  who.on_mode(copter, loiter, true, 0);
+  EXPECT_EQ(who.who(), holder::autopilot_failsafe);
+}
+
+TEST(control_authority, on_the_way_to_the_last_item_a_hold_is_a_persons) {
+  auto who = near_its_end();
+  who.on_place(last_item, false, 0);
+  who.on_mode(px4, px4_hold, false, s);
+  EXPECT_TRUE(who.is_unclear()) << "the word that the plan is done may be on its way";
+  who.on_place(last_item, false, 2 * s);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, behind_the_last_item_the_hold_into_which_the_plan_leads_is_nobodys_takeover) {
+  auto who = near_its_end();
+  who.on_mode(px4, px4_hold, false, s);
+  who.on_place(last_item, true, s + s / 10);
+  EXPECT_EQ(who.who(), holder::autopilot_end);
+  EXPECT_FALSE(who.is_unclear());
+}
+
+TEST(control_authority, a_plan_leads_there_once) {
+  auto who = near_its_end();
+  who.on_place(last_item, true, 0);
+  who.on_mode(px4, px4_hold, false, s);
+  who.expect({px4_mission.custom_mode}, 10 * s);
+  who.on_mode(px4, px4_mission, false, 2 * s);
+  EXPECT_EQ(who.who(), holder::godwit);
+  who.on_mode(px4, px4_hold, false, 4 * s);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, where_the_end_is_not_told_in_time_it_is_a_person) {
+  auto who = near_its_end();
+  who.on_mode(px4, px4_hold, false, s);
+  who.on_time(s + end_is_told_within_ns - 1);
+  EXPECT_TRUE(who.is_unclear());
+  who.on_time(s + end_is_told_within_ns);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, who_leaves_the_end_and_comes_back_has_touched_it) {
+  auto who = near_its_end();
+  who.on_mode(px4, px4_hold, false, s);
+  who.on_mode(px4, px4_mission, false, s + s / 2);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, what_was_said_of_the_plan_before_ends_no_plan) {
+  auto who = near_its_end();
+  who.on_place(last_item, true, 0);
+  who.set_plan_end({last_item, false, {px4_hold.custom_mode}});
+  who.on_mode(px4, px4_hold, false, s);
+  EXPECT_TRUE(who.is_unclear());
+}
+
+TEST(control_authority, an_incarnation_that_begins_anew_knows_where_the_one_before_left_it) {
+  control_authority who;
+  who.resume({automatic.custom_mode, brake.custom_mode});
+  EXPECT_EQ(behind(who, automatic), holder::godwit);
+  EXPECT_EQ(behind(who, brake), holder::godwit);
+  EXPECT_EQ(behind(who, loiter), holder::person);
+}
+
+} // namespace
+} // namespace godwit::flight

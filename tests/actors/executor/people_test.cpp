@@ -1,0 +1,333 @@
+// What people do beside a vehicle, and what godwit must not do then. Each was once seen to go wrong on a real vehicle.
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using mission::progress_kind;
+using operator_words::verb;
+using sim::personality;
+using tests::flight_world;
+
+constexpr std::uint16_t set_mode = 176;
+constexpr std::uint16_t mission_start = 300;
+
+std::uint32_t loiter(personality who) {
+  return who == personality::px4 ? 0x03040000 : who == personality::ardupilot ? 5 : 4;
+}
+std::uint32_t manual(personality who) { return who == personality::px4 ? 0x00030000 : 0; }
+std::uint32_t landing(personality who) { return who == personality::px4 ? 0x06040000 : 9; }
+std::uint32_t mission_mode(personality who) {
+  return who == personality::px4 ? 0x04040000 : who == personality::ardupilot ? 3 : 10;
+}
+
+// Without a return: the last item is a waypoint.
+mission::document open_ended(personality who) {
+  auto result = tests::short_mission(who);
+  if (who != personality::rover)
+    result.items.pop_back();
+  return result;
+}
+
+// Take-off, a waypoint, a landing on the way; and behind it take-off, a waypoint and home.
+mission::document with_landing_on_the_way() {
+  auto result = tests::short_mission(personality::px4);
+  const auto w1 = std::get<mission::waypoint>(result.items[1]).at;
+  result.items = {result.items[0],
+                  result.items[1],
+                  mission::land{"drop", w1},
+                  mission::takeoff{"up again", 20},
+                  tests::place("w2", 60, 60, 20),
+                  mission::return_home{"home"}};
+  return result;
+}
+
+mission::assignment tail_behind(const std::string& item, personality who) {
+  mission::assignment result;
+  result.assignment_id = "11111111-2222-4333-8444-100000000001";
+  result.base_revision = 1;
+  result.revision = 2;
+  result.replace_after_item_id = item;
+  result.items = {tests::place("z", -20, 20, who == personality::rover ? 0 : 20)};
+  return result;
+}
+
+bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
+  return std::ranges::any_of(world.reports(),
+                             [&](const auto& each) { return each.kind == kind && each.item_id == item; });
+}
+
+bool is_complete(const flight_world& world) {
+  return std::ranges::any_of(world.reports(), [](const auto& each) { return each.kind == progress_kind::complete; });
+}
+
+class people : public testing::TestWithParam<personality> {
+protected:
+  [[nodiscard]] static testing::AssertionResult fly_to(flight_world& world, const mission::document& mission,
+                                                       progress_kind kind, const std::string& item) {
+    world.load(mission);
+    const bool came = world.run_until([&] { return is_told(world, kind, item); }, 900);
+    return came ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
+  }
+};
+class people_in_the_air : public people {};
+class people_at_a_copter : public people {};
+
+// -- on the last leg ----------------------------------------------------------------------------------
+
+TEST_P(people, on_the_way_to_the_last_item_a_pilot_is_seen_and_nothing_is_sent) {
+  for (const bool returns : {false, true})
+    for (const auto mode : {loiter(GetParam()), manual(GetParam())}) {
+      flight_world world({.who = GetParam(), .speed = 2});
+      const auto mission = returns ? tests::short_mission(GetParam()) : open_ended(GetParam());
+      const bool goes_home = returns && GetParam() != personality::rover; // PX4 changes its mode for that
+      ASSERT_TRUE(fly_to(world, mission, goes_home ? progress_kind::reached : progress_kind::started, "w3"));
+      world.run_for(2);
+      world.switch_mode(mode);
+      ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::taken_over; }, 6))
+          << world.story();
+      const auto orders = world.orders();
+      world.assign(tail_behind("w2", GetParam()));
+      world.vehicle().set_battery(3, world.now_ns());
+      world.run_for(20);
+      EXPECT_EQ(world.orders(), orders) << world.story();
+      EXPECT_TRUE(world.reactions().empty()) << "a low battery under a pilot is a warning\n" << world.story();
+      EXPECT_FALSE(is_complete(world)) << world.story();
+    }
+}
+
+// -- landings -----------------------------------------------------------------------------------------
+
+TEST_P(people_in_the_air, behind_a_landing_by_a_pilot_nothing_is_brought_armed_or_started_until_a_hand_back) {
+  for (const auto policy : {start_policy::automatic, start_policy::on_command}) {
+    flight_world world({.who = GetParam(), .start = policy, .takeoff_again = start_policy::automatic});
+    world.load(with_landing_on_the_way());
+    if (policy == start_policy::on_command) {
+      ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+      ASSERT_TRUE(world.say(verb::start).is_taken);
+    }
+    ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
+    world.switch_mode(landing(GetParam()));
+    ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
+    const auto orders = world.orders();
+    world.run_for(60);
+    EXPECT_EQ(world.orders(), orders) << world.story();
+    EXPECT_FALSE(world.vehicle().describe().armed);
+    EXPECT_TRUE(needs_hand_back(world.durable().standing.cause)) << world.story();
+    EXPECT_FALSE(is_told(world, progress_kind::reached, "drop")) << world.story();
+    ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+    world.run_for(1);
+    ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
+    EXPECT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  }
+}
+
+TEST_P(people_in_the_air, a_landing_by_a_pilot_reaches_skips_and_completes_nothing) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+  world.switch_mode(landing(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
+  const auto reports = world.reports().size();
+  world.run_for(30);
+  EXPECT_FALSE(is_complete(world)) << world.story();
+  EXPECT_LE(world.reports().size(), reports + 1) << world.story();
+  EXPECT_FALSE(is_told(world, progress_kind::skipped, "w3")) << world.story();
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken) << world.story();
+  world.run_for(1);
+  EXPECT_FALSE(is_complete(world)) << world.story();
+  EXPECT_TRUE(world.say(verb::resume).is_taken) << "the rest can be flown\n" << world.story();
+}
+
+TEST_P(people_in_the_air, behind_a_landing_on_the_way_the_take_off_needs_a_persons_word) {
+  flight_world world({.who = GetParam()});
+  world.load(with_landing_on_the_way());
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "drop"); }, 600)) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  world.run_for(30);
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+  ASSERT_TRUE(world.say(verb::start).is_taken) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(people_in_the_air, where_it_is_set_so_it_takes_off_again_by_itself) {
+  flight_world world({.who = GetParam(), .takeoff_again = start_policy::automatic});
+  world.load(with_landing_on_the_way());
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_TRUE(is_complete(world)) << world.story();
+}
+
+// -- starts -------------------------------------------------------------------------------------------
+
+TEST_P(people, a_start_that_was_lost_is_not_repeated_when_a_person_has_changed_the_mode) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.lose_command(mission_start, 3);
+  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
+      << world.story();
+  world.run_for(0.5);
+  world.switch_mode(manual(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == manual(GetParam()); }, 3));
+  const auto orders = world.orders();
+  world.run_for(20);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+}
+
+TEST_P(people, who_disarms_it_during_its_start_has_it) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.lose_command(mission_start, 5);
+  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 10)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
+      << world.story();
+  world.disarm_by_hand();
+  world.run_for(1.5);
+  const auto orders = world.orders();
+  world.run_for(20);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+}
+
+// -- on the ground ------------------------------------------------------------------------------------
+
+TEST_P(people_in_the_air, resume_right_behind_a_disarm_commands_nothing) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  world.disarm_by_hand();
+  ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().in_air; }, 60)) << world.story();
+  world.run_for(1.5);
+  const auto orders = world.orders();
+  EXPECT_FALSE(world.say(verb::resume).is_taken) << world.story();
+  world.run_for(20);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+// Whoever arms it would be run over.
+TEST_P(people_in_the_air, on_the_ground_it_is_not_left_in_its_mission_mode) {
+  auto mission = tests::short_mission(GetParam());
+  mission.items.resize(2);
+  mission.items.emplace_back(mission::land{"down", std::get<mission::waypoint>(mission.items[1]).at});
+  flight_world world({.who = GetParam()});
+  world.load(mission);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  world.run_for(6);
+  EXPECT_NE(world.heard_mode(), mission_mode(GetParam())) << world.story();
+  const auto stand_bys = world.stand_bys();
+  world.arm_by_hand();
+  world.run_for(10);
+  EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
+  EXPECT_LE(stand_bys, 3);
+  EXPECT_EQ(world.stand_bys(), stand_bys) << "never while it is armed";
+}
+
+TEST_P(people_in_the_air, a_plan_that_somebody_else_flies_is_not_replaced) {
+  for (const auto policy : {start_policy::on_command, start_policy::automatic}) {
+    flight_world world({.who = GetParam(), .start = policy});
+    world.run_for(10);
+    world.fly_by_hand(loiter(GetParam()));
+    world.load(tests::short_mission(GetParam()));
+    world.run_for(20);
+    EXPECT_EQ(world.orders(), 0) << world.story();
+    EXPECT_EQ(world.vehicle().describe().mission_count, 0) << world.story();
+    EXPECT_EQ(world.durable().standing.now, phase::preflight) << world.story();
+  }
+}
+
+// -- words that stop it -------------------------------------------------------------------------------
+
+TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_behind_a_hold_of_ours_that_was_lost_has_it) {
+  flight_world world(
+      {.who = GetParam(), .speed = 4}); // a heartbeat each quarter of a second: a Copter tells each change
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+  world.lose_command(set_mode, 1);
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  world.run_for(0.5);
+  world.switch_mode(loiter(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == loiter(GetParam()); }, 3)) << world.story();
+  const auto orders = world.orders();
+  world.run_for(10);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+TEST_P(people, a_pause_that_was_lost_is_said_again_each_second_and_shown_as_pausing) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+  world.lose_command(set_mode, 2);
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
+  EXPECT_EQ(world.durable().standing.reason.substr(0, 7), "pausing") << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::paused, 4)) << world.story();
+}
+
+TEST_P(people, a_pause_that_is_never_obeyed_is_said_so_and_not_shown_as_paused) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
+  world.lose_command(set_mode, 100);
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  world.run_for(7);
+  EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
+  EXPECT_NE(world.story().find("not obeyed"), std::string::npos) << world.story();
+}
+
+// -- places -------------------------------------------------------------------------------------------
+
+TEST_P(people, nobody_sends_it_to_a_place_that_no_mission_may_have) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+  const bool drives = GetParam() == personality::rover;
+  const auto near = std::get<mission::waypoint>(tests::place("", 30, 30, drives ? 0 : 20)).at;
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  std::vector<mission::position> places;
+  for (const double up_m : {1e30, endless, -endless, std::numeric_limits<double>::quiet_NaN(), 501.0})
+    places.push_back({near.latitude, near.longitude, up_m});
+  if (!drives)
+    places.push_back({near.latitude, near.longitude, -500});
+  places.push_back({near.latitude + 1, near.longitude, near.altitude_m}); // 111 km
+  places.push_back({91, near.longitude, near.altitude_m});
+  places.push_back({near.latitude, endless, near.altitude_m});
+  const auto orders = world.orders();
+  for (const auto& each : places)
+    for (const auto what : {verb::go_to, verb::insert}) {
+      operator_words::word word;
+      word.verb = what;
+      word.place = each;
+      EXPECT_FALSE(world.say(word).is_taken) << each.latitude << " " << each.altitude_m;
+    }
+  world.run_for(1);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+// -- behind the last item -----------------------------------------------------------------------------
+
+TEST_P(people_in_the_air, behind_a_last_waypoint_in_the_air_it_can_be_sent_further) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly_to(world, open_ended(GetParam()), progress_kind::reached, "w3"));
+  world.run_for(3);
+  ASSERT_TRUE(world.vehicle().describe().in_air) << world.story();
+  world.assign(tail_behind("w3", GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "z"); }, 120)) << world.story();
+  ASSERT_EQ(world.answers().size(), 1U);
+  EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::accepted) << world.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(each, people, testing::Values(personality::px4, personality::ardupilot, personality::rover));
+INSTANTIATE_TEST_SUITE_P(each, people_in_the_air, testing::Values(personality::px4, personality::ardupilot));
+INSTANTIATE_TEST_SUITE_P(each, people_at_a_copter, testing::Values(personality::ardupilot));
+
+} // namespace
+} // namespace godwit::executor

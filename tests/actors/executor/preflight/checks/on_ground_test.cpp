@@ -1,0 +1,29 @@
+#include "actors/executor/preflight/checks/on_ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/preflight/good_facts.hpp"
+
+namespace godwit::executor::preflight {
+namespace {
+
+using namespace test;
+
+TEST(on_ground_check, passes_while_the_vehicle_stands) {
+  EXPECT_EQ(look_at_on_ground(good_facts(), {}).how, verdict::pass);
+}
+
+TEST(on_ground_check, fails_while_somebody_else_flies_it) {
+  auto seen = good_facts();
+  seen.vehicle.is_moving = true;
+  EXPECT_EQ(look_at_on_ground(seen, {}).how, verdict::fail);
+}
+
+TEST(on_ground_check, is_skipped_while_the_vehicle_is_not_heard) {
+  auto seen = good_facts();
+  seen.vehicle.link = vehicle_link::connection_phase::lost;
+  EXPECT_EQ(look_at_on_ground(seen, {}).how, verdict::skipped);
+}
+
+} // namespace
+} // namespace godwit::executor::preflight

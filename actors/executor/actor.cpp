@@ -197,6 +197,7 @@ void actor::let_out(const order& each) {
     break;
   case core::release::revoked:
     ++revoked_;
+    at_end([this, each] { then(core_->on_revoked(each)); });
     world_.tell_people({"an order that waited for the disk is not sent any more", true});
     break;
   }

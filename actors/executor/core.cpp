@@ -36,6 +36,10 @@ void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& mo
   to.insert(to.end(), more.begin(), more.end());
 }
 
+bool can_be_stopped(task_kind kind) {
+  return kind == task_kind::deploy || kind == task_kind::start || kind == task_kind::resume;
+}
+
 bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }
 
 } // namespace
@@ -67,9 +71,10 @@ effects core::advance(instant now) {
   effects out;
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
-    static_cast<void>(recover(out, now) || settle(out, now) || heed_others(out, now) || run_task(out, now) ||
-                      end_flight(out, now) || leave_mission_mode(out, now) || answer_assignment(out, now) ||
-                      deploy_arrived(out, now) || follow_started(out) || begin_wished(out, now) || prepare(out, now));
+    static_cast<void>(recover(out, now) || heed_others(out, now) || stop(out, now) || settle(out, now) ||
+                      run_task(out, now) || end_flight(out, now) || leave_mission_mode(out, now) ||
+                      answer_assignment(out, now) || deploy_arrived(out, now) || follow_started(out) ||
+                      begin_wished(out, now) || prepare(out, now));
     const bool has_notes =
         std::any_of(out.begin(), out.end(), [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
@@ -186,10 +191,10 @@ bool core::came_down_as_planned(instant now) const {
 }
 
 core::release core::lets_out(const order& what, instant now) {
-  const bool is_meant = what.number >= first_reading_back ? what.number == reading_back_ : runner_.lets_out(what);
+  const bool is_meant = what.number >= first_reading_back ? what.number == reading_back_ : runner_.awaits(what.number);
   if (!is_meant)
     return release::revoked;
-  if (now.now_ns - what.decided_ns > order_is_worth_ns)
+  if (now.now_ns - what.decided_ns > order_is_worth_ns || authority_.is_unclear())
     return release::too_late;
   if (!what.expected.empty())
     authority_.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
@@ -209,9 +214,19 @@ effects core::on_late(const order& what, instant now) {
     return on_transfer(what.number, outcome, now);
   }
   vehicle_link::command_outcome outcome;
-  outcome.verdict = vehicle_link::command_verdict::not_sent;
+  const auto doing = runner_.doing();
+  const bool moves = doing && (doing->kind == task_kind::start || doing->kind == task_kind::resume);
+  // What lets the vehicle move is not said again by itself when the disk writes at last: a person may stand there.
+  outcome.verdict = moves ? vehicle_link::command_verdict::invalid : vehicle_link::command_verdict::not_sent;
   outcome.reason = why;
   return on_command(what.number, outcome, now);
+}
+
+// It was given up before it went out, and so nobody answers it.
+effects core::on_revoked(const order& what) {
+  if (!std::holds_alternative<vehicle_link::upload_plan>(what.what) || !s_.progress.upload || runner_.is_busy())
+    return {};
+  return {note{progress::upload_ended{progress::upload_verdict::unchanged, {}, "it was given up"}}};
 }
 
 effects core::on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now) {
@@ -224,7 +239,7 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
   effects out;
   if (number >= first_reading_back)
     take_read_back(out, number, outcome, now);
-  else if (runner_.is_busy())
+  else if (runner_.awaits(number))
     runner_.on_transfer(world(now, out), number, outcome);
   else if (s_.progress.upload) // of a task that was dropped
     out.emplace_back(note{end_of(outcome)});
@@ -361,7 +376,7 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
     break;
   case verb::pause:
   case verb::come_home:
-    if (!is_in_flight() && !drives_plan)
+    if (!is_in_flight() && !drives_plan && !is_starting())
       return refuse("no flight is under way: " + sentence());
     break;
   }
@@ -656,6 +671,32 @@ void core::yield(effects& out, pause_cause to, const std::string& why) {
     stand_paused(out, to, why);
   else
     out.emplace_back(note{stood{phase::paused, to, why, view_.is_moving()}});
+}
+
+// A word that holds or returns does not wait for what is under way: that is given up. Before the vehicle has moved
+// there is nothing to hold, and the start ends.
+bool core::stop(effects& out, instant now) {
+  if (runner_.is_busy() && runner_.is_stop())
+    return run_task(out, now);
+  const bool is_stop = wanted_ == task_kind::hold || wanted_ == task_kind::come_home;
+  const auto doing = runner_.doing();
+  if (!is_stop || has_person() || (doing && !can_be_stopped(doing->kind)))
+    return false;
+  if (!doing)
+    return begin_wanted(out, *std::exchange(wanted_, {}), now);
+  const bool has_armed = runner_.has_armed() && view_.is_armed();
+  runner_.drop(world(now, out));
+  if (doing->start_key)
+    answer_start(out, *doing->start_key, start_verdict::failed, "an operator has stopped it");
+  out.emplace_back(note{task_ended{doing->number}});
+  if (is_in_flight() || view_.is_moving())
+    return true;
+  wanted_.reset();
+  authority_.end();
+  stand_paused(out, pause_cause::asked, "stopped before it moved; resume prepares the flight again");
+  if (has_armed)
+    begin(out, task_kind::stand_down, {disarm{}});
+  return true;
 }
 
 bool core::run_task(effects& out, instant now) {

@@ -11,10 +11,12 @@
 // durable state, on what the vehicle says, and on nothing else. The caller keeps what is to wait for the disk back.
 //
 // Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
-// it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight that no word of
-// ours has caused is a pilot's: from then on nothing is sent until an operator hands back, and neither while a failsafe
-// acts. What a step can not get done
-// in a few tries ends in a pause with a reason.
+// it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight or during a start
+// that no word of ours has caused is a person's or the autopilot's failsafe's: from then on nothing is sent until an
+// operator hands back, also behind a landing, and neither while a failsafe acts. The one exception is stand_by, which
+// makes a disarmed vehicle safe to arm. A word that holds or returns gives up what is under way. What a step can not
+// get done in a few tries ends in a pause with a reason; a hold or a return that is not obeyed leaves the phase as it
+// is.
 //
 // Pure: no clock, no actor, no I/O. Thread: one at a time.
 #pragma once
@@ -79,11 +81,13 @@ public:
     return {};
   }
   // Whether an order that has waited for the disk still goes out: not behind a takeover, a failsafe or a newer order,
-  // and not when its moment has passed. What moves the vehicle is decided anew then.
+  // and not when its moment has passed or while it is unclear who has the vehicle. It is asked for again then, but for
+  // a start or a resume.
   enum class release { now, revoked, too_late };
   static constexpr std::int64_t order_is_worth_ns = 3'000'000'000;
   [[nodiscard]] release lets_out(const order& what, instant now);
   [[nodiscard]] effects on_late(const order& what, instant now);
+  [[nodiscard]] effects on_revoked(const order& what);
   [[nodiscard]] effects on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now);
   [[nodiscard]] effects on_transfer(std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
 
@@ -140,6 +144,7 @@ private:
   [[nodiscard]] bool recover(effects& out, instant now);
   [[nodiscard]] bool settle(effects& out, instant now);
   [[nodiscard]] bool heed_others(effects& out, instant now);
+  [[nodiscard]] bool stop(effects& out, instant now);
   [[nodiscard]] bool run_task(effects& out, instant now);
   [[nodiscard]] bool end_flight(effects& out, instant now);
   [[nodiscard]] bool answer_assignment(effects& out, instant now);

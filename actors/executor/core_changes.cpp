@@ -249,8 +249,8 @@ effects core::on_change(const mission_client::change_outcome& m, instant) {
 
 // A new revision of the mission that is flown.
 bool core::deploy_arrived(effects& out, instant now) {
-  if (!s_.arrived || !s_.mission || !may_change_plan() || !view_.is_under_way() ||
-      s_.arrived->mission_id != s_.mission->mission_id)
+  if (s_.progress.upload || s_.progress.start || !s_.arrived || !s_.mission || !may_change_plan() ||
+      !view_.is_under_way() || s_.arrived->mission_id != s_.mission->mission_id)
     return false;
   if (!setting(now))
     return true; // until the vehicle has said where it is, and where its home is

@@ -281,6 +281,8 @@ bool core::answer_assignment(effects& out, instant now) {
                                                         at == phase::ready || at == phase::disconnected);
   if (s_.waiting.empty() || !s_.mission)
     return false;
+  if (s_.progress.upload || s_.progress.start)
+    return false; // of a task that was given up: its end is on the way
   const bool is_too_late = (is_mission_finished() && !may_change_plan()) || at == phase::aborted;
   if (!is_too_late && !(may_change_plan() || is_waiting_on_ground))
     return false;
@@ -359,7 +361,7 @@ bool core::begin_wished(effects& out, instant now) {
   }
   if (wanted_change_)
     return begin_change(out, now);
-  if (wanted_)
+  if (wanted_ && !s_.progress.upload && !s_.progress.start) // a resume, behind the end of what was given up
     return begin_wanted(out, *std::exchange(wanted_, {}), now);
   if (asked_start_)
     return begin_asked_start(out, *std::exchange(asked_start_, {}), now);

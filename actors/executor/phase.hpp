@@ -9,7 +9,8 @@
 //                       paused <── a pilot, a failsafe, an operator, what could not be done               done
 //
 // The same for all classes of vehicles; what differs is how each starts (start_steps) and when it has landed (is_down).
-// Paused has a cause: what ends it depends on that. Thread: constants.
+// Paused has a cause: what ends it depends on that. One that needs a hand-back also stands in post_flight and done.
+// Thread: constants.
 #pragma once
 
 #include "io/fields/field_table.hpp"
@@ -52,7 +53,7 @@ constexpr auto enum_names(phase) {
 enum class pause_cause {
   none,
   asked,              // an operator said so
-  taken_over,         // a pilot has the vehicle: until an operator hands it back
+  taken_over,         // a person has the vehicle, or has ended the flight: until an operator hands it back
   failsafe,           // a failsafe acts: until an operator hands it back
   autopilot_failsafe, // the autopilot's own acts: until an operator hands it back
   vehicle_restarted,  // what the autopilot flew is lost

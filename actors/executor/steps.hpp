@@ -42,7 +42,7 @@ using step = std::variant<change_mode, stand_by, guard, bring_plan, choose_item,
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step
-inline constexpr int max_tries_of_stop = 5;                     // of a word that holds, returns or lands
+inline constexpr int max_tries_of_lost = 5;                     // of a command without an answer, and of a stop
 inline constexpr std::int64_t shown_within_ns = 4'000'000'000;  // from the answer to the heartbeat that shows it
 inline constexpr std::uint64_t heartbeats_to_show = 3;          // so many that do not show it: it was not obeyed
 inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try of what was refused

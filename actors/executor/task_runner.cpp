@@ -223,6 +223,7 @@ void task_runner::ask(const world& w) {
   was_in_mission_before_ = w.view.is_armed() && w.view.is_in(flight::mode_kind::mission);
   was_accepted_ = false;
   was_refused_for_now_ = false;
+  was_lost_ = false;
   enter(stage::asked);
   std::visit([&](const auto& what) { ask(w, what); }, way_[at_]);
 }
@@ -293,8 +294,8 @@ goes task_runner::urgency() const {
                                                                                                   : goes::after_notes;
 }
 
-bool task_runner::lets_out(const order& what) const {
-  return task_ && !ended_ && stage_ == stage::asked && what.number == last_order_;
+bool task_runner::awaits(std::uint64_t order) const {
+  return task_ && !ended_ && stage_ == stage::asked && order == last_order_;
 }
 
 // Also told to the failsafe, with the command.
@@ -319,6 +320,7 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
     return;
   last_reason_ = outcome.reason;
+  was_lost_ = outcome.verdict == command_verdict::timed_out;
   const bool may_have_acted =
       outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
   was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
@@ -364,7 +366,7 @@ void task_runner::was_obeyed(const world& w) {
 
 void task_runner::was_not_done(const world& w, const std::string& why, bool is_final) {
   const bool was_refused = stage_ == stage::asked;
-  if (!is_final && tries_ < (is_stop() ? max_tries_of_stop : max_tries))
+  if (!is_final && tries_ < (is_stop() || was_lost_ ? max_tries_of_lost : max_tries))
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
   const auto sentence = "the vehicle was asked " + wish() + ", and did not: " + why;
   if (!has_intent())

@@ -58,12 +58,14 @@ public:
   void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
 
   // It is still what the task waits for.
-  [[nodiscard]] bool lets_out(const order& what) const;
+  [[nodiscard]] bool awaits(std::uint64_t order) const;
   // What was asked last was refused, and may be done when it is asked again.
   [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
   // The vehicle is armed because of the task that began last.
   [[nodiscard]] bool has_armed() const { return has_armed_; }
 
+  // What is under way holds the vehicle, or brings it home.
+  [[nodiscard]] bool is_stop() const;
   [[nodiscard]] bool is_busy() const { return task_.has_value(); }
   [[nodiscard]] const std::optional<task>& doing() const { return task_; }
   [[nodiscard]] std::int64_t next_deadline_ns() const;
@@ -97,7 +99,6 @@ private:
   void settle_upload(const world& w);
 
   [[nodiscard]] bool has_intent() const;
-  [[nodiscard]] bool is_stop() const;
   [[nodiscard]] bool is_overdue(const world& w) const;
   [[nodiscard]] bool is_shown(const vehicle_view& view) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
@@ -116,6 +117,7 @@ private:
   std::int64_t asked_ns_ = 0;          // the step under way, last
   bool was_in_mission_before_ = false; // armed and in its mission mode, when it was asked
   bool was_accepted_ = false;          // what was asked last
+  bool was_lost_ = false;              // the same: no answer came
   std::uint64_t last_order_ = 0;
   std::uint64_t show_before_heartbeat_ = 0; // the number of the one that has to show it
   std::vector<std::uint32_t> expected_;     // by the order that is made

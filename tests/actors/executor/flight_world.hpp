@@ -103,6 +103,7 @@ public:
   // All that went to the vehicle to change something: commands, uploads, items to go on with; what is counted in
   // stand_bys() is not.
   [[nodiscard]] int orders() const { return orders_; }
+  void set_loss(double share) { lost_ = share; }
   // The next so many of this MAV_CMD do not come to the vehicle.
   void lose_command(std::uint16_t command, int times) { losses_ = {command, times}; }
   // Those of the failsafe.

@@ -1,5 +1,6 @@
 // What people do beside a vehicle, and what godwit must not do then. Each was once seen to go wrong on a real vehicle.
 #include <algorithm>
+#include <iostream>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -282,6 +283,64 @@ TEST_P(people, a_pause_that_is_never_obeyed_is_said_so_and_not_shown_as_paused) 
   world.run_for(7);
   EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
   EXPECT_NE(world.story().find("not obeyed"), std::string::npos) << world.story();
+}
+
+// Of 200 pauses 198 within 2.5 s.
+TEST_P(people, at_20_percent_loss_a_pause_is_obeyed_within_2_5_s) {
+  constexpr int flights = 200;
+  const auto holds = [](flight_world& world) {
+    const auto mode = world.vehicle().describe().mode;
+    return mode == "AUTO.LOITER" || mode == "BRAKE" || mode == "HOLD";
+  };
+  std::vector<double> took_s;
+  for (int seed = 1; seed <= flights; ++seed) {
+    flight_world world({.who = GetParam(), .speed = 1, .seed = static_cast<std::uint64_t>(seed)});
+    ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
+    world.set_loss(0.2);
+    world.run_for(0.05 * (seed % 40));
+    const auto orders = world.orders();
+    const auto said_ns = world.now_ns();
+    ASSERT_TRUE(world.say(verb::pause).is_taken);
+    EXPECT_GT(world.orders(), orders) << "it is commanded in the turn in which it is said";
+    ASSERT_TRUE(world.run_until([&] { return holds(world); }, 20)) << seed << world.story();
+    took_s.push_back(static_cast<double>(world.now_ns() - said_ns) * 1e-9);
+  }
+  std::ranges::sort(took_s);
+  std::cout << "p50 " << took_s[flights / 2] << " s, p99 " << took_s[flights * 99 / 100 - 1] << " s\n";
+  EXPECT_LE(took_s[flights * 99 / 100 - 1], 2.5);
+}
+
+// A plan that comes slowly over a bad line is given up for it.
+TEST_P(people, a_pause_does_not_wait_for_an_upload_that_is_under_way) {
+  flight_world world({.who = GetParam(), .speed = 1, .most_delay_ms = 200});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
+  world.assign(tail_behind("w2", GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 5)) << world.story();
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  const auto said_ns = world.now_ns();
+  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::asked; }, 5))
+      << world.story();
+  EXPECT_LT(world.now_ns() - said_ns, 2'500'000'000) << world.story();
+  world.run_for(15);
+  EXPECT_FALSE(world.durable().progress.upload) << "what was given up has an end\n" << world.story();
+  EXPECT_EQ(world.answers().size(), 1U) << "and an answer\n" << world.story();
+  ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done, 300)) << world.story();
+}
+
+TEST_P(people, a_pause_in_a_start_ends_the_start) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.lose_command(mission_start, 5);
+  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
+      << world.story();
+  ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
+  world.run_for(10);
+  EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 1) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked) << world.story();
 }
 
 // -- places -------------------------------------------------------------------------------------------

@@ -79,6 +79,26 @@ TEST_P(disk_fault, does_not_keep_the_vehicle_from_being_held) {
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
+TEST_P(disk_fault, leaves_a_pause_the_last_word_behind_a_resume_that_waited) {
+  fly_past("w1");
+  flight.say(operator_words::verb::pause);
+  EXPECT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();
+  flight.run_for(1);
+  set_fault(true);
+  const auto held_ns = flight.now_ns();
+  flight.say(operator_words::verb::resume);
+  flight.run_for(0.5);
+  flight.say(operator_words::verb::pause);
+  flight.run_for(1);
+  set_fault(false);
+  flight.run_for(10);
+  EXPECT_EQ(flight.standing().cause, executor::pause_cause::asked) << flight.story();
+  EXPECT_EQ(moves_since(flight, held_ns), 0) << "it was held all the time\n" << flight.story();
+  flight.say(operator_words::verb::resume);
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  expect_no_crash();
+}
+
 TEST_P(disk_fault, for_good_ends_nothing_and_the_plan_is_flown_to_its_end) {
   fly_past("w1");
   set_fault(true);

@@ -85,7 +85,7 @@ void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
 // A vehicle that keeps ids activates the new plan itself, at the item that is marked in it. Others are held while
 // their plan is replaced, and told where to go on.
 steps core::deploy_steps(const progress::plan_map& map, bool goes_on) const {
-  if (!is_in_flight()) { // also where somebody else flies it: a plan that is only brought disturbs nobody
+  if (!is_in_flight()) {
     steps result = out_of_mission_steps();
     result.emplace_back(bring_plan{});
     return result;

@@ -316,10 +316,12 @@ private:
     if (!world_.vehicle().describe().in_air && distance_to(home.latitude, home.longitude) <= home_within_m)
       at_home_ns_ = world_.now_ns();
     for (const auto& each : world_.durable().mission->items)
-      if (const auto* place = std::get_if<mission::waypoint>(&each)) {
-        auto [entry, is_new] = nearest_m_.emplace(place->id, 1e9);
-        entry->second = std::min(entry->second, distance_to(place->at.latitude, place->at.longitude));
-      }
+      if (const auto* place = std::get_if<mission::waypoint>(&each))
+        places_[place->id] = {place->at.latitude, place->at.longitude};
+    for (const auto& [id, place] : places_) { // also of earlier revisions: their plan may still be flown
+      auto [entry, is_new] = nearest_m_.emplace(id, 1e9);
+      entry->second = std::min(entry->second, geo::distance_m(here_, place));
+    }
   }
 
   [[nodiscard]] double distance_to(double latitude, double longitude) const {
@@ -371,6 +373,7 @@ private:
   std::size_t judged_ = 0;
   geo::point here_;
   std::int64_t at_home_ns_ = 0; // and on the ground, last
+  std::map<std::string, geo::point> places_;
   std::map<std::string, double> nearest_m_;
 };
 

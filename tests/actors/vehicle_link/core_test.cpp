@@ -123,6 +123,24 @@ TEST(vehicle_link_core, an_autopilot_that_restarts_while_it_is_lost_does_not_kee
   EXPECT_LE(wakes, 12) << "to beat once a second is all that there is to do";
 }
 
+// Its mode would be taken for somebody's.
+TEST(vehicle_link_core, a_heartbeat_that_comes_late_or_twice_is_dropped_and_counted) {
+  connected c;
+  const mavlink::heartbeat beat{.type = mavlink::number(mavlink::mav_type::quadrotor),
+                                .autopilot = mavlink::number(mavlink::mav_autopilot::px4)};
+  const auto hears = [&](std::uint8_t sequence, std::int64_t now_ns) {
+    const auto frame = mavlink::encode(beat, {1, 1}, sequence);
+    return observed<mavlink::heartbeat>(c.it.on_bytes(godwit::io::link::only_peer, true, frame.span(), at(now_ns)))
+        .size();
+  };
+  EXPECT_EQ(hears(100, s), 1U);
+  EXPECT_EQ(hears(150, 2 * s), 1U);
+  EXPECT_EQ(hears(149, 2 * s + ms), 0U) << "late";
+  EXPECT_EQ(hears(150, 2 * s + 2 * ms), 0U) << "twice";
+  EXPECT_EQ(hears(151, 3 * s), 1U);
+  EXPECT_EQ(c.it.describe(at(3 * s)).late_heartbeats, 2U);
+}
+
 TEST(vehicle_link_core, what_is_not_on_the_list_is_counted_and_goes_no_further) {
   connected c;
   EXPECT_TRUE(c.vehicle.say(c.it, mavlink::param_value{}, 0).empty());

@@ -391,10 +391,14 @@ void stable_address::close() {
   caf::strong_actor_ptr old;
   std::deque<caf::mailbox_element_ptr> mail;
   std::map<std::uint64_t, waiting_answer> waiting;
+  disk_waiters unwritten; // these two hold senders, who hold this address
+  std::deque<unwritten_message> returned;
   {
     const std::unique_lock guard(mutex_);
     if (std::exchange(closed_, true))
       return;
+    std::swap(unwritten, waiters_);
+    returned.swap(returned_);
     old.swap(target_);
     mail.swap(parked_);
     waiting.swap(waiting_answers_);

@@ -348,6 +348,8 @@ operator_words::answer core::on_operator(const operator_words::word& m, instant 
   case verb::hand_back:
     if (!has_person())
       return refuse("nobody has taken the vehicle from godwit");
+    if (!has_looked_ || !view_.is_connected() || !view_.mode())
+      return refuse("the vehicle is not heard, so nobody knows who has it; say it again when it is");
     is_handed_back_ = true;
     return {true, {}};
   case verb::acknowledge:

@@ -102,6 +102,7 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
     was_up_ = true;
   if (view_.is_armed()) {
     disarmed_since_ns_ = 0;
+    was_armed_ = true;
     has_stood_by_ = false;
   } else if (disarmed_since_ns_ == 0) {
     disarmed_since_ns_ = now.now_ns;
@@ -194,7 +195,8 @@ core::release core::lets_out(const order& what, instant now) {
   const bool is_meant = what.number >= first_reading_back ? what.number == reading_back_ : runner_.awaits(what.number);
   if (!is_meant)
     return release::revoked;
-  if (now.now_ns - what.decided_ns > order_is_worth_ns || authority_.is_unclear())
+  if (now.now_ns - what.decided_ns > order_is_worth_ns || authority_.is_unclear() ||
+      (what.number < first_reading_back && !runner_.may_go_out(view_)))
     return release::too_late;
   if (!what.expected.empty())
     authority_.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
@@ -224,7 +226,8 @@ effects core::on_late(const order& what, instant now) {
 
 // It was given up before it went out, and so nobody answers it.
 effects core::on_revoked(const order& what) {
-  if (!std::holds_alternative<vehicle_link::upload_plan>(what.what) || !s_.progress.upload || runner_.is_busy())
+  if (!std::holds_alternative<vehicle_link::upload_plan>(what.what) || !s_.progress.upload ||
+      (runner_.doing() && runner_.doing()->kind == task_kind::deploy))
     return {};
   return {note{progress::upload_ended{progress::upload_verdict::unchanged, {}, "it was given up"}}};
 }
@@ -495,7 +498,7 @@ void core::recover_on_ground(effects& out, instant now) {
     auto modes = left_in(s_.doing);
     append(modes, end_of_plan(view_.owner(), s_).modes);
     append(modes, modes_behind_disarm());
-    authority_.resume(std::move(modes));
+    authority_.resume(std::move(modes), now.now_ns);
     authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
   }
   if (s_.doing) {
@@ -551,7 +554,7 @@ void core::recover_in_flight(effects& out, instant now) {
     return;
   }
   know_plan_end();
-  authority_.resume(left_in(doing));
+  authority_.resume(left_in(doing), now.now_ns);
   if (view_.current())
     authority_.on_place(view_.current()->seq,
                         view_.current()->mission_state == io::mavlink::number(io::mavlink::mission_state::complete),
@@ -627,8 +630,10 @@ bool core::heed_others(effects& out, instant now) {
     out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
     return true;
   }
-  if (!is_ours_to_lose || has_person() || !view_.mode())
+  if (!is_ours_to_lose || has_person())
     return false;
+  if (!view_.mode()) // not heard: a pilot may have it, and nothing is said again but a stop
+    return runner_.is_busy() && !runner_.is_stop();
   authority_.on_time(now.now_ns);
   const std::string mode(io::name_of(view_.mode()->kind));
   if (stance_->reacts) {
@@ -639,7 +644,7 @@ bool core::heed_others(effects& out, instant now) {
   } else if (authority_.who() == flight::holder::autopilot_failsafe) {
     yield(out, pause_cause::autopilot_failsafe,
           "the autopilot's own failsafe acts (mode " + mode + "); nothing is sent until an operator hands it back");
-  } else if (is_starting() && runner_.has_armed() && !view_.is_armed()) {
+  } else if (is_starting() && was_armed_ && !view_.is_armed()) {
     yield(out, pause_cause::taken_over,
           "the vehicle was disarmed while it was started, and not by godwit; nothing is sent until an operator hands "
           "it back");
@@ -687,12 +692,18 @@ bool core::stop(effects& out, instant now) {
   if (!doing)
     return begin_wanted(out, *std::exchange(wanted_, {}), now);
   const bool has_armed = runner_.has_armed() && view_.is_armed();
+  const bool may_move = is_in_flight() || view_.is_moving() || runner_.has_asked_to_start();
   runner_.drop(world(now, out));
+  gave_up_order_ = true;
   if (doing->start_key)
     answer_start(out, *doing->start_key, start_verdict::failed, "an operator has stopped it");
   out.emplace_back(note{task_ended{doing->number}});
-  if (is_in_flight() || view_.is_moving())
+  if (may_move) { // a start may still come through: it is held as what flies
+    was_up_ = was_up_ || view_.is_under_way();
+    if (!is_in_flight())
+      stand_as(out, phase::flying, true);
     return true;
+  }
   wanted_.reset();
   authority_.end();
   stand_paused(out, pause_cause::asked, "stopped before it moved; resume prepares the flight again");

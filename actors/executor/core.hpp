@@ -270,6 +270,8 @@ private:
   std::optional<std::uint32_t> known_end_;  // the generation whose end authority_ knows
   bool deploys_behind_end_ = false;         // the plan before was done already when the deployment began
   std::int64_t disarmed_since_ns_ = 0;      // 0: it is armed
+  bool gave_up_order_ = false;              // for a stop; it may still come through
+  bool was_armed_ = false;                  // in the start that is under way
   bool has_stood_by_ = false;               // tried, since it was armed last
   bool must_choose_item_ = false;           // it holds the plan, and is elsewhere in it
   std::uint64_t last_task_before_ = 0;      // this incarnation began

@@ -53,6 +53,8 @@ void core::begin(effects& out, task_kind kind, steps way, bool goes_on) {
   const task what{s_.last_task + 1, kind, goes_on, {}};
   out.emplace_back(note{task_begun{what, {}}});
   runner_.begin(what, std::move(way), {});
+  if (std::exchange(gave_up_order_, false))
+    runner_.ask_all_the_same();
 }
 
 void core::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
@@ -74,6 +76,7 @@ void core::begin_start(effects& out, std::optional<std::uint64_t> key) {
   const task what{s_.last_task + 1, task_kind::start, false, key};
   stand(out, phase::starting);
   authority_.begin(*view_.mode());
+  was_armed_ = view_.is_armed();
   if (stance_ && stance_->taken_over) { // of a flight before; whoever starts this one hands the vehicle over
     stance_->taken_over = false;
     out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
@@ -116,7 +119,7 @@ steps core::out_of_mission_steps() const {
   const bool is_over = view_.current() && view_.current()->mission_state == number(mission_state::complete);
   if (!view_.is_in(mode_kind::mission) || (view_.is_armed() && !(is_over && !is_in_air())))
     return {};
-  return {stand_by{}};
+  return {stand_by{view_.is_armed()}};
 }
 
 // ArduPilot's Copter can not be armed in AUTO.
@@ -204,7 +207,8 @@ void core::task_failed(effects& out, const task& what, const std::string& why, i
   else if (is_start_tried_on(what, now))
     stand(out, phase::ready, pause_cause::none, why + "; it is tried again");
   else
-    stand_paused(out, pause_cause::not_done, why);
+    out.emplace_back(note{stood{phase::paused, pause_cause::not_done, why,
+                                is_in_flight() || (what.kind == task_kind::start && is_in_air())}});
   const bool is_left_armed = what.kind == task_kind::start && runner_.has_armed() && view_.is_armed() && !is_in_air();
   if (is_left_armed && !view_.is_in(mode_kind::mission))
     begin(out, task_kind::stand_down, {disarm{}});

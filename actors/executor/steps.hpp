@@ -26,7 +26,10 @@ namespace godwit::executor {
 struct change_mode {
   flight::mode_kind to = flight::mode_kind::hold;
 };
-struct stand_by {};   // on the ground: the mode in which it begins nothing when somebody arms it
+// On the ground: the mode in which it begins nothing when somebody arms it.
+struct stand_by {
+  bool is_armed = false; // else never when it is
+};
 struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
 struct choose_item {

@@ -55,6 +55,7 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   at_ = 0;
   intent_ = std::move(intent);
   tries_ = 0;
+  must_ask_ = false;
   is_intent_noted_ = false;
   has_armed_ = false;
   ended_.reset();
@@ -85,6 +86,7 @@ void task_runner::next_step() {
   has_armed_ = has_armed_ || (tries_ > 0 && std::holds_alternative<arm>(way_[at_]));
   ++at_;
   tries_ = 0;
+  must_ask_ = false;
   is_intent_noted_ = false;
   enter(stage::begin);
 }
@@ -136,7 +138,7 @@ bool task_runner::has_intent() const {
 bool task_runner::is_shown(const vehicle_view& view) const {
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
-    return view.obeys(mode->to);
+    return view.obeys(mode->to) && (tries_ == 0 ? !must_ask_ : view.heartbeats() > asked_at_heartbeat_);
   if (std::holds_alternative<stand_by>(what)) {
     const auto standing = flight::standing_mode(view.owner());
     return standing && view.is_in_one_of({*standing});
@@ -186,6 +188,8 @@ void task_runner::begin_step(const world& w) {
       std::holds_alternative<start_plan>(way_[at_]) || std::holds_alternative<choose_item>(way_[at_]);
   if (is_shown(w.view) && (!begins_anew || tries_ > 0))
     return was_obeyed(w);
+  if (const auto why = why_not_now(w.view); !why.empty())
+    return fail(why);
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
     generation_before_ = w.durable.progress.last_generation;
@@ -196,6 +200,14 @@ void task_runner::begin_step(const world& w) {
     return note_and_wait(w, *intent_);
   }
   ask(w);
+}
+
+// Before each send. PX4 arms by itself when it is started, and whoever has armed a vehicle that stood flies it.
+std::string task_runner::why_not_now(const vehicle_view& view) const {
+  if (std::holds_alternative<start_plan>(way_[at_]) && !view.is_armed())
+    return "the vehicle is disarmed";
+  const auto* standing = std::get_if<stand_by>(&way_[at_]);
+  return standing != nullptr && view.is_armed() && !standing->is_armed ? "it was armed meanwhile" : "";
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {
@@ -220,6 +232,7 @@ void task_runner::ask(const world& w) {
   last_reason_.clear();
   why_failed_.clear();
   asked_ns_ = w.now_ns;
+  asked_at_heartbeat_ = w.view.heartbeats();
   was_in_mission_before_ = w.view.is_armed() && w.view.is_in(flight::mode_kind::mission);
   was_accepted_ = false;
   was_refused_for_now_ = false;
@@ -294,13 +307,22 @@ goes task_runner::urgency() const {
                                                                                                   : goes::after_notes;
 }
 
+bool task_runner::has_asked_to_start() const {
+  return task_ && at_ < way_.size() && tries_ > 0 && std::holds_alternative<start_plan>(way_[at_]);
+}
+
+bool task_runner::may_go_out(const vehicle_view& view) const { return at_ < way_.size() && why_not_now(view).empty(); }
+
 bool task_runner::awaits(std::uint64_t order) const {
   return task_ && !ended_ && stage_ == stage::asked && order == last_order_;
 }
 
 // Also told to the failsafe, with the command.
 void task_runner::expect(const world& w, std::vector<std::uint32_t> modes) {
-  w.authority.expect(modes, w.now_ns + flight::order_is_expected_ns);
+  if (is_stop()) // it may have given up another order, which still comes through
+    w.authority.expect_also(modes, w.now_ns, w.now_ns + flight::order_is_expected_ns);
+  else
+    w.authority.expect(modes, w.now_ns + flight::order_is_expected_ns);
   expected_ = std::move(modes);
 }
 

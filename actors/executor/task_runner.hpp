@@ -44,6 +44,8 @@ public:
 
   // INTENT: of the plan that bring_plan brings.
   void begin(const task& what, steps way, std::optional<progress::upload_intended> intent);
+  // What is shown now is older than an order that was given up: the first step is asked for all the same.
+  void ask_all_the_same() { must_ask_ = true; }
   // Ends it where it is.
   void drop(const world& w);
 
@@ -59,6 +61,10 @@ public:
 
   // It is still what the task waits for.
   [[nodiscard]] bool awaits(std::uint64_t order) const;
+  // What the order that waited needs of the vehicle still holds.
+  [[nodiscard]] bool may_go_out(const vehicle_view& view) const;
+  // The start of the plan has gone out at least once, and may come through.
+  [[nodiscard]] bool has_asked_to_start() const;
   // What was asked last was refused, and may be done when it is asked again.
   [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
   // The vehicle is armed because of the task that began last.
@@ -99,6 +105,7 @@ private:
   void settle_upload(const world& w);
 
   [[nodiscard]] bool has_intent() const;
+  [[nodiscard]] std::string why_not_now(const vehicle_view& view) const;
   [[nodiscard]] bool is_overdue(const world& w) const;
   [[nodiscard]] bool is_shown(const vehicle_view& view) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
@@ -119,6 +126,8 @@ private:
   bool was_accepted_ = false;          // what was asked last
   bool was_lost_ = false;              // the same: no answer came
   std::uint64_t last_order_ = 0;
+  bool must_ask_ = false;
+  std::uint64_t asked_at_heartbeat_ = 0;
   std::uint64_t show_before_heartbeat_ = 0; // the number of the one that has to show it
   std::vector<std::uint32_t> expected_;     // by the order that is made
   std::uint32_t generation_before_ = 0;

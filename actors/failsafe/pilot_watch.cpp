@@ -39,6 +39,11 @@ void pilot_watch::take_over() {
   adopts_ = false;
 }
 
+void pilot_watch::hand_back() {
+  adopts_ = true;
+  authority_.set_plan_end(plan_end_); // a failsafe that had acted has forgotten it
+}
+
 void pilot_watch::on_place(std::uint16_t sequence, bool is_complete, instant now) {
   authority_.on_place(sequence, is_complete, now.monotonic_ns);
 }

@@ -71,7 +71,7 @@ public:
   // A failsafe acts: from here on the plan leads nowhere by itself.
   void forget_the_plan() { authority_.forget_plan_end(); }
   void take_over();
-  void hand_back() { adopts_ = true; }
+  void hand_back();
 
   void on_place(std::uint16_t sequence, bool is_complete, instant now);
   // Once at each tick at which the vehicle is heard.

@@ -27,9 +27,9 @@ void control_authority::drop_expected(const flight_mode& mode) {
     expected_.erase(expected_.begin(), std::next(found));
 }
 
-void control_authority::resume(std::vector<std::uint32_t> left_in) {
+void control_authority::resume(std::vector<std::uint32_t> left_in, std::int64_t now_ns) {
   begin(not_known);
-  expect(std::move(left_in), std::numeric_limits<std::int64_t>::max());
+  expect(std::move(left_in), now_ns + order_is_expected_ns);
 }
 
 void control_authority::end() { *this = {}; }

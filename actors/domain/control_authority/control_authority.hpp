@@ -52,8 +52,9 @@ class control_authority {
 public:
   // A flight or a start of ours, or a hand-back: whatever the mode is now is ours. What is expected still is.
   void begin(const flight_mode& mode);
-  // A new incarnation: the vehicle was left in one of these. Another mode is judged as a change from them.
-  void resume(std::vector<std::uint32_t> left_in);
+  // A new incarnation: the vehicle was left in one of these, or goes into one by an order that is under way. Another
+  // mode is judged as a change from them.
+  void resume(std::vector<std::uint32_t> left_in, std::int64_t now_ns);
   // The flight is over: nobody is watched until the next begin().
   void end();
   [[nodiscard]] bool is_watching() const { return is_watching_; }

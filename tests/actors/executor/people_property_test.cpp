@@ -29,6 +29,7 @@ constexpr double reached_within_m = 10; // acceptance radius and 5 m
 constexpr double home_within_m = 20;
 constexpr std::int64_t report_takes_ns = 12'000'000'000; // over a line that was silent
 constexpr int most_deeds = 14;
+constexpr std::int64_t order_counts_ns = flight::order_is_expected_ns + 1'000'000'000;
 
 std::uint32_t px4(std::uint32_t main, std::uint32_t sub = 0) { return main << 16U | sub << 24U; }
 
@@ -193,7 +194,8 @@ private:
     const bool is_starting = s.doing && s.doing->kind == task_kind::start;
     const bool had_watch = is_watched() && (is_starting || world_.vehicle().describe().armed);
     const auto before = world_.vehicle().describe().mode;
-    const bool is_plain = !may_be_ours(who_, mode) || (!s.doing && !is_near_plan_end() && !is_reacting());
+    const bool is_plain = !may_be_ours(who_, mode) || (!s.doing && !is_near_plan_end() && !is_reacting() &&
+                                                       world_.now_ns() - last_sent_ns_ > order_counts_ns);
     note("mode " + std::to_string(mode) + " by hand");
     world_.switch_mode(mode);
     touched_ = true;
@@ -266,6 +268,9 @@ private:
   }
 
   void observe() {
+    if (sent() != last_sent_)
+      last_sent_ns_ = world_.now_ns();
+    last_sent_ = sent();
     if (const auto heard = world_.heard_mode())
       last_heard_ = heard;
     watch_track();
@@ -362,6 +367,8 @@ private:
   std::optional<std::uint32_t> person_mode_; // taken by a person, and not handed back
   std::optional<std::size_t> orders_before_; // when it was heard
   std::size_t sent_at_change_ = 0;
+  std::size_t last_sent_ = 0;
+  std::int64_t last_sent_ns_ = 0;
   std::optional<std::uint32_t> last_heard_;
   bool is_edge_ = false;
   bool touched_ = false;

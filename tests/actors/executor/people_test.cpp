@@ -339,8 +339,42 @@ TEST_P(people, a_pause_in_a_start_ends_the_start) {
   ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
   world.run_for(10);
   EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 1) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
+  EXPECT_NE(world.durable().standing.now, phase::starting) << world.story();
+}
+
+// The start came through before the word: what flies is held.
+TEST_P(people, a_pause_right_behind_a_start_holds_what_has_started) {
+  for (int wait = 0; wait < 12; ++wait) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    world.load(tests::short_mission(GetParam()));
+    ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+    ASSERT_TRUE(world.say(verb::start).is_taken);
+    ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
+        << world.story();
+    world.run_for(0.1 * wait);
+    ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
+    world.run_for(8);
+    EXPECT_TRUE(world.durable().standing.now == phase::paused || !world.vehicle().describe().armed) << world.story();
+    EXPECT_NE(world.heard_mode(), mission_mode(GetParam())) << world.story();
+    EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 1) << world.story();
+  }
+}
+
+TEST_P(people, who_has_armed_it_and_disarms_it_in_its_start_has_it) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .arm_on_start = false, .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.arm_by_hand();
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 5)) << world.story();
+  world.run_for(1.5);
+  world.lose_command(mission_start, 1);
+  ASSERT_TRUE(world.say(verb::start).is_taken) << world.story();
+  world.run_for(0.3);
+  world.disarm_by_hand();
+  world.run_for(20);
+  EXPECT_LE(std::ranges::count(world.commands(), mission_start), 1) << world.story();
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked) << world.story();
 }
 
 // -- places -------------------------------------------------------------------------------------------

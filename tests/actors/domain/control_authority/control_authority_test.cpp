@@ -136,10 +136,12 @@ TEST(control_authority, what_was_said_of_the_plan_before_ends_no_plan) {
 
 TEST(control_authority, an_incarnation_that_begins_anew_knows_where_the_one_before_left_it) {
   control_authority who;
-  who.resume({automatic.custom_mode, brake.custom_mode});
+  who.resume({automatic.custom_mode, brake.custom_mode}, 0);
   EXPECT_EQ(behind(who, automatic), holder::godwit);
   EXPECT_EQ(behind(who, brake), holder::godwit);
   EXPECT_EQ(behind(who, loiter), holder::person);
+  who.on_mode(copter, automatic, false, 0);
+  EXPECT_EQ(behind(who, brake, order_is_expected_ns), holder::person) << "whatever was under way has come by then";
 }
 
 } // namespace

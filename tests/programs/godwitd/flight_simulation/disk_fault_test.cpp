@@ -93,7 +93,7 @@ TEST_P(disk_fault, leaves_a_pause_the_last_word_behind_a_resume_that_waited) {
   set_fault(false);
   flight.run_for(10);
   EXPECT_EQ(flight.standing().cause, executor::pause_cause::asked) << flight.story();
-  EXPECT_EQ(moves_since(flight, held_ns), 0) << "it was held all the time\n" << flight.story();
+  EXPECT_LE(moves_since(flight, held_ns), 1) << "nothing but the hold\n" << flight.story();
   flight.say(operator_words::verb::resume);
   EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
   expect_no_crash();

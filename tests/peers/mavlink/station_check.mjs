@@ -58,13 +58,17 @@ async function fly(station, plan, kill_daemon) {
   check(await station.upload(plan) === accepted, "the upload was refused");
   compare(plan, await station.download(), 0);
   await start(station);
-  check(await station.wait_for(["MISSION_ITEM_REACHED"], ({ seq }) => seq >= 1), "no item is reached");
+  const before_kill = await station.wait_for(["MISSION_ITEM_REACHED"], ({ seq }) => seq >= 1);
+  check(before_kill, "no item is reached");
   await kill_daemon();
   const is_complete = (message) => message.missionState === state_complete;
   check(await station.wait_for(["MISSION_CURRENT"], is_complete, 120_000), "the mission is not completed");
   const reached = station.heard.filter(({ name }) => name === "MISSION_ITEM_REACHED").map(({ message }) => message.seq);
   check(reached.every((seq, n) => n === 0 || reached[n - 1] < seq), `reached in the order ${reached}`);
-  check(reached.length >= plan.length - 1, `of ${plan.length} items only ${reached} were told`);
+  // The vehicle says it once: the item that it reaches while godwitd is dead is not told, and no autopilot tells a return.
+  const may_miss = [before_kill.message.seq + 1, plan.length - 1];
+  const missed = plan.map((_, seq) => seq).filter((seq) => !reached.includes(seq) && !may_miss.includes(seq));
+  check(missed.length === 0, `of ${plan.length} items only ${reached} were told`);
   const active = station.heard.filter(({ name, message }) =>
     name === "MISSION_CURRENT" && message.missionState === state_active).map(({ message }) => message.seq);
   check(active.every((seq, n) => n === 0 || active[n - 1] <= seq), `current went back: ${active}`);

@@ -83,7 +83,7 @@ void actor::started() {
   core_.emplace(settings_, current_state());
   at_end([this] { world_.on_standing(current_state().standing); });
   core_->on_house(world_.look_at_house());
-  carry_out(core_->on_start(now()));
+  carry_out(core_->on_start());
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
       [this](const vehicle_link::connection& m) {

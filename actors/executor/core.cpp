@@ -1,7 +1,6 @@
 #include "actors/executor/core.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
@@ -9,6 +8,7 @@
 #include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::executor {
@@ -40,17 +40,14 @@ bool can_be_stopped(task_kind kind) {
   return kind == task_kind::deploy || kind == task_kind::start || kind == task_kind::resume;
 }
 
-bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }
-
 } // namespace
 
-effects core::on_start(instant now) {
-  began_ns_ = now.now_ns;
+effects core::on_start() {
   last_task_before_ = s_.last_task;
   if (const auto& plan = s_.progress.plan) // what was to be done about it died with the incarnation that was told
     must_choose_item_ = plan->generation.is_not_at_start_told && !plan->generation.is_armed;
   effects out;
-  const bool is_fresh = !s_.doing && !is_in_flight() && !s_.progress.upload && !s_.progress.start;
+  const bool is_fresh = !s_.doing && !is_in_flight() && !has_open_intent();
   has_looked_ = is_fresh && (s_.standing.now == phase::disconnected || s_.standing.now == phase::connected ||
                              is_over(s_.standing.now));
   if (settings_.has_service && !settings_.mission_id.empty())
@@ -113,8 +110,17 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
   know_plan_end();
   if (is_in_flight() && !view_.is_armed())
     authority_.expect_also(modes_behind_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);
-  authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+  judge_mode(now);
   return {};
+}
+
+void core::judge_mode(instant now) {
+  authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+}
+
+void core::judge_place(instant now) {
+  if (view_.current())
+    authority_.on_place(view_.current()->seq, view_.says_complete(), now.now_ns);
 }
 
 // PX4 goes back to its mission mode when it disarms in another one, or holds when the mission is done.
@@ -136,12 +142,11 @@ void core::know_plan_end() {
 
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   view_.take(m, now.now_ns);
-  const auto complete = io::mavlink::number(io::mavlink::mission_state::complete);
   know_plan_end();
-  authority_.on_place(m.seq, m.mission_state == complete, now.now_ns);
+  judge_place(now);
   effects out;
   progress::current_told told{m, !view_.is_armed(), !has_person() && authority_.is_ours()};
-  if (m.mission_state == complete && !is_complete_credible(now))
+  if (view_.says_complete() && !is_complete_credible(now))
     told.message.mission_state = io::mavlink::number(io::mavlink::mission_state::active);
   if (s_.progress.plan && progress::matters(s_.progress, told, now.wall_ns))
     out.emplace_back(note{told});
@@ -161,11 +166,8 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
 
 // A rover drives home and stays as it is.
 bool core::ends_on_ground() const {
-  using io::mavlink::mav_cmd;
-  if (!s_.flown || s_.flown->items.empty() || view_.owner().vehicle == flight::vehicle_class::rover)
-    return false;
-  return std::ranges::any_of(std::array{mav_cmd::nav_land, mav_cmd::nav_vtol_land, mav_cmd::nav_return_to_launch},
-                             [&](mav_cmd each) { return s_.flown->items.back().command == io::mavlink::number(each); });
+  return s_.flown && !s_.flown->items.empty() && view_.owner().vehicle != flight::vehicle_class::rover &&
+         flight::leads_down(s_.flown->items.back().command);
 }
 
 // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the
@@ -186,9 +188,10 @@ bool core::came_down_as_planned(instant now) const {
   const auto& last = s_.flown->items.back();
   const bool is_wing = view_.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
-  if (last.command != io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
-    return (last.x == 0 && last.y == 0) || view_.is_within(metres, last.x * 1e-7, last.y * 1e-7, now.now_ns);
-  return view_.home() && view_.is_within(metres, view_.home()->latitude, view_.home()->longitude, now.now_ns);
+  if (last.command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
+    return view_.home() && view_.is_within(metres, {view_.home()->latitude, view_.home()->longitude}, now.now_ns);
+  constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
+  return (last.x == 0 && last.y == 0) || view_.is_within(metres, {last.x / units, last.y / units}, now.now_ns);
 }
 
 core::release core::lets_out(const order& what, instant now) {
@@ -408,10 +411,9 @@ effects core::on_news(const progress::read_plan_back&, instant now) {
   return {};
 }
 
-effects core::on_news(const progress::settle_start& m, instant now) {
+effects core::on_news(const progress::settle_start&, instant now) {
   looking_ = question::start;
   looking_since_ns_ = now.now_ns;
-  looking_for_sequence_ = m.sequence;
   return {};
 }
 
@@ -499,13 +501,9 @@ void core::recover_on_ground(effects& out, instant now) {
     append(modes, end_of_plan(view_.owner(), s_).modes);
     append(modes, modes_behind_disarm());
     authority_.resume(std::move(modes), now.now_ns);
-    authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+    judge_mode(now);
   }
-  if (s_.doing) {
-    if (s_.doing->start_key)
-      answer_start(out, *s_.doing->start_key, start_verdict::failed, "godwit was restarted before the vehicle moved");
-    out.emplace_back(note{task_ended{s_.doing->number}});
-  }
+  end_task(out, "godwit was restarted before the vehicle moved");
   const bool was_preparing = s_.doing || (is_before_start(s_.standing.now) && s_.standing.now > phase::preflight) ||
                              s_.standing.now == phase::starting;
   if (is_in_flight() || !was_preparing)
@@ -541,11 +539,7 @@ void core::recover_in_flight(effects& out, instant now) {
   const bool was_starting = is_starting();
   if (was_starting && !is_in_flight() && !view_.is_moving())
     return recover_on_ground(out, now); // a rover that is armed and stands
-  if (doing) {
-    if (doing->start_key)
-      answer_start(out, *doing->start_key, start_verdict::failed, "godwit was restarted while the vehicle started");
-    out.emplace_back(note{task_ended{doing->number}});
-  }
+  end_task(out, "godwit was restarted while the vehicle started");
   if (!(is_in_flight() || was_starting) || has_person())
     return;
   must_guard_ = doing && doing->kind == task_kind::deploy;
@@ -555,11 +549,8 @@ void core::recover_in_flight(effects& out, instant now) {
   }
   know_plan_end();
   authority_.resume(left_in(doing), now.now_ns);
-  if (view_.current())
-    authority_.on_place(view_.current()->seq,
-                        view_.current()->mission_state == io::mavlink::number(io::mavlink::mission_state::complete),
-                        now.now_ns);
-  authority_.on_mode(view_.owner(), *view_.mode(), view_.is_critical(), now.now_ns);
+  judge_place(now);
+  judge_mode(now);
   const bool is_held = authority_.is_ours() && view_.obeys(mode_kind::hold);
   const bool meant_to_go_on =
       doing && (doing->kind == task_kind::resume || (doing->kind == task_kind::deploy && doing->goes_on));
@@ -626,8 +617,7 @@ bool core::settle(effects& out, instant now) {
 bool core::heed_others(effects& out, instant now) {
   const bool is_ours_to_lose = is_in_flight() || is_starting();
   if (!is_ours_to_lose && has_person() && stance_ && stance_->in_flight && !stance_->taken_over) {
-    stance_->taken_over = true; // a flight that nobody has handed to us
-    out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
+    say_taken_over(out); // a flight that nobody has handed to us
     return true;
   }
   if (!is_ours_to_lose || has_person())
@@ -657,27 +647,32 @@ bool core::heed_others(effects& out, instant now) {
   return true;
 }
 
+// The task that the record has. WHY: for the station that waits for its start.
+void core::end_task(effects& out, const std::string& why) {
+  if (!s_.doing)
+    return;
+  if (s_.doing->start_key)
+    answer_start(out, *s_.doing->start_key, start_verdict::failed, why);
+  out.emplace_back(note{task_ended{s_.doing->number}});
+}
+
 void core::yield(effects& out, pause_cause to, const std::string& why) {
   runner_.drop({s_, view_, authority_, 0, out});
-  if (s_.doing) {
-    if (s_.doing->start_key)
-      answer_start(out, *s_.doing->start_key, start_verdict::failed, why);
-    out.emplace_back(note{task_ended{s_.doing->number}});
-  }
+  end_task(out, why);
   asked_start_.reset();
   wanted_.reset();
   wanted_change_.reset();
   is_held_for_change_ = false;
   is_start_wanted_ = false;
   finishes_intent_ = false;
-  if (to != pause_cause::failsafe && !stance_->taken_over) {
-    stance_->taken_over = true;
-    out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
-  }
-  if (is_in_flight())
-    stand_paused(out, to, why);
-  else
-    out.emplace_back(note{stood{phase::paused, to, why, view_.is_moving()}});
+  if (to != pause_cause::failsafe && !stance_->taken_over)
+    say_taken_over(out);
+  stand(out, {phase::paused, to, why, is_in_flight() || view_.is_moving()});
+}
+
+void core::say_taken_over(effects& out) {
+  stance_->taken_over = true;
+  out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
 }
 
 // A word that holds or returns does not wait for what is under way: that is given up. Before the vehicle has moved
@@ -695,9 +690,7 @@ bool core::stop(effects& out, instant now) {
   const bool may_move = is_in_flight() || view_.is_moving() || runner_.has_asked_to_start();
   runner_.drop(world(now, out));
   gave_up_order_ = true;
-  if (doing->start_key)
-    answer_start(out, *doing->start_key, start_verdict::failed, "an operator has stopped it");
-  out.emplace_back(note{task_ended{doing->number}});
+  end_task(out, "an operator has stopped it");
   if (may_move) { // a start may still come through: it is held as what flies
     was_up_ = was_up_ || view_.is_under_way();
     if (!is_in_flight())
@@ -788,17 +781,17 @@ bool core::end_flight(effects& out, instant now) {
   if (is_mission_finished() || s_.progress.paused == progress::pause_reason::aborted) {
     end_mission(out);
   } else if (has_person()) {
-    out.emplace_back(note{stood{phase::paused, s_.standing.cause,
-                                "the flight ended under somebody else; nothing is brought, armed or started until an "
-                                "operator hands the vehicle back",
-                                false}});
+    stand(out, {phase::paused, s_.standing.cause,
+                "the flight ended under somebody else; nothing is brought, armed or started until an operator hands "
+                "the vehicle back",
+                false});
   } else if (is_plan_finished()) {
     stand_as(out, phase::connected, false); // the next plan of the mission
   } else {
-    out.emplace_back(note{stood{phase::paused, pause_cause::taken_over,
-                                "the flight ended before its plan, and not by godwit; look at the vehicle and hand it "
-                                "back, then resume prepares the rest",
-                                false}});
+    stand(out, {phase::paused, pause_cause::taken_over,
+                "the flight ended before its plan, and not by godwit; look at the vehicle and hand it back, then "
+                "resume prepares the rest",
+                false});
   }
   return true;
 }
@@ -824,7 +817,7 @@ void core::end_mission(effects& out) {
     out.emplace_back(say_to_client{mission_client::push_map{s_.mission->mission_id}});
   const auto over = !is_mission_finished() ? phase::aborted : settings_.has_service ? phase::post_flight : phase::done;
   const auto reason = has_person() ? "somebody else has the vehicle; hand it back before another mission" : "";
-  out.emplace_back(note{stood{over, has_person() ? s_.standing.cause : pause_cause::none, reason, false}});
+  stand(out, {over, has_person() ? s_.standing.cause : pause_cause::none, reason, false});
 }
 
 } // namespace godwit::executor

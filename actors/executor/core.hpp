@@ -58,7 +58,7 @@ public:
   // DURABLE outlives it, and changes only between two calls.
   core(settings configured, const state& durable) : settings_(std::move(configured)), s_(durable) {}
 
-  [[nodiscard]] effects on_start(instant now);
+  [[nodiscard]] effects on_start();
   // The notes of the call before are applied to the durable state.
   void on_applied() { shown_.reset(); }
   // What is to be done now: to be asked after everything else until nothing comes of it, and no later than
@@ -161,13 +161,18 @@ private:
   [[nodiscard]] bool is_starting() const { return s_.doing && s_.doing->kind == task_kind::start; }
   [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
   void know_plan_end();
+  // The mode and the place in the plan that were heard last.
+  void judge_mode(instant now);
+  void judge_place(instant now);
   [[nodiscard]] bool came_down_as_planned(instant now) const;
   [[nodiscard]] bool is_complete_credible(instant now) const;
   [[nodiscard]] bool hovers() const;
   [[nodiscard]] bool ends_on_ground() const; // the plan on the vehicle, by a landing or a return
   [[nodiscard]] bool leave_mission_mode(effects& out, instant now);
   void end_mission(effects& out);
+  void end_task(effects& out, const std::string& why);
   void yield(effects& out, pause_cause to, const std::string& why);
+  void say_taken_over(effects& out);
   void recover_on_ground(effects& out, instant now);
   void recover_in_flight(effects& out, instant now);
   void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
@@ -210,6 +215,7 @@ private:
   [[nodiscard]] bool begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const;
 
   // core_tasks.cpp
+  void stand(effects& out, const stood& next); // noted when it is another standing
   void stand_as(effects& out, phase now, bool in_flight);
   void stand(effects& out, phase now, pause_cause cause = pause_cause::none, const std::string& reason = {});
   void stand_paused(effects& out, pause_cause cause, const std::string& reason);
@@ -241,6 +247,8 @@ private:
   [[nodiscard]] bool is_in_flight() const { return s_.standing.in_flight; }
   // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
   [[nodiscard]] bool has_person() const { return needs_hand_back(s_.standing.cause); }
+  // Of an upload or a start: what became of it is not known yet.
+  [[nodiscard]] bool has_open_intent() const { return s_.progress.upload || s_.progress.start; }
   [[nodiscard]] bool may_change_plan() const; // of a flight
   [[nodiscard]] bool is_plan_finished() const;
   [[nodiscard]] bool is_mission_finished() const;
@@ -253,14 +261,12 @@ private:
   task_runner runner_;
 
   bool has_looked_ = false; // at the vehicle, since this incarnation began
-  std::int64_t began_ns_ = 0;
   std::optional<failsafe::stance> stance_;
   question looking_ = question::none;
   std::int64_t looking_since_ns_ = 0;
   std::uint64_t reading_back_ = 0; // the number of the download
   std::int64_t read_again_ns_ = 0;
   bool may_upload_go_on_ = false; // in the link: one that the incarnation before has begun
-  std::uint16_t looking_for_sequence_ = 0;
   std::uint64_t last_reading_back_ = 1ULL << 32U;
   std::int64_t down_since_ns_ = 0;          // 0: it is not
   bool was_up_ = false;                     // it has been in the air, as far as this incarnation knows

@@ -249,7 +249,7 @@ effects core::on_change(const mission_client::change_outcome& m, instant) {
 
 // A new revision of the mission that is flown.
 bool core::deploy_arrived(effects& out, instant now) {
-  if (s_.progress.upload || s_.progress.start || !s_.arrived || !s_.mission || !may_change_plan() ||
+  if (has_open_intent() || !s_.arrived || !s_.mission || !may_change_plan() ||
       !view_.is_under_way() || s_.arrived->mission_id != s_.mission->mission_id)
     return false;
   if (!setting(now))

@@ -17,8 +17,6 @@ using io::mavlink::mav_autopilot;
 
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
-bool is_over_phase(phase now) { return now == phase::post_flight || is_at_rest(now); }
-
 bool holds_our_plan(pause_cause cause) {
   return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
 }
@@ -28,15 +26,16 @@ bool holds_our_plan(pause_cause cause) {
 // -- the standing -----------------------------------------------------------------------------------
 
 void core::stand(effects& out, phase now, pause_cause cause, const std::string& reason) {
-  const stood next{now, cause, reason, is_in_flight()};
+  stand(out, stood{now, cause, reason, is_in_flight()});
+}
+
+void core::stand(effects& out, const stood& next) {
   if (next != s_.standing)
     out.emplace_back(note{next});
 }
 
 void core::stand_as(effects& out, phase now, bool in_flight) {
-  const stood next{now, pause_cause::none, {}, in_flight};
-  if (next != s_.standing)
-    out.emplace_back(note{next});
+  stand(out, stood{now, pause_cause::none, {}, in_flight});
 }
 
 void core::stand_paused(effects& out, pause_cause cause, const std::string& reason) {
@@ -115,9 +114,8 @@ bool core::is_copter() const {
 // A vehicle that is left in its mission mode on the ground would begin what it holds as soon as somebody arms it (PX4),
 // or does not begin at all when it is started in the mode in which it is (ArduPilot's rover).
 steps core::out_of_mission_steps() const {
-  using io::mavlink::mission_state;
-  const bool is_over = view_.current() && view_.current()->mission_state == number(mission_state::complete);
-  if (!view_.is_in(mode_kind::mission) || (view_.is_armed() && !(is_over && !is_in_air())))
+  const bool stands_behind_it = view_.says_complete() && !is_in_air();
+  if (!view_.is_in(mode_kind::mission) || (view_.is_armed() && !stands_behind_it))
     return {};
   return {stand_by{view_.is_armed()}};
 }
@@ -207,8 +205,8 @@ void core::task_failed(effects& out, const task& what, const std::string& why, i
   else if (is_start_tried_on(what, now))
     stand(out, phase::ready, pause_cause::none, why + "; it is tried again");
   else
-    out.emplace_back(note{stood{phase::paused, pause_cause::not_done, why,
-                                is_in_flight() || (what.kind == task_kind::start && is_in_air())}});
+    stand(out, {phase::paused, pause_cause::not_done, why,
+                is_in_flight() || (what.kind == task_kind::start && is_in_air())});
   const bool is_left_armed = what.kind == task_kind::start && runner_.has_armed() && view_.is_armed() && !is_in_air();
   if (is_left_armed && !view_.is_in(mode_kind::mission))
     begin(out, task_kind::stand_down, {disarm{}});
@@ -285,7 +283,7 @@ bool core::answer_assignment(effects& out, instant now) {
                                                         at == phase::ready || at == phase::disconnected);
   if (s_.waiting.empty() || !s_.mission)
     return false;
-  if (s_.progress.upload || s_.progress.start)
+  if (has_open_intent())
     return false; // of a task that was given up: its end is on the way
   const bool is_too_late = (is_mission_finished() && !may_change_plan()) || at == phase::aborted;
   if (!is_too_late && !(may_change_plan() || is_waiting_on_ground))
@@ -335,7 +333,7 @@ bool core::begin_wished(effects& out, instant now) {
     }
     if (is_in_flight() && view_.mode())
       authority_.begin(*view_.mode());
-    if (is_over_phase(s_.standing.now))
+    if (is_over(s_.standing.now))
       stand(out, s_.standing.now);
     else if (is_in_flight() && view_.is_in(mode_kind::mission))
       stand_as(out, is_plan_finished() ? phase::landing : phase::flying, true);
@@ -365,7 +363,7 @@ bool core::begin_wished(effects& out, instant now) {
   }
   if (wanted_change_)
     return begin_change(out, now);
-  if (wanted_ && !s_.progress.upload && !s_.progress.start) // a resume, behind the end of what was given up
+  if (wanted_ && !has_open_intent()) // a resume, behind the end of what was given up
     return begin_wanted(out, *std::exchange(wanted_, {}), now);
   if (asked_start_)
     return begin_asked_start(out, *std::exchange(asked_start_, {}), now);

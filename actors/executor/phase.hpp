@@ -50,6 +50,9 @@ constexpr auto enum_names(phase) {
 // The mission is over, and all that was owed for it is done.
 [[nodiscard]] constexpr bool is_at_rest(phase now) { return now == phase::done || now == phase::aborted; }
 
+// It is flown no more; something may be owed for it.
+[[nodiscard]] constexpr bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }
+
 enum class pause_cause {
   none,
   asked,              // an operator said so

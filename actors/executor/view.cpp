@@ -77,17 +77,20 @@ bool vehicle_view::is_in_one_of(const std::vector<std::uint32_t>& modes) const {
 
 bool vehicle_view::obeys(flight::mode_kind kind) const { return is_in_one_of(flight::modes_obeying(owner_, kind)); }
 
-bool vehicle_view::is_within(double metres, double latitude_deg, double longitude_deg, std::int64_t now_ns) const {
+bool vehicle_view::says_complete() const {
+  return current_ && current_->mission_state == io::mavlink::number(io::mavlink::mission_state::complete);
+}
+
+bool vehicle_view::is_within(double metres, const geo::point& there, std::int64_t now_ns) const {
   const auto at = place(now_ns);
   if (!at)
     return false;
   const geo::point here{at->latitude, at->longitude};
-  const geo::point there{latitude_deg, longitude_deg};
   return geo::is_valid(here) && geo::is_valid(there) && geo::distance_m(here, there) <= metres;
 }
 
 bool vehicle_view::stands_at_home(std::int64_t now_ns) const {
-  return home_ && speed_mps_ <= standing_mps && is_within(at_home_m, home_->latitude, home_->longitude, now_ns);
+  return home_ && speed_mps_ <= standing_mps && is_within(at_home_m, {home_->latitude, home_->longitude}, now_ns);
 }
 
 bool vehicle_view::is_moving() const {

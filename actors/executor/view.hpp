@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/domain/geo/point.hpp"
 #include "actors/executor/plan/setting.hpp"
 #include "actors/executor/preflight/facts.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
@@ -51,7 +52,7 @@ public:
   // It moves, or would by itself: a rover that is armed in HOLD does not.
   [[nodiscard]] bool is_moving() const;
   // On the ground or standing, within so many metres of there.
-  [[nodiscard]] bool is_within(double metres, double latitude_deg, double longitude_deg, std::int64_t now_ns) const;
+  [[nodiscard]] bool is_within(double metres, const geo::point& there, std::int64_t now_ns) const;
   // In its mission mode, and says itself that the mission has begun.
   [[nodiscard]] bool is_in_begun_mission() const;
   // Where it stands is known well enough to judge by it.
@@ -64,6 +65,8 @@ public:
   [[nodiscard]] std::optional<mission::position> place(std::int64_t now_ns) const;
   [[nodiscard]] const std::optional<plan::vehicle_home>& home() const { return home_; }
   [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
+  // MISSION_CURRENT says so; false before it was heard.
+  [[nodiscard]] bool says_complete() const;
   [[nodiscard]] std::int64_t current_heard_ns() const { return current_heard_ns_; }
   [[nodiscard]] const std::optional<std::int32_t>& battery_percent() const { return battery_percent_; }
   [[nodiscard]] std::uint8_t fix_type() const { return fix_type_; }

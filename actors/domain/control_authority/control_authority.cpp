@@ -15,7 +15,6 @@ constexpr flight_mode not_known{mode_kind::unknown, std::numeric_limits<std::uin
 } // namespace
 
 void control_authority::begin(const flight_mode& mode) {
-  is_watching_ = true;
   drop_expected(mode);
   adopt(mode, holder::godwit);
 }
@@ -85,10 +84,8 @@ void control_authority::on_place(std::uint16_t sequence, bool is_complete, std::
 
 void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical,
                                 std::int64_t now_ns) {
-  if (!is_watching_ || !is_ours())
+  if (!is_watching() || !is_ours())
     return;
-  if (!ours_)
-    ours_ = mode;
   if (unclear_ && mode == unclear_->to)
     return on_time(now_ns);
   if (!unclear_ && mode == *ours_)
@@ -105,7 +102,7 @@ void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode
     unclear_ = change{mode, now_ns, is_critical};
     return on_time(now_ns);
   }
-  take_away(is_critical ? holder::autopilot_failsafe : holder::person);
+  lose(is_critical);
 }
 
 void control_authority::on_time(std::int64_t now_ns) {
@@ -119,11 +116,14 @@ void control_authority::on_time(std::int64_t now_ns) {
   }
   const bool is_denied = place_heard_ns_ >= unclear_->since_ns + end_is_denied_after_ns;
   if (is_denied || now_ns >= unclear_->since_ns + end_is_told_within_ns)
-    take_away(unclear_->is_critical ? holder::autopilot_failsafe : holder::person);
+    lose(unclear_->is_critical);
+}
+
+void control_authority::lose(bool is_critical) {
+  take_away(is_critical ? holder::autopilot_failsafe : holder::person);
 }
 
 void control_authority::take_away(holder by) {
-  is_watching_ = true;
   who_ = by;
   unclear_.reset();
   expected_.clear();

@@ -34,13 +34,6 @@ enum class holder {
   autopilot_failsafe // the autopilot's own
 };
 
-constexpr auto enum_names(holder) {
-  return io::names<holder>({{holder::godwit, "godwit"},
-                            {holder::person, "person"},
-                            {holder::autopilot_end, "autopilot_end"},
-                            {holder::autopilot_failsafe, "autopilot_failsafe"}});
-}
-
 // A vehicle changes its mode within a heartbeat of its answer; a slow link delays both.
 inline constexpr std::int64_t order_is_expected_ns = 5'000'000'000;
 // MISSION_CURRENT comes once a second, and may be lost.
@@ -57,7 +50,7 @@ public:
   void resume(std::vector<std::uint32_t> left_in, std::int64_t now_ns);
   // The flight is over: nobody is watched until the next begin().
   void end();
-  [[nodiscard]] bool is_watching() const { return is_watching_; }
+  [[nodiscard]] bool is_watching() const { return ours_.has_value(); }
 
   // Before an order goes out. MODES obey it, in this order. It takes the place of what was expected.
   void expect(std::vector<std::uint32_t> modes, std::int64_t until_ns);
@@ -94,12 +87,12 @@ private:
 
   void adopt(const flight_mode& mode, holder who);
   void drop_expected(const flight_mode& mode);
+  void lose(bool is_critical);
   [[nodiscard]] bool leads_to(const flight_mode& mode) const;
   [[nodiscard]] bool is_at_end() const;
 
   holder who_ = holder::godwit;
-  bool is_watching_ = false;
-  std::optional<flight_mode> ours_; // none: the first one that is seen
+  std::optional<flight_mode> ours_; // none: nobody is watched
   bool was_ordered_ = false;        // the mode that is ours
   std::vector<std::uint32_t> expected_;
   std::int64_t expected_until_ns_ = 0;

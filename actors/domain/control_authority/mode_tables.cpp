@@ -14,7 +14,6 @@ constexpr std::uint32_t plane_qland = 20;
 constexpr std::uint32_t plane_qrtl = 21;
 constexpr std::uint32_t copter_loiter = 5;
 constexpr std::uint32_t plane_fbwa = 5;
-constexpr std::uint32_t px4_take_off = 4U << 16U | 2U << 24U;
 
 bool is_px4(const mode_owner& whose) { return whose.autopilot == mav_autopilot::px4; }
 
@@ -30,6 +29,8 @@ bool is_landing(std::uint16_t command) {
   return command == number(mav_cmd::nav_land) || command == number(mav_cmd::nav_vtol_land);
 }
 
+bool is_return(std::uint16_t command) { return command == number(mav_cmd::nav_return_to_launch); }
+
 } // namespace
 
 std::vector<std::uint32_t> modes_obeying(const mode_owner& whose, mode_kind kind) {
@@ -40,9 +41,9 @@ std::vector<std::uint32_t> modes_obeying(const mode_owner& whose, mode_kind kind
 }
 
 std::vector<std::uint32_t> modes_of_start(const mode_owner& whose) {
-  auto result = modes_obeying(whose, mode_kind::mission);
-  if (is_px4(whose))
-    result.insert(result.begin(), px4_take_off);
+  auto result = is_px4(whose) ? modes_obeying(whose, mode_kind::take_off) : std::vector<std::uint32_t>();
+  for (const auto each : modes_obeying(whose, mode_kind::mission))
+    result.push_back(each);
   return result;
 }
 
@@ -54,9 +55,11 @@ std::optional<std::uint32_t> standing_mode(const mode_owner& whose) {
   return number_of(whose, mode_kind::hold);
 }
 
+bool leads_down(std::uint16_t last_command) { return is_landing(last_command) || is_return(last_command); }
+
 plan_end plan_end_of(const mode_owner& whose, std::uint16_t last_command, std::uint16_t last_sequence) {
   plan_end result{last_sequence, false, {}};
-  const bool returns = last_command == number(mav_cmd::nav_return_to_launch);
+  const bool returns = is_return(last_command);
   if (is_landing(last_command))
     return result;
   if (is_plane(whose)) {
@@ -76,7 +79,7 @@ bool follows_by_itself(const mode_owner& whose, std::uint32_t before, std::uint3
     return (before == plane_rtl && (after == plane_qrtl || after == plane_qland)) ||
            (before == plane_qrtl && after == plane_qland);
   if (is_px4(whose))
-    return before == px4_take_off &&
+    return before == number_of(whose, mode_kind::take_off) &&
            (after == number_of(whose, mode_kind::mission) || after == number_of(whose, mode_kind::hold));
   return was_ordered && is_by_the_text(whose) && before == number_of(whose, mode_kind::returning) &&
          after == number_of(whose, mode_kind::hold);

@@ -35,6 +35,9 @@ namespace godwit::flight {
 // In which a vehicle stands on the ground and begins nothing when somebody arms it.
 [[nodiscard]] std::optional<std::uint32_t> standing_mode(const mode_owner& whose);
 
+// MAV_CMD of a last item behind which what flies is on the ground: a landing or a return.
+[[nodiscard]] bool leads_down(std::uint16_t last_command);
+
 // LAST_COMMAND: MAV_CMD of the last item that moves the vehicle, at LAST_SEQUENCE.
 [[nodiscard]] plan_end plan_end_of(const mode_owner& whose, std::uint16_t last_command, std::uint16_t last_sequence);
 

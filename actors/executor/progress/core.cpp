@@ -32,12 +32,9 @@ bool matters(const state& s, const event& happened, std::int64_t now_ns) {
 bool is_at_last_movement(const state& s) {
   if (!s.plan || s.paused)
     return false;
-  const auto& map = s.plan->map;
   const auto& g = s.plan->generation;
-  const auto items = items_to_finish(map);
-  if (!g.is_armed || g.is_finished || items == 0 || !map.items[items - 1].last_nav_sequence)
-    return false;
-  return g.moved_to.value_or(g.current) >= *map.items[items - 1].last_nav_sequence;
+  const auto last = last_movement(s.plan->map);
+  return g.is_armed && !g.is_finished && last && g.moved_to.value_or(g.current) >= *last;
 }
 
 std::optional<mission::progress_report> last_progress(const state& s) {

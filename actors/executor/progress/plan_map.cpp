@@ -45,9 +45,8 @@ bool has_sequence(const plan_map& map, std::uint16_t sequence) {
 }
 
 std::optional<std::uint16_t> last_movement(const plan_map& map) {
-  const auto last = std::find_if(map.items.rbegin(), map.items.rend(),
-                                 [](const mapped_item& each) { return each.last_nav_sequence.has_value(); });
-  return last == map.items.rend() ? std::nullopt : last->last_nav_sequence;
+  const auto items = items_to_finish(map);
+  return items == 0 ? std::nullopt : map.items[items - 1].last_nav_sequence;
 }
 
 std::optional<std::uint32_t> position_at(const plan_map& map, std::uint16_t sequence) {

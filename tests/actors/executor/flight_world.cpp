@@ -62,7 +62,7 @@ void flight_world::begin_link() {
 void flight_world::begin_executor() {
   core_->on_house(house());
   core_->on_stance(failsafe_->told());
-  take(core_->on_start(now()));
+  take(core_->on_start());
   settle();
 }
 

@@ -1,4 +1,4 @@
-// Where a flight stands, and where it may go from there.
+// The phases of a flight. What leads from one to another: flight/phase_table.hpp.
 //
 //   disconnected ──> connected ──> preflight ──> uploading ──> ready ──> starting ──> flying ──> landing ──┬─> aborted
 //        ^               │  ^            │            │          │           │           │          │      │
@@ -8,7 +8,6 @@
 //                                                                                        v                 v
 //                       paused <── a pilot, a failsafe, an operator, what could not be done               done
 //
-// The same for all classes of vehicles; what differs is how each starts (start_steps) and when it has landed (is_down).
 // Paused has a cause: what ends it depends on that. One that needs a hand-back also stands in post_flight and done.
 // Thread: constants.
 #pragma once

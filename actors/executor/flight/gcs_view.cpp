@@ -1,10 +1,10 @@
-// What ground stations upload and start, and what they are shown of the mission.
+#include "actors/executor/flight/gcs_view.hpp"
+
 #include <span>
 #include <utility>
 
 #include "actors/domain/mission/convert/item_list_import.hpp"
 #include "actors/domain/mission/rules.hpp"
-#include "actors/executor/core.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_checksum.hpp"
@@ -36,7 +36,7 @@ std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
 
 // -- what they upload -------------------------------------------------------------------------------
 
-effects core::on_station(const plan_taken& m, instant now) {
+effects gcs_view::on_plan(const plan_taken& m, instant now) {
   switch (m.type) {
   case mav_mission_type::mission:
     return take_plan(m, now);
@@ -47,51 +47,51 @@ effects core::on_station(const plan_taken& m, instant now) {
   }
 }
 
-effects core::on_station(const plan_cleared& m, instant) {
+effects gcs_view::on_cleared(const plan_cleared& m) {
   if (m.type == mav_mission_type::fence)
     return take_fence({});
   if (m.type != mav_mission_type::mission)
     return {};
   told_plan_id_ = 0; // the port shows nothing now
-  if (!s_.station)
+  if (!flight_.s.station)
     return {};
-  if (is_in_flight() || s_.doing)
+  if (flight_.is_in_flight() || flight_.s.doing)
     return {announce{"the plan was cleared while it is used, and stays", true}};
   return {note{station_plan_dropped{}}};
 }
 
 // What stands here instead is shown to the station again.
-effects core::not_taken(const std::string& why) {
+effects gcs_view::not_taken(const std::string& why) {
   refused_upload_ = "the plan is not taken: " + why;
   told_plan_id_ = 0;
   return {announce{refused_upload_, true}};
 }
 
 // Stations write ArduPilot's home, which it keeps itself, as the first item.
-bool core::begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const {
+bool gcs_view::begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const {
   using io::mavlink::mav_frame;
-  if (!plan_has_home() || items.empty())
+  if (!flight_.plan_has_home() || items.empty())
     return false;
   const auto frame = static_cast<mav_frame>(items.front().frame);
   return items.front().command == io::mavlink::number(io::mavlink::mav_cmd::nav_waypoint) &&
          (frame == mav_frame::global || frame == mav_frame::global_int);
 }
 
-effects core::take_plan(const plan_taken& m, instant now) {
-  if (auto elsewhere = who_else_brings_missions(settings_); !elsewhere.empty())
+effects gcs_view::take_plan(const plan_taken& m, instant now) {
+  if (auto elsewhere = who_else_brings_missions(flight_.configured); !elsewhere.empty())
     return not_taken("missions come from " + elsewhere + " here");
-  if (is_flight_begun(s_))
+  if (is_flight_begun(flight_.s))
     return not_taken("another one is flown; upload it after the flight");
-  if (has_person())
+  if (flight_.has_person())
     return not_taken("the vehicle has to be handed back first");
   mission::item_list_options options;
   options.mission_id = new_mission_id(m.plan_id, now.wall_ns);
-  options.allow_partial = settings_.allow_partial;
-  if (const auto& home = view_.home()) {
+  options.allow_partial = flight_.configured.allow_partial;
+  if (const auto& home = flight_.view.home()) {
     options.home = mission::position{home->latitude, home->longitude, 0};
     options.home_altitude_m = home->above_sea_m;
   }
-  options.geofences = s_.station_fences;
+  options.geofences = flight_.s.station_fences;
   auto taken = mission::import_item_list(std::span(m.items).subspan(begins_with_home(m.items) ? 1 : 0), options);
   if (!taken)
     return not_taken(taken.error().message());
@@ -102,47 +102,48 @@ effects core::take_plan(const plan_taken& m, instant now) {
   station_plan plan{taken->mission.mission_id, taken->mission.revision, m.plan_id,
                     static_cast<std::uint16_t>(m.items.size()), std::move(taken->places)};
   out.emplace_back(note{station_plan_taken{std::move(plan), std::move(taken->mission)}});
-  if (s_.standing.now == phase::paused)
-    stand(out, phase::connected);
+  if (flight_.s.standing.now == phase::paused)
+    phases_.go(out, trigger::mission_changed);
   return out;
 }
 
-effects core::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
-  if (auto elsewhere = who_else_brings_missions(settings_); !elsewhere.empty())
+effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
+  if (auto elsewhere = who_else_brings_missions(flight_.configured); !elsewhere.empty())
     return items.empty() ? effects{} : not_taken("fences come from " + elsewhere + " here");
   auto fences = mission::import_fence_list(items);
   if (!fences)
     return {announce{"the fence is not taken: " + fences.error(), true}};
-  if (const auto* uploaded = uploaded_mission(s_)) {
+  if (const auto* uploaded = uploaded_mission(flight_.s)) {
     auto fenced = *uploaded;
     fenced.geofences = *fences;
     if (const auto problems = mission::broken_rules(fenced); !problems.empty())
       return {announce{"the fence is not taken: " + problems.front().message(), true}};
   }
   effects out{note{station_fence_taken{*std::move(fences)}}};
-  if (is_flight_begun(s_))
+  if (is_flight_begun(flight_.s))
     out.emplace_back(announce{"the fence counts from the next flight on", true});
   return out;
 }
 
 // -- what they start --------------------------------------------------------------------------------
 
-effects core::on_station(const start_mission& m, instant now) {
+effects gcs_view::on_start(const start_mission& m, instant now) {
   effects out;
   if (now.wall_ns > m.obey_until_ns)
-    answer_start(out, m.key, start_verdict::too_late, "the request came too late");
+    tasks_.answer_start(out, m.key, start_verdict::too_late, "the request came too late");
   else if (const auto why = why_not_meant(m); !why.empty())
-    answer_start(out, m.key, start_verdict::no_such_item, why);
+    tasks_.answer_start(out, m.key, start_verdict::no_such_item, why);
   else if (fly_again(out, now))
-    answer_start(out, m.key, start_verdict::not_ready, "it was flown, and is prepared anew; start it when it is ready");
-  else if (asked_start_ || runner_.is_busy())
-    answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + sentence());
+    tasks_.answer_start(out, m.key, start_verdict::not_ready,
+                        "it was flown, and is prepared anew; start it when it is ready");
+  else if (flight_.wanted.start || flight_.runner.is_busy())
+    tasks_.answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + flight_.sentence());
   else
-    asked_start_ = m;
+    flight_.wanted.start = start_flight{m};
   return out;
 }
 
-std::string core::why_not_meant(const start_mission& m) {
+std::string gcs_view::why_not_meant(const start_mission& m) {
   const auto& plan = shown();
   if (m.plan_id != plan.plan_id)
     return refused_upload_.empty() ? "another plan is here by now; load it from the vehicle" : refused_upload_;
@@ -154,45 +155,46 @@ std::string core::why_not_meant(const start_mission& m) {
 }
 
 // A station's plan that was flown is flown again as another mission.
-bool core::fly_again(effects& out, instant now) {
-  const auto* uploaded = uploaded_mission(s_);
-  if (!is_at_rest(s_.standing.now) || uploaded == nullptr || s_.arrived)
+bool gcs_view::fly_again(effects& out, instant now) {
+  const auto* uploaded = uploaded_mission(flight_.s);
+  if (!is_at_rest(flight_.s.standing.now) || uploaded == nullptr || flight_.s.arrived)
     return false;
-  auto plan = *s_.station;
+  auto plan = *flight_.s.station;
   auto mission = *uploaded;
   plan.mission_id = new_mission_id(plan.plan_id, now.wall_ns);
   plan.revision = 1;
   mission.mission_id = plan.mission_id;
   mission.revision = plan.revision;
-  mission.geofences = s_.station_fences;
+  mission.geofences = flight_.s.station_fences;
   out.emplace_back(note{station_plan_taken{std::move(plan), std::move(mission)}});
   return true;
 }
 
 // -- what they see ----------------------------------------------------------------------------------
 
-const core::shown_plan& core::shown() {
+const gcs_view::shown_plan& gcs_view::shown() {
   if (shown_)
     return *shown_;
   shown_plan next;
-  if (shows_upload(s_))
-    next = {s_.station->plan_id, s_.station->items, true};
-  else if (const auto items = items_on_vehicle(s_, settings_.shows_home); !items.empty())
+  if (shows_upload(flight_.s))
+    next = {flight_.s.station->plan_id, flight_.s.station->items, true};
+  else if (const auto items = items_on_vehicle(flight_.s, flight_.configured.shows_home); !items.empty())
     next = {io::mavlink::checksum_of(items), items.size(), false};
   return shown_.emplace(next);
 }
 
-effects core::tell_stations(instant now) {
+effects gcs_view::tell(instant now) {
   effects out;
   const auto& plan = shown();
   if (plan.plan_id == 0)
     return out;
   if (plan.plan_id != told_plan_id_) {
     if (!plan.is_upload)
-      out.emplace_back(say_to_port{ground_port::set_mission{items_on_vehicle(s_, settings_.shows_home)}});
+      out.emplace_back(
+          say_to_port{ground_port::set_mission{items_on_vehicle(flight_.s, flight_.configured.shows_home)}});
     told_plan_id_ = plan.plan_id;
   }
-  const auto progress = progress_shown(s_, view_, plan.plan_id, settings_.shows_home);
+  const auto progress = progress_shown(flight_.s, flight_.view, plan.plan_id, flight_.configured.shows_home);
   if (is_same(progress, told_progress_) && now.now_ns - told_progress_ns_ < tell_period_ns)
     return out;
   told_progress_ = progress;

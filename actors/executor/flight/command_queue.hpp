@@ -1,0 +1,74 @@
+// What is wanted of the flight and not begun yet: at most one command of each kind, the highest first.
+//
+//   halt           hold, or come home: gives up what is under way
+//   hand_back      an operator gives the vehicle back to godwit
+//   finish_replan  an incarnation before has held the vehicle to replace its plan, and died
+//   guard_again    the failsafe may not know the limits of the plan that is flown
+//   choose_item    the vehicle holds the plan, and is elsewhere in it
+//   change         go to, cancel, insert
+//   go_on          resume
+//   start          a ground station's, or an operator's
+//
+// The last of halt, change and go_on counts: one takes the place of the others. Thread: plain values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "actors/executor/state.hpp"
+#include "messages/executor/types.hpp"
+
+namespace godwit::executor {
+
+struct plan_change {
+  change_kind kind = change_kind::go_to;
+  std::optional<std::string> after_item_id; // absent: in front of all items
+  std::vector<mission::item> items;
+  std::vector<mission::item> set_aside;
+  bool is_held_for = false; // the vehicle was told to hold first
+};
+
+struct start_flight {
+  std::optional<start_mission> asked; // by a ground station, which waits for its answer
+};
+
+struct command_queue {
+  std::optional<task_kind> halt; // hold or come_home
+  bool hand_back = false;
+  bool finish_replan = false;
+  bool guard_again = false;
+  bool choose_item = false;
+  std::optional<plan_change> change;
+  bool go_on = false;
+  std::optional<start_flight> start;
+
+  void put_halt(task_kind what) {
+    drop_words();
+    halt = what;
+  }
+  void put_change(plan_change what) {
+    drop_words();
+    change = std::move(what);
+  }
+  void put_go_on() {
+    drop_words();
+    go_on = true;
+  }
+  // Somebody else has the vehicle: all but a hand-back is void.
+  void drop_all_behind_takeover() {
+    drop_words();
+    finish_replan = false;
+    start.reset();
+  }
+
+private:
+  void drop_words() {
+    halt.reset();
+    change.reset();
+    go_on = false;
+  }
+};
+
+} // namespace godwit::executor

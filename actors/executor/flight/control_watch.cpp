@@ -1,0 +1,136 @@
+#include "actors/executor/flight/control_watch.hpp"
+
+#include <utility>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor {
+
+// -- what the vehicle tells -------------------------------------------------------------------------
+
+void control_watch::on_mode(instant now) {
+  if (flight_.view.is_armed())
+    was_armed_ = true;
+  const bool is_failsafes = flight_.stance && flight_.stance->reacts;
+  if (is_failsafes || !(flight_.is_starting() || flight_.is_in_flight()))
+    return;
+  know_plan_end();
+  if (flight_.is_in_flight() && !flight_.view.is_armed())
+    flight_.authority.expect_also(flight_.modes_behind_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);
+  judge_mode(now);
+}
+
+void control_watch::on_place(instant now) {
+  know_plan_end();
+  judge_place(now);
+}
+
+void control_watch::judge_mode(instant now) {
+  const auto& view = flight_.view;
+  flight_.authority.on_mode(view.owner(), *view.mode(), view.is_critical(), now.now_ns);
+}
+
+void control_watch::judge_place(instant now) {
+  const auto& view = flight_.view;
+  if (view.current())
+    flight_.authority.on_place(view.current()->seq, view.says_complete(), now.now_ns);
+}
+
+void control_watch::know_plan_end() {
+  const auto generation = flight_.s.progress.last_generation;
+  if (!flight_.view.mode() || known_end_ == generation)
+    return;
+  known_end_ = generation;
+  flight_.authority.set_plan_end(end_of_plan(flight_.view.owner(), flight_.s));
+}
+
+// -- when it is watched -----------------------------------------------------------------------------
+
+void control_watch::begin_start(effects& out) {
+  begin_flight();
+  was_armed_ = flight_.view.is_armed();
+  if (flight_.stance && flight_.stance->taken_over) { // of a flight before; whoever starts this one hands it over
+    flight_.stance->taken_over = false;
+    out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+  }
+}
+
+void control_watch::resume(std::vector<std::uint32_t> left_in, instant now) {
+  know_plan_end();
+  flight_.authority.resume(std::move(left_in), now.now_ns);
+  judge_place(now);
+  judge_mode(now);
+}
+
+void control_watch::end_flight() {
+  flight_.authority.end();
+  known_end_.reset();
+}
+
+// -- who has it -------------------------------------------------------------------------------------
+
+bool control_watch::heed(effects& out, instant now) {
+  const bool is_ours_to_lose = flight_.is_in_flight() || flight_.is_starting();
+  const auto& stance = flight_.stance;
+  if (!is_ours_to_lose && flight_.has_person() && stance && stance->in_flight && !stance->taken_over) {
+    say_taken_over(out); // a flight that nobody has handed to us
+    return true;
+  }
+  if (!is_ours_to_lose || flight_.has_person())
+    return false;
+  if (!flight_.view.mode()) // not heard: a pilot may have it, and nothing is said again but a stop
+    return flight_.runner.is_busy() && !flight_.runner.is_stop();
+  flight_.authority.on_time(now.now_ns);
+  return judge_holder(out);
+}
+
+bool control_watch::judge_holder(effects& out) {
+  const auto mode = " (mode " + std::string(io::name_of(flight_.view.mode()->kind)) +
+                    "); nothing is sent until an "
+                    "operator hands it back";
+  if (const auto& acts = flight_.stance->reacts)
+    yield(out, trigger::failsafe_acts,
+          "a failsafe acts (" + std::string(io::name_of(acts->why)) + ": " + std::string(io::name_of(acts->what)) +
+              "); nothing else is sent until an operator hands the vehicle back");
+  else if (flight_.authority.who() == flight::holder::autopilot_failsafe)
+    yield(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + mode);
+  else if (flight_.is_starting() && was_armed_ && !flight_.view.is_armed())
+    yield(out, trigger::person_took_over,
+          "the vehicle was disarmed while it was started, and not by godwit; nothing is sent until an operator hands "
+          "it back");
+  else if (!flight_.authority.is_ours() || flight_.stance->taken_over)
+    yield(out, trigger::person_took_over, "a pilot has the vehicle" + mode);
+  else
+    return flight_.authority.is_unclear();
+  return true;
+}
+
+void control_watch::yield(effects& out, trigger to, const std::string& why) {
+  flight_.runner.drop(flight_.world({}, out));
+  tasks_.end(out, why);
+  flight_.wanted.drop_all_behind_takeover();
+  if (to != trigger::failsafe_acts && !flight_.stance->taken_over)
+    say_taken_over(out);
+  phases_.go(out, to, why);
+}
+
+void control_watch::say_taken_over(effects& out) {
+  flight_.stance->taken_over = true;
+  out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
+}
+
+bool control_watch::take_back(effects& out) {
+  if (!std::exchange(flight_.wanted.hand_back, false) || !flight_.has_person())
+    return false;
+  out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+  if (flight_.stance) { // what still holds then is told anew
+    flight_.stance->taken_over = false;
+    flight_.stance->reacts.reset();
+  }
+  if (flight_.is_in_flight() && flight_.view.mode())
+    begin_flight();
+  phases_.go(out, trigger::handed_back);
+  return true;
+}
+
+} // namespace godwit::executor

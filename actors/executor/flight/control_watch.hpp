@@ -1,0 +1,54 @@
+// Who has the vehicle, watched from a start to the end of the flight: what takes it from godwit, and what gives it
+// back.
+//
+// A person is one whom either of the two watches has seen, ours or the failsafe's; while it is unclear who has the
+// vehicle nothing is sent. Pure. Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/executor/flight/task_control.hpp"
+
+namespace godwit::executor {
+
+class control_watch {
+public:
+  control_watch(flight_context& flight, phase_machine& phases, task_control& tasks)
+      : flight_(flight), phases_(phases), tasks_(tasks) {}
+
+  // Of the vehicle, when it has told its mode or its place in the plan.
+  void on_mode(instant now);
+  void on_place(instant now);
+
+  // godwit starts the vehicle, and has it from here on.
+  void begin_start(effects& out);
+  // The vehicle flies our plan, and godwit has it.
+  void begin_flight() { flight_.authority.begin(*flight_.view.mode()); }
+  // A new incarnation. LEFT_IN: the modes in which godwit may have left the vehicle.
+  void resume(std::vector<std::uint32_t> left_in, instant now);
+  void end_flight();
+
+  // True: somebody else has just got it, or it is unclear who has it.
+  [[nodiscard]] bool heed(effects& out, instant now);
+  // An operator has handed it back. True: what follows from it is noted.
+  [[nodiscard]] bool take_back(effects& out);
+
+private:
+  void know_plan_end(); // of the plan that was accepted last
+  void judge_mode(instant now);
+  void judge_place(instant now);
+  [[nodiscard]] bool judge_holder(effects& out);
+  void yield(effects& out, trigger to, const std::string& why);
+  void say_taken_over(effects& out);
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  std::optional<std::uint32_t> known_end_; // the generation whose end the authority knows
+  bool was_armed_ = false;                 // in the start that is under way
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,137 @@
+#include "actors/executor/flight/flight_context.hpp"
+
+#include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/preflight/report.hpp"
+#include "actors/executor/remaining.hpp"
+#include "io/fields/field_table.hpp"
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+using io::mavlink::mav_autopilot;
+
+constexpr double landed_there_m = 15;
+constexpr double fixed_wing_landed_there_m = 150;
+
+} // namespace
+
+std::string flight_context::sentence() const {
+  const auto& at = s.standing;
+  std::string result(io::name_of(at.now));
+  if (!at.reason.empty())
+    result += ": " + at.reason;
+  else if (at.now == phase::preflight)
+    result += ": " + preflight::sentence_of(s.preflight);
+  return result;
+}
+
+bool flight_context::is_plan_finished() const { return s.progress.plan && s.progress.plan->generation.is_finished; }
+
+bool flight_context::is_mission_finished() const { return is_plan_finished() && s.progress.plan->map.ends_mission; }
+
+bool flight_context::may_change_plan() const {
+  const auto& at = s.standing;
+  return at.in_flight && (at.now == phase::flying || (at.now == phase::paused && at.cause == pause_cause::asked) ||
+                          (at.now == phase::landing && hovers()));
+}
+
+bool flight_context::hovers() const {
+  return is_plan_finished() && !ends_on_ground() && view.is_under_way() && !was_called_home();
+}
+
+bool flight_context::is_in_air() const {
+  return view.owner().vehicle != flight::vehicle_class::rover && view.is_under_way();
+}
+
+bool flight_context::is_copter() const {
+  return view.owner().autopilot == mav_autopilot::ardupilotmega &&
+         view.owner().vehicle == flight::vehicle_class::multirotor;
+}
+
+bool flight_context::plan_has_home() const { return view.owner().autopilot == mav_autopilot::ardupilotmega; }
+
+std::vector<std::uint32_t> flight_context::modes_behind_disarm() const {
+  if (view.owner().autopilot != io::mavlink::mav_autopilot::px4)
+    return {};
+  auto result = flight::modes_obeying(view.owner(), mode_kind::mission);
+  for (const auto each : flight::modes_obeying(view.owner(), mode_kind::hold))
+    result.push_back(each);
+  return result;
+}
+
+bool flight_context::ends_on_ground() const {
+  return s.flown && !s.flown->items.empty() && view.owner().vehicle != flight::vehicle_class::rover &&
+         flight::leads_down(s.flown->items.back().command);
+}
+
+bool flight_context::came_down_as_planned(instant now) const {
+  if (!ends_on_ground() || view.is_under_way())
+    return false;
+  const auto& last = s.flown->items.back();
+  const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
+  const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
+  if (last.command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
+    return view.home() && view.is_within(metres, {view.home()->latitude, view.home()->longitude}, now.now_ns);
+  constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
+  return (last.x == 0 && last.y == 0) || view.is_within(metres, {last.x / units, last.y / units}, now.now_ns);
+}
+
+bool flight_context::is_complete_credible(instant now) const {
+  if (!s.flown || view.owner().vehicle == flight::vehicle_class::rover)
+    return true;
+  if (ends_on_ground())
+    return came_down_as_planned(now);
+  const bool flies_plan = view.is_in(mode_kind::mission) || view.is_in_one_of(end_of_plan(view.owner(), s).modes);
+  return flies_plan && view.is_under_way();
+}
+
+bool flight_context::is_same_mission(const mission::document& next) const {
+  return s.mission && s.mission->mission_id == next.mission_id;
+}
+
+bool flight_context::has_nothing_left(const mission::document& next) const {
+  return is_same_mission(next) && first_item(next) >= next.items.size();
+}
+
+std::size_t flight_context::first_item(const mission::document& mission) const {
+  return s.flown ? first_to_fly(mission, s.flown->mission, last_done(s)) : 0;
+}
+
+plan::plan_from flight_context::going_on(const mission::document& mission, std::size_t first_item) const {
+  return {first_item, lines_flown(s, mission, first_item)};
+}
+
+std::optional<plan::plan_setting> flight_context::setting(instant now) const {
+  const auto place = view.place(now.now_ns);
+  if (!place || !view.home() || view.owner().vehicle == flight::vehicle_class::unknown)
+    return std::nullopt;
+  plan::plan_setting result;
+  result.vehicle = view.owner().vehicle;
+  result.autopilot = view.owner().autopilot;
+  result.home = *view.home();
+  result.start = *place;
+  result.is_under_way = view.is_under_way();
+  result.own_loiter_radius_m = configured.own_loiter_radius_m;
+  result.return_altitude_m = configured.return_altitude_m;
+  result.marks_landings = configured.marks_landings;
+  return result;
+}
+
+tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(const mission::document& mission,
+                                                                            instant now) const {
+  const auto where = setting(now);
+  if (!where)
+    return tl::make_unexpected(std::string("the vehicle tells no position"));
+  auto plans = plan::build_plans(mission, *where, going_on(mission, first_item(mission)));
+  if (!plans)
+    return tl::make_unexpected(plans.error().message());
+  if (const auto found = plan::fence_violations(plans->front(), mission, where->vehicle); !found.empty())
+    return tl::make_unexpected(found.front().message);
+  return std::move(plans->front());
+}
+
+} // namespace godwit::executor

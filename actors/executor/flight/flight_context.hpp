@@ -1,0 +1,88 @@
+// What all parts of the executor's core decide by: the settings, the durable state, what the vehicle and the failsafe
+// say, who has the vehicle, the task under way and what is wanted; and what follows from these alone.
+//
+// One for each core; the parts have references to it. Distances in metres, altitudes above home. Pure. Thread: one at a
+// time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "actors/domain/control_authority/control_authority.hpp"
+#include "actors/executor/effects.hpp"
+#include "actors/executor/flight/command_queue.hpp"
+#include "actors/executor/plan/builder.hpp"
+#include "actors/executor/settings.hpp"
+#include "actors/executor/task_runner.hpp"
+#include "actors/executor/view.hpp"
+
+namespace godwit::executor {
+
+struct instant {
+  std::int64_t now_ns = 0;  // monotonic
+  std::int64_t wall_ns = 0; // since 1970 (UTC)
+};
+
+struct flight_context {
+  flight_context(settings configuration, const state& durable) : configured(std::move(configuration)), s(durable) {}
+
+  settings configured;
+  const state& s; // outlives it, and changes only between two calls of the core
+  vehicle_view view;
+  flight::control_authority authority;
+  task_runner runner;
+  std::optional<failsafe::stance> stance; // none: not told to this incarnation yet
+  command_queue wanted;
+  bool was_up = false; // it has been in the air, as far as this incarnation knows
+
+  [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s, view, authority, now.now_ns, out}; }
+  [[nodiscard]] std::string sentence() const; // how the flight stands, for people
+
+  // -- the flight
+  [[nodiscard]] bool is_in_flight() const { return s.standing.in_flight; }
+  [[nodiscard]] bool is_starting() const { return s.doing && s.doing->kind == task_kind::start; }
+  // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
+  [[nodiscard]] bool has_person() const { return needs_hand_back(s.standing.cause); }
+  // Of an upload or a start: what became of it is not known yet.
+  [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
+  [[nodiscard]] bool is_plan_finished() const;
+  [[nodiscard]] bool is_mission_finished() const;
+  [[nodiscard]] bool was_called_home() const { return s.progress.paused == progress::pause_reason::aborted; }
+  [[nodiscard]] bool may_change_plan() const; // of a flight
+  // Behind a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.
+  [[nodiscard]] bool hovers() const;
+
+  // -- the vehicle
+  [[nodiscard]] bool is_in_air() const; // of a rover, that it is armed says nothing
+  [[nodiscard]] bool is_copter() const;
+  [[nodiscard]] bool plan_has_home() const; // as its first item
+  // PX4 goes back to its mission mode when it disarms in another one, or holds when the mission is done.
+  [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
+
+  // -- the end of the plan on the vehicle
+  [[nodiscard]] bool ends_on_ground() const; // by a landing or a return
+  // On the ground, where the last item of the plan leads.
+  [[nodiscard]] bool came_down_as_planned(instant now) const;
+  // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the
+  // plan leads: on the ground there, or in the air in a mode of the plan.
+  [[nodiscard]] bool is_complete_credible(instant now) const;
+
+  // -- what is left of a mission
+  [[nodiscard]] bool is_same_mission(const mission::document& next) const;
+  [[nodiscard]] bool has_nothing_left(const mission::document& next) const;
+  [[nodiscard]] std::size_t first_item(const mission::document& mission) const; // to go on with
+  // A survey that was begun goes on with the line that was begun.
+  [[nodiscard]] plan::plan_from going_on(const mission::document& mission, std::size_t first_item) const;
+  // None: where the vehicle or its home is, is not known.
+  [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
+  // Of the rest of MISSION, from where the vehicle is. Errors: a sentence for people.
+  [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
+                                                                            instant now) const;
+};
+
+} // namespace godwit::executor

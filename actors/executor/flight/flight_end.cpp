@@ -1,0 +1,108 @@
+#include "actors/executor/flight/flight_end.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+
+constexpr std::int64_t stands_ns = 2'000'000'000;           // disarmed for so long, before its mode is changed
+constexpr std::int64_t last_word_within_ns = 4'000'000'000; // MISSION_CURRENT comes once a second, and may be lost
+
+bool is_open(phase now) {
+  return !is_over(now) && now != phase::starting && now != phase::flying && now != phase::landing;
+}
+
+} // namespace
+
+void flight_end::on_heartbeat(instant now) {
+  if (flight_.view.is_armed()) {
+    disarmed_since_ns_ = 0;
+    has_stood_by_ = false;
+  } else if (disarmed_since_ns_ == 0) {
+    disarmed_since_ns_ = now.now_ns;
+  }
+}
+
+bool flight_end::is_down(instant now) const {
+  const auto& view = flight_.view;
+  if (!view.is_armed())
+    return true;
+  if (view.owner().vehicle != flight::vehicle_class::rover)
+    return flight_.is_plan_finished() && flight_.was_up && !view.is_under_way();
+  if (view.is_in(mode_kind::returning)) // ArduPilot's rover stays in that mode
+    return (flight_.was_called_home() || flight_.is_plan_finished()) && view.stands_at_home(now.now_ns);
+  return flight_.is_plan_finished() || (flight_.was_called_home() && view.is_in(mode_kind::hold));
+}
+
+bool flight_end::was_brought_down(instant now) const {
+  return !flight_.view.is_armed() && !flight_.has_person() && flight_.authority.is_ours() &&
+         progress::is_at_last_movement(flight_.s.progress) && flight_.came_down_as_planned(now);
+}
+
+bool flight_end::end_flight(effects& out, instant now) {
+  if (!flight_.view.is_connected() || !flight_.view.mode())
+    return false;
+  if (!flight_.is_in_flight())
+    return end_late(out);
+  if (!is_down(now)) {
+    down_since_ns_ = 0;
+    return false;
+  }
+  if (down_since_ns_ == 0)
+    down_since_ns_ = now.now_ns;
+  const bool is_told = flight_.is_plan_finished() || flight_.was_called_home();
+  if (!is_told && now.now_ns - down_since_ns_ < last_word_within_ns)
+    return false; // how far it came is told after it is down, where the line was silent before
+  if (was_brought_down(now))
+    out.emplace_back(note{progress::came_down{}});
+  else
+    close(out);
+  return true;
+}
+
+// Its last word came behind the end of the flight.
+bool flight_end::end_late(effects& out) {
+  const auto& s = flight_.s;
+  if (!is_open(s.standing.now) || s.doing || !flight_.is_mission_finished() || !s.mission ||
+      !flight_.has_nothing_left(*s.mission))
+    return false;
+  end_mission(out);
+  return true;
+}
+
+void flight_end::close(effects& out) {
+  down_since_ns_ = 0;
+  watch_.end_flight();
+  flight_.was_up = false;
+  if (flight_.s.preflight.now != preflight::phase::idle)
+    out.emplace_back(note{preflight::flight_ended{}});
+  if (flight_.is_mission_finished() || flight_.was_called_home())
+    end_mission(out);
+  else
+    phases_.go(out, trigger::flight_ended);
+}
+
+bool flight_end::leave_mission_mode(effects& out, instant now) {
+  const auto& view = flight_.view;
+  const auto& paused = flight_.s.progress.paused;
+  const bool is_our_plan = flight_.s.flown && paused != progress::pause_reason::vehicle_restarted &&
+                           paused != progress::pause_reason::foreign_plan;
+  if (flight_.is_in_flight() || flight_.runner.is_busy() || has_stood_by_ || !is_our_plan || !view.is_connected())
+    return false;
+  if (!view.is_in(mode_kind::mission) || view.is_armed() || disarmed_since_ns_ == 0 ||
+      now.now_ns - disarmed_since_ns_ < stands_ns)
+    return false;
+  has_stood_by_ = true;
+  tasks_.begin(out, task_kind::stand_by, {stand_by{}});
+  return true;
+}
+
+// Who has the vehicle still has it behind the end of the mission: the next one waits for a hand-back.
+void flight_end::end_mission(effects& out) {
+  if (flight_.configured.has_service)
+    out.emplace_back(say_to_client{mission_client::push_map{flight_.s.mission->mission_id}});
+  phases_.go(out, trigger::mission_ended,
+             flight_.has_person() ? "somebody else has the vehicle; hand it back before another mission" : "");
+}
+
+} // namespace godwit::executor

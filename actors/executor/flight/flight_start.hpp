@@ -1,0 +1,38 @@
+// Starts: by a ground station, by an operator, by itself; and one that came through when nobody waited for it any more.
+// Pure. Thread: one at a time.
+#pragma once
+
+#include "actors/executor/flight/control_watch.hpp"
+#include "actors/executor/flight/preparation.hpp"
+
+namespace godwit::executor {
+
+class flight_start {
+public:
+  flight_start(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
+               preparation& prepared)
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), preparation_(prepared) {}
+
+  // The one that is wanted.
+  [[nodiscard]] bool begin_wanted(effects& out, instant now);
+  // The flight is ready, and nobody has asked.
+  [[nodiscard]] bool begin_by_itself(effects& out);
+  // Our plan is flown, and nobody here has started it: a start whose sender died came through, or somebody else has
+  // said it. It is followed, and guarded; nothing else is sent.
+  [[nodiscard]] bool follow(effects& out);
+  // Somebody else has the vehicle: who waits for a start is told.
+  void refuse(effects& out, const std::string& why);
+
+private:
+  void begin(effects& out, std::optional<std::uint64_t> key);
+  void begin_asked(effects& out, const start_mission& asked, instant now);
+  [[nodiscard]] std::string why_not(effects& out, instant now);
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  control_watch& watch_;
+  preparation& preparation_;
+};
+
+} // namespace godwit::executor

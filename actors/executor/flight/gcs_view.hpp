@@ -1,0 +1,52 @@
+// What ground stations upload, start and clear, and what they are shown of the mission. Pure. Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/executor/flight/task_control.hpp"
+#include "messages/executor/types.hpp"
+#include "messages/ground_port/mission.hpp"
+
+namespace godwit::executor {
+
+class gcs_view {
+public:
+  gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks)
+      : flight_(flight), phases_(phases), tasks_(tasks) {}
+
+  [[nodiscard]] effects on_plan(const plan_taken& m, instant now);
+  [[nodiscard]] effects on_cleared(const plan_cleared& m);
+  [[nodiscard]] effects on_start(const start_mission& m, instant now);
+  // What stations are to be told, when it has changed and once a second.
+  [[nodiscard]] effects tell(instant now);
+  // The durable state has changed.
+  void forget_shown() { shown_.reset(); }
+
+private:
+  struct shown_plan {
+    std::uint32_t plan_id = 0; // 0: none
+    std::size_t items = 0;
+    bool is_upload = false; // as it came; else as the vehicle has it
+  };
+  [[nodiscard]] const shown_plan& shown();
+  [[nodiscard]] effects take_plan(const plan_taken& m, instant now);
+  [[nodiscard]] effects take_fence(const std::vector<io::mavlink::mission_item_int>& items);
+  [[nodiscard]] effects not_taken(const std::string& why);
+  [[nodiscard]] std::string why_not_meant(const start_mission& m);
+  [[nodiscard]] bool fly_again(effects& out, instant now);
+  [[nodiscard]] bool begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const;
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  std::optional<shown_plan> shown_;
+  std::uint32_t told_plan_id_ = 0;
+  std::string refused_upload_; // why the last upload of a station was not taken; empty: it was
+  ground_port::mission_progress told_progress_;
+  std::int64_t told_progress_ns_ = 0;
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,163 @@
+#include "actors/executor/flight/operator_control.hpp"
+
+#include <utility>
+
+#include "actors/executor/flight/vehicle_steps.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+using operator_words::verb;
+
+bool holds_our_plan(pause_cause cause) {
+  return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
+}
+
+bool can_be_stopped(task_kind kind) {
+  return kind == task_kind::deploy || kind == task_kind::start || kind == task_kind::resume;
+}
+
+bool needs_vehicle(verb what) { return what != verb::hand_back && what != verb::start; }
+
+} // namespace
+
+// -- a word -----------------------------------------------------------------------------------------
+
+operator_words::answer operator_control::take(const operator_words::word& m, bool has_looked, instant now) {
+  if (auto why = why_not(m, has_looked); !why.empty())
+    return {false, std::move(why)};
+  if (needs_vehicle(m.verb) && flight_.has_person())
+    return {false, "the vehicle has to be handed back first: " + flight_.s.standing.reason};
+  auto& wanted = flight_.wanted;
+  switch (m.verb) {
+  case verb::hand_back:
+    wanted.hand_back = true;
+    break;
+  case verb::start:
+    if (!wanted.start)
+      wanted.start.emplace();
+    break;
+  case verb::resume:
+    wanted.put_go_on();
+    break;
+  case verb::pause:
+    wanted.put_halt(task_kind::hold);
+    break;
+  case verb::come_home:
+    wanted.put_halt(task_kind::come_home);
+    break;
+  default:
+    return changes_.take(m, now);
+  }
+  return {true, {}};
+}
+
+// Empty: as far as the word alone goes, it may be said now.
+std::string operator_control::why_not(const operator_words::word& m, bool has_looked) const {
+  const auto& view = flight_.view;
+  const auto at = flight_.s.standing.now;
+  const bool drives_plan = view.is_under_way() && view.is_in(mode_kind::mission);
+  switch (m.verb) {
+  case verb::hand_back:
+    if (!flight_.has_person())
+      return "nobody has taken the vehicle from godwit";
+    if (!has_looked || !view.is_connected() || !view.mode())
+      return "the vehicle is not heard, so nobody knows who has it; say it again when it is";
+    return {};
+  case verb::start:
+    return at == phase::ready ? std::string() : "the flight is not ready: " + flight_.sentence();
+  case verb::resume:
+    return why_not_resume();
+  case verb::pause:
+  case verb::come_home:
+    if (!flight_.is_in_flight() && !drives_plan && !flight_.is_starting())
+      return "no flight is under way: " + flight_.sentence();
+    return {};
+  default:
+    return {};
+  }
+}
+
+std::string operator_control::why_not_resume() const {
+  if (flight_.s.standing.now != phase::paused)
+    return "the flight is not paused: " + flight_.sentence();
+  if (flight_.is_in_flight() && !flight_.view.is_under_way())
+    return "the vehicle stands on the ground; say it again when its flight has ended, in a few seconds";
+  if (flight_.is_in_flight() && (flight_.is_plan_finished() || flight_.was_called_home()))
+    return "nothing of the mission is left to fly; come_home brings the vehicle back";
+  return {};
+}
+
+// -- hold, come home --------------------------------------------------------------------------------
+
+// It does not wait for what is under way: that is given up.
+bool operator_control::halt(effects& out, instant now) {
+  if (flight_.runner.is_busy() && flight_.runner.is_stop())
+    return tasks_.run(out, now);
+  const auto& doing = flight_.runner.doing();
+  if (!flight_.wanted.halt || flight_.has_person() || (doing && !can_be_stopped(doing->kind)))
+    return false;
+  if (doing)
+    return interrupt(out, now);
+  begin_halt(out);
+  return true;
+}
+
+bool operator_control::interrupt(effects& out, instant now) {
+  const auto& runner = flight_.runner;
+  const bool has_armed = runner.has_armed() && flight_.view.is_armed();
+  const bool may_move = flight_.is_in_flight() || flight_.view.is_moving() || runner.has_asked_to_start();
+  tasks_.give_up(out, now, "an operator has stopped it");
+  if (may_move) { // a start may still come through: it is held as what flies
+    flight_.was_up = flight_.was_up || flight_.view.is_under_way();
+    if (!flight_.is_in_flight())
+      phases_.go(out, trigger::started);
+    return true;
+  }
+  flight_.wanted.halt.reset();
+  flight_.authority.end();
+  phases_.go(out, trigger::start_stopped);
+  if (has_armed)
+    tasks_.begin(out, task_kind::stand_down, {disarm{}});
+  return true;
+}
+
+void operator_control::begin_halt(effects& out) {
+  const auto what = *std::exchange(flight_.wanted.halt, {});
+  drop_change(out);
+  if (what == task_kind::come_home)
+    return tasks_.begin(out, what, {change_mode{mode_kind::returning}});
+  const auto at = flight_.s.standing.now;
+  if (at == phase::flying || at == phase::landing)
+    phases_.go(out, trigger::told_to_hold);
+  tasks_.begin(out, what, {change_mode{mode_kind::hold}});
+}
+
+// An operator who says something else waits for the service no longer.
+void operator_control::drop_change(effects& out) {
+  if (flight_.s.change && !flight_.s.arrived)
+    out.emplace_back(note{change_settled{flight_.s.change->key, false}});
+}
+
+// -- resume -----------------------------------------------------------------------------------------
+
+bool operator_control::go_on(effects& out, instant now) {
+  if (!flight_.wanted.go_on || flight_.has_open_intent()) // it waits for the end of what was given up
+    return false;
+  flight_.wanted.go_on = false;
+  if (!flight_.is_in_flight()) {
+    if (flight_.s.standing.now != phase::paused)
+      return false;
+    phases_.go(out, trigger::prepare_again);
+    return true;
+  }
+  drop_change(out);
+  if (!holds_our_plan(flight_.s.standing.cause))
+    changes_.deploy_again(out, now);
+  else
+    tasks_.begin(out, task_kind::resume, tasks_.guarded(going_on_steps(flight_)));
+  return true;
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,244 @@
+#include "actors/executor/flight/phase_table.hpp"
+
+#include <stdexcept>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using enum phase;
+using cause = pause_cause;
+
+template <class... P>
+constexpr phase_set of(P... each) {
+  return (0U | ... | (1U << static_cast<unsigned>(each)));
+}
+
+constexpr phase_set any = (1U << (static_cast<unsigned>(aborted) + 1)) - 1;
+constexpr phase_set on_the_way = of(flying, landing);
+constexpr phase_set over = of(post_flight, done, aborted);
+
+bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
+bool is_plan_finished(const flight_context& c) { return c.is_plan_finished(); }
+bool has_person(const flight_context& c) { return c.has_person(); }
+bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && c.is_plan_finished(); }
+bool has_more_plans(const flight_context& c) { return !c.has_person() && c.is_plan_finished(); }
+bool owes_delivery(const flight_context& c) { return c.is_mission_finished() && c.configured.has_service; }
+bool is_mission_finished(const flight_context& c) { return c.is_mission_finished(); }
+bool flies_plan(const flight_context& c) { return c.is_in_flight() && c.view.is_in(flight::mode_kind::mission); }
+bool flies_end_of_plan(const flight_context& c) { return flies_plan(c) && c.is_plan_finished(); }
+
+struct named_guard {
+  std::string_view name;
+  bool (*holds)(const flight_context&);
+};
+
+constexpr named_guard no_guard{"", nullptr};
+constexpr named_guard in_flight{"in flight", is_in_flight};
+constexpr named_guard plan_finished{"plan finished", is_plan_finished};
+constexpr named_guard flown_to_end{"in flight, plan finished", is_flown_to_end};
+constexpr named_guard with_person{"somebody else has the vehicle", has_person};
+constexpr named_guard more_plans{"plan finished, under godwit", has_more_plans};
+constexpr named_guard to_deliver{"mission finished, with a service", owes_delivery};
+constexpr named_guard mission_finished{"mission finished", is_mission_finished};
+constexpr named_guard in_mission_mode{"in flight, in mission mode", flies_plan};
+constexpr named_guard at_end_of_plan{"in flight, in mission mode, plan finished", flies_end_of_plan};
+
+constexpr std::optional<phase> stays = std::nullopt;
+
+constexpr transition row(trigger on, phase_set from, const named_guard& guard, std::optional<phase> next) {
+  transition result;
+  result.on = on;
+  result.from = from;
+  result.guard = guard.name;
+  result.holds = guard.holds;
+  result.next = next;
+  return result;
+}
+
+constexpr transition flies(transition way, flight_bit becomes) {
+  way.in_flight = becomes;
+  return way;
+}
+
+constexpr transition with(transition way, pause_cause why, std::string_view reason = {}) {
+  way.cause = why;
+  way.reason = reason;
+  return way;
+}
+
+constexpr transition with(transition way, cause_rule rule, std::string_view reason = {}) {
+  way.rule = rule;
+  way.reason = reason;
+  return way;
+}
+
+constexpr transition flying_on(trigger on, phase_set from, const named_guard& guard, phase next) {
+  return flies(row(on, from, guard, next), flight_bit::yes);
+}
+
+// The flight is over.
+constexpr transition ended(trigger on, const named_guard& guard, phase next) {
+  return flies(row(on, any, guard, next), flight_bit::no);
+}
+
+constexpr transition pauses(trigger on, pause_cause why, std::string_view reason = {}) {
+  return with(row(on, any, no_guard, paused), why, reason);
+}
+
+constexpr std::array table{
+    // on the ground
+    row(trigger::link_lost, of(disconnected, connected, preflight, ready, done, aborted), no_guard, disconnected),
+    row(trigger::link_found, of(disconnected), no_guard, connected),
+    row(trigger::mission_changed, of(disconnected, connected, preflight, ready, paused, done, aborted), no_guard,
+        connected),
+    row(trigger::prepare_again, of(paused), no_guard, connected),
+    row(trigger::checks_begun, of(connected, preflight, ready), no_guard, preflight),
+    row(trigger::checks_passed, of(preflight), no_guard, uploading),
+    flying_on(trigger::plan_brought, any, in_flight, flying),
+    row(trigger::plan_brought, any, no_guard, ready),
+    pauses(trigger::plan_brought_held, cause::asked, "held as asked"),
+    with(row(trigger::start_waits, of(ready), no_guard, stays), cause::none,
+         "this mission was begun before; a person has to start it"),
+    row(trigger::start_begun, of(ready), no_guard, starting),
+    row(trigger::start_refused, any, no_guard, ready),
+    flies(pauses(trigger::start_failed, cause::not_done), flight_bit::if_in_air),
+    pauses(trigger::start_stopped, cause::asked, "stopped before it moved; resume prepares the flight again"),
+    flying_on(trigger::started, any, no_guard, flying),
+    flying_on(trigger::found_started, of(ready, paused), no_guard, flying),
+    // in flight
+    row(trigger::plan_done, of(flying), no_guard, landing),
+    with(row(trigger::told_to_hold, on_the_way, no_guard, stays), cause::none, "pausing: the vehicle was told to hold"),
+    pauses(trigger::held, cause::asked, "held as asked"),
+    flying_on(trigger::resumed, any, plan_finished, landing),
+    flying_on(trigger::resumed, any, no_guard, flying),
+    with(row(trigger::called_home, any, no_guard, landing), cause::none, "the vehicle returns"),
+    with(row(trigger::not_obeyed, any, no_guard, stays), cause_rule::kept),
+    pauses(trigger::task_failed, cause::not_done),
+    // who has the vehicle
+    flies(pauses(trigger::person_took_over, cause::taken_over), flight_bit::if_moving),
+    flies(pauses(trigger::failsafe_acts, cause::failsafe), flight_bit::if_moving),
+    flies(pauses(trigger::autopilot_failsafe_acts, cause::autopilot_failsafe), flight_bit::if_moving),
+    row(trigger::handed_back, over, no_guard, stays),
+    flying_on(trigger::handed_back, any, at_end_of_plan, landing),
+    flying_on(trigger::handed_back, any, in_mission_mode, flying),
+    pauses(trigger::handed_back, cause::asked, "handed back; resume goes on with the mission"),
+    pauses(trigger::foreign_plan_found, cause::foreign_plan, "the vehicle holds a plan that is not godwit's"),
+    pauses(trigger::autopilot_restarted, cause::vehicle_restarted, "the autopilot started again; what it flew is lost"),
+    // behind a restart of the executor
+    pauses(trigger::restarted_on_ground, cause::restarted,
+           "godwit was restarted on the ground; resume prepares the flight again"),
+    pauses(trigger::replan_left_open, cause::asked,
+           "godwit was restarted while it replaced the plan; resume starts the new one"),
+    pauses(trigger::found_held, cause::asked, "held as asked"),
+    flying_on(trigger::found_on_its_way, any, no_guard, flying),
+    flying_on(trigger::found_in_flight, of(landing), no_guard, landing),
+    flying_on(trigger::found_in_flight, any, flown_to_end, landing),
+    flying_on(trigger::found_in_flight, any, no_guard, flying),
+    // the end
+    with(ended(trigger::flight_ended, with_person, paused), cause_rule::kept,
+         "the flight ended under somebody else; nothing is brought, armed or started until an operator hands the "
+         "vehicle back"),
+    ended(trigger::flight_ended, more_plans, connected),
+    with(ended(trigger::flight_ended, no_guard, paused), cause::taken_over,
+         "the flight ended before its plan, and not by godwit; look at the vehicle and hand it back, then resume "
+         "prepares the rest"),
+    with(ended(trigger::mission_ended, to_deliver, post_flight), cause_rule::kept_if_person),
+    with(ended(trigger::mission_ended, mission_finished, done), cause_rule::kept_if_person),
+    with(ended(trigger::mission_ended, no_guard, aborted), cause_rule::kept_if_person),
+    with(row(trigger::delivered, of(post_flight), no_guard, done), cause_rule::kept),
+};
+
+constexpr std::array<std::string_view, 36> names{"link_lost",
+                                                 "link_found",
+                                                 "mission_changed",
+                                                 "prepare_again",
+                                                 "checks_begun",
+                                                 "checks_passed",
+                                                 "plan_brought",
+                                                 "plan_brought_held",
+                                                 "start_waits",
+                                                 "start_begun",
+                                                 "start_refused",
+                                                 "start_failed",
+                                                 "start_stopped",
+                                                 "started",
+                                                 "found_started",
+                                                 "plan_done",
+                                                 "told_to_hold",
+                                                 "held",
+                                                 "resumed",
+                                                 "called_home",
+                                                 "not_obeyed",
+                                                 "task_failed",
+                                                 "person_took_over",
+                                                 "failsafe_acts",
+                                                 "autopilot_failsafe_acts",
+                                                 "handed_back",
+                                                 "foreign_plan_found",
+                                                 "autopilot_restarted",
+                                                 "restarted_on_ground",
+                                                 "replan_left_open",
+                                                 "found_held",
+                                                 "found_on_its_way",
+                                                 "found_in_flight",
+                                                 "flight_ended",
+                                                 "mission_ended",
+                                                 "delivered"};
+static_assert(names.size() == static_cast<std::size_t>(trigger::delivered) + 1);
+
+pause_cause cause_behind(const transition& taken, const stood& before) {
+  switch (taken.rule) {
+  case cause_rule::kept:
+    return before.cause;
+  case cause_rule::kept_if_person:
+    return needs_hand_back(before.cause) ? before.cause : cause::none;
+  case cause_rule::of_row:
+    break;
+  }
+  return taken.cause;
+}
+
+bool flies_behind(const transition& taken, const flight_context& c) {
+  switch (taken.in_flight) {
+  case flight_bit::yes:
+    return true;
+  case flight_bit::no:
+    return false;
+  case flight_bit::if_moving:
+    return c.is_in_flight() || c.view.is_moving();
+  case flight_bit::if_in_air:
+    return c.is_in_flight() || c.is_in_air();
+  case flight_bit::as_before:
+    break;
+  }
+  return c.is_in_flight();
+}
+
+} // namespace
+
+std::string_view name_of(trigger what) { return names[static_cast<std::size_t>(what)]; }
+
+std::span<const transition> phase_table() { return table; }
+
+phase_machine::phase_machine(const flight_context& flight) : flight_(flight), taken_(table.size()) {}
+
+void phase_machine::go(effects& out, trigger what, const std::string& reason) {
+  const auto& before = flight_.s.standing;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const auto& each = table[i];
+    if (each.on != what || !has(each.from, before.now) || (each.holds != nullptr && !each.holds(flight_)))
+      continue;
+    ++taken_[i][static_cast<std::size_t>(before.now)];
+    const stood next{each.next.value_or(before.now), cause_behind(each, before),
+                     reason.empty() ? std::string(each.reason) : reason, flies_behind(each, flight_)};
+    if (next != before)
+      out.emplace_back(note{next});
+    return;
+  }
+  throw std::logic_error("the phase " + std::string(io::name_of(before.now)) + " has no way on for " +
+                         std::string(name_of(what)));
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,328 @@
+#include "actors/executor/flight/plan_changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/route/route.hpp"
+#include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/remaining.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+using operator_words::verb;
+
+constexpr std::uint64_t changes = 0x6368616e6765; // keeps their keys apart from whatever else follows from a mission
+
+// A vehicle turns to the next leg before it has reached the end of this one. PX4 does so within the radius of the item,
+// an ArduPilot multirotor or rover within its own of 2 m (WP_RADIUS); wind and control add to it.
+constexpr double turn_accept_radius_m = 2;
+constexpr double turn_room_m = 5;
+
+// At the place to which an operator has sent the vehicle; then the mission is over.
+constexpr double stay_s = 3'600;
+
+constexpr double lowest_m = 1; // what flies is sent above home
+
+operator_words::answer refused(std::string why) { return {false, std::move(why)}; }
+
+std::string_view reason_for(change_kind kind) {
+  switch (kind) {
+  case change_kind::go_to:
+    return "an operator sent the vehicle elsewhere";
+  case change_kind::cancel:
+    return "an operator sent the vehicle back to its mission";
+  case change_kind::insert:
+    break;
+  }
+  return "an operator inserted a waypoint";
+}
+
+} // namespace
+
+// -- a word -----------------------------------------------------------------------------------------
+
+operator_words::answer plan_changes::take(const operator_words::word& m, instant now) {
+  if (!flight_.may_change_plan() || !flight_.s.mission)
+    return refused("the mission can not be changed now: " + flight_.sentence());
+  const auto& s = flight_.s;
+  if (s.change || flight_.wanted.change || flight_.runner.is_busy() || !s.waiting.empty() || s.arrived)
+    return refused("another change is under way; say it again when it is over");
+  if (m.verb != verb::cancel && !m.place)
+    return refused("the word has no place");
+  if (m.verb != verb::cancel)
+    if (auto why = why_not_there(*m.place); !why.empty())
+      return refused(std::move(why));
+  auto what = change_of(m, now);
+  if (!what)
+    return refused(std::move(what.error()));
+  if (auto why = why_not_changed(*what, now); !why.empty())
+    return refused(std::move(why));
+  flight_.wanted.put_change(*std::move(what));
+  return {true, {}};
+}
+
+plan_changes::change_or_reason plan_changes::change_of(const operator_words::word& m, instant now) const {
+  if (m.verb == verb::go_to)
+    return go_there(*m.place, now);
+  return m.verb == verb::cancel ? cancel() : insert(m);
+}
+
+// Empty: a place like those of a mission, within the limits that are set.
+std::string plan_changes::why_not_there(const mission::position& to) const {
+  const geo::point there{to.latitude, to.longitude};
+  if (!geo::is_valid(there) || !std::isfinite(to.altitude_m))
+    return "the place is none: latitude -90 to 90, longitude -180 to 180, altitude in metres above home";
+  const bool drives = flight_.view.owner().vehicle == flight::vehicle_class::rover;
+  if (to.altitude_m > flight_.configured.max_altitude_m || (!drives && to.altitude_m < lowest_m))
+    return "the altitude has to be between " + std::to_string(static_cast<int>(lowest_m)) + " and " +
+           std::to_string(static_cast<int>(flight_.configured.max_altitude_m)) +
+           " m above home (flight.max_altitude_m)";
+  if (!flight_.view.home())
+    return "the vehicle has told no home yet";
+  const auto away_m = geo::distance_m({flight_.view.home()->latitude, flight_.view.home()->longitude}, there);
+  if (away_m > flight_.configured.max_distance_m)
+    return "the place is " + std::to_string(static_cast<int>(away_m)) + " m from home; allowed are " +
+           std::to_string(static_cast<int>(flight_.configured.max_distance_m)) + " m (flight.max_distance_m)";
+  return {};
+}
+
+plan_changes::change_or_reason plan_changes::go_there(const mission::position& to, instant now) const {
+  const auto from = flight_.view.place(now.now_ns);
+  if (!from)
+    return tl::make_unexpected(std::string("the vehicle tells no position"));
+  route::route_request request;
+  request.from = {from->latitude, from->longitude};
+  request.to = {to.latitude, to.longitude};
+  request.altitudes = {std::min(from->altitude_m, to.altitude_m), std::max(from->altitude_m, to.altitude_m)};
+  request.margin_m = flight_.configured.fence_margin_m;
+  const bool is_fixed_wing = flight_.view.owner().vehicle == flight::vehicle_class::fixed_wing; // turns on a circle
+  request.turn_room_m = is_fixed_wing ? flight_.configured.own_loiter_radius_m : turn_room_m;
+  const auto way = route::find_route(request, flight_.s.mission->geofences);
+  if (!way)
+    return tl::make_unexpected("there is no way there: " + way.error().reason);
+  plan_change result;
+  result.after_item_id = last_done(flight_.s);
+  const auto name = "goto" + std::to_string(flight_.s.last_task + 1);
+  for (std::size_t i = 1; i + 1 < way->points.size(); ++i) {
+    mission::waypoint turn;
+    turn.id = name + "-" + std::to_string(i);
+    turn.at = {way->points[i].latitude_deg, way->points[i].longitude_deg, to.altitude_m};
+    turn.accept_radius_m = is_fixed_wing ? 0 : turn_accept_radius_m;
+    result.items.emplace_back(std::move(turn));
+  }
+  result.items.emplace_back(mission::loiter{name, to, 0, stay_s});
+  if (flight_.s.set_aside.empty()) {
+    const auto& items = flight_.s.mission->items;
+    const auto first = first_remaining(*flight_.s.mission, result.after_item_id);
+    result.set_aside.assign(items.begin() + static_cast<std::ptrdiff_t>(first), items.end());
+  }
+  return result;
+}
+
+plan_changes::change_or_reason plan_changes::cancel() const {
+  if (flight_.s.set_aside.empty())
+    return tl::make_unexpected(std::string("there is nothing to cancel: the vehicle was not sent elsewhere"));
+  return plan_change{change_kind::cancel, last_done(flight_.s), flight_.s.set_aside, {}, false};
+}
+
+plan_changes::change_or_reason plan_changes::insert(const operator_words::word& m) const {
+  auto after = last_done(flight_.s);
+  if (!m.after.empty()) {
+    const auto& items = flight_.s.mission->items;
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const auto& each) { return mission::id_of(each) == m.after; });
+    if (found == items.end())
+      return tl::make_unexpected("the mission has no item '" + m.after + "'");
+    if (static_cast<std::size_t>(found - items.begin()) + 1 < first_remaining(*flight_.s.mission, after))
+      return tl::make_unexpected("what comes behind item '" + m.after + "' is flown already");
+    after = m.after;
+  }
+  mission::waypoint extra;
+  extra.id = "extra" + std::to_string(flight_.s.last_task + 1);
+  extra.at = *m.place;
+  return plan_change{change_kind::insert, std::move(after), {std::move(extra)}, {}, false};
+}
+
+// As the service will make it, so that nothing is asked of it that can not be flown.
+tl::expected<mission::document, std::string> plan_changes::changed(const plan_change& what) const {
+  const auto& mission = *flight_.s.mission;
+  mission::assignment local;
+  local.base_revision = mission.revision;
+  local.revision = mission.revision + 1;
+  local.replace_after_item_id = what.after_item_id;
+  local.items = what.items;
+  if (what.kind == change_kind::insert) {
+    const auto next = first_remaining(mission, what.after_item_id);
+    local.items.insert(local.items.end(), mission.items.begin() + static_cast<std::ptrdiff_t>(next),
+                       mission.items.end());
+  }
+  return reassign(mission, local, last_done(flight_.s)).map([](reassigned&& all) { return std::move(all.mission); });
+}
+
+// Empty: it can be flown.
+std::string plan_changes::why_not_changed(const plan_change& what, instant now) const {
+  const auto after = changed(what);
+  if (!after)
+    return after.error();
+  const auto plan = flight_.plan_in_flight(*after, now);
+  return plan ? std::string() : plan.error();
+}
+
+// Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there.
+bool plan_changes::begin_wanted(effects& out, instant now) {
+  auto& wanted = flight_.wanted.change;
+  if (!wanted)
+    return false;
+  const bool holds = wanted->kind != change_kind::go_to || flight_.view.obeys(mode_kind::hold);
+  if (!flight_.is_in_flight() || (flight_.is_plan_finished() && !flight_.hovers()))
+    drop(out, "the flight was over before");
+  else if (holds)
+    ask_for(out, *std::exchange(wanted, {}), now);
+  else if (!std::exchange(wanted->is_held_for, true))
+    tasks_.begin(out, task_kind::hold, {change_mode{mode_kind::hold}});
+  else
+    drop(out, "the vehicle does not hold");
+  return true;
+}
+
+void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
+  auto revised = changed(what); // it may have come further meanwhile
+  if (!revised)
+    return drop(out, revised.error());
+  const auto& mission = *flight_.s.mission;
+  const auto number = ids::text_of({changes, static_cast<std::uint64_t>(now.wall_ns)});
+  change_asked asked;
+  asked.what = {ids::derived_uuid(mission.mission_id, number), what.kind, mission.revision};
+  asked.after_item_id = what.after_item_id;
+  asked.items = what.items;
+  asked.reason = reason_for(what.kind);
+  asked.set_aside = what.set_aside;
+  out.emplace_back(note{std::move(asked)});
+  if (!flight_.configured.has_service)
+    out.emplace_back(note{mission_arrived{*std::move(revised)}});
+}
+
+void plan_changes::drop(effects& out, const std::string& why) {
+  flight_.wanted.change.reset();
+  out.emplace_back(announce{"the mission is not changed: " + why, true});
+}
+
+effects plan_changes::on_change(const mission_client::change_outcome& m) {
+  using mission_client::change_verdict;
+  if (!flight_.s.change || flight_.s.change->key != m.key)
+    return {};
+  const bool is_insert = flight_.s.change->kind == change_kind::insert;
+  if (m.verdict == change_verdict::done) { // the new revision came before this, and is flown
+    refused_inserts_ = 0;
+    return {};
+  }
+  effects out{announce{"the service does not change the mission: " + m.reason, true}};
+  // It may have all the same: then the new revision comes as soon as the service answers, and who holds goes on with
+  // it.
+  if (m.verdict == change_verdict::unknown && flight_.s.change->kind == change_kind::go_to)
+    return out;
+  out.emplace_back(note{change_settled{m.key, false}});
+  const bool comes_home = flight_.configured.refused_inserts == refusal_policy::come_home;
+  if (is_insert && ++refused_inserts_ >= max_refused_inserts && comes_home)
+    flight_.wanted.put_halt(task_kind::come_home);
+  return out;
+}
+
+effects plan_changes::on_assignment(const mission_client::assignment_arrived& m) {
+  const auto& s = flight_.s;
+  const auto& id = m.assignment.assignment_id;
+  const bool is_known =
+      s.last_assignment == id ||
+      std::any_of(s.waiting.begin(), s.waiting.end(), [&](const auto& each) { return each.assignment_id == id; });
+  if (is_known || !s.mission || s.mission->mission_id != m.mission_id)
+    return {};
+  if (s.waiting.size() >= max_waiting)
+    return {note{assignment_rejected{id, "too many assignments wait already"}}};
+  return {note{assignment_kept{m.assignment}}};
+}
+
+bool plan_changes::answer_assignment(effects& out, instant now) {
+  const auto& s = flight_.s;
+  if (s.waiting.empty() || !s.mission || flight_.has_open_intent()) // of a task that was given up: its end is coming
+    return false;
+  const auto at = s.standing.now;
+  const bool may_change = flight_.may_change_plan();
+  const bool waits_on_ground = !flight_.is_in_flight() && (at == phase::disconnected || at == phase::connected ||
+                                                           at == phase::preflight || at == phase::ready);
+  const auto asked = s.waiting.front();
+  if ((flight_.is_mission_finished() && !may_change) || at == phase::aborted)
+    return reject(out, asked, "the mission was over before the assignment came");
+  if (!may_change && !waits_on_ground)
+    return false;
+  if (may_change && !flight_.view.is_under_way())
+    return false; // on the ground with turning motors: a plan that is replaced now would never take off
+  const auto wanted = reassign(*s.mission, asked, last_done(s));
+  if (!wanted)
+    return reject(out, asked, wanted.error());
+  return waits_on_ground ? take_on_ground(out, asked, wanted->mission) : deploy_assigned(out, asked, *wanted, now);
+}
+
+bool plan_changes::reject(effects& out, const mission::assignment& asked, const std::string& why) {
+  out.emplace_back(note{assignment_rejected{asked.assignment_id, why}});
+  return true;
+}
+
+bool plan_changes::take_on_ground(effects& out, const mission::assignment& asked, const mission::document& mission) {
+  if (flight_.s.assigned)
+    return false; // its answer goes out with the upload
+  out.emplace_back(note{mission_taken{mission, asked.assignment_id}});
+  out.emplace_back(note{preflight::mission_changed{flight_.s.mission->mission_id, asked.revision}});
+  if (flight_.s.standing.now != phase::disconnected)
+    phases_.go(out, trigger::mission_changed); // and from there through the checks again
+  return true;
+}
+
+bool plan_changes::deploy_assigned(effects& out, const mission::assignment& asked, const reassigned& wanted,
+                                   instant now) {
+  const auto where = flight_.setting(now);
+  if (!where)
+    return true; // until the vehicle is heard
+  const auto plans = plan::build_plans(wanted.mission, *where, flight_.going_on(wanted.mission, wanted.first_item));
+  if (!plans)
+    return reject(out, asked, plans.error().message());
+  if (const auto found = plan::fence_violations(plans->front(), wanted.mission, where->vehicle); !found.empty())
+    return reject(out, asked, found.front().message);
+  const bool goes_on = flight_.s.standing.now != phase::paused;
+  tasks_.begin_deploy(out, wanted.mission, plans->front(), asked.assignment_id, goes_on);
+  return true;
+}
+
+bool plan_changes::deploy_arrived(effects& out, instant now) {
+  const auto& s = flight_.s;
+  if (flight_.has_open_intent() || !s.arrived || !s.mission || !flight_.may_change_plan() ||
+      !flight_.view.is_under_way() || s.arrived->mission_id != s.mission->mission_id)
+    return false;
+  if (!flight_.setting(now))
+    return true; // until the vehicle has said where it is, and where its home is
+  const auto plan = flight_.plan_in_flight(*s.arrived, now);
+  if (!plan) {
+    out.emplace_back(announce{"revision " + std::to_string(s.arrived->revision) +
+                                  " of the mission can not be flown, and the one before stays: " + plan.error(),
+                              true});
+    out.emplace_back(note{arrival_refused{s.arrived->revision}});
+    return true;
+  }
+  const bool was_asked_for = s.change && s.change->kind != change_kind::insert;
+  tasks_.begin_deploy(out, *s.arrived, *plan, {}, s.standing.now != phase::paused || was_asked_for);
+  return true;
+}
+
+void plan_changes::deploy_again(effects& out, instant now) {
+  const auto plan = flight_.plan_in_flight(*flight_.s.mission, now);
+  if (plan)
+    tasks_.begin_deploy(out, *flight_.s.mission, *plan, {}, true);
+  else
+    out.emplace_back(announce{"the rest of the mission can not be flown from here: " + plan.error(), true});
+}
+
+} // namespace godwit::executor

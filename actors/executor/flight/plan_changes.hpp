@@ -1,0 +1,58 @@
+// Changes of the plan in flight: what operators change (go there, cancel, insert), what the service assigns, and
+// revisions that come. The service numbers the revision; where there is none, we do. Pure. Thread: one at a time.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "actors/executor/flight/task_control.hpp"
+#include "actors/executor/remaining.hpp"
+#include "messages/operator/types.hpp"
+
+namespace godwit::executor {
+
+class plan_changes {
+public:
+  plan_changes(flight_context& flight, phase_machine& phases, task_control& tasks)
+      : flight_(flight), phases_(phases), tasks_(tasks) {}
+
+  // A word of an operator.
+  [[nodiscard]] operator_words::answer take(const operator_words::word& m, instant now);
+  [[nodiscard]] bool begin_wanted(effects& out, instant now);
+  [[nodiscard]] effects on_change(const mission_client::change_outcome& m);
+  [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m);
+  // One at a time, and only while a plan may be changed.
+  [[nodiscard]] bool answer_assignment(effects& out, instant now);
+  // A new revision of the mission that is flown.
+  [[nodiscard]] bool deploy_arrived(effects& out, instant now);
+  // The vehicle holds another plan, or none: a person wants the rest of the mission flown all the same.
+  void deploy_again(effects& out, instant now);
+
+private:
+  // After so many in a row the policy for refused inserts counts.
+  static constexpr int max_refused_inserts = 3;
+
+  using change_or_reason = tl::expected<plan_change, std::string>;
+  [[nodiscard]] change_or_reason change_of(const operator_words::word& m, instant now) const;
+  [[nodiscard]] change_or_reason go_there(const mission::position& to, instant now) const;
+  [[nodiscard]] change_or_reason cancel() const;
+  [[nodiscard]] change_or_reason insert(const operator_words::word& m) const;
+  [[nodiscard]] tl::expected<mission::document, std::string> changed(const plan_change& what) const;
+  [[nodiscard]] std::string why_not_there(const mission::position& to) const;
+  [[nodiscard]] std::string why_not_changed(const plan_change& what, instant now) const;
+  // Of the service, or by ourselves where there is none.
+  void ask_for(effects& out, const plan_change& what, instant now);
+  void drop(effects& out, const std::string& why);
+  [[nodiscard]] static bool reject(effects& out, const mission::assignment& asked, const std::string& why);
+  [[nodiscard]] bool take_on_ground(effects& out, const mission::assignment& asked, const mission::document& mission);
+  [[nodiscard]] bool deploy_assigned(effects& out, const mission::assignment& asked, const reassigned& wanted,
+                                     instant now);
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  int refused_inserts_ = 0; // in a row
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,164 @@
+#include "actors/executor/flight/preparation.hpp"
+
+#include <utility>
+
+#include "actors/executor/plan/fence_check.hpp"
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using mission_client::pull_state;
+
+constexpr std::int64_t check_period_ns = 1'000'000'000;
+
+} // namespace
+
+// -- what is known ----------------------------------------------------------------------------------
+
+void preparation::on_map(const mission_client::map_pulled& m) {
+  map_ = m.state;
+  map_problem_ = m.reason;
+}
+
+void preparation::on_service(const mission_client::service_status& m) {
+  if (!flight_.s.mission || m.mission_id != flight_.s.mission->mission_id)
+    return;
+  map_ = m.pull;
+  if (map_ == pull_state::synced)
+    map_problem_.clear();
+}
+
+bool preparation::wants_service() const {
+  return flight_.configured.has_service && !flight_.is_in_flight() && flight_.s.mission && map_ != pull_state::synced &&
+         !is_over(flight_.s.standing.now);
+}
+
+preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
+  const auto& view = flight_.view;
+  preflight::vehicle_facts seen;
+  seen.link = view.link();
+  seen.what = view.owner().vehicle;
+  seen.autopilot = view.owner().autopilot;
+  seen.fix = static_cast<io::mavlink::gps_fix_type>(view.fix_type());
+  if (view.satellites() >= 0)
+    seen.satellites = static_cast<std::uint8_t>(view.satellites());
+  if (view.place_heard_ns() != 0)
+    seen.position_age_ns = now.now_ns - view.place_heard_ns();
+  seen.is_home_known = view.home().has_value();
+  seen.battery_percent = view.battery_percent(); // absent before the first word of it
+  seen.own = view.own_checks();
+  seen.is_moving = view.is_moving() && !flight_.is_in_flight();
+  return seen;
+}
+
+preflight::report preparation::look_at_all(instant now) {
+  const auto& mission = flight_.s.mission;
+  preflight::facts seen;
+  seen.vehicle = look_at_vehicle(now);
+  seen.mission.document = mission ? &*mission : nullptr;
+  seen.mission.refusal = refusal_;
+  seen.mission.has_service = flight_.configured.has_service;
+  seen.mission.map = map_;
+  seen.mission.map_problem = map_problem_;
+  if (const auto where = flight_.setting(now); where && mission) {
+    plans_ = plan::build_plans(*mission, *where, flight_.going_on(*mission, flight_.first_item(*mission)));
+    seen.mission.plans = &*plans_;
+    seen.mission.return_point = plan::return_point_violations(*mission);
+    if (*plans_) {
+      seen.mission.way.emplace();
+      for (const auto& each : **plans_)
+        for (auto& found : plan::fence_violations(each, *mission, where->vehicle))
+          seen.mission.way->push_back(std::move(found));
+    }
+  }
+  seen.journal = house_.journal;
+  seen.actors = house_.actors;
+  seen.wall_ns = now.wall_ns;
+  seen.is_operator_session_alive = house_.is_operator_session_alive;
+  seen.camera = preflight::camera_state::off;
+  return preflight::run_checks(seen, flight_.configured.checks);
+}
+
+std::string preparation::why_not_start(effects& out, instant now) {
+  const preflight::looked look{look_at_all(now)};
+  auto why = preflight::why_not_start(flight_.s.preflight, look.what, now.wall_ns);
+  if (preflight::matters(flight_.s.preflight, look, now.wall_ns))
+    out.emplace_back(note{look});
+  return why;
+}
+
+// -- the way to a plan that is ready ----------------------------------------------------------------
+
+preparation::result preparation::advance(effects& out, instant now) {
+  const auto at = flight_.s.standing.now;
+  const bool is_prepared =
+      at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
+  const bool has_next = is_at_rest(at) && flight_.s.arrived;
+  if (flight_.is_in_flight() || flight_.has_person() || !(is_prepared || has_next))
+    return result::nothing;
+  if (!flight_.view.is_connected() || !flight_.view.mode()) {
+    phases_.go(out, trigger::link_lost, flight_.view.why_not_connected());
+    return result::under_way;
+  }
+  if (take_arrived(out))
+    return result::under_way;
+  if (at == phase::disconnected) {
+    phases_.go(out, trigger::link_found);
+    return result::under_way;
+  }
+  if (!flight_.s.mission) { // a station has cleared it, or there never was one
+    phases_.go(out, trigger::mission_changed);
+    return result::nothing;
+  }
+  if (acknowledged_) {
+    out.emplace_back(note{*std::exchange(acknowledged_, {})});
+    return result::under_way;
+  }
+  if (at == phase::connected || std::exchange(wants_checks_, false)) {
+    out.emplace_back(note{preflight::checks_wanted{flight_.s.mission->mission_id, flight_.s.mission->revision}});
+    phases_.go(out, trigger::checks_begun);
+    checked_ns_ = 0;
+    return result::under_way;
+  }
+  return check(out, now);
+}
+
+bool preparation::take_arrived(effects& out) {
+  if (!flight_.s.arrived)
+    return false;
+  const auto& next = *flight_.s.arrived;
+  const bool is_over = is_at_rest(flight_.s.standing.now);
+  if (flight_.has_nothing_left(next) || (is_over && flight_.is_same_mission(next))) {
+    out.emplace_back(announce{"revision " + std::to_string(next.revision) + " came when the mission was over", true});
+    out.emplace_back(note{arrival_refused{next.revision}});
+    return true;
+  }
+  out.emplace_back(note{mission_taken{next, {}}});
+  out.emplace_back(note{preflight::mission_changed{next.mission_id, next.revision}});
+  phases_.go(out, trigger::mission_changed);
+  return true;
+}
+
+preparation::result preparation::check(effects& out, instant now) {
+  const auto at = flight_.s.standing.now;
+  if (checked_ns_ != 0 && now.now_ns - checked_ns_ < check_period_ns)
+    return result::nothing;
+  checked_ns_ = now.now_ns;
+  const preflight::looked look{look_at_all(now)};
+  if (preflight::matters(flight_.s.preflight, look, now.wall_ns)) {
+    out.emplace_back(note{look});
+    checked_ns_ = 0; // and what comes of it at once
+    return result::under_way;
+  }
+  if (!preflight::why_not_start(flight_.s.preflight, look.what, now.wall_ns).empty())
+    return result::nothing;
+  if (at == phase::preflight && plans_ && *plans_) {
+    phases_.go(out, trigger::checks_passed);
+    tasks_.begin_deploy(out, *flight_.s.mission, (*plans_)->front(), flight_.s.assigned, false);
+    return result::under_way;
+  }
+  return at == phase::ready ? result::ready : result::nothing;
+}
+
+} // namespace godwit::executor

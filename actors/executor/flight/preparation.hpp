@@ -1,0 +1,67 @@
+// On the ground: from the link to a plan that is ready.
+//
+// The checks run once a second while the flight is prepared, and build the plans on the way. Pure. Thread: one at a
+// time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actors/executor/flight/task_control.hpp"
+#include "actors/executor/preflight/facts.hpp"
+#include "actors/executor/preflight/report.hpp"
+
+namespace godwit::executor {
+
+// What of this process the preflight checks look at; asked for by the shell.
+struct house {
+  preflight::journal_facts journal;
+  std::vector<preflight::actor_fact> actors;
+  bool is_operator_session_alive = false;
+};
+
+class preparation {
+public:
+  preparation(flight_context& flight, phase_machine& phases, task_control& tasks)
+      : flight_(flight), phases_(phases), tasks_(tasks) {}
+
+  enum class result {
+    nothing,
+    under_way, // the rest waits
+    ready      // the plan is there, and the checks have just passed
+  };
+  [[nodiscard]] result advance(effects& out, instant now);
+  // The sentence says why the flight may not be started now; empty: it may.
+  [[nodiscard]] std::string why_not_start(effects& out, instant now);
+
+  void on_house(house seen) { house_ = std::move(seen); }
+  void on_mission() { refusal_.clear(); }
+  void on_refused(const std::string& reason) { refusal_ = reason; }
+  void on_map(const mission_client::map_pulled& m);
+  void on_service(const mission_client::service_status& m);
+  [[nodiscard]] bool wants_service() const;
+  void check_again() { wants_checks_ = true; }
+  void acknowledge(preflight::acknowledged what) { acknowledged_ = std::move(what); }
+
+private:
+  [[nodiscard]] preflight::report look_at_all(instant now);
+  [[nodiscard]] preflight::vehicle_facts look_at_vehicle(instant now) const;
+  [[nodiscard]] bool take_arrived(effects& out);
+  [[nodiscard]] result check(effects& out, instant now);
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  bool wants_checks_ = false;
+  std::optional<preflight::acknowledged> acknowledged_;
+  mission_client::pull_state map_ = mission_client::pull_state::not_started;
+  std::string map_problem_;
+  std::string refusal_;
+  std::optional<preflight::plan_result> plans_; // of the mission, from its first remaining item on
+  std::int64_t checked_ns_ = 0;
+  house house_;
+};
+
+} // namespace godwit::executor

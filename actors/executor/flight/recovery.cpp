@@ -1,0 +1,258 @@
+#include "actors/executor/flight/recovery.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/executor/flight/vehicle_steps.hpp"
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/plan_meaning.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+namespace transfer = vehicle_link::transfer;
+
+constexpr std::int64_t read_again_after_ns = 2'000'000'000;
+
+bool was_prepared(phase now) { return now == phase::uploading || now == phase::ready || now == phase::starting; }
+
+void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+void recovery::begin() {
+  const auto& s = flight_.s;
+  last_task_before_ = s.last_task;
+  if (const auto& plan = s.progress.plan) // what was to be done about it died with the incarnation that was told
+    flight_.wanted.choose_item = plan->generation.is_not_at_start_told && !plan->generation.is_armed;
+  const auto at = s.standing.now;
+  const bool is_fresh = !s.doing && !flight_.is_in_flight() && !flight_.has_open_intent();
+  has_looked_ = is_fresh && (at == phase::disconnected || at == phase::connected || is_over(at));
+}
+
+// -- the first look ---------------------------------------------------------------------------------
+
+bool recovery::look(effects& out, instant now) {
+  if (has_looked_)
+    return false;
+  if (!flight_.view.is_seen() || !flight_.stance)
+    return true;
+  has_looked_ = true;
+  flight_.was_up = flight_.view.is_under_way();
+  for (const auto& each : progress::resume(flight_.s.progress))
+    if (std::holds_alternative<progress::look_at_vehicle>(each)) {
+      on_news(progress::look_at_vehicle{}, now);
+      may_upload_go_on_ = true;
+    } else if (std::holds_alternative<progress::read_plan_back>(each))
+      on_news(progress::read_plan_back{}, now);
+    else if (const auto* start = std::get_if<progress::settle_start>(&each))
+      on_news(*start, now);
+  if (flight_.view.is_under_way())
+    recover_in_flight(out, now);
+  else
+    recover_on_ground(out, now);
+  return true;
+}
+
+// Nothing begins by itself: whoever stands beside the vehicle has seen godwit fail.
+void recovery::recover_on_ground(effects& out, instant now) {
+  const auto& s = flight_.s;
+  if (flight_.is_in_flight() && !flight_.has_person()) { // it has come down meanwhile: by itself, or by somebody
+    auto modes = left_in(s.doing);
+    append(modes, end_of_plan(flight_.view.owner(), s).modes);
+    append(modes, flight_.modes_behind_disarm());
+    watch_.resume(std::move(modes), now);
+  }
+  tasks_.end(out, "godwit was restarted before the vehicle moved");
+  if (flight_.is_in_flight() || !(s.doing || was_prepared(s.standing.now)))
+    return; // the end of the flight sees to it
+  phases_.go(out, trigger::restarted_on_ground);
+}
+
+std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) const {
+  const auto& whose = flight_.view.owner();
+  const auto holds = flight::modes_obeying(whose, mode_kind::hold);
+  const auto at = flight_.s.standing.now;
+  const bool was_held = at == phase::paused && flight_.s.standing.cause == pause_cause::asked;
+  const bool returns = doing && doing->kind == task_kind::come_home;
+  if (was_held && !doing)
+    return holds;
+  auto result = flight::modes_of_start(whose);
+  if (at == phase::paused || (doing && !returns))
+    append(result, holds);
+  if (returns || flight_.was_called_home())
+    append(result, flight::modes_obeying(whose, mode_kind::returning));
+  if (flight_.was_called_home())
+    append(result, holds); // a rover that has come home
+  if (at == phase::landing)
+    append(result, end_of_plan(whose, flight_.s).modes);
+  return result;
+}
+
+void recovery::recover_in_flight(effects& out, instant now) {
+  const auto doing = flight_.s.doing;
+  const bool was_starting = flight_.is_starting();
+  if (was_starting && !flight_.is_in_flight() && !flight_.view.is_moving())
+    return recover_on_ground(out, now); // a rover that is armed and stands
+  tasks_.end(out, "godwit was restarted while the vehicle started");
+  if (!(flight_.is_in_flight() || was_starting) || flight_.has_person())
+    return;
+  flight_.wanted.guard_again = doing && doing->kind == task_kind::deploy;
+  if (flight_.stance->reacts || flight_.stance->taken_over)
+    return phases_.go(out, trigger::found_on_its_way); // the watch says the rest
+  watch_.resume(left_in(doing), now);
+  find_in_flight(out, doing);
+}
+
+// What was meant and is not done is finished by a mode change, and only out of the hold that we have commanded.
+void recovery::find_in_flight(effects& out, const std::optional<task>& doing) {
+  const auto is = [&](task_kind kind) { return doing && doing->kind == kind; };
+  const bool is_held = flight_.authority.is_ours() && flight_.view.obeys(mode_kind::hold);
+  const bool was_to_go_on = is(task_kind::resume) || (is(task_kind::deploy) && doing->goes_on);
+  if (is_held && was_to_go_on) {
+    flight_.wanted.finish_replan = true;
+    return phases_.go(out, trigger::found_on_its_way);
+  }
+  if (is_held && (flight_.s.standing.cause == pause_cause::asked || is(task_kind::hold)))
+    return phases_.go(out, trigger::found_held);
+  const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();
+  if (is_ours && flight_.s.standing.now != phase::landing && flight_.view.is_in(mode_kind::mission) &&
+      (is(task_kind::hold) || is(task_kind::come_home)))
+    flight_.wanted.put_halt(doing->kind); // an operator's word, which the vehicle has not heard or not shown yet
+  phases_.go(out, trigger::found_in_flight);
+}
+
+// -- what was left open -----------------------------------------------------------------------------
+
+void recovery::on_news(const progress::look_at_vehicle&, instant now) {
+  looking_ = question::plan_id;
+  looking_since_ns_ = now.now_ns;
+}
+
+void recovery::on_news(const progress::read_plan_back&, instant now) {
+  looking_ = question::read_back;
+  reading_back_ = 0;
+  read_again_ns_ = now.now_ns;
+}
+
+void recovery::on_news(const progress::settle_start&, instant now) {
+  looking_ = question::start;
+  looking_since_ns_ = now.now_ns;
+}
+
+// The link takes it behind the transfer that is under way.
+void recovery::read_back(effects& out, instant now) {
+  if (reading_back_ != 0 || now.now_ns < read_again_ns_)
+    return;
+  reading_back_ = ++last_reading_back_;
+  out.emplace_back(order{goes::after_notes, reading_back_, now.now_ns, {}, vehicle_link::download_plan{}});
+}
+
+bool recovery::settle(effects& out, instant now) {
+  if (looking_ == question::none || (flight_.is_in_flight() && flight_.has_person()))
+    return false;
+  if (!flight_.view.is_connected())
+    return true;
+  const bool is_news = flight_.view.current() && flight_.view.current_heard_ns() > looking_since_ns_;
+  switch (looking_) {
+  case question::plan_id:
+    settle_plan_id(out, now, is_news);
+    break;
+  case question::read_back:
+    read_back(out, now);
+    break;
+  case question::start:
+    settle_start(out, is_news);
+    break;
+  case question::none:
+    break;
+  }
+  return true;
+}
+
+void recovery::settle_plan_id(effects& out, instant now, bool is_news) {
+  if (may_upload_go_on_)
+    return read_back(out, now);
+  const auto& view = flight_.view;
+  if (view.keeps_plan_ids() && !is_news)
+    return;
+  looking_ = question::none;
+  out.emplace_back(note{
+      progress::vehicle_looked_at{view.keeps_plan_ids() ? std::optional(view.current()->mission_id) : std::nullopt}});
+}
+
+void recovery::settle_start(effects& out, bool is_news) {
+  if (!is_news || !flight_.view.mode())
+    return;
+  looking_ = question::none;
+  out.emplace_back(note{progress::start_ended{flight_.view.is_armed() && flight_.view.is_in_begun_mission()}});
+}
+
+void recovery::take_read_back(effects& out, std::uint64_t number, const transfer::outcome& outcome, instant now) {
+  if (number != reading_back_ || (looking_ != question::read_back && looking_ != question::plan_id))
+    return;
+  reading_back_ = 0;
+  if (outcome.verdict != transfer::verdict::accepted) {
+    read_again_ns_ = now.now_ns + read_again_after_ns;
+    return;
+  }
+  if (looking_ == question::plan_id) { // no upload goes on in the link; what the vehicle says from now on holds
+    may_upload_go_on_ = false;
+    looking_since_ns_ = now.now_ns;
+    return;
+  }
+  const bool has_home = flight_.plan_has_home();
+  const auto is_same = [&](const std::optional<deployment>& one) {
+    return one && !io::mavlink::first_difference(one->items, outcome.items, has_home);
+  };
+  auto match = progress::read_back_match::other;
+  if (is_same(flight_.s.brings))
+    match = progress::read_back_match::pending;
+  else if (is_same(flight_.s.flown))
+    match = progress::read_back_match::before;
+  looking_ = question::none;
+  out.emplace_back(note{progress::plan_read_back{match}});
+}
+
+// -- what was meant ---------------------------------------------------------------------------------
+
+bool recovery::finish(effects& out) {
+  auto& wanted = flight_.wanted;
+  if (std::exchange(wanted.finish_replan, false)) {
+    begin_going_on(out);
+    return true;
+  }
+  if (wanted.guard_again && flight_.s.standing.now != phase::paused && flight_.s.flown) {
+    tasks_.begin(out, task_kind::resume, tasks_.guarded({}));
+    return true;
+  }
+  if (wanted.choose_item && flight_.s.standing.now == phase::flying && flight_.s.progress.plan) {
+    wanted.choose_item = false;
+    begin_at_start(out);
+    return true;
+  }
+  return false;
+}
+
+// The vehicle has another item than the one with which it should begin. A new incarnation starts nothing.
+void recovery::begin_at_start(effects& out) {
+  const bool has_begun_task = flight_.s.last_task != last_task_before_;
+  tasks_.begin(out, task_kind::resume, at_start_steps(flight_, has_begun_task));
+}
+
+// The vehicle is held with the new plan; whether it was told where to begin is not known.
+void recovery::begin_going_on(effects& out) {
+  auto way = going_on_steps(flight_);
+  if (std::holds_alternative<start_plan>(way.front())) // a start, which nothing but a person's word may cause
+    return phases_.go(out, trigger::replan_left_open);
+  const bool is_ardupilot = flight_.view.owner().autopilot == io::mavlink::mav_autopilot::ardupilotmega;
+  if (is_ardupilot && flight_.s.progress.plan && !std::holds_alternative<choose_item>(way.front()))
+    way = at_start_steps(flight_, false);
+  tasks_.begin(out, task_kind::resume, tasks_.guarded(std::move(way)));
+}
+
+} // namespace godwit::executor

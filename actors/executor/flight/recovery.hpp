@@ -1,0 +1,70 @@
+// What a new incarnation of the executor does first, and how it settles what the one before left open.
+//
+// It knows what it meant to do, and not what the vehicle does. So it looks before anything; on the ground nothing
+// begins by itself; in flight what was meant is finished by a mode change, and only out of a hold that godwit has
+// commanded. Uploads and starts without an answer are settled by what the vehicle holds and says. Pure. Thread: one at
+// a time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "actors/executor/flight/control_watch.hpp"
+
+namespace godwit::executor {
+
+// Downloads that settle an upload have numbers of their own, above all those of the runner.
+inline constexpr std::uint64_t first_reading_back = 1ULL << 32U;
+
+class recovery {
+public:
+  recovery(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch)
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch) {}
+
+  void begin();
+  [[nodiscard]] bool has_looked() const { return has_looked_; }
+  // True: the rest waits for it.
+  [[nodiscard]] bool look(effects& out, instant now);
+  [[nodiscard]] bool settle(effects& out, instant now);
+  // What was begun in flight and is meant to be finished.
+  [[nodiscard]] bool finish(effects& out);
+
+  // What the progress wants looked at.
+  void on_news(const progress::look_at_vehicle&, instant now);
+  void on_news(const progress::read_plan_back&, instant now);
+  void on_news(const progress::settle_start&, instant now);
+
+  [[nodiscard]] bool awaits(std::uint64_t number) const { return number == reading_back_; }
+  void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
+
+private:
+  // What a restart or a lost answer left open about the vehicle.
+  enum class question { none, plan_id, read_back, start };
+
+  void recover_on_ground(effects& out, instant now);
+  void recover_in_flight(effects& out, instant now);
+  void find_in_flight(effects& out, const std::optional<task>& doing);
+  void read_back(effects& out, instant now);
+  void settle_plan_id(effects& out, instant now, bool is_news);
+  void settle_start(effects& out, bool is_news);
+  // Where the vehicle may be, when nobody else has touched it since.
+  [[nodiscard]] std::vector<std::uint32_t> left_in(const std::optional<task>& doing) const;
+  void begin_at_start(effects& out);
+  void begin_going_on(effects& out);
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  control_watch& watch_;
+  bool has_looked_ = false; // at the vehicle, since this incarnation began
+  question looking_ = question::none;
+  std::int64_t looking_since_ns_ = 0;
+  std::uint64_t reading_back_ = 0; // the number of the download
+  std::uint64_t last_reading_back_ = first_reading_back;
+  std::int64_t read_again_ns_ = 0;
+  bool may_upload_go_on_ = false;      // in the link: one that the incarnation before has begun
+  std::uint64_t last_task_before_ = 0; // this incarnation began
+};
+
+} // namespace godwit::executor

@@ -1,0 +1,183 @@
+#include "actors/executor/flight/task_control.hpp"
+
+#include <utility>
+
+#include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/flight/vehicle_steps.hpp"
+
+namespace godwit::executor {
+
+using flight::mode_kind;
+
+void task_control::answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason) {
+  out.emplace_back(note{start_settled{{key, verdict, reason}}});
+}
+
+// -- the beginning ----------------------------------------------------------------------------------
+
+void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on) {
+  const task what{flight_.s.last_task + 1, kind, goes_on, {}};
+  out.emplace_back(note{task_begun{what, {}}});
+  flight_.runner.begin(what, std::move(way), {});
+  if (std::exchange(gave_up_order_, false))
+    flight_.runner.ask_all_the_same();
+}
+
+void task_control::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
+                                const std::optional<std::string>& assignment, bool goes_on) {
+  const task doing{flight_.s.last_task + 1, task_kind::deploy, goes_on, {}};
+  progress::upload_intended intent{mission.revision, what.map, {}, {}};
+  if (flight_.view.keeps_plan_ids() && flight_.view.current())
+    intent.id_before = flight_.view.current()->mission_id;
+  if (assignment)
+    intent.assignment = progress::assignment_key{*assignment, ids::derived_uuid(*assignment, mission.mission_id)};
+  out.emplace_back(note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys}}});
+  flight_.wanted.choose_item = false;
+  deploying_over_ = flight_.s.progress.last_generation;
+  deploys_behind_end_ = flight_.is_plan_finished();
+  flight_.runner.begin(doing, deploy_steps(flight_, what.map, goes_on), std::move(intent));
+}
+
+void task_control::begin_start(effects& out, std::optional<std::uint64_t> key) {
+  const task what{flight_.s.last_task + 1, task_kind::start, false, key};
+  out.emplace_back(note{task_begun{what, {}}});
+  flight_.runner.begin(what, start_steps(flight_), {});
+}
+
+steps task_control::guarded(steps way) {
+  flight_.wanted.guard_again = false;
+  way.insert(way.begin(), guard{});
+  return way;
+}
+
+// -- on the way -------------------------------------------------------------------------------------
+
+bool task_control::run(effects& out, instant now) {
+  const auto what = flight_.runner.doing();
+  if (what && is_pointless(*what)) {
+    flight_.runner.drop(flight_.world(now, out));
+    out.emplace_back(note{task_ended{what->number}});
+    return true;
+  }
+  switch (flight_.runner.advance(flight_.world(now, out))) {
+  case task_runner::verdict::idle:
+    return false;
+  case task_runner::verdict::under_way:
+    break;
+  case task_runner::verdict::done:
+    finish(out, *what);
+    break;
+  case task_runner::verdict::failed:
+    fail(out, *what, flight_.runner.why_failed(), now);
+    break;
+  }
+  return true;
+}
+
+// The plan ended before another one could take its place.
+bool task_control::is_pointless(const task& what) const {
+  return what.kind == task_kind::deploy && what.goes_on && flight_.is_plan_finished() && !deploys_behind_end_ &&
+         !flight_.s.progress.upload && flight_.s.progress.last_generation == deploying_over_;
+}
+
+void task_control::give_up(effects& out, instant now, const std::string& why) {
+  flight_.runner.drop(flight_.world(now, out));
+  gave_up_order_ = true;
+  end(out, why);
+}
+
+void task_control::end(effects& out, const std::string& why) {
+  const auto& doing = flight_.s.doing;
+  if (!doing)
+    return;
+  if (doing->start_key)
+    answer_start(out, *doing->start_key, start_verdict::failed, why);
+  out.emplace_back(note{task_ended{doing->number}});
+}
+
+// -- the end ----------------------------------------------------------------------------------------
+
+void task_control::finish(effects& out, const task& what) {
+  out.emplace_back(note{task_ended{what.number}});
+  switch (what.kind) {
+  case task_kind::deploy:
+    finish_deploy(out, what);
+    return;
+  case task_kind::start:
+    if (what.start_key)
+      answer_start(out, *what.start_key, start_verdict::started, {});
+    start_refused_since_ns_ = 0;
+    flight_.was_up = flight_.view.is_under_way();
+    out.emplace_back(note{preflight::took_off{}});
+    phases_.go(out, trigger::started);
+    return;
+  case task_kind::hold:
+    phases_.go(out, trigger::held);
+    return;
+  case task_kind::resume:
+    phases_.go(out, trigger::resumed);
+    return;
+  case task_kind::come_home:
+    out.emplace_back(note{progress::mission_aborted{}});
+    phases_.go(out, trigger::called_home);
+    return;
+  case task_kind::stand_down:
+  case task_kind::stand_by:
+    return;
+  }
+}
+
+void task_control::finish_deploy(effects& out, const task& what) {
+  const bool is_held = flight_.is_in_flight() && !what.goes_on;
+  phases_.go(out, is_held ? trigger::plan_brought_held : trigger::plan_brought);
+}
+
+bool task_control::is_start_tried_on(const task& what, instant now) {
+  const bool is_automatic =
+      what.kind == task_kind::start && !what.start_key && flight_.configured.start == start_policy::automatic;
+  if (!is_automatic || !flight_.runner.was_refused_for_now())
+    return false;
+  if (start_refused_since_ns_ == 0)
+    start_refused_since_ns_ = now.now_ns;
+  if (now.now_ns - start_refused_since_ns_ < start_patience_ns)
+    return true;
+  start_refused_since_ns_ = 0;
+  return false;
+}
+
+void task_control::fail(effects& out, const task& what, const std::string& why, instant now) {
+  const auto warn = [&](const std::string& sentence) { out.emplace_back(announce{sentence + why, true}); };
+  out.emplace_back(note{task_ended{what.number}});
+  if (what.start_key)
+    answer_start(out, *what.start_key, start_verdict::failed, why);
+  switch (what.kind) {
+  case task_kind::stand_down:
+    return warn("the vehicle stays armed: ");
+  case task_kind::stand_by:
+    return warn("do not arm the vehicle: it stands in its mission mode and would move. ");
+  case task_kind::hold:
+  case task_kind::come_home:
+    warn("not obeyed: ");
+    if (flight_.s.standing.now != phase::paused)
+      phases_.go(out, trigger::not_obeyed, "the vehicle has not obeyed: " + why);
+    return;
+  case task_kind::deploy:
+    if (flight_.is_in_flight() && flight_.view.is_in(mode_kind::mission)) // it has never left the plan before
+      return warn("the vehicle goes on with the plan that it has: ");
+    break;
+  case task_kind::resume:
+    break;
+  case task_kind::start:
+    if (is_start_tried_on(what, now))
+      phases_.go(out, trigger::start_refused, why + "; it is tried again");
+    else
+      phases_.go(out, trigger::start_failed, why);
+    if (flight_.runner.has_armed() && flight_.view.is_armed() && !flight_.is_in_air() &&
+        !flight_.view.is_in(mode_kind::mission))
+      begin(out, task_kind::stand_down, {disarm{}});
+    return;
+  }
+  phases_.go(out, trigger::task_failed, why);
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,83 @@
+#include "actors/executor/flight/vehicle_steps.hpp"
+
+#include <utility>
+
+#include "io/mavlink/enums.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+using io::mavlink::mav_autopilot;
+
+bool is_ardupilot(const flight_context& flight) {
+  return flight.view.owner().autopilot == mav_autopilot::ardupilotmega;
+}
+
+// A vehicle that is left in its mission mode on the ground would begin what it holds as soon as somebody arms it (PX4),
+// or does not begin at all when it is started in the mode in which it is (ArduPilot's rover).
+steps out_of_mission_steps(const flight_context& flight) {
+  const bool stands_behind_it = flight.view.says_complete() && !flight.is_in_air();
+  if (!flight.view.is_in(mode_kind::mission) || (flight.view.is_armed() && !stands_behind_it))
+    return {};
+  return {stand_by{flight.view.is_armed()}};
+}
+
+} // namespace
+
+bool starts_in_mission_mode(const flight_context& flight) {
+  const auto autopilot = flight.view.owner().autopilot;
+  return autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega;
+}
+
+steps start_steps(const flight_context& flight) {
+  steps result{guard{}};
+  if (!flight.view.is_armed()) {
+    for (auto& each : out_of_mission_steps(flight))
+      result.push_back(std::move(each));
+    if (flight.is_copter())
+      result.emplace_back(change_mode{mode_kind::guided});
+    result.emplace_back(arm{});
+  }
+  result.emplace_back(start_plan{flight.s.progress.plan->map.start_sequence});
+  return result;
+}
+
+steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
+  if (!flight.is_in_flight()) {
+    steps result = out_of_mission_steps(flight);
+    result.emplace_back(bring_plan{});
+    return result;
+  }
+  if (flight.view.owner().autopilot == mav_autopilot::px4)
+    return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
+  steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
+  if (is_ardupilot(flight)) {
+    result.emplace_back(choose_item{map.start_sequence});
+    if (goes_on)
+      result.emplace_back(change_mode{mode_kind::mission});
+  } else if (goes_on) {
+    result.emplace_back(start_plan{map.start_sequence});
+  }
+  return result;
+}
+
+steps going_on_steps(const flight_context& flight) {
+  const auto& plan = flight.s.progress.plan;
+  const bool is_new =
+      plan && !plan->generation.was_active && plan->generation.origin != progress::generation_origin::start;
+  if (is_new && starts_in_mission_mode(flight))
+    return {start_plan{plan->generation.start_sequence}};
+  if (is_new && is_ardupilot(flight)) // it goes on where it was in the plan before
+    return at_start_steps(flight, false);
+  return {change_mode{mode_kind::mission}};
+}
+
+steps at_start_steps(const flight_context& flight, bool may_start) {
+  const auto start = flight.s.progress.plan->generation.start_sequence;
+  if (may_start && starts_in_mission_mode(flight))
+    return {start_plan{start}};
+  return {choose_item{start}, change_mode{mode_kind::mission}};
+}
+
+} // namespace godwit::executor

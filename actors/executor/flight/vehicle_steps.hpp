@@ -1,0 +1,24 @@
+// What each class of vehicle needs for a task: the steps of starts, deployments and goings-on.
+//
+//   Copter    can not be armed in AUTO: guided first
+//   PX4       activates a new plan itself, at the item that is marked in it
+//   ArduPilot is held while its plan is replaced, and told where to go on
+//   text      a vehicle by MAVLink's text alone stays in its mission mode when it holds, and goes on when it is started
+//
+// Pure. Thread: any.
+#pragma once
+
+#include "actors/executor/flight/flight_context.hpp"
+#include "actors/executor/steps.hpp"
+
+namespace godwit::executor {
+
+[[nodiscard]] steps start_steps(const flight_context& flight);
+[[nodiscard]] steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on);
+// Back into the plan that the vehicle holds, or into one that was brought to it in flight.
+[[nodiscard]] steps going_on_steps(const flight_context& flight);
+// To the first item of the plan. MAY_START: a vehicle by the text alone may be started for it.
+[[nodiscard]] steps at_start_steps(const flight_context& flight, bool may_start);
+// One by the text alone goes on only when it is started.
+[[nodiscard]] bool starts_in_mission_mode(const flight_context& flight);
+} // namespace godwit::executor

@@ -14,7 +14,8 @@ namespace {
 runtime::health_colour colour_of(const stood& standing) {
   if (standing.now != phase::paused)
     return runtime::health_colour::green;
-  return standing.cause == pause_cause::asked ? runtime::health_colour::yellow : runtime::health_colour::red;
+  const bool is_expected = standing.cause == pause_cause::asked || standing.cause == pause_cause::plan_ended;
+  return is_expected ? runtime::health_colour::yellow : runtime::health_colour::red;
 }
 
 } // namespace

@@ -61,7 +61,8 @@ enum class pause_cause {
   vehicle_restarted,  // what the autopilot flew is lost
   foreign_plan,       // the vehicle holds a plan that is not ours
   not_done,           // a command or an upload failed for good; the reason says which
-  restarted           // godwit was restarted on the ground: nothing begins by itself
+  restarted,          // godwit was restarted on the ground: nothing begins by itself
+  plan_ended          // in the air: the vehicle waits there until it is called home or sent further
 };
 
 constexpr auto enum_names(pause_cause) {
@@ -73,7 +74,8 @@ constexpr auto enum_names(pause_cause) {
                                  {pause_cause::vehicle_restarted, "vehicle_restarted"},
                                  {pause_cause::foreign_plan, "foreign_plan"},
                                  {pause_cause::not_done, "not_done"},
-                                 {pause_cause::restarted, "restarted"}});
+                                 {pause_cause::restarted, "restarted"},
+                                 {pause_cause::plan_ended, "plan_ended"}});
 }
 
 // Only after an operator's word may anything be sent again.

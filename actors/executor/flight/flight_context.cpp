@@ -35,8 +35,9 @@ bool flight_context::is_mission_finished() const { return is_plan_finished() && 
 
 bool flight_context::may_change_plan() const {
   const auto& at = s.standing;
-  return at.in_flight && (at.now == phase::flying || (at.now == phase::paused && at.cause == pause_cause::asked) ||
-                          (at.now == phase::landing && hovers()));
+  return at.in_flight &&
+         (at.now == phase::flying || is_held() || (at.now == phase::paused && at.cause == pause_cause::plan_ended) ||
+          (at.now == phase::landing && hovers()));
 }
 
 bool flight_context::hovers() const {

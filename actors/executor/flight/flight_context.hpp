@@ -48,6 +48,10 @@ struct flight_context {
   [[nodiscard]] bool is_starting() const { return s.doing && s.doing->kind == task_kind::start; }
   // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
   [[nodiscard]] bool has_person() const { return needs_hand_back(s.standing.cause); }
+  // By a word: what is brought to it meanwhile is not begun.
+  [[nodiscard]] bool is_held() const {
+    return s.standing.now == phase::paused && s.standing.cause == pause_cause::asked;
+  }
   // Of an upload or a start: what became of it is not known yet.
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;

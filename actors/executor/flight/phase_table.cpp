@@ -22,6 +22,7 @@ constexpr phase_set over = of(post_flight, done, aborted);
 bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
 bool is_plan_finished(const flight_context& c) { return c.is_plan_finished(); }
 bool has_person(const flight_context& c) { return c.has_person(); }
+bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
 bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && c.is_plan_finished(); }
 bool has_more_plans(const flight_context& c) { return !c.has_person() && c.is_plan_finished(); }
 bool owes_delivery(const flight_context& c) { return c.is_mission_finished() && c.configured.has_service; }
@@ -35,6 +36,7 @@ struct named_guard {
 };
 
 constexpr named_guard no_guard{"", nullptr};
+constexpr named_guard ends_in_air{"in flight, plan finished, in the air", waits_in_air};
 constexpr named_guard in_flight{"in flight", is_in_flight};
 constexpr named_guard plan_finished{"plan finished", is_plan_finished};
 constexpr named_guard flown_to_end{"in flight, plan finished", is_flown_to_end};
@@ -87,6 +89,14 @@ constexpr transition pauses(trigger on, pause_cause why, std::string_view reason
   return with(row(on, any, no_guard, paused), why, reason);
 }
 
+// Behind a plan that ends in the air.
+constexpr transition waits(trigger on, phase_set from) {
+  return flies(with(row(on, from, ends_in_air, paused), cause::plan_ended,
+                    "the plan is flown and ends in the air; the vehicle waits there: come_home brings it back, goto "
+                    "and assignments send it further"),
+               flight_bit::yes);
+}
+
 constexpr std::array table{
     // on the ground
     row(trigger::link_lost, of(disconnected, connected, preflight, ready, done, aborted), no_guard, disconnected),
@@ -108,9 +118,11 @@ constexpr std::array table{
     flying_on(trigger::started, any, no_guard, flying),
     flying_on(trigger::found_started, of(ready, paused), no_guard, flying),
     // in flight
+    waits(trigger::plan_done, of(flying)),
     row(trigger::plan_done, of(flying), no_guard, landing),
     with(row(trigger::told_to_hold, on_the_way, no_guard, stays), cause::none, "pausing: the vehicle was told to hold"),
     pauses(trigger::held, cause::asked, "held as asked"),
+    waits(trigger::resumed, any),
     flying_on(trigger::resumed, any, plan_finished, landing),
     flying_on(trigger::resumed, any, no_guard, flying),
     with(row(trigger::called_home, any, no_guard, landing), cause::none, "the vehicle returns"),
@@ -121,18 +133,21 @@ constexpr std::array table{
     flies(pauses(trigger::failsafe_acts, cause::failsafe), flight_bit::if_moving),
     flies(pauses(trigger::autopilot_failsafe_acts, cause::autopilot_failsafe), flight_bit::if_moving),
     row(trigger::handed_back, over, no_guard, stays),
+    waits(trigger::handed_back, any),
     flying_on(trigger::handed_back, any, at_end_of_plan, landing),
     flying_on(trigger::handed_back, any, in_mission_mode, flying),
     pauses(trigger::handed_back, cause::asked, "handed back; resume goes on with the mission"),
     pauses(trigger::foreign_plan_found, cause::foreign_plan, "the vehicle holds a plan that is not godwit's"),
     pauses(trigger::autopilot_restarted, cause::vehicle_restarted, "the autopilot started again; what it flew is lost"),
     // behind a restart of the executor
-    pauses(trigger::restarted_on_ground, cause::restarted,
-           "godwit was restarted on the ground; resume prepares the flight again"),
+    with(row(trigger::restarted_on_ground, of(disconnected, connected, preflight, uploading, ready, starting, paused),
+             no_guard, paused),
+         cause::restarted, "godwit was restarted on the ground; resume prepares the flight again"),
     pauses(trigger::replan_left_open, cause::asked,
            "godwit was restarted while it replaced the plan; resume starts the new one"),
     pauses(trigger::found_held, cause::asked, "held as asked"),
     flying_on(trigger::found_on_its_way, any, no_guard, flying),
+    waits(trigger::found_in_flight, any),
     flying_on(trigger::found_in_flight, of(landing), no_guard, landing),
     flying_on(trigger::found_in_flight, any, flown_to_end, landing),
     flying_on(trigger::found_in_flight, any, no_guard, flying),

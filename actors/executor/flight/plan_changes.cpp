@@ -292,8 +292,7 @@ bool plan_changes::deploy_assigned(effects& out, const mission::assignment& aske
     return reject(out, asked, plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), wanted.mission, where->vehicle); !found.empty())
     return reject(out, asked, found.front().message);
-  const bool goes_on = flight_.s.standing.now != phase::paused;
-  tasks_.begin_deploy(out, wanted.mission, plans->front(), asked.assignment_id, goes_on);
+  tasks_.begin_deploy(out, wanted.mission, plans->front(), asked.assignment_id, !flight_.is_held());
   return true;
 }
 
@@ -313,7 +312,7 @@ bool plan_changes::deploy_arrived(effects& out, instant now) {
     return true;
   }
   const bool was_asked_for = s.change && s.change->kind != change_kind::insert;
-  tasks_.begin_deploy(out, *s.arrived, *plan, {}, s.standing.now != phase::paused || was_asked_for);
+  tasks_.begin_deploy(out, *s.arrived, *plan, {}, !flight_.is_held() || was_asked_for);
   return true;
 }
 

@@ -68,8 +68,10 @@ void recovery::recover_on_ground(effects& out, instant now) {
     watch_.resume(std::move(modes), now);
   }
   tasks_.end(out, "godwit was restarted before the vehicle moved");
-  if (flight_.is_in_flight() || !(s.doing || was_prepared(s.standing.now)))
-    return; // the end of the flight sees to it
+  if (flight_.is_in_flight() || flight_.has_person() || is_over(s.standing.now))
+    return; // the end of the flight sees to it; who has the vehicle keeps it, and what is over stays so
+  if (!s.doing && !was_prepared(s.standing.now))
+    return;
   phases_.go(out, trigger::restarted_on_ground);
 }
 
@@ -77,9 +79,9 @@ std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) c
   const auto& whose = flight_.view.owner();
   const auto holds = flight::modes_obeying(whose, mode_kind::hold);
   const auto at = flight_.s.standing.now;
-  const bool was_held = at == phase::paused && flight_.s.standing.cause == pause_cause::asked;
+  const bool is_at_end = at == phase::landing || flight_.s.standing.cause == pause_cause::plan_ended;
   const bool returns = doing && doing->kind == task_kind::come_home;
-  if (was_held && !doing)
+  if (flight_.is_held() && !doing)
     return holds;
   auto result = flight::modes_of_start(whose);
   if (at == phase::paused || (doing && !returns))
@@ -88,7 +90,7 @@ std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) c
     append(result, flight::modes_obeying(whose, mode_kind::returning));
   if (flight_.was_called_home())
     append(result, holds); // a rover that has come home
-  if (at == phase::landing)
+  if (is_at_end)
     append(result, end_of_plan(whose, flight_.s).modes);
   return result;
 }

@@ -145,10 +145,23 @@ void flight_world::restore() {
   GODWIT_ASSERT(read.has_value(), "the record can be read");
 }
 
+std::vector<executor::phase_machine::counts>& flight_world::all_transitions() {
+  static std::vector<executor::phase_machine::counts> result(executor::phase_table().size());
+  return result;
+}
+
+void flight_world::end_core() {
+  const auto& taken = core_->phases().taken();
+  for (std::size_t row = 0; row < taken.size(); ++row)
+    for (std::size_t from = 0; from < taken[row].size(); ++from)
+      all_transitions()[row][from] += taken[row][from];
+}
+
 void flight_world::crash() {
   notes_.clear();
   news_.clear();
   restore();
+  end_core();
   core_ = std::make_unique<executor::core>(settings_, state_);
   take(core_->on_vehicle(
       vehicle_link::connection_changed{link_->describe(link_now()).phase, link_->describe(link_now()).reason}, now()));
@@ -168,6 +181,7 @@ void flight_world::crash_all() {
   ++link_age_;
   link_ = new_link();
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
+  end_core();
   core_ = std::make_unique<executor::core>(settings_, state_);
   begin_link();
   begin_executor();

@@ -45,7 +45,11 @@ public:
     std::uint64_t seed = 1;
   };
 
+  // Of all flights of this process that are over: so often each row of the phase table was taken, and from which phase.
+  [[nodiscard]] static std::vector<executor::phase_machine::counts>& all_transitions();
+
   explicit flight_world(const options& wanted);
+  ~flight_world() { end_core(); }
 
   void load(const mission::document& what);
   // What becomes of the map's pull, now and for missions that are loaded later.
@@ -163,6 +167,7 @@ private:
   void change_mission(const std::string& key, const std::optional<std::string>& after,
                       const std::vector<mission::item>& items, bool keeps_rest);
   void restore();
+  void end_core();
   void hear(std::span<const std::byte> frame);
   [[nodiscard]] executor::house house() const;
 

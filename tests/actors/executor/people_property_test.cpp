@@ -82,7 +82,9 @@ public:
     const auto deeds = 1 + dice_() % most_deeds;
     for (std::size_t i = 0; i < deeds && violation_.empty(); ++i) {
       wait(any_while());
-      if (violation_.empty())
+      if (i == edge_deed_)
+        take_over_at_edge();
+      else if (violation_.empty())
         do_something();
     }
     wait(30);
@@ -185,6 +187,20 @@ private:
     const auto& s = world_.durable();
     return s.progress.plan && (s.progress.plan->generation.is_finished || progress::is_at_last_movement(s.progress) ||
                                s.standing.now == phase::landing);
+  }
+
+  [[nodiscard]] bool is_at_edge() const {
+    const auto& s = world_.durable();
+    return (s.doing && s.doing->kind == task_kind::start) || (s.standing.in_flight && is_near_plan_end());
+  }
+
+  // In a start, or on the last leg: waits until it comes, and a little longer.
+  void take_over_at_edge() {
+    for (int i = 0; i < 1'200 && violation_.empty() && !is_at_edge(); ++i)
+      wait(2 * step_s);
+    wait(step_s * static_cast<double>(dice_() % 30));
+    if (violation_.empty())
+      change_mode();
   }
 
   void change_mode() {
@@ -362,6 +378,7 @@ private:
   bool is_automatic_ = false;
   flight_world world_;
   bool may_start_ = false;
+  std::size_t edge_deed_ = dice_() % 12; // in most flights there is one
   std::string did_;
   std::string violation_;
   std::optional<std::uint32_t> person_mode_; // taken by a person, and not handed back
@@ -412,6 +429,7 @@ TEST(any_flight, is_safe_for_the_people_beside_it) {
   }
   std::cout << takeovers << " with a takeover, " << edges << " of them in a start or on the last leg\n";
   EXPECT_GT(takeovers, flights / 10);
+  EXPECT_GT(edges, flights / 20);
 }
 
 } // namespace

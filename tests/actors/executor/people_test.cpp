@@ -418,6 +418,61 @@ TEST_P(people_in_the_air, behind_a_last_waypoint_in_the_air_it_can_be_sent_furth
   EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::accepted) << world.story();
 }
 
+TEST_P(people_in_the_air, behind_a_last_waypoint_it_is_said_that_the_vehicle_waits_in_the_air) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly_to(world, open_ended(GetParam()), progress_kind::reached, "w3"));
+  ASSERT_TRUE(world.run_until([&] { return is_complete(world); }, 60)) << world.story();
+  world.run_for(3);
+  const stood waits = world.durable().standing;
+  EXPECT_EQ(waits.now, phase::paused) << world.story();
+  EXPECT_EQ(waits.cause, pause_cause::plan_ended);
+  EXPECT_TRUE(waits.in_flight);
+  world.crash_all();
+  world.run_for(5);
+  EXPECT_EQ(world.durable().standing, waits) << world.story();
+  EXPECT_FALSE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.say(verb::come_home).is_taken) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().in_air);
+}
+
+// -- restarts -----------------------------------------------------------------------------------------
+
+TEST_P(people_in_the_air, who_has_landed_it_keeps_it_when_godwit_dies_while_it_makes_it_safe_to_arm) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly_to(world, with_landing_on_the_way(), progress_kind::started, "w1"));
+  world.switch_mode(loiter(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 10)) << world.story();
+  world.switch_mode(landing(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
+  world.switch_mode(mission_mode(GetParam()));
+  world.lose_command(set_mode, 3);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().doing.has_value(); }, 10)) << world.story();
+  EXPECT_EQ(world.durable().doing->kind, task_kind::stand_by);
+  world.crash_all();
+  world.run_for(10);
+  EXPECT_TRUE(needs_hand_back(world.durable().standing.cause)) << world.story();
+  EXPECT_FALSE(world.say(verb::resume).is_taken);
+}
+
+// Nobody prepares it once more.
+TEST_P(people_in_the_air, a_done_mission_stays_done_when_godwit_dies_while_it_makes_the_vehicle_safe_to_arm) {
+  flight_world world({.who = GetParam()});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  world.run_for(5);
+  world.switch_mode(loiter(GetParam()));
+  world.arm_by_hand();
+  world.run_for(2);
+  world.disarm_by_hand();
+  world.switch_mode(mission_mode(GetParam()));
+  world.lose_command(set_mode, 3);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().doing.has_value(); }, 10)) << world.story();
+  world.crash_all();
+  world.run_for(10);
+  EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(each, people, testing::Values(personality::px4, personality::ardupilot, personality::rover));
 INSTANTIATE_TEST_SUITE_P(each, people_in_the_air, testing::Values(personality::px4, personality::ardupilot));
 INSTANTIATE_TEST_SUITE_P(each, people_at_a_copter, testing::Values(personality::ardupilot));

@@ -1,0 +1,48 @@
+// Which rows of the phase table the flights of this run have taken, from which phase and how often. Listed with
+// TEST_COVERAGE=1, and then a row that was never taken is a failure: ctest runs all flights but the random ones so.
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "io/fields/field_table.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+class phase_coverage final : public testing::Environment {
+public:
+  void TearDown() override {
+    if (std::getenv("TEST_COVERAGE") == nullptr)
+      return;
+    for (std::size_t row = 0; row < phase_table().size(); ++row)
+      list(phase_table()[row], tests::flight_world::all_transitions()[row]);
+  }
+
+private:
+  // The plan ends between two heartbeats, while something else is said: no flight by hand meets that moment, and random
+  // ones seldom. phase_table_test.cpp takes them.
+  static bool is_moment(const transition& each) {
+    const bool is_at_end = each.guard.find("plan finished") != std::string_view::npos;
+    return is_at_end && (each.on == trigger::resumed || each.on == trigger::found_in_flight ||
+                         (each.on == trigger::handed_back && each.next == phase::landing));
+  }
+
+  static void list(const transition& each, const phase_machine::counts& taken) {
+    std::cout << name_of(each.on) << (each.guard.empty() ? "" : " [") << each.guard
+              << (each.guard.empty() ? ":" : "]:");
+    for (std::size_t from = 0; from < taken.size(); ++from)
+      if (taken[from] > 0)
+        std::cout << " " << io::name_of(static_cast<phase>(from)) << " " << taken[from];
+    std::cout << "\n";
+    EXPECT_TRUE(is_moment(each) || std::ranges::any_of(taken, [](std::uint32_t n) { return n > 0; }))
+        << name_of(each.on) << " is never taken";
+  }
+};
+
+const auto* const coverage = testing::AddGlobalTestEnvironment(new phase_coverage);
+
+} // namespace
+} // namespace godwit::executor

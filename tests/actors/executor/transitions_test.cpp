@@ -1,0 +1,154 @@
+// Flights through rows of the phase table that no other test takes.
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using operator_words::verb;
+using sim::personality;
+using tests::flight_world;
+
+constexpr std::uint16_t set_mode = 176;
+constexpr std::uint16_t arm_disarm = 400;
+constexpr std::uint8_t denied = 2;
+
+std::uint32_t pilots_mode(personality who) { return who == personality::px4 ? 0x00030000 : 0; }
+std::uint32_t landing_mode(personality who) { return who == personality::px4 ? 0x06040000 : 9; }
+std::uint32_t mission_mode(personality who) {
+  return who == personality::px4 ? 0x04040000 : who == personality::ardupilot ? 3 : 10;
+}
+
+class transitions : public testing::TestWithParam<personality> {
+protected:
+  [[nodiscard]] static testing::AssertionResult fly(flight_world& world, const mission::document& mission) {
+    world.load(mission);
+    if (!world.run_until_phase(phase::flying))
+      return testing::AssertionFailure() << world.story();
+    world.run_for(3);
+    return testing::AssertionSuccess();
+  }
+
+  [[nodiscard]] static testing::AssertionResult pilot_takes_over(flight_world& world) {
+    world.switch_mode(pilots_mode(GetParam()));
+    if (!world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 10))
+      return testing::AssertionFailure() << world.story();
+    return testing::AssertionSuccess();
+  }
+};
+
+class transitions_in_the_air : public transitions {};
+
+TEST_P(transitions, a_start_that_is_stopped_before_it_moved_is_prepared_again_by_a_resume) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.lose_command(arm_disarm, 5);
+  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::starting)) << world.story();
+  ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
+  world.run_for(2);
+  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked);
+  EXPECT_FALSE(world.durable().standing.in_flight);
+  world.run_for(10);
+  ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+}
+
+TEST_P(transitions, what_is_brought_while_it_is_held_is_not_begun) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  mission::assignment wish;
+  wish.assignment_id = "11111111-2222-4333-8444-100000000001";
+  wish.base_revision = 1;
+  wish.revision = 2;
+  wish.replace_after_item_id = "w1";
+  wish.items = {tests::place("z", -20, 20, GetParam() == personality::rover ? 0 : 20)};
+  world.assign(wish);
+  ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
+  world.run_for(10);
+  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked);
+  EXPECT_EQ(world.durable().mission->revision, 2);
+}
+
+TEST_P(transitions_in_the_air, a_resume_that_is_refused_ends_in_a_pause_with_the_reason) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  world.run_for(6);
+  world.vehicle().refuse_command(set_mode, denied, -1);
+  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  world.run_for(20);
+  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::not_done) << world.story();
+}
+
+TEST_P(transitions_in_the_air, a_landing_of_the_autopilot_without_gps_is_not_called_a_pilots) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
+  world.vehicle().lose_position(true, world.now_ns());
+  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 20)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::autopilot_failsafe) << world.story();
+}
+
+TEST_P(transitions, handed_back_in_its_mission_mode_it_flies_on) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
+  ASSERT_TRUE(pilot_takes_over(world));
+  world.switch_mode(mission_mode(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == mission_mode(GetParam()); }, 5)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(transitions_in_the_air, handed_back_behind_a_plan_that_ends_in_the_air_it_waits_as_before) {
+  auto mission = tests::short_mission(GetParam());
+  mission.items.pop_back();
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world, mission));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::plan_ended; }, 600))
+      << world.story();
+  ASSERT_TRUE(pilot_takes_over(world));
+  world.run_for(3);
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  world.run_for(1);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::plan_ended) << world.story();
+}
+
+TEST_P(transitions_in_the_air, behind_the_end_a_hand_back_lets_the_next_mission_be_prepared) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  auto mission = tests::short_mission(GetParam());
+  mission.items.pop_back();
+  world.load(mission);
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::plan_ended; }, 600))
+      << world.story();
+  ASSERT_TRUE(pilot_takes_over(world));
+  world.switch_mode(landing_mode(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  auto next = tests::short_mission(GetParam());
+  next.mission_id = "99999999-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  world.load(next);
+  world.run_for(20);
+  EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(each, transitions,
+                         testing::Values(personality::px4, personality::ardupilot, personality::rover));
+INSTANTIATE_TEST_SUITE_P(each, transitions_in_the_air, testing::Values(personality::px4, personality::ardupilot));
+
+} // namespace
+} // namespace godwit::executor

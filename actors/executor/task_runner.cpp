@@ -335,6 +335,8 @@ bool task_runner::is_overdue(const world& w) const {
 
 void task_runner::give_order(const world& w, vehicle_link::send_command what) {
   what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
+  if (w.view.mode())
+    what.only_while = vehicle_link::seen_state{w.view.mode()->custom_mode, w.view.is_armed()};
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), what});
 }
 
@@ -346,6 +348,8 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   const bool may_have_acted =
       outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
   was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
+  if (outcome.verdict == command_verdict::outdated && tries_ < max_tries_of_lost)
+    return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))

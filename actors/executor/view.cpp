@@ -7,6 +7,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/executor/preflight/checks/autopilot_checks.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/heartbeat_meaning.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -37,7 +38,7 @@ void vehicle_view::take(const vehicle_link::connection_changed& m) {
 void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t) {
   owner_ = flight::owner_of(m);
   mode_ = flight::mode_of(m);
-  is_armed_ = (m.base_mode & io::mavlink::number(io::mavlink::mav_mode_flag::safety_armed)) != 0;
+  is_armed_ = io::mavlink::is_armed(m);
   is_critical_ = m.system_status == io::mavlink::number(io::mavlink::mav_state::critical);
   ++heartbeats_;
 }

@@ -7,6 +7,7 @@
 #include "actors/failsafe/senses.hpp"
 #include "actors/failsafe/vehicle_words.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/heartbeat_meaning.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::failsafe {
@@ -32,7 +33,7 @@ auto actor::hears() {
   return on<M>([this](const M& message) {
     look_.heard(M::message_id);
     if constexpr (std::is_same_v<M, mavlink::heartbeat>)
-      owner_ = flight::owner_of(message);
+      take_heartbeat(message);
     core_->take(sense(message), now());
     if constexpr (std::is_same_v<M, mavlink::global_position_int>)
       judge_position();
@@ -151,9 +152,15 @@ void actor::tell_stance() {
     tell(ear, core_->told());
 }
 
+void actor::take_heartbeat(const mavlink::heartbeat& m) {
+  owner_ = flight::owner_of(m);
+  seen_ = {m.custom_mode, io::mavlink::is_armed(m)};
+}
+
 void actor::command(const command_vehicle& command) {
-  const auto words = words_for(command, owner_);
+  auto words = words_for(command, owner_);
   GODWIT_ASSERT(words, "failsafe: of a vehicle only that is wanted which its kind can do");
+  words->only_while = seen_;
   tell_stance();
   ask(
       vehicle_, answer_patience, *words,

@@ -57,6 +57,7 @@ private:
   auto is_told();
   void on_tick();
   void plan_tick(std::chrono::milliseconds delay);
+  void take_heartbeat(const io::mavlink::heartbeat& m);
   void judge_position();
   void vouch();
   void turn();
@@ -86,7 +87,8 @@ private:
   vehicle_handle vehicle_;
   std::shared_ptr<const neighbours> others_;
   std::optional<core> core_;
-  flight::mode_owner owner_; // of the newest heartbeat
+  flight::mode_owner owner_;                     // of the newest heartbeat
+  std::optional<vehicle_link::seen_state> seen_; // the same
   first_look look_;
   std::uint64_t tick_number_ = 0;
   std::optional<std::int64_t> position_judged_ns_;

@@ -67,6 +67,7 @@ void reaction_driver::take_verdict(command_verdict verdict, std::int64_t now_ns)
   case command_verdict::not_sent:
   case command_verdict::already_running:
   case command_verdict::too_many:
+  case command_verdict::outdated: // judged anew with the heartbeat that is on its way here
     break;
   }
   enter(reaction_phase::to_send, now_ns);

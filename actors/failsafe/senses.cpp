@@ -2,6 +2,7 @@
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/heartbeat_meaning.hpp"
 
 namespace godwit::failsafe {
 
@@ -16,7 +17,7 @@ constexpr double mps_from_cm = 1e-2;
 } // namespace
 
 heartbeat sense(const mavlink::heartbeat& m) {
-  const bool armed = (m.base_mode & mavlink::number(mavlink::mav_mode_flag::safety_armed)) != 0;
+  const bool armed = io::mavlink::is_armed(m);
   const auto owner = flight::owner_of(m);
   return {owner.vehicle, armed, flight::mode_of(m), owner.autopilot,
           m.system_status == mavlink::number(mavlink::mav_state::critical)};

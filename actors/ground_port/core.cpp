@@ -5,6 +5,7 @@
 
 #include "actors/ground_port/about.hpp"
 #include "actors/ground_port/turn.hpp"
+#include "io/mavlink/heartbeat_meaning.hpp"
 
 namespace godwit::ground_port {
 
@@ -160,7 +161,7 @@ void core::take(turn& t, station& from, const mavlink::ping& m) {
 effects core::on_telemetry(const telemetry& m, instant now) {
   turn t(*this, now);
   if (const auto* beat = std::get_if<mavlink::heartbeat>(&m))
-    is_armed_ = (beat->base_mode & mavlink::number(mavlink::mav_mode_flag::safety_armed)) != 0;
+    is_armed_ = io::mavlink::is_armed(*beat);
   // In the autopilot's place we say how the mission goes: ours, and not the one that the vehicle flies by.
   const bool is_replaced = is_standing_in() && (std::holds_alternative<mavlink::mission_current>(m) ||
                                                 std::holds_alternative<mavlink::mission_item_reached>(m));

@@ -1,4 +1,5 @@
 #include "actors/vehicle_link/core.hpp"
+#include "io/mavlink/heartbeat_meaning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +186,10 @@ void core::take(turn& t, const M& message) {
     t.done.emplace_back(observation(message));
 }
 
-void core::take(turn& t, const mavlink::heartbeat& m) { t.done.emplace_back(observation(m)); }
+void core::take(turn& t, const mavlink::heartbeat& m) {
+  seen_ = {m.custom_mode, io::mavlink::is_armed(m)};
+  t.done.emplace_back(observation(m));
+}
 
 void core::take(turn& t, const mavlink::command_ack& m) {
   // An older sender leaves the target at 0; what is meant for another station is none of our business.
@@ -327,6 +331,9 @@ std::optional<command_outcome> core::refusal(const send_command& what) const {
     return unsent(what.command, command_verdict::not_sent, "the link to the vehicle is down: " + watch_.reason());
   if (!watch_.vehicle())
     return unsent(what.command, command_verdict::not_sent, "no vehicle was heard on the link yet");
+  if (what.only_while && seen_ && what.only_while != seen_)
+    return unsent(what.command, command_verdict::outdated,
+                  "the vehicle has changed its mode, or was armed or disarmed");
   if (what.target_component == 0)
     return unsent(what.command, command_verdict::invalid, "a command needs one component that answers it, not all");
   // The simulation build of ArduPilot aborts on NaN in COMMAND_LONG, and no build of it gives NaN a meaning.

@@ -123,6 +123,7 @@ private:
   io::link::peer_id vehicle_peer_ = io::link::every_peer;
   std::optional<std::int64_t> heartbeat_number_; // of the newest
   std::uint64_t late_heartbeats_ = 0;
+  std::optional<seen_state> seen_; // of the newest heartbeat
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;

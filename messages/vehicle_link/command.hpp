@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "io/fields/field_table.hpp"
@@ -21,6 +22,16 @@ constexpr auto enum_names(command_form) {
   return io::names<command_form>(
       {{command_form::in_floats, "COMMAND_LONG"}, {command_form::in_integers, "COMMAND_INT"}});
 }
+
+// As the newest heartbeat of the vehicle has it.
+struct seen_state {
+  std::uint32_t custom_mode = 0;
+  bool is_armed = false;
+  static constexpr auto fields =
+      io::table("vehicle_link.seen_state", io::field("custom_mode", &seen_state::custom_mode),
+                io::field("is_armed", &seen_state::is_armed));
+  friend bool operator==(const seen_state&, const seen_state&) = default;
+};
 
 struct send_command {
   std::uint16_t command = 0; // MAV_CMD
@@ -38,6 +49,8 @@ struct send_command {
   std::uint8_t confirmation = 0;     // 0 at the first try, one more at each further one
   std::uint8_t target_component = 1; // the autopilot
   std::int64_t timeout_ms = 0;       // 0: the configured one (1 s)
+  // What the sender saw when it decided: another newest heartbeat, and the command is `outdated`. Absent: whatever.
+  std::optional<seen_state> only_while;
   static constexpr auto fields = io::table(
       "vehicle_link.send_command", io::field("command", &send_command::command), io::field("form", &send_command::form),
       io::field("param1", &send_command::param1), io::field("param2", &send_command::param2),
@@ -46,18 +59,19 @@ struct send_command {
       io::field("x", &send_command::x), io::field("y", &send_command::y), io::field("z", &send_command::z),
       io::field("frame", &send_command::frame), io::field("confirmation", &send_command::confirmation),
       io::field("target_component", &send_command::target_component),
-      io::field("timeout_ms", &send_command::timeout_ms));
+      io::field("timeout_ms", &send_command::timeout_ms), io::field("only_while", &send_command::only_while));
 };
 
 enum class command_verdict {
   accepted,
-  refused,          // the vehicle said no: `result` says how
-  timed_out,        // no answer; whether it acted is not known
-  not_sent,         // no vehicle, or the link is down: it did not act
-  already_running,  // the same command to the same component waits for its answer: it was not sent
-  too_many,         // max_commands_in_flight wait: it was not sent
-  invalid,          // it must not be sent to this autopilot; `reason` says why
-  vehicle_restarted // the autopilot started again before it answered; whether it acted is not known
+  refused,           // the vehicle said no: `result` says how
+  timed_out,         // no answer; whether it acted is not known
+  not_sent,          // no vehicle, or the link is down: it did not act
+  already_running,   // the same command to the same component waits for its answer: it was not sent
+  too_many,          // max_commands_in_flight wait: it was not sent
+  invalid,           // it must not be sent to this autopilot; `reason` says why
+  vehicle_restarted, // the autopilot started again before it answered; whether it acted is not known
+  outdated           // the vehicle is not as it was when it was decided (only_while): it was not sent
 };
 
 constexpr auto enum_names(command_verdict) {
@@ -68,7 +82,8 @@ constexpr auto enum_names(command_verdict) {
                                      {command_verdict::already_running, "already_running"},
                                      {command_verdict::too_many, "too_many"},
                                      {command_verdict::invalid, "invalid"},
-                                     {command_verdict::vehicle_restarted, "vehicle_restarted"}});
+                                     {command_verdict::vehicle_restarted, "vehicle_restarted"},
+                                     {command_verdict::outdated, "outdated"}});
 }
 
 struct command_outcome {

@@ -217,6 +217,28 @@ TEST(vehicle_link_core, a_command_goes_to_the_autopilot_and_its_ack_to_whoever_a
   EXPECT_EQ(done[0].outcome.verdict, command_verdict::accepted);
 }
 
+// What a person has done since is in the newest heartbeat here, and not yet with who decided.
+TEST(vehicle_link_core, a_command_that_was_decided_in_another_mode_is_not_sent) {
+  connected c;
+  const auto beat = [&](std::uint32_t mode, bool is_armed, std::int64_t now) {
+    const auto flag = is_armed ? mavlink::number(mavlink::mav_mode_flag::safety_armed) : std::uint8_t{0};
+    (void)c.vehicle.say(c.it, mavlink::heartbeat{.custom_mode = mode, .type = 2, .autopilot = 12, .base_mode = flag},
+                        now);
+  };
+  auto decided = command(300);
+  decided.only_while = seen_state{7, true};
+  beat(7, true, s);
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_command(1, decided, at(s))).size(), 1U);
+  (void)c.it.on_time(at(10 * s));
+  for (const auto& [mode, is_armed] : {std::pair{8U, true}, std::pair{7U, false}}) {
+    beat(mode, is_armed, 11 * s);
+    const auto done = c.it.on_command(2, decided, at(11 * s));
+    EXPECT_TRUE(sent_of<mavlink::command_long>(done).empty());
+    ASSERT_EQ(done.size(), 1U);
+    EXPECT_EQ(std::get<settled_command>(done[0]).outcome.verdict, command_verdict::outdated);
+  }
+}
+
 TEST(vehicle_link_core, a_position_travels_in_integers) {
   connected c;
   auto what = command(192);

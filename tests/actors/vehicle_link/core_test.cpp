@@ -222,7 +222,7 @@ TEST(vehicle_link_core, a_command_that_was_decided_in_another_mode_is_not_sent) 
   connected c;
   const auto beat = [&](std::uint32_t mode, bool is_armed, std::int64_t now) {
     const auto flag = is_armed ? mavlink::number(mavlink::mav_mode_flag::safety_armed) : std::uint8_t{0};
-    (void)c.vehicle.say(c.it, mavlink::heartbeat{.custom_mode = mode, .type = 2, .autopilot = 12, .base_mode = flag},
+    (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = 2, .autopilot = 12, .base_mode = flag, .custom_mode = mode},
                         now);
   };
   auto decided = command(300);

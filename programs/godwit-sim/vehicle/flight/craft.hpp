@@ -5,15 +5,18 @@
 
 namespace godwit::sim {
 
-enum class craft_kind { rover, multirotor };
+enum class craft_kind { rover, multirotor, fixed_wing };
 
 struct craft {
   craft_kind kind = craft_kind::rover;
   double speed_mps = 2; // of its own choice
   double acceleration_mps2 = 1;
   double turn_rate_deg_s = 45;
-  double climb_mps = 2.5;         // multirotor
-  double descent_mps = 1.5;       // multirotor
+  double climb_mps = 2.5;         // of what flies
+  double descent_mps = 1.5;       // of what flies
+  double min_speed_mps = 0;       // fixed wing
+  double max_bank_deg = 0;        // fixed wing
+  double loiter_radius_m = 0;     // fixed wing: of its circles, to the right
   double arrival_radius_m = 2;    // where an item has none of its own
   double takeoff_altitude_m = 10; // above home, where a take-off item has none
   double return_altitude_m = 15;  // above home
@@ -23,6 +26,7 @@ struct craft {
 
 [[nodiscard]] craft rover_craft();
 [[nodiscard]] craft multirotor_craft();
+[[nodiscard]] craft fixed_wing_craft();
 
 // How fast it goes: the craft's own speeds, or what a mission has changed them to.
 struct pace {

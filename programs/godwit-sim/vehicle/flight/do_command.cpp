@@ -16,11 +16,11 @@ constexpr double min_speed_mps = 0.1;
 constexpr double max_speed_mps = 20;
 constexpr float craft_default = -2;
 
-std::optional<std::string> change(double& speed_mps, float wanted_mps, double own_mps) {
+std::optional<std::string> change(double& speed_mps, float wanted_mps, double own_mps, double least_mps) {
   if (wanted_mps == craft_default)
     speed_mps = own_mps;
   else if (wanted_mps > 0)
-    speed_mps = std::clamp(static_cast<double>(wanted_mps), min_speed_mps, max_speed_mps);
+    speed_mps = std::clamp(static_cast<double>(wanted_mps), least_mps, max_speed_mps);
   else if (wanted_mps != -1) // -1 keeps it
     return "it names no speed";
   return std::nullopt;
@@ -29,11 +29,11 @@ std::optional<std::string> change(double& speed_mps, float wanted_mps, double ow
 std::optional<std::string> change_speed(const mission_item_int& command, const craft& what, pace& how_fast) {
   const auto own = own_pace(what);
   if (command.param1 == 0 || command.param1 == 1)
-    return change(how_fast.speed_mps, command.param2, own.speed_mps);
+    return change(how_fast.speed_mps, command.param2, own.speed_mps, std::max(min_speed_mps, what.min_speed_mps));
   if (command.param1 == 2)
-    return change(how_fast.climb_mps, command.param2, own.climb_mps);
+    return change(how_fast.climb_mps, command.param2, own.climb_mps, min_speed_mps);
   if (command.param1 == 3)
-    return change(how_fast.descent_mps, command.param2, own.descent_mps);
+    return change(how_fast.descent_mps, command.param2, own.descent_mps, min_speed_mps);
   return "this kind of speed is not known";
 }
 

@@ -19,7 +19,7 @@ void flight::begin_task() {
   leg_list legs;
   if (const auto* go = std::get_if<task::go>(&task_))
     legs = legs_to({go->to, mover_.what().arrival_radius_m, true, go->speed_mps}, mover_);
-  else if (const auto* climb = std::get_if<task::climb>(&task_); climb != nullptr && mover_.is_multirotor())
+  else if (const auto* climb = std::get_if<task::climb>(&task_); climb != nullptr && !mover_.is_rover())
     legs = {climb_leg{std::max(climb->altitude_m, mover_.ground_m() + min_flight_height_m)}};
   else if (std::holds_alternative<task::land>(task_))
     legs = {land_leg{}};

@@ -11,7 +11,7 @@
 //
 // Deterministic: the same calls at the same times give the same bytes. The ground is level, at home's altitude when the
 // flight is made. A rover takes LAND for `drive there and stop`; a multirotor that is told to go somewhere while it
-// stands on the ground takes off first. Thread: one at a time.
+// stands on the ground takes off first, a fixed wing stays there. Thread: one at a time.
 #pragma once
 
 #include <cstdint>

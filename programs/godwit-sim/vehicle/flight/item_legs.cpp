@@ -20,17 +20,40 @@ constexpr double landing_radius_m = 0.5;
 // NaN and what is negative mean none.
 double seconds(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0; }
 
-double turning_s(const mission_item_int& item, double speed_mps) {
+double turning_s(const mission_item_int& item, const item_setting& setting) {
   constexpr double default_radius_m = 20;
-  const double radius_m = std::isfinite(item.param3) && item.param3 != 0 ? std::abs(item.param3) : default_radius_m;
-  return seconds(item.param1) * 2 * std::numbers::pi * radius_m / speed_mps;
+  const double own_m = setting.vehicle.is_fixed_wing() ? setting.vehicle.what().loiter_radius_m : default_radius_m;
+  const double radius_m = std::isfinite(item.param3) && item.param3 != 0 ? std::abs(item.param3) : own_m;
+  return seconds(item.param1) * 2 * std::numbers::pi * radius_m / setting.how_fast.speed_mps;
+}
+
+bool is_loiter(const mission_item_int& item) {
+  return item.command == nav_loiter_unlim || item.command == nav_loiter_time || item.command == nav_loiter_turns;
+}
+
+// On which a fixed wing stays there; 0: its own.
+double circle_m(const mission_item_int& item, const mover& vehicle) {
+  if (!is_loiter(item) || !std::isfinite(item.param3) || item.param3 == 0)
+    return 0;
+  return item.command == nav_loiter_turns
+             ? static_cast<double>(item.param3)
+             : std::copysign(vehicle.what().loiter_radius_m, static_cast<double>(item.param3));
+}
+
+// Who comes to a circle is there before its centre.
+double wing_is_there_m(double radius_m, const mover& vehicle) {
+  return vehicle.what().arrival_radius_m + (radius_m != 0 ? std::abs(radius_m) : vehicle.what().loiter_radius_m);
 }
 
 go_leg leg_to(const mission_item_int& item, const item_place& place, const item_setting& setting) {
   const bool is_waypoint = item.command == nav_waypoint || item.command == nav_spline_waypoint;
   const double radius_m = is_waypoint ? seconds(item.param2) : 0;
   const bool stops = !is_waypoint || seconds(item.param1) > 0 || !setting.goes_on;
-  return {place.at, radius_m > 0 ? radius_m : setting.vehicle.what().arrival_radius_m, stops};
+  go_leg leg{place.at, radius_m > 0 ? radius_m : setting.vehicle.what().arrival_radius_m, stops};
+  leg.circle_m = circle_m(item, setting.vehicle);
+  if (is_loiter(item) && setting.vehicle.is_fixed_wing())
+    leg.radius_m = wing_is_there_m(leg.circle_m, setting.vehicle);
+  return leg;
 }
 
 leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
@@ -44,7 +67,7 @@ leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
                                                      : setting.vehicle.ground_m() + min_flight_height_m;
   top.altitude_m = std::max(top.altitude_m, floor_m);
   leg_list legs{climb_leg{top.altitude_m}};
-  if (!place.is_here)
+  if (!place.is_here && !setting.vehicle.is_fixed_wing()) // which takes off along its runway
     legs.emplace_back(go_leg{top, craft.arrival_radius_m, true});
   return legs;
 }
@@ -52,6 +75,12 @@ leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
 // The item's altitude is the one to abort at: it comes there as high as it flies, and goes down.
 leg_list landing_legs(const item_place& place, const item_setting& setting) {
   const auto& vehicle = setting.vehicle;
+  if (vehicle.is_fixed_wing() && place.is_here)
+    return {land_leg{}, stay_leg{}};
+  if (vehicle.is_fixed_wing() && vehicle.is_in_air())
+    return {touch_down_leg{place.at}, stay_leg{}};
+  if (vehicle.is_fixed_wing())
+    return {stay_leg{}};
   auto above = place.at;
   above.altitude_m = setting.here.altitude_m;
   if (vehicle.is_multirotor() && !vehicle.is_in_air())
@@ -70,9 +99,9 @@ leg_list landing_legs(const item_place& place, const item_setting& setting) {
 leg_list legs_to(const go_leg& place, const mover& vehicle) {
   go_leg there = place;
   leg_list legs;
-  if (vehicle.is_multirotor()) {
+  if (!vehicle.is_rover()) {
     there.to.altitude_m = std::max(there.to.altitude_m, vehicle.ground_m() + min_flight_height_m);
-    if (!vehicle.is_in_air())
+    if (!vehicle.is_in_air() && vehicle.is_multirotor())
       legs.emplace_back(climb_leg{there.to.altitude_m});
   }
   legs.emplace_back(there);
@@ -80,11 +109,15 @@ leg_list legs_to(const go_leg& place, const mover& vehicle) {
 }
 
 leg_list legs_home(const position& home, const mover& vehicle) {
-  if (!vehicle.is_multirotor())
+  if (vehicle.is_rover())
     return {go_leg{home, vehicle.what().arrival_radius_m, true}};
   if (!vehicle.is_in_air())
     return {};
   auto above = home;
+  if (vehicle.is_fixed_wing()) {
+    above.altitude_m += vehicle.what().return_altitude_m;
+    return {go_leg{above, wing_is_there_m(0, vehicle), true}, stay_leg{}};
+  }
   above.altitude_m = std::max(vehicle.where().where.altitude_m, home.altitude_m + vehicle.what().return_altitude_m);
   return {climb_leg{above.altitude_m}, go_leg{above, landing_radius_m, true}, land_leg{}};
 }
@@ -102,7 +135,7 @@ tl::expected<leg_list, std::string> legs_of(const mission_item_int& item, const 
     return tl::unexpected(place.error());
   switch (item.command) {
   case nav_takeoff:
-    if (!setting.vehicle.is_multirotor())
+    if (setting.vehicle.is_rover())
       return tl::unexpected(std::string("a rover does not take off"));
     return takeoff_legs(*place, setting);
   case nav_land:
@@ -120,8 +153,8 @@ tl::expected<leg_list, std::string> legs_of(const mission_item_int& item, const 
   if (item.command == nav_loiter_unlim)
     legs.emplace_back(stay_leg{});
   else if (item.command == nav_loiter_turns)
-    legs.emplace_back(wait_leg{turning_s(item, setting.how_fast.speed_mps)});
-  else if (seconds(item.param1) > 0)
+    legs.emplace_back(wait_leg{turning_s(item, setting)});
+  else if (seconds(item.param1) > 0 && (is_loiter(item) || !setting.vehicle.is_fixed_wing()))
     legs.emplace_back(wait_leg{seconds(item.param1)});
   return legs;
 }

@@ -1,16 +1,17 @@
 // What a NAV item of a mission means for a vehicle.
 //
-// | Item | Multirotor | Rover |
-// |---|---|---|
-// | waypoint, spline waypoint | there, hold | the same |
-// | loiter: unlimited, time, turns | there, wait; the time that the turns take | the same |
-// | take-off | up, then there | skipped |
-// | land | there, down | there, stop |
-// | return to launch | up to the return altitude, home, down | home, stop |
-// | delay | wait | the same |
+// | Item | Multirotor | Fixed wing | Rover |
+// |---|---|---|---|
+// | waypoint, spline waypoint | there, hold | there, or past it; no hold | there, hold |
+// | loiter: unlimited, time, turns | there, wait; the time that the turns take | the same, on circles | there, wait |
+// | take-off | up, then there | straight on and up | skipped |
+// | land | there, down | straight down to there, and stays: no end | there, stop |
+// | return to launch | up to the return altitude, home, down | home, circles: no end | home, stop |
+// | delay | wait | circles | wait |
 //
-// A multirotor on the ground takes off first, to the altitude of the item. Thread: pure. Source: MAV_CMD of MAVLink's
-// common.xml.
+// A multirotor on the ground takes off first, to the altitude of the item; a fixed wing stays on the ground. Thread:
+// pure. Source: MAV_CMD of MAVLink's common.xml; ArduPlane's verify_land and do_loiter_time, which takes its own radius
+// for all circles but those of loiter turns.
 #pragma once
 
 #include <string>
@@ -37,7 +38,8 @@ struct item_setting {
 
 // To a place, from the ground or in the air.
 [[nodiscard]] leg_list legs_to(const go_leg& place, const mover& vehicle);
-// To the return altitude, home, and down; a rover: home. On the ground a multirotor is back.
+// To the return altitude, home, and down; a rover: home; a fixed wing: circles over home. On the ground who flies is
+// back.
 [[nodiscard]] leg_list legs_home(const position& home, const mover& vehicle);
 
 } // namespace godwit::sim

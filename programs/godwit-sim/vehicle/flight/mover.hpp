@@ -1,9 +1,13 @@
-// The vehicle's body and the ground that it stands on: it moves as a rover or as a multirotor does, one small step at a
-// time. Thread: one at a time.
+// The vehicle's body and the ground that it stands on: it moves as a rover, a multirotor or a fixed wing does, one
+// small step at a time. Thread: one at a time.
 #pragma once
+
+#include <optional>
 
 #include "programs/godwit-sim/vehicle/flight/craft.hpp"
 #include "programs/godwit-sim/vehicle/world/body.hpp"
+#include "programs/godwit-sim/vehicle/world/fixed_wing_motion.hpp"
+#include "programs/godwit-sim/vehicle/world/way.hpp"
 
 namespace godwit::sim {
 
@@ -12,15 +16,22 @@ public:
   // On the ground at WHERE, which is level and everywhere as high.
   mover(const craft& what, const position& where);
 
-  void rest(double step_s); // no motors: who is in the air falls
-  void hold(double step_s); // comes to a stop, and stays
-  // To the place at the end of COURSE and the altitude; a multirotor is in the air. A rover's altitude stays.
+  void rest(double step_s); // no motors: who is in the air falls, or glides
+  void hold(double step_s); // comes to a stop, and stays; a fixed wing in the air circles around where that began
+  // To the place at the end of COURSE and the altitude; a multirotor is in the air. A rover's altitude stays. A fixed
+  // wing on the ground stays there.
   struct heading_for {
     course way;
     double altitude_m = 0;
     bool stops = false;
   };
   void go(const heading_for& place, const pace& how_fast, double step_s);
+  // A fixed wing in the air: around the place. RADIUS_M: negative: to the left; 0: its own.
+  void circle(const heading_for& centre, double radius_m, const pace& how_fast, double step_s);
+  // A fixed wing: from the ground or in the air, straight on to the altitude.
+  void climb_ahead(double altitude_m, const pace& how_fast, double step_s);
+  // A fixed wing in the air: to the place at the end of COURSE, on a straight path to the ground of this slope.
+  void approach(const course& way, double slope, const pace& how_fast, double step_s);
   void land(const pace& how_fast, double step_s);
   // Everything stops at once, on the ground.
   void drop();
@@ -28,17 +39,23 @@ public:
   [[nodiscard]] const craft& what() const { return craft_; }
   [[nodiscard]] const body& where() const { return body_; }
   [[nodiscard]] double ground_m() const { return ground_m_; } // above mean sea level
+  [[nodiscard]] bool is_rover() const { return craft_.kind == craft_kind::rover; }
   [[nodiscard]] bool is_multirotor() const { return craft_.kind == craft_kind::multirotor; }
+  [[nodiscard]] bool is_fixed_wing() const { return craft_.kind == craft_kind::fixed_wing; }
   [[nodiscard]] bool is_in_air() const { return is_in_air_; }
   [[nodiscard]] bool is_still() const; // neither moves nor leans
+  // A fixed wing is as low as where it holds off before it touches the ground.
+  [[nodiscard]] bool is_low() const;
 
 private:
   void meet_ground();
+  void fly_wing(const circle_course& where_to, double altitude_m, const pace& how_fast, double step_s);
 
   craft craft_;
   body body_;
   double ground_m_;
   bool is_in_air_ = false;
+  std::optional<way> circled_; // by a fixed wing that holds
 };
 
 } // namespace godwit::sim

@@ -11,7 +11,7 @@ struct task {
   struct rest { // motors off
     bool operator==(const rest&) const = default;
   };
-  struct hold { // a rover stops; in the air it stays where it is, on the ground it stays there
+  struct hold { // a rover stops; in the air it stays where it is, a wing on circles; on the ground it stays there
     bool operator==(const hold&) const = default;
   };
   struct go { // and hold there
@@ -26,13 +26,13 @@ struct task {
   struct land { // where it is
     bool operator==(const land&) const = default;
   };
-  struct come_back { // in the air: to the return altitude, home, land; a rover: home, and stop there
+  struct come_back { // in the air: to the return altitude, home, land (a wing circles); a rover: home, and stop
     bool operator==(const come_back&) const = default;
   };
   struct follow_mission { // as mission() says; holds while it is idle and when it is complete
     bool operator==(const follow_mission&) const = default;
   };
-  struct coast { // hands off in a manual mode: it comes to a stop
+  struct coast { // hands off in a manual mode: it comes to a stop; a wing in the air circles, as its pilot would
     bool operator==(const coast&) const = default;
   };
   using any = std::variant<rest, hold, go, climb, land, come_back, follow_mission, coast>;

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/copter.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/plane.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/px4.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/rover.hpp"
 #include "runtime/assert.hpp"
@@ -22,7 +23,9 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
   case personality::px4:
     return std::make_unique<px4>(with);
   case personality::ardupilot:
-    return std::make_unique<ardupilot>(with);
+    return std::make_unique<copter>(with);
+  case personality::plane:
+    return std::make_unique<plane>(with);
   }
   GODWIT_ASSERT(false, "each personality has its autopilot");
 }

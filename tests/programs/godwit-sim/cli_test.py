@@ -40,7 +40,7 @@ class Usage(unittest.TestCase):
             self.assert_usage(arguments, "Usage:", "godwit-sim")
 
     def test_values_that_mean_nothing_are_named_with_the_form(self):
-        self.assert_usage(["vehicle", "--personality", "plane"], "plane", "rover, px4 or ardupilot")
+        self.assert_usage(["vehicle", "--personality", "glider"], "glider", "rover, px4, ardupilot or plane")
         for option, value, words in (("--link", "udp:1", ("udp:1", "udpin://HOST:PORT", "tcpin://HOST:PORT")),
                                      ("--home", "here", ("here", "LATITUDE,LONGITUDE,ALTITUDE")),
                                      ("--faults", "loss=2", ("loss=2", "a share from 0 to 1")),
@@ -95,7 +95,7 @@ class Vehicle(unittest.TestCase):
             return station.recv(2048)
 
     def test_each_personality_speaks_over_udp_and_ends_when_the_control_port_says_quit(self):
-        for personality in ("rover", "px4", "ardupilot"):
+        for personality in ("rover", "px4", "ardupilot", "plane"):
             with self.subTest(personality):
                 process, text = self.start("--personality", personality, "--link", "udpin://127.0.0.1:0",
                                            "--control", "127.0.0.1:0")

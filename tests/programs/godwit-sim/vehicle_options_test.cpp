@@ -53,7 +53,7 @@ TEST(vehicle_options, what_is_given_reaches_the_vehicle) {
 
 TEST(vehicle_options, a_mistake_names_the_option_the_value_and_the_form) {
   const std::pair<std::function<void(vehicle_arguments&)>, const char*> mistakes[] = {
-      {[](auto& given) { given.personality = "plane"; }, "--personality: \"plane\" is no personality: rover, px4 or"},
+      {[](auto& given) { given.personality = "glider"; }, "--personality: \"glider\" is no personality: rover, px4, "},
       {[](auto& given) { given.link = "udp:14550"; }, "--link: \"udp:14550\""},
       {[](auto& given) { given.home = "here"; }, "--home: \"here\" is no place: LATITUDE,LONGITUDE,ALTITUDE"},
       {[](auto& given) { given.home = "1,2"; }, "--home: \"1,2\" is no place"},

@@ -13,8 +13,6 @@ namespace {
 using mavlink::mav_cmd;
 using mavlink::mav_severity;
 
-constexpr int first_flown = 1; // item 0 is home
-
 // What its texts call a command.
 std::string_view name_of(std::uint16_t command) {
   struct row {
@@ -39,17 +37,16 @@ std::string_view name_of(std::uint16_t command) {
   return found == rows.end() ? "?" : found->name;
 }
 
+} // namespace
+
 bool is_waypoint(std::uint16_t command) {
   return command == mavlink::number(mav_cmd::nav_waypoint) || command == mavlink::number(mav_cmd::nav_spline_waypoint);
 }
 
-} // namespace
-
 // -- arming and modes -------------------------------------------------------------------------------
 
 std::optional<autopilot::refusal> ardupilot::why_not_arm(bool forced) const {
-  const auto kind = state().mode->kind;
-  if (kind == mode_kind::mission || kind == mode_kind::come_back || kind == mode_kind::land)
+  if (!is_armable(state().mode->kind))
     return refusal{answer::failed, mav_severity::critical, "Arm: Mode not armable"};
   if (forced)
     return std::nullopt;
@@ -71,7 +68,7 @@ std::string ardupilot::why_not(const flight_mode& mode) const {
     return "requires position";
   if (mode.kind != mode_kind::mission || !state().is_armed)
     return {};
-  return run().is_empty() || (!craft().is_in_air() && !begins_with_take_off()) ? "init failed" : "";
+  return run().is_empty() || !why_not_auto().empty() ? "init failed" : "";
 }
 
 autopilot::answer ardupilot::change_mode(const flight_mode* mode, std::uint32_t number) {
@@ -83,9 +80,8 @@ autopilot::answer ardupilot::change_mode(const flight_mode* mode, std::uint32_t 
     return answer::accepted;
   const auto reason = why_not(*mode);
   if (!reason.empty()) {
-    const bool misses_take_off = mode->kind == mode_kind::mission && !run().is_empty() && !craft().is_in_air();
-    if (misses_take_off && !begins_with_take_off())
-      say(mav_severity::critical, "Auto: Missing Takeoff Cmd");
+    if (mode->kind == mode_kind::mission && !run().is_empty() && !why_not_auto().empty())
+      say(mav_severity::critical, why_not_auto());
     say(mav_severity::warning, "Mode change to " + std::string(mode->name) + " failed: " + reason);
     return answer::failed;
   }
@@ -101,47 +97,13 @@ void ardupilot::on_mode_left(const flight_mode& mode) {
 }
 
 void ardupilot::on_mode_entered(const flight_mode& mode) {
-  if (mode.kind == mode_kind::mission && craft().is_in_air())
+  if (mode.kind == mode_kind::mission && begins_in_auto())
     start_or_resume();
 }
 
-void ardupilot::on_armed() {
-  say(mav_severity::info, "Arming motors");
-  preflight_ends_ns_ = now().world_ns + disarms_after_ns;
-}
-
-void ardupilot::on_disarmed() {
-  say(mav_severity::info, "Disarming motors");
-  preflight_ends_ns_ = never_ns;
-  reset_mission();
-}
-
-void ardupilot::on_position_lost() {
-  say(mav_severity::critical, "EKF Failsafe: changed to LAND Mode");
-  enter(mode_kind::land);
-}
-
-void ardupilot::on_battery_empty() {
-  say(mav_severity::critical, "Battery 1 is critical");
-  if (craft().is_in_air())
-    enter(mode_kind::land);
-  else
-    disarm();
-}
-
-void ardupilot::on_restart() {
-  preflight_ends_ns_ = never_ns;
-  load_plan();
-}
+void ardupilot::on_restart() { load_plan(); }
 
 // -- the mission ------------------------------------------------------------------------------------
-
-bool ardupilot::begins_with_take_off() const {
-  const auto items = run().items();
-  const auto found = std::find_if(items.begin() + std::min<std::ptrdiff_t>(first_flown, std::ssize(items)), items.end(),
-                                  [](const mavlink::mission_item_int& each) { return is_nav(each); });
-  return found != items.end() && found->command == mavlink::number(mav_cmd::nav_takeoff);
-}
 
 autopilot::answer ardupilot::start_mission(const role::order& what) {
   if (what.param1 != 0 || what.param2 != 0) // what is no number differs from 0 as well
@@ -192,7 +154,7 @@ bool ardupilot::choose(int sequence) {
   if (phase_ == mission_phase::complete)
     phase_ = mission_phase::stopped;
   is_at_beginning_ = sequence < first_flown;
-  if (state().is_in(mode_kind::mission) && craft().is_in_air())
+  if (state().is_in(mode_kind::mission) && begins_in_auto())
     start_or_resume();
   return true;
 }
@@ -217,19 +179,16 @@ autopilot::answer ardupilot::set_mission_current(const role::order& what) {
 
 void ardupilot::tell_begun(int sequence) {
   is_at_beginning_ = false;
-  const auto command = run().items()[static_cast<std::size_t>(sequence)].command;
-  say(mav_severity::info, "Mission: " + std::to_string(sequence) + " " + std::string(name_of(command)));
+  say(mav_severity::info, "Mission: " + std::to_string(sequence) + " " + std::string(name_of(command_of(sequence))));
 }
 
 void ardupilot::tell_reached(int sequence) {
   with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(sequence)});
-  if (is_waypoint(run().items()[static_cast<std::size_t>(sequence)].command))
-    say(mav_severity::info, "Reached command #" + std::to_string(sequence));
+  if (const auto words = words_of_reached(sequence); !words.empty())
+    say(mav_severity::info, words);
 }
 
-// Its Copter disarms behind a landing, sets the mission back and takes it for running: no word that it was done.
-void ardupilot::end_by_landing() {
-  disarm();
+void ardupilot::set_back_and_running() {
   phase_ = mission_phase::running;
   is_at_beginning_ = false;
 }
@@ -239,36 +198,20 @@ void ardupilot::on_happening(const happening& what) {
     return; // the landing has ended it
   if (const auto* begun = std::get_if<item_begun>(&what)) {
     tell_begun(begun->sequence);
+    on_item_begun(begun->sequence);
   } else if (const auto* reached = std::get_if<item_reached>(&what)) {
     tell_reached(reached->sequence);
   } else if (const auto* skipped = std::get_if<item_skipped>(&what)) {
     say(mav_severity::warning, "Skipping invalid cmd #" + std::to_string(skipped->sequence));
   } else if (std::holds_alternative<took_off>(what)) {
-    preflight_ends_ns_ = never_ns;
+    on_took_off();
   } else if (std::holds_alternative<landed>(what)) {
-    const bool goes_on = state().is_in(mode_kind::mission) && phase_ == mission_phase::running;
-    const bool is_last = run().current() + 1 == run().count();
-    if (!goes_on)
-      disarm();
-    else if (is_last && run().items().back().command == mavlink::number(mav_cmd::nav_land))
-      end_by_landing();
+    on_landed();
   } else if (std::holds_alternative<mission_completed>(what)) {
     phase_ = mission_phase::complete;
-    say(mav_severity::notice, "Mission Complete");
-    if (!craft().is_in_air())
-      disarm();
+    on_completed();
   }
 }
-
-void ardupilot::on_time() {
-  if (now().world_ns < preflight_ends_ns_)
-    return;
-  preflight_ends_ns_ = never_ns; // also for who was armed again in the air
-  if (!craft().is_in_air())
-    disarm();
-}
-
-std::int64_t ardupilot::next_timer_ns() const { return preflight_ends_ns_; }
 
 mavlink::mission_current ardupilot::progress() const {
   auto m = place_in_mission(run(), with().plans, habits());
@@ -289,13 +232,6 @@ mavlink::mission_current ardupilot::progress() const {
 
 // -- commands ---------------------------------------------------------------------------------------
 
-autopilot::answer ardupilot::take_off(const role::order& what) {
-  if (!state().is_in(mode_kind::guided) || !state().is_armed || craft().is_in_air() || !(what.z > 0))
-    return answer::failed;
-  climb_to(altitude_in(what));
-  return answer::accepted;
-}
-
 autopilot::answer ardupilot::reposition(const role::order& what) {
   if (!what.is_in_integers)
     return answer::unsupported; // a float would round the place
@@ -308,18 +244,6 @@ autopilot::answer ardupilot::reposition(const role::order& what) {
     return answer::failed;
   if (state().is_armed && craft().is_in_air())
     go_to(place_in(what));
-  return answer::accepted;
-}
-
-// In AUTO it stays where it is, without leaving the mode.
-autopilot::answer ardupilot::pause_or_continue(const role::order& what) {
-  const bool can = flies_mission() && craft().is_in_air();
-  if (!can || (what.param1 != 0 && what.param1 != 1))
-    return answer::unsupported;
-  if (what.param1 == 0)
-    hold_here();
-  else
-    steer();
   return answer::accepted;
 }
 

@@ -5,7 +5,8 @@
 //      ^   the task of the mode <── another mode, completed ──┘                  │
 //      └──── disarm, landed, battery ───────────────────────────────────────────┘
 //
-// The base knows what they share; where they differ, a derived class answers (rover, px4, ardupilot), or a trait does.
+// The base knows what they share; where they differ, a derived class answers (rover, px4, copter, plane), or a trait
+// does.
 // It moves nothing itself: it gives `flight` a task and hears what happened. Each order gets exactly one answer, unless
 // the autopilot is known to do otherwise. Thread: one at a time. Source: MAVLink command protocol, and recordings.
 #pragma once
@@ -106,6 +107,7 @@ protected:
   virtual answer set_mission_current(const role::order& what) = 0;
   virtual answer take_off(const role::order& what) = 0;
   virtual answer land(const role::order&);
+  virtual answer start_landing(const role::order&) { return answer::unsupported; }
   virtual answer reposition(const role::order& what) = 0;
   virtual answer pause_or_continue(const role::order& what) = 0;
   virtual answer restart_or_shut_down(const role::order& what) = 0;

@@ -46,6 +46,28 @@ constexpr std::array<flight_mode, 9> copter_table{{
     {"BRAKE", 17, copter_guided, mode_kind::hold, true},
 }};
 
+// The first of a kind is the one that is asked for.
+constexpr std::uint8_t plane_manual = 1 | 64;
+constexpr std::uint8_t plane_assisted = 1 | 16 | 64;
+constexpr std::uint8_t plane_guided = 1 | 8 | 16;
+constexpr std::array<flight_mode, 15> plane_table{{
+    {"MANUAL", 0, plane_manual, mode_kind::manual, false},
+    {"STABILIZE", 2, plane_assisted, mode_kind::manual, false},
+    {"TRAINING", 3, plane_assisted, mode_kind::manual, false},
+    {"ACRO", 4, plane_assisted, mode_kind::manual, false},
+    {"FBWA", 5, plane_assisted, mode_kind::manual, false},
+    {"FBWB", 6, plane_assisted, mode_kind::manual, false},
+    {"CRUISE", 7, plane_assisted, mode_kind::manual, false},
+    {"AUTOTUNE", 8, plane_assisted, mode_kind::manual, false},
+    {"AUTO", 10, plane_guided, mode_kind::mission, true},
+    {"RTL", 11, plane_guided, mode_kind::come_back, true},
+    {"LOITER", 12, plane_guided, mode_kind::hold, true},
+    {"CIRCLE", 1, plane_guided, mode_kind::hold, false},
+    {"TAKEOFF", 13, plane_guided, mode_kind::take_off, true},
+    {"GUIDED", 15, plane_guided, mode_kind::guided, true},
+    {"THERMAL", 24, plane_guided, mode_kind::hold, true},
+}};
+
 const flight_mode* first_of(mode_table modes, mode_kind kind) {
   const auto found = std::find_if(modes.begin(), modes.end(), [&](const flight_mode& m) { return m.kind == kind; });
   return found == modes.end() ? nullptr : &*found;
@@ -56,6 +78,7 @@ const flight_mode* first_of(mode_table modes, mode_kind kind) {
 mode_table rover_modes() { return rover_table; }
 mode_table px4_modes() { return px4_table; }
 mode_table copter_modes() { return copter_table; }
+mode_table plane_modes() { return plane_table; }
 
 const flight_mode* find_mode(mode_table modes, std::uint32_t custom) {
   const auto found = std::find_if(modes.begin(), modes.end(), [&](const flight_mode& m) { return m.custom == custom; });

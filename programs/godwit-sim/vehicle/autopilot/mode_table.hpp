@@ -1,7 +1,7 @@
 // The flight modes of each autopilot: names, numbers, and what they come down to. Thread: constants.
 //
-// Source: ArduPilot's Copter modes, PX4's px4_custom_mode (main mode << 16, sub mode << 24), and HEARTBEATs that were
-// recorded from both.
+// Source: ArduPilot's Copter and Plane modes, PX4's px4_custom_mode (main mode << 16, sub mode << 24), and HEARTBEATs
+// that were recorded from both.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,7 @@ using mode_table = std::span<const flight_mode>;
 [[nodiscard]] mode_table rover_modes();
 [[nodiscard]] mode_table px4_modes();
 [[nodiscard]] mode_table copter_modes();
+[[nodiscard]] mode_table plane_modes();
 
 // PX4's number for a main and a sub mode.
 [[nodiscard]] constexpr std::uint32_t px4_mode(std::uint32_t main, std::uint32_t sub) {

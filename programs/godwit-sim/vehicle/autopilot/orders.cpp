@@ -18,7 +18,7 @@ constexpr float forced_by = 21196; // param2 of COMPONENT_ARM_DISARM: without a 
 
 autopilot::handler autopilot::handler_for(std::uint16_t command) {
   using mavlink::number;
-  static constexpr std::array<row, 19> rows{{
+  static constexpr std::array<row, 20> rows{{
       {number(mav_cmd::nav_loiter_unlim), &autopilot::loiter},
       {number(mav_cmd::nav_return_to_launch), &autopilot::return_home},
       {number(mav_cmd::nav_land), &autopilot::land},
@@ -26,6 +26,7 @@ autopilot::handler autopilot::handler_for(std::uint16_t command) {
       {number(mav_cmd::do_set_mode), &autopilot::set_mode},
       {number(mav_cmd::do_change_speed), &autopilot::change_speed},
       {number(mav_cmd::do_set_home), &autopilot::set_home},
+      {number(mav_cmd::do_land_start), &autopilot::start_landing},
       {number(mav_cmd::do_reposition), &autopilot::reposition},
       {number(mav_cmd::do_pause_continue), &autopilot::pause_or_continue},
       {number(mav_cmd::do_set_mission_current), &autopilot::set_mission_current},

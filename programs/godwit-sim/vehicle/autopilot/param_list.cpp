@@ -148,4 +148,50 @@ std::vector<role::param> copter_params() {
   };
 }
 
+std::vector<role::param> plane_params() {
+  return {
+      {"SYSID_THISMAV", 1, int16, false},
+      {"SYSID_MYGCS", 255, int16, true},
+      {"MAV_SYSID", 1, int16, false},
+      {"MAV_GCS_SYSID", 255, int16, true},
+      {"AIRSPEED_CRUISE", 15, real32, true},
+      {"AIRSPEED_MAX", 22, int16, true},
+      {"AIRSPEED_MIN", 10, int16, true},
+      {"ARMING_CHECK", 1, int32, true},
+      {"BATT_CAPACITY", 5000, int32, true},
+      {"BATT_FS_LOW_ACT", 0, int8, true},
+      {"BATT_LOW_VOLT", 10.5F, real32, true},
+      {"BATT_MONITOR", 4, int8, true},
+      {"FENCE_ACTION", 0, int8, true},
+      {"FENCE_ENABLE", 0, int8, true},
+      {"FENCE_TOTAL", 0, int8, false},
+      {"FLTMODE1", 10, int8, true},
+      {"FLTMODE2", 11, int8, true},
+      {"FLTMODE3", 5, int8, true},
+      {"FLTMODE4", 5, int8, true},
+      {"FLTMODE5", 2, int8, true},
+      {"FLTMODE6", 0, int8, true},
+      {"FLTMODE_CH", 8, int8, true},
+      {"FS_LONG_ACTN", 0, int8, true},
+      {"FS_SHORT_ACTN", 0, int8, true},
+      {"LAND_DISARMDELAY", 20, int8, true},
+      {"MIS_OPTIONS", 0, int16, true},
+      {"MIS_RESTART", 0, int8, true},
+      {"MIS_TOTAL", 0, int16, false},
+      {"Q_ENABLE", 0, int8, false},
+      {"ROLL_LIMIT_DEG", 45, real32, true},
+      {"RTL_ALTITUDE", 60, real32, true},
+      {"RTL_AUTOLAND", 3, int8, true},
+      {"RTL_RADIUS", 0, int16, true},
+      {"SIM_SPEEDUP", 1, real32, false},
+      {"STAT_BOOTCNT", 1, int16, false},
+      {"STAT_RUNTIME", 0, int32, false},
+      {"TECS_CLMB_MAX", 4, real32, true},
+      {"TECS_SINK_MAX", 4, real32, true},
+      {"TKOFF_ALT", 50, real32, true},
+      {"WP_LOITER_RAD", 60, int16, true},
+      {"WP_RADIUS", 30, int16, true},
+  };
+}
+
 } // namespace godwit::sim

@@ -14,5 +14,6 @@ namespace godwit::sim {
 [[nodiscard]] std::vector<role::param> rover_params();
 [[nodiscard]] std::vector<role::param> px4_params();
 [[nodiscard]] std::vector<role::param> copter_params();
+[[nodiscard]] std::vector<role::param> plane_params();
 
 } // namespace godwit::sim

@@ -110,9 +110,9 @@ mavlink::heartbeat telemetry::beat() const {
                        .custom_mode = state_.mode->custom};
   if (state_.is_armed)
     m.base_mode |= mavlink::number(mavlink::mav_mode_flag::safety_armed);
-  // Copter calls itself active in the air alone, the others as soon as they are armed.
-  const bool is_copter = habits_.autopilot == mavlink::mav_autopilot::ardupilotmega;
-  const bool is_active = is_copter ? craft_.is_in_air() : state_.is_armed;
+  // ArduPilot's vehicles call themselves active in the air alone, the others as soon as they are armed.
+  const bool is_ardupilot = habits_.autopilot == mavlink::mav_autopilot::ardupilotmega;
+  const bool is_active = is_ardupilot ? craft_.is_in_air() : state_.is_armed;
   auto how = is_active ? mavlink::mav_state::active : mavlink::mav_state::standby;
   if (is_active && (state_.is_battery_empty || !state_.has_position))
     how = mavlink::mav_state::critical;

@@ -62,15 +62,10 @@ traits px4_traits() {
   return t;
 }
 
+// What its vehicles have in common.
 traits ardupilot_traits() {
   traits t;
-  t.type = mavlink::mav_type::quadrotor;
   t.autopilot = mavlink::mav_autopilot::ardupilotmega;
-  t.body = multirotor_craft();
-  t.modes = copter_modes();
-  t.first_mode = 0; // STABILIZE
-  t.plan_habits = plans::ardupilot_copter_habits();
-  t.params = copter_params();
   t.param_encoding = role::param_encoding::as_value;
   t.hides_param_index = true;
   t.streams = ardupilot_streams();
@@ -82,7 +77,6 @@ traits ardupilot_traits() {
   t.hears_any_component = true;
   t.tells_stale_position = true;
   t.timesync_target = timesync_target::nobody;
-  t.banner = {"ArduCopter V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4", "Frame: QUAD/PLUS"};
   t.sensors = {322034735, 320986159, 322034991};
   t.fix_type = 6;                  // as its own simulator's receiver
   t.ready_after_ns = 5 * ns_per_s; // a real one takes 35 to 40 s
@@ -94,19 +88,46 @@ traits ardupilot_traits() {
   return t;
 }
 
+traits copter_traits() {
+  auto t = ardupilot_traits();
+  t.type = mavlink::mav_type::quadrotor;
+  t.body = multirotor_craft();
+  t.modes = copter_modes();
+  t.first_mode = 0; // STABILIZE
+  t.plan_habits = plans::ardupilot_copter_habits();
+  t.params = copter_params();
+  t.banner = {"ArduCopter V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4", "Frame: QUAD/PLUS"};
+  return t;
+}
+
+traits plane_traits() {
+  auto t = ardupilot_traits();
+  t.type = mavlink::mav_type::fixed_wing;
+  t.body = fixed_wing_craft();
+  t.modes = plane_modes();
+  t.first_mode = 0; // MANUAL
+  t.plan_habits = plans::ardupilot_plane_habits();
+  t.params = plane_params();
+  t.banner = {"ArduPlane V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
+  return t;
+}
+
 } // namespace
 
 const traits& traits_of(personality who) {
   static const traits rover = rover_traits();
   static const traits px4 = px4_traits();
-  static const traits ardupilot = ardupilot_traits();
+  static const traits copter = copter_traits();
+  static const traits plane = plane_traits();
   switch (who) {
   case personality::rover:
     return rover;
   case personality::px4:
     return px4;
   case personality::ardupilot:
-    return ardupilot;
+    return copter;
+  case personality::plane:
+    return plane;
   }
   GODWIT_ASSERT(false, "each personality has its traits");
 }

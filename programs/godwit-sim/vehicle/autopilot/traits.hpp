@@ -1,5 +1,5 @@
 // What tells one simulated autopilot from another and can be said as data; what can not is a class of its own (rover,
-// px4, ardupilot). Thread: constants.
+// px4, copter, plane). Thread: constants.
 //
 // Source: recordings of PX4 1.17 and ArduPilot 4.7, and the MAVLink text for the rover, which is nobody's product.
 #pragma once

@@ -143,7 +143,7 @@ TEST(life, of_an_ardupilot) {
 }
 
 TEST(life, is_the_same_twice_with_the_same_seed) {
-  for (const auto who : {personality::rover, personality::px4, personality::ardupilot}) {
+  for (const auto who : {personality::rover, personality::px4, personality::ardupilot, personality::plane}) {
     vehicle_world one(vehicle_settings{.who = who, .seed = 7});
     vehicle_world other(vehicle_settings{.who = who, .seed = 7});
     for (auto* each : {&one, &other}) {

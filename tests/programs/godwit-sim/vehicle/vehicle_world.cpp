@@ -177,9 +177,11 @@ std::optional<mav_mission_result> vehicle_world::clear(mav_mission_type type) {
 }
 
 bool vehicle_world::make_ready() {
-  if (settings_.who == personality::ardupilot) {
-    constexpr float guided = 4;
+  const bool is_copter = settings_.who == personality::ardupilot;
+  if (is_copter || settings_.who == personality::plane) // which starts its mission from any mode
     run_for(static_cast<std::int64_t>(6e9 / settings_.speed));
+  if (is_copter) {
+    constexpr float guided = 4;
     if (command(mav_cmd::do_set_mode, {.p1 = 1, .p2 = guided}) != mav_result::accepted)
       return false;
   }
@@ -239,7 +241,7 @@ plan row_of(int count, const position& home, double spacing_m) {
 
 plan flight_of(int count, const position& home, personality who) {
   plan items;
-  if (who == personality::ardupilot)
+  if (who == personality::ardupilot || who == personality::plane)
     items.push_back(item_at(mav_cmd::nav_waypoint, home, {}));
   items.push_back(item_at(mav_cmd::nav_takeoff, home, {0, 0, 10}));
   for (const auto& each : row_of(count, home, 15))

@@ -8,7 +8,7 @@ namespace godwit::sim {
 namespace {
 
 TEST(mode_table, names_and_numbers_are_unique) {
-  for (const auto table : {rover_modes(), px4_modes(), copter_modes()}) {
+  for (const auto table : {rover_modes(), px4_modes(), copter_modes(), plane_modes()}) {
     std::set<std::uint32_t> numbers;
     std::set<std::string_view> names;
     for (const auto& each : table) {
@@ -28,7 +28,7 @@ TEST(mode_table, px4_has_the_numbers_that_were_recorded) {
 }
 
 TEST(mode_table, each_has_the_modes_that_are_asked_for_by_kind) {
-  for (const auto table : {rover_modes(), px4_modes(), copter_modes()}) {
+  for (const auto table : {rover_modes(), px4_modes(), copter_modes(), plane_modes()}) {
     EXPECT_TRUE(has_mode_of_kind(table, mode_kind::mission));
     EXPECT_TRUE(has_mode_of_kind(table, mode_kind::come_back));
     EXPECT_EQ(mode_of_kind(table, mode_kind::hold).kind, mode_kind::hold);
@@ -36,6 +36,8 @@ TEST(mode_table, each_has_the_modes_that_are_asked_for_by_kind) {
   EXPECT_FALSE(has_mode_of_kind(rover_modes(), mode_kind::land));
   EXPECT_TRUE(has_mode_of_kind(px4_modes(), mode_kind::take_off));
   EXPECT_TRUE(has_mode_of_kind(copter_modes(), mode_kind::guided));
+  EXPECT_FALSE(has_mode_of_kind(plane_modes(), mode_kind::land));
+  EXPECT_EQ(mode_of_kind(plane_modes(), mode_kind::hold).name, "LOITER") << "not CIRCLE";
 }
 
 TEST(mode_table, an_unknown_number_is_no_mode) { EXPECT_EQ(find_mode(copter_modes(), 99), nullptr); }

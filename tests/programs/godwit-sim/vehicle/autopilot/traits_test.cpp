@@ -10,7 +10,8 @@
 namespace godwit::sim {
 namespace {
 
-constexpr std::array every_personality{personality::rover, personality::px4, personality::ardupilot};
+constexpr std::array every_personality{personality::rover, personality::px4, personality::ardupilot,
+                                       personality::plane};
 
 TEST(traits, each_personality_starts_in_a_mode_that_it_has) {
   for (const auto who : every_personality)
@@ -41,7 +42,7 @@ TEST(traits, parameters_have_names_that_fit_and_are_sorted_out) {
 
 TEST(traits, only_ardupilot_keeps_home_as_an_item) {
   for (const auto who : every_personality)
-    EXPECT_EQ(traits_of(who).plan_habits.home.has_value(), who == personality::ardupilot);
+    EXPECT_EQ(traits_of(who).plan_habits.home.has_value(), who == personality::ardupilot || who == personality::plane);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/copter.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -43,7 +43,7 @@ public:
   }
 };
 
-TEST(ardupilot, keeps_home_as_item_0_and_does_not_count_it) {
+TEST(copter, keeps_home_as_item_0_and_does_not_count_it) {
   copter_with world(2);
   const auto back = world.download();
   ASSERT_TRUE(back);
@@ -57,7 +57,7 @@ TEST(ardupilot, keeps_home_as_item_0_and_does_not_count_it) {
   EXPECT_EQ(world.current().mission_id, 0U);
 }
 
-TEST(ardupilot, denies_mission_start_with_a_first_or_last_item) {
+TEST(copter, denies_mission_start_with_a_first_or_last_item) {
   copter_with world(2);
   EXPECT_EQ(world.start(1), mav_result::denied);
   EXPECT_EQ(world.start(0, 2), mav_result::denied);
@@ -65,7 +65,7 @@ TEST(ardupilot, denies_mission_start_with_a_first_or_last_item) {
   EXPECT_EQ(world.start(std::numeric_limits<float>::quiet_NaN()), mav_result::denied);
 }
 
-TEST(ardupilot, does_not_arm_on_mission_start) {
+TEST(copter, does_not_arm_on_mission_start) {
   copter_with world(2);
   EXPECT_EQ(world.start(), mav_result::accepted) << "which does not mean that it moves";
   world.run_for(5 * s);
@@ -73,7 +73,7 @@ TEST(ardupilot, does_not_arm_on_mission_start) {
   EXPECT_EQ(world.picture().mission_state, "idle");
 }
 
-TEST(ardupilot, takes_off_from_guided_on_the_ground_on_mission_start) {
+TEST(copter, takes_off_from_guided_on_the_ground_on_mission_start) {
   copter_with world(2);
   ASSERT_EQ(world.mode(guided), mav_result::accepted);
   ASSERT_EQ(world.arm(), mav_result::accepted);
@@ -82,7 +82,7 @@ TEST(ardupilot, takes_off_from_guided_on_the_ground_on_mission_start) {
   EXPECT_TRUE(world.run_until([&] { return world.picture().in_air; }, 10 * s));
 }
 
-TEST(ardupilot, armed_on_the_ground_wants_a_mission_that_begins_with_a_take_off) {
+TEST(copter, armed_on_the_ground_wants_a_mission_that_begins_with_a_take_off) {
   copter_with world(0);
   auto items = row_of(3, world.home());
   items.insert(items.begin(), items.front());
@@ -95,21 +95,21 @@ TEST(ardupilot, armed_on_the_ground_wants_a_mission_that_begins_with_a_take_off)
   EXPECT_EQ(world.picture().mode, "GUIDED");
 }
 
-TEST(ardupilot, fails_to_start_a_mission_that_is_not_there) {
+TEST(copter, fails_to_start_a_mission_that_is_not_there) {
   copter_with world(0);
   ASSERT_EQ(world.mode(guided), mav_result::accepted);
   ASSERT_EQ(world.arm(), mav_result::accepted);
   EXPECT_EQ(world.start(), mav_result::failed);
 }
 
-TEST(ardupilot, tells_each_reached_item_once) {
+TEST(copter, tells_each_reached_item_once) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(1));
   ASSERT_TRUE(world.run_until([&] { return !world.picture().armed; }, 200 * s));
   EXPECT_EQ(world.reached(), (std::vector<int>{1, 2, 3, 4})) << "and nothing of its landing, as ArduCopter";
 }
 
-TEST(ardupilot, tells_in_its_words_how_far_it_is) {
+TEST(copter, tells_in_its_words_how_far_it_is) {
   copter_with world(1);
   ASSERT_TRUE(world.fly_to(1));
   ASSERT_TRUE(world.run_until([&] { return !world.picture().armed; }, 200 * s));
@@ -119,7 +119,7 @@ TEST(ardupilot, tells_in_its_words_how_far_it_is) {
 }
 
 // mode_auto.cpp: verify_land() disarms and returns false; disarming sets the mission back, and it goes on running.
-TEST(ardupilot, is_at_its_first_item_with_state_3_after_a_landing_has_ended_its_mission) {
+TEST(copter, is_at_its_first_item_with_state_3_after_a_landing_has_ended_its_mission) {
   copter_with world(1);
   ASSERT_TRUE(world.fly_to(1));
   ASSERT_TRUE(world.run_until([&] { return !world.picture().armed; }, 200 * s));
@@ -129,7 +129,7 @@ TEST(ardupilot, is_at_its_first_item_with_state_3_after_a_landing_has_ended_its_
   EXPECT_EQ(said.mission_mode, 1);
 }
 
-TEST(ardupilot, is_back_at_sequence_0_with_state_5_after_it_has_returned_and_disarmed) {
+TEST(copter, is_back_at_sequence_0_with_state_5_after_it_has_returned_and_disarmed) {
   copter_with world(0);
   ASSERT_EQ(world.upload(with_return(world.flight(1))), mav_mission_result::accepted);
   ASSERT_TRUE(world.fly_to(1));
@@ -141,14 +141,14 @@ TEST(ardupilot, is_back_at_sequence_0_with_state_5_after_it_has_returned_and_dis
   EXPECT_EQ(said.total, 3);
 }
 
-TEST(ardupilot, has_mission_mode_1_in_auto_and_0_in_other_modes) {
+TEST(copter, has_mission_mode_1_in_auto_and_0_in_other_modes) {
   copter_with world(1);
   EXPECT_EQ(world.current().mission_mode, 0);
   ASSERT_EQ(world.mode(automatic), mav_result::accepted);
   EXPECT_EQ(world.current().mission_mode, 1);
 }
 
-TEST(ardupilot, tells_the_current_item_at_1_hz_or_as_asked_and_not_on_change) {
+TEST(copter, tells_the_current_item_at_1_hz_or_as_asked_and_not_on_change) {
   copter_with world(3);
   world.mark();
   world.run_for(10 * s);
@@ -165,7 +165,7 @@ TEST(ardupilot, tells_the_current_item_at_1_hz_or_as_asked_and_not_on_change) {
   EXPECT_NEAR(static_cast<double>(world.now_ns() - before), 1e9, 1e7);
 }
 
-TEST(ardupilot, refuses_to_clear_a_mission_that_it_flies) {
+TEST(copter, refuses_to_clear_a_mission_that_it_flies) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(2));
   EXPECT_EQ(world.clear(), mav_mission_result::error);
@@ -174,7 +174,7 @@ TEST(ardupilot, refuses_to_clear_a_mission_that_it_flies) {
   EXPECT_EQ(world.clear(), mav_mission_result::accepted);
 }
 
-TEST(ardupilot, cuts_a_running_mission_when_a_count_arrives) {
+TEST(copter, cuts_a_running_mission_when_a_count_arrives) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
   world.send(mavlink::mission_count{.target_system = 1, .target_component = 1, .count = 4});
@@ -187,7 +187,7 @@ TEST(ardupilot, cuts_a_running_mission_when_a_count_arrives) {
   EXPECT_EQ(world.picture().mode, "AUTO");
 }
 
-TEST(ardupilot, flies_a_new_mission_that_was_uploaded_while_it_held) {
+TEST(copter, flies_a_new_mission_that_was_uploaded_while_it_held) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
   ASSERT_EQ(world.mode(loiter), mav_result::accepted);
@@ -201,7 +201,7 @@ TEST(ardupilot, flies_a_new_mission_that_was_uploaded_while_it_held) {
   EXPECT_EQ(world.reached(), (std::vector<int>{4, 5, 6}));
 }
 
-TEST(ardupilot, stops_its_mission_when_it_leaves_auto_and_goes_on_when_it_comes_back) {
+TEST(copter, stops_its_mission_when_it_leaves_auto_and_goes_on_when_it_comes_back) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
   ASSERT_EQ(world.mode(loiter), mav_result::accepted);
@@ -212,7 +212,7 @@ TEST(ardupilot, stops_its_mission_when_it_leaves_auto_and_goes_on_when_it_comes_
   EXPECT_EQ(world.current().seq, 3);
 }
 
-TEST(ardupilot, is_not_ready_before_its_time_and_shows_it_by_the_pre_arm_bit) {
+TEST(copter, is_not_ready_before_its_time_and_shows_it_by_the_pre_arm_bit) {
   constexpr std::uint32_t pre_arm = 0x1000'0000;
   vehicle_world world(personality::ardupilot);
   ASSERT_TRUE(world.run_until([&] { return world.last<mavlink::sys_status>().has_value(); }, 2 * s));
@@ -224,20 +224,20 @@ TEST(ardupilot, is_not_ready_before_its_time_and_shows_it_by_the_pre_arm_bit) {
   EXPECT_EQ(world.command(mav_cmd::component_arm_disarm, {.p1 = 1}), mav_result::accepted);
 }
 
-TEST(ardupilot, fails_to_change_to_a_mode_that_does_not_exist_and_says_so) {
+TEST(copter, fails_to_change_to_a_mode_that_does_not_exist_and_says_so) {
   copter_with world(0);
   EXPECT_EQ(world.mode(99), mav_result::failed);
   EXPECT_TRUE(world.said("No such mode 99"));
 }
 
-TEST(ardupilot, does_not_arm_in_auto) {
+TEST(copter, does_not_arm_in_auto) {
   copter_with world(1);
   ASSERT_EQ(world.mode(automatic), mav_result::accepted);
   EXPECT_EQ(world.arm(), mav_result::failed);
   EXPECT_TRUE(world.said("Arm: Mode not armable"));
 }
 
-TEST(ardupilot, refuses_to_disarm_in_the_air_unless_it_is_forced) {
+TEST(copter, refuses_to_disarm_in_the_air_unless_it_is_forced) {
   copter_with world(2);
   ASSERT_TRUE(world.fly_to(2));
   EXPECT_EQ(world.disarm(), mav_result::failed);
@@ -247,7 +247,7 @@ TEST(ardupilot, refuses_to_disarm_in_the_air_unless_it_is_forced) {
   EXPECT_TRUE(world.run_until([&] { return !world.picture().in_air; }, 20 * s)) << "it falls";
 }
 
-TEST(ardupilot, takes_reposition_as_command_int_alone) {
+TEST(copter, takes_reposition_as_command_int_alone) {
   copter_with world(0);
   EXPECT_EQ(world.command(mav_cmd::do_reposition, {.p1 = -1, .p2 = 1}), mav_result::unsupported);
   ASSERT_EQ(world.mode(guided), mav_result::accepted);
@@ -262,7 +262,7 @@ TEST(ardupilot, takes_reposition_as_command_int_alone) {
   EXPECT_NEAR(between(world.picture().where, world.home()).distance_m, 25, 1);
 }
 
-TEST(ardupilot, pauses_in_auto_where_it_is) {
+TEST(copter, pauses_in_auto_where_it_is) {
   copter_with world(3);
   EXPECT_EQ(world.command(mav_cmd::do_pause_continue), mav_result::unsupported) << "on the ground";
   ASSERT_TRUE(world.fly_to(3));
@@ -274,7 +274,7 @@ TEST(ardupilot, pauses_in_auto_where_it_is) {
   EXPECT_TRUE(world.run_until([&] { return !world.picture().armed; }, 200 * s));
 }
 
-TEST(ardupilot, takes_off_by_command_in_guided_alone_and_armed) {
+TEST(copter, takes_off_by_command_in_guided_alone_and_armed) {
   copter_with world(0);
   EXPECT_EQ(world.command(mav_cmd::nav_takeoff, {.p7 = 10}), mav_result::failed);
   ASSERT_EQ(world.mode(guided), mav_result::accepted);
@@ -288,7 +288,7 @@ TEST(ardupilot, takes_off_by_command_in_guided_alone_and_armed) {
   EXPECT_TRUE(world.run_until([&] { return !world.picture().armed; }, 60 * s));
 }
 
-TEST(ardupilot, comes_home_and_disarms) {
+TEST(copter, comes_home_and_disarms) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
   ASSERT_EQ(world.command(mav_cmd::nav_return_to_launch), mav_result::accepted);
@@ -296,14 +296,14 @@ TEST(ardupilot, comes_home_and_disarms) {
   EXPECT_LT(between(world.picture().where, world.home()).distance_m, 2);
 }
 
-TEST(ardupilot, disarms_itself_when_it_does_not_take_off) {
+TEST(copter, disarms_itself_when_it_does_not_take_off) {
   copter_with world(0);
   ASSERT_EQ(world.arm(), mav_result::accepted);
   world.run_for(11 * s);
   EXPECT_FALSE(world.picture().armed);
 }
 
-TEST(ardupilot, streams_at_1_hz_until_it_is_asked_and_asks_for_the_time_every_10_s) {
+TEST(copter, streams_at_1_hz_until_it_is_asked_and_asks_for_the_time_every_10_s) {
   copter_with world(0);
   world.mark();
   world.run_for(20 * s);
@@ -320,7 +320,7 @@ TEST(ardupilot, streams_at_1_hz_until_it_is_asked_and_asks_for_the_time_every_10
   EXPECT_NEAR(static_cast<double>(world.each<mavlink::global_position_int>().size()), 200, 1);
 }
 
-TEST(ardupilot, goes_on_telling_a_stale_position_and_lands_when_satellites_are_lost) {
+TEST(copter, goes_on_telling_a_stale_position_and_lands_when_satellites_are_lost) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
   world.subject().lose_position(true, world.now_ns());
@@ -334,7 +334,7 @@ TEST(ardupilot, goes_on_telling_a_stale_position_and_lands_when_satellites_are_l
   EXPECT_TRUE(world.run_until([&] { return !world.picture().armed; }, 60 * s));
 }
 
-TEST(ardupilot, lands_with_an_empty_battery) {
+TEST(copter, lands_with_an_empty_battery) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
   world.subject().set_battery(0, world.now_ns());
@@ -342,7 +342,7 @@ TEST(ardupilot, lands_with_an_empty_battery) {
   EXPECT_TRUE(world.run_until([&] { return !world.picture().armed; }, 60 * s));
 }
 
-TEST(ardupilot, holds_what_there_is_of_a_plan_whose_upload_broke_off) {
+TEST(copter, holds_what_there_is_of_a_plan_whose_upload_broke_off) {
   copter_with world(3);
   world.send(mavlink::mission_count{.target_system = 1, .target_component = 1, .count = 3});
   world.run_for(12 * s);
@@ -352,7 +352,7 @@ TEST(ardupilot, holds_what_there_is_of_a_plan_whose_upload_broke_off) {
   EXPECT_EQ(static_cast<int>(back->size()), world.picture().mission_count) << "what flies is what is held";
 }
 
-TEST(ardupilot, greets_who_asks_for_all_parameters) {
+TEST(copter, greets_who_asks_for_all_parameters) {
   copter_with world(0);
   world.send(mavlink::param_request_list{1, 1});
   world.run_for(1 * s);

@@ -1,0 +1,104 @@
+#include "programs/godwit-sim/vehicle/autopilot/plane.hpp"
+
+#include <algorithm>
+
+namespace godwit::sim {
+
+namespace {
+
+using mavlink::mav_cmd;
+using mavlink::mav_severity;
+
+} // namespace
+
+// -- arming and modes -------------------------------------------------------------------------------
+
+void plane::on_mode_left(const flight_mode& mode) {
+  disarms_ns_ = never_ns;
+  ardupilot::on_mode_left(mode);
+}
+
+void plane::on_mode_entered(const flight_mode& mode) {
+  ardupilot::on_mode_entered(mode);
+  if (mode.kind == mode_kind::take_off && state().is_armed && !craft().is_in_air())
+    take_off_ahead();
+}
+
+void plane::take_off_ahead() { climb_to(craft().home().altitude_m + habits().body.takeoff_altitude_m); }
+
+void plane::on_armed() {
+  say(mav_severity::info, "Throttle armed");
+  on_mode_entered(*state().mode);
+}
+
+void plane::on_disarmed() {
+  say(mav_severity::info, "Throttle disarmed");
+  disarms_ns_ = never_ns;
+  if (!state().is_in(mode_kind::mission))
+    reset_mission();
+}
+
+// It flies on by what it knows without satellites.
+void plane::on_position_lost() { say(mav_severity::critical, "EKF3 IMU0 stopped aiding"); }
+
+void plane::on_battery_empty() {
+  if (state().is_battery_empty)
+    return; // it has acted on it; who then takes another mode has it
+  say(mav_severity::critical, "Battery 1 is critical");
+  if (craft().is_in_air())
+    enter(mode_kind::come_back);
+}
+
+void plane::on_restart() {
+  disarms_ns_ = never_ns;
+  ardupilot::on_restart();
+}
+
+void plane::on_time() {
+  if (now().world_ns < disarms_ns_)
+    return;
+  disarms_ns_ = never_ns;
+  disarm();
+}
+
+// -- the mission ------------------------------------------------------------------------------------
+
+void plane::on_item_begun(int sequence) {
+  if (command_of(sequence) == mavlink::number(mav_cmd::nav_return_to_launch))
+    enter(mode_kind::come_back);
+}
+
+void plane::on_landed() {
+  const bool lands_by_plan = state().is_in(mode_kind::mission) && phase() == mission_phase::running &&
+                             command_of(run().current()) == mavlink::number(mav_cmd::nav_land);
+  if (lands_by_plan)
+    disarms_ns_ = now().world_ns + disarms_after_ns;
+}
+
+void plane::on_completed() {
+  say(mav_severity::info, "Mission complete, changing mode to RTL");
+  enter(mode_kind::come_back);
+}
+
+std::string plane::words_of_reached(int sequence) const {
+  return is_waypoint(command_of(sequence)) ? "Reached waypoint #" + std::to_string(sequence) : "";
+}
+
+// -- commands ---------------------------------------------------------------------------------------
+
+autopilot::answer plane::take_off(const role::order&) { return answer::failed; } // of its vertical motors alone
+
+autopilot::answer plane::pause_or_continue(const role::order&) { return answer::unsupported; }
+
+autopilot::answer plane::start_landing(const role::order&) {
+  const auto items = run().items();
+  const auto found = std::find_if(items.begin(), items.end(), [](const mavlink::mission_item_int& each) {
+    return each.command == mavlink::number(mav_cmd::do_land_start);
+  });
+  if (found == items.end() || !choose(static_cast<int>(found - items.begin())))
+    return answer::failed;
+  const auto& mode = mode_of_kind(habits().modes, mode_kind::mission);
+  return change_mode(&mode, mode.custom);
+}
+
+} // namespace godwit::sim

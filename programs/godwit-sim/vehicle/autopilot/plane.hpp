@@ -1,0 +1,51 @@
+// ArduPilot's Plane, without vertical motors.
+//
+// It arms in every mode but those that come home, in AUTO and TAKEOFF too, and takes off at once there. A landing item
+// never ends: the plane stands on it, disarms itself some time later and stays in AUTO, without a word that the mission
+// is complete. Behind any other last item, and as a return item begins, it changes to RTL by itself, which circles over
+// home for ever. Disarming in another mode than AUTO puts the mission back to its beginning. It has no mode for
+// landing; DO_LAND_START leads to the landing of its plan. Its RTL_AUTOLAND lets it arm with such a plan (3), and
+// leaves RTL without a landing. A pilot of the manual modes circles where he took it over. Thread: one at a time.
+// Source: ArduPlane 4.7 (commands_logic.cpp, mode_auto.cpp, AP_Arming_Plane.cpp, GCS_MAVLink_Plane.cpp), as remembered.
+#pragma once
+
+#include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
+
+namespace godwit::sim {
+
+class plane final : public ardupilot {
+public:
+  explicit plane(const equipment& with) : ardupilot(with) {}
+
+  void on_time() override;
+  [[nodiscard]] std::int64_t next_timer_ns() const override { return disarms_ns_; }
+
+  static constexpr std::int64_t disarms_after_ns = 20 * ns_per_s; // LAND_DISARMDELAY
+
+protected:
+  void on_mode_left(const flight_mode& mode) override;
+  void on_mode_entered(const flight_mode& mode) override;
+  void on_armed() override;
+  void on_disarmed() override;
+  void on_position_lost() override;
+  void on_battery_empty() override;
+  void on_restart() override;
+
+  answer take_off(const role::order& what) override;
+  answer pause_or_continue(const role::order& what) override;
+  answer start_landing(const role::order& what) override;
+
+  [[nodiscard]] bool is_armable(mode_kind kind) const override { return kind != mode_kind::come_back; }
+  [[nodiscard]] bool begins_in_auto() const override { return state().is_armed; }
+  void on_item_begun(int sequence) override;
+  void on_landed() override;
+  void on_completed() override;
+  [[nodiscard]] std::string words_of_reached(int sequence) const override;
+
+private:
+  void take_off_ahead();
+
+  std::int64_t disarms_ns_ = never_ns;
+};
+
+} // namespace godwit::sim

@@ -17,6 +17,17 @@ mission::item place(const std::string& id, double north_m, double east_m, double
   return result;
 }
 
+mission::item place(sim::personality who, const std::string& id, double north_m, double east_m) {
+  const double factor = who == sim::personality::plane ? plane_goes_farther : 1;
+  return place(id, factor * north_m, factor * east_m, who == sim::personality::rover ? 0 : 20);
+}
+
+mission::item way_home(sim::personality who, const std::string& id) {
+  if (who == sim::personality::plane)
+    return mission::land{id, {home_latitude, home_longitude, 0}};
+  return mission::return_home{id};
+}
+
 mission::document short_mission(sim::personality who) {
   mission::document result;
   result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
@@ -24,12 +35,11 @@ mission::document short_mission(sim::personality who) {
   const bool drives = who == sim::personality::rover;
   if (!drives)
     result.items.emplace_back(mission::takeoff{"up", 20});
-  const double up_m = drives ? 0 : 20;
-  result.items.push_back(place("w1", 60, 0, up_m));
-  result.items.push_back(place("w2", 60, 60, up_m));
-  result.items.push_back(place("w3", 0, 60, up_m));
+  result.items.push_back(place(who, "w1", 60, 0));
+  result.items.push_back(place(who, "w2", 60, 60));
+  result.items.push_back(place(who, "w3", 0, 60));
   if (!drives)
-    result.items.emplace_back(mission::return_home{"home"});
+    result.items.push_back(way_home(who));
   return result;
 }
 

@@ -12,7 +12,8 @@ using mission::progress_kind;
 using tests::flight_world;
 
 class flight_end : public testing::TestWithParam<sim::personality> {};
-class landing_end : public flight_end {}; // of what flies
+class landing_end : public flight_end {};       // of what flies
+class end_behind_return : public flight_end {}; // of what does not circle there for ever
 
 bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
   return std::ranges::any_of(world.reports(),
@@ -59,7 +60,7 @@ TEST_P(landing_end, on_the_way_home_that_the_plan_leads_the_failsafe_still_acts)
   EXPECT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 15)) << world.story();
 }
 
-TEST_P(flight_end, killed_after_it_was_called_home_it_sees_nobodys_takeover) {
+TEST_P(end_behind_return, killed_after_it_was_called_home_it_sees_nobodys_takeover) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
@@ -127,7 +128,11 @@ TEST_P(flight_end, a_change_that_waits_over_a_kill_waits_for_the_vehicles_home_t
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w2"); }, 600)) << world.story();
   auto longer = tests::short_mission(GetParam());
   longer.revision = 2;
-  longer.items.back() = tests::place("w4", 20, 60, GetParam() == sim::personality::rover ? 0 : 20);
+  const auto w4 = tests::place(GetParam(), "w4", 20, 60);
+  if (GetParam() == sim::personality::plane)
+    longer.items.insert(longer.items.end() - 1, w4);
+  else
+    longer.items.back() = w4;
   world.cut_line(8);
   world.run_for(5);
   world.load(longer);
@@ -138,8 +143,11 @@ TEST_P(flight_end, a_change_that_waits_over_a_kill_waits_for_the_vehicles_home_t
 }
 
 INSTANTIATE_TEST_SUITE_P(each, landing_end, testing::Values(sim::personality::px4, sim::personality::ardupilot));
-INSTANTIATE_TEST_SUITE_P(each, flight_end,
+INSTANTIATE_TEST_SUITE_P(each, end_behind_return,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+INSTANTIATE_TEST_SUITE_P(each, flight_end,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
+                                         sim::personality::plane));
 
 } // namespace
 } // namespace godwit::executor

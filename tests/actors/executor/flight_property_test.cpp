@@ -24,7 +24,7 @@ std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality:
 class random_flight {
 public:
   explicit random_flight(std::uint64_t seed)
-      : dice_(seed), who_(static_cast<sim::personality>(dice_() % 3)), mission_(tests::short_mission(who_)),
+      : dice_(seed), who_(static_cast<sim::personality>(dice_() % 4)), mission_(tests::short_mission(who_)),
         is_map_late_(dice_() % 4 == 0), world_(any_world(dice_, who_, is_map_late_)) {}
 
   void fly() {
@@ -36,7 +36,7 @@ public:
       make(static_cast<trouble>(dice_() % kinds_of_trouble));
       judge();
     }
-    for (int i = 0; i < 60 && !is_over(); ++i) {
+    for (int i = 0; i < 60 && !is_over() && !has_no_way_on(); ++i) {
       (void)world_.run_until(
           [&] { return is_over() || is_waiting_for_person() || !world_.durable().set_aside.empty(); }, 30);
       world_.set_changes(mission_client::change_verdict::done);
@@ -53,7 +53,15 @@ public:
     const auto at = world_.durable().standing.now;
     return at == phase::done || at == phase::aborted;
   }
-  [[nodiscard]] bool was_disturbed_for_good() const { return rebooted_; }
+  [[nodiscard]] bool was_disturbed_for_good() const { return rebooted_ || has_no_way_on(); }
+  // The rest of a plane's mission can not be flown from the ground without its take-off, nor its landing alone from
+  // anywhere; godwit says so.
+  [[nodiscard]] bool has_no_way_on() const {
+    const auto said = story();
+    return who_ == sim::personality::plane &&
+           (said.find("The mission can not be flown by this vehicle") != std::string::npos ||
+            said.find("comes down to its landing from a place") != std::string::npos);
+  }
 
 private:
   // The map of some missions comes late; nothing is started meanwhile.
@@ -164,12 +172,10 @@ private:
     wish.base_revision = now.revision;
     wish.revision = now.revision + 1;
     wish.replace_after_item_id = dice_() % 2 == 0 ? "w1" : "w2";
-    const bool drives = who_ == sim::personality::rover;
     const auto name = "n" + std::to_string(assignments_);
-    wish.items = {tests::place(name + "a", 20, 20, drives ? 0 : 20),
-                  tests::place(name + "b", -30, 20, drives ? 0 : 20)};
-    if (!drives)
-      wish.items.emplace_back(mission::return_home{"home"});
+    wish.items = {tests::place(who_, name + "a", 20, 20), tests::place(who_, name + "b", -30, 20)};
+    if (who_ != sim::personality::rover)
+      wish.items.push_back(tests::way_home(who_));
     world_.assign(wish);
   }
 
@@ -181,8 +187,7 @@ private:
     operator_words::word word;
     word.verb = std::array{operator_words::verb::go_to, operator_words::verb::insert}[dice_() % 2];
     const auto at = static_cast<double>(dice_() % 80);
-    word.place =
-        std::get<mission::waypoint>(tests::place("", 40 - at, at, who_ == sim::personality::rover ? 0 : 20)).at;
+    word.place = std::get<mission::waypoint>(tests::place(who_, "", 40 - at, at)).at;
     (void)world_.say(word);
     world_.run_for(static_cast<double>(dice_() % 10));
   }
@@ -194,6 +199,9 @@ private:
       world_.vehicle().set_battery(100, world_.now_ns());
     if (needs_hand_back(at.cause))
       (void)world_.say(operator_words::verb::hand_back);
+    const auto seen = world_.vehicle().describe();
+    if (who_ == sim::personality::plane && !seen.in_air && at.in_flight)
+      world_.disarm_by_hand(); // in a mode by hand it does not do that itself
     world_.run_for(1);
     if (world_.durable().standing.now == phase::paused)
       note_answer(world_.say(operator_words::verb::resume));

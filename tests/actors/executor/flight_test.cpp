@@ -14,6 +14,7 @@ using mission::progress_kind;
 using tests::flight_world;
 
 class every_vehicle : public testing::TestWithParam<sim::personality> {};
+class who_need_not_circle : public every_vehicle {}; // and comes down, or stops, behind a return
 
 TEST_P(every_vehicle, flies_a_mission_from_the_fetch_to_the_delivery) {
   flight_world world({.who = GetParam()});
@@ -170,16 +171,15 @@ const mission::item& item_of(const mission::document& mission, std::string_view 
   return *std::ranges::find_if(mission.items, [&](const auto& each) { return mission::id_of(each) == id; });
 }
 
-mission::assignment other_tail(const mission::document& of) {
+mission::assignment other_tail(const mission::document& of, sim::personality who) {
   mission::assignment wish;
   wish.assignment_id = "11111111-2222-4333-8444-555555555555";
   wish.base_revision = of.revision;
   wish.revision = of.revision + 1;
   wish.replace_after_item_id = "w2";
-  const bool drives = std::holds_alternative<mission::waypoint>(of.items.front());
-  wish.items = {tests::place("n1", 0, 0, drives ? 0 : 20), tests::place("n2", -40, 0, drives ? 0 : 20)};
-  if (!drives)
-    wish.items.emplace_back(mission::return_home{"home"});
+  wish.items = {tests::place(who, "n1", 0, 0), tests::place(who, "n2", -40, 0)};
+  if (who != sim::personality::rover)
+    wish.items.push_back(tests::way_home(who));
   return wish;
 }
 
@@ -189,7 +189,7 @@ TEST_P(every_vehicle, an_assignment_in_flight_replaces_the_tail_and_is_answered_
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
   const auto before = world.reports().back();
-  world.assign(other_tail(mission));
+  world.assign(other_tail(mission, GetParam()));
   ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
   const auto& answer = world.answers().front().response;
   EXPECT_EQ(answer.outcome, mission::assignment_outcome::accepted) << answer.reason.value_or("") << world.story();
@@ -212,12 +212,13 @@ TEST_P(every_vehicle, a_survey_that_is_replanned_goes_on_with_the_line_that_was_
   flight_world world({.who = GetParam()});
   auto mission = tests::short_mission(GetParam());
   const auto corner = [](double north_m, double east_m) {
-    const auto at = std::get<mission::waypoint>(tests::place("", north_m, east_m, 0)).at;
+    const auto at = std::get<mission::waypoint>(tests::place(GetParam(), "", north_m, east_m)).at;
     return mission::vertex{at.latitude, at.longitude};
   };
   const double up_m = GetParam() == sim::personality::rover ? 0 : 20;
-  mission.items[mission.items.size() - 2] =
-      mission::survey{"field", {corner(60, 60), corner(60, 160), corner(160, 160), corner(160, 60)}, up_m, 20, 0};
+  const double spacing_m = GetParam() == sim::personality::plane ? 20 * tests::plane_goes_farther : 20;
+  mission.items[mission.items.size() - 2] = mission::survey{
+      "field", {corner(60, 60), corner(60, 160), corner(160, 160), corner(160, 60)}, up_m, spacing_m, 0};
   world.load(mission);
   const auto sequence_of_line = [&](std::size_t line) {
     return world.durable().flown->surveys.at(0).first_line_sequence + 2 * line + 1;
@@ -229,7 +230,11 @@ TEST_P(every_vehicle, a_survey_that_is_replanned_goes_on_with_the_line_that_was_
       },
       900))
       << world.story();
-  world.assign({"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "field", {tests::place("after", 0, 0, up_m)}});
+  mission::assignment wish{"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "field", {}};
+  wish.items.push_back(tests::place(GetParam(), "after", GetParam() == sim::personality::plane ? 60 : 0, 0));
+  if (GetParam() == sim::personality::plane) // it would circle for ever
+    wish.items.push_back(tests::way_home(GetParam(), "down"));
+  world.assign(wish);
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
   ASSERT_EQ(world.durable().flown->surveys.size(), 1U);
   EXPECT_EQ(world.durable().flown->surveys[0].lines_before, 2U);
@@ -249,7 +254,7 @@ TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the
   const auto mission = tests::short_mission(GetParam());
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
-  auto wish = other_tail(mission);
+  auto wish = other_tail(mission, GetParam());
   wish.base_revision = 7;
   wish.revision = 8;
   world.assign(wish);
@@ -264,8 +269,8 @@ TEST_P(every_vehicle, while_another_plan_comes_the_one_before_is_known_by_its_id
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
   const auto before = world.durable().progress.plan->vehicle_plan_id;
-  EXPECT_EQ(before.has_value(), GetParam() != sim::personality::ardupilot);
-  world.assign(other_tail(mission));
+  EXPECT_EQ(before.has_value(), GetParam() == sim::personality::px4 || GetParam() == sim::personality::rover);
+  world.assign(other_tail(mission, GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 60)) << world.story();
   EXPECT_EQ(world.durable().progress.upload->intent.id_before, before);
 }
@@ -278,7 +283,7 @@ TEST_P(every_vehicle, a_crash_at_any_moment_of_a_replan_leaves_no_doubt_whose_pl
     const auto mission = tests::short_mission(GetParam());
     world.load(mission);
     ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
-    auto wish = other_tail(mission);
+    auto wish = other_tail(mission, GetParam());
     if (moment % 2 == 0)
       wish.items.erase(wish.items.begin()); // a plan of another length
     world.assign(wish);
@@ -300,7 +305,7 @@ TEST_P(every_vehicle, a_start_that_nobody_saw_is_made_up_for_also_when_godwit_di
   const auto mission = tests::short_mission(GetParam());
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w2"); }, 600)) << world.story();
-  auto wish = other_tail(mission);
+  auto wish = other_tail(mission, GetParam());
   std::get<mission::waypoint>(wish.items.front()).at = std::get<mission::waypoint>(item_of(mission, "w2")).at;
   world.assign(wish);
   ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
@@ -322,23 +327,22 @@ TEST_P(every_vehicle, a_start_that_nobody_saw_is_made_up_for_also_when_godwit_di
 // A, then B, then home; B is replaced by Z.
 mission::document a_then_b(sim::personality who) {
   auto result = tests::short_mission(who);
-  const double up_m = who == sim::personality::rover ? 0 : 20;
   result.items.clear();
   if (who != sim::personality::rover)
     result.items.emplace_back(mission::takeoff{"up", 20});
-  result.items.push_back(tests::place("a", 60, 0, up_m));
-  result.items.push_back(tests::place("b", 60, 60, up_m));
-  result.items.push_back(tests::place("end", 0, 60, up_m));
+  result.items.push_back(tests::place(who, "a", 60, 0));
+  result.items.push_back(tests::place(who, "b", 60, 60));
+  result.items.push_back(tests::place(who, "end", 0, 60));
   return result;
 }
 
-mission::assignment z_instead_of_b(const mission::document& mission) {
+mission::assignment z_instead_of_b(const mission::document& mission, sim::personality who) {
   mission::assignment result;
   result.assignment_id = "33333333-2222-4333-8444-555555555555";
   result.base_revision = mission.revision;
   result.revision = mission.revision + 1;
   result.replace_after_item_id = "a";
-  result.items = {tests::place("z", 20, 20, mission.items.size() == 3 ? 0 : 20)};
+  result.items = {tests::place(who, "z", 20, 20)};
   return result;
 }
 
@@ -356,7 +360,7 @@ TEST_P(every_vehicle, z_assigned_before_b_was_reached_is_told_apart_by_the_repor
   const auto mission = a_then_b(GetParam());
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "b"); }, 600)) << world.story();
-  world.assign(z_instead_of_b(mission));
+  world.assign(z_instead_of_b(mission, GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.reports().back().kind == progress_kind::complete; }, 600))
       << world.story();
   EXPECT_EQ(told_of_b_and_z(world), std::vector<std::string>{"z of revision 2"}) << world.story();
@@ -370,7 +374,7 @@ TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_report
   const auto mission = a_then_b(GetParam());
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "b"); }, 600)) << world.story();
-  world.assign(z_instead_of_b(mission));
+  world.assign(z_instead_of_b(mission, GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "z"); }, 600)) << world.story();
   EXPECT_EQ(told_of_b_and_z(world), (std::vector<std::string>{"b of revision 1", "z of revision 2"})) << world.story();
   ASSERT_EQ(world.answers().size(), 1U);
@@ -383,7 +387,7 @@ TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_report
 operator_words::word go_there(sim::personality who) {
   operator_words::word result;
   result.verb = operator_words::verb::go_to;
-  result.place = std::get<mission::waypoint>(tests::place("", -40, -20, who == sim::personality::rover ? 0 : 25)).at;
+  result.place = std::get<mission::waypoint>(tests::place(who, "", -40, -20)).at;
   return result;
 }
 
@@ -403,12 +407,12 @@ TEST_P(every_vehicle, sent_elsewhere_it_holds_tells_the_service_and_goes_there) 
 }
 
 // Between the second waypoint and the place stands a wall of 20 m.
-TEST_P(every_vehicle, on_the_way_around_a_fence_corners_are_taken_narrowly_and_with_room) {
+TEST_P(who_need_not_circle, on_the_way_around_a_fence_corners_are_taken_narrowly_and_with_room) {
   flight_world world({.who = GetParam()});
   auto mission = tests::short_mission(GetParam());
   mission::geofence wall{mission::fence_kind::exclusion, {}, {}, {}};
   for (const auto& [north_m, east_m] : {std::pair(10, 12), std::pair(14, 12), std::pair(14, 32), std::pair(10, 32)}) {
-    const auto corner = std::get<mission::waypoint>(tests::place("", north_m, east_m, 0)).at;
+    const auto corner = std::get<mission::waypoint>(tests::place(GetParam(), "", north_m, east_m)).at;
     wall.vertices.push_back({corner.latitude, corner.longitude});
   }
   mission.geofences = {wall};
@@ -514,7 +518,7 @@ TEST_P(every_vehicle, a_waypoint_is_inserted_and_the_mission_goes_on_behind_it) 
   EXPECT_EQ(*(extra + 1), "w3") << world.story();
 }
 
-TEST_P(every_vehicle, inserts_that_are_refused_again_and_again_follow_the_policy) {
+TEST_P(who_need_not_circle, inserts_that_are_refused_again_and_again_follow_the_policy) {
   for (const auto policy : {refusal_policy::go_on, refusal_policy::come_home}) {
     flight_world world({.who = GetParam(), .refused_inserts = policy});
     world.load(tests::short_mission(GetParam()));
@@ -561,8 +565,11 @@ TEST_P(every_vehicle, a_fence_of_the_mission_is_watched_from_the_start) {
   EXPECT_EQ(world.guarded(), mission.geofences) << world.story();
 }
 
-INSTANTIATE_TEST_SUITE_P(each, every_vehicle,
+INSTANTIATE_TEST_SUITE_P(each, who_need_not_circle,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+INSTANTIATE_TEST_SUITE_P(each, every_vehicle,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
+                                         sim::personality::plane));
 
 } // namespace
 } // namespace godwit::executor

@@ -39,6 +39,7 @@ flight_world::flight_world(const options& wanted)
   settings_.takeoff_again = wanted.takeoff_again;
   settings_.refused_inserts = wanted.refused_inserts;
   settings_.shows_home = wanted.shows_home;
+  settings_.marks_landings = wanted.marks_landings;
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;
   vehicle.speed = wanted.speed;
@@ -476,9 +477,10 @@ void flight_world::fly_by_hand(std::uint32_t custom_mode) {
   constexpr std::uint16_t arm = 400;
   constexpr std::uint16_t take_off = 22;
   constexpr std::uint32_t copter_guided = 4;
+  constexpr std::uint32_t plane_take_off = 13;
   const bool is_px4 = owner_.autopilot == io::mavlink::mav_autopilot::px4;
   if (owner_.autopilot == io::mavlink::mav_autopilot::ardupilotmega)
-    switch_mode(copter_guided);
+    switch_mode(owner_.vehicle == flight::vehicle_class::fixed_wing ? plane_take_off : copter_guided);
   run_for(0.5);
   send_by_hand(arm, 1);
   run_for(0.5);

@@ -35,6 +35,7 @@ public:
     double speed = 5; // of the vehicle's world
     bool has_service = true;
     bool shows_home = false;
+    bool marks_landings = false; // of a plane
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
     failsafe::settings failsafe = {};
     mission_client::pull_state map = mission_client::pull_state::synced; // what is told of it as a mission is loaded

@@ -25,8 +25,11 @@ using tests::flight_world;
 
 constexpr std::uint16_t mission_start = 300;
 constexpr double step_s = 0.05;
-constexpr double reached_within_m = 10; // acceptance radius and 5 m
+// Acceptance radius and some metres; of a plane, which also passes a place on its turning circle.
+constexpr double reached_within_m = 10;
+constexpr double plane_reached_within_m = 50;
 constexpr double home_within_m = 20;
+constexpr double plane_home_within_m = 150;              // behind its run along the runway
 constexpr std::int64_t report_takes_ns = 12'000'000'000; // over a line that was silent
 constexpr int most_deeds = 14;
 constexpr std::int64_t order_counts_ns = flight::order_is_expected_ns + 1'000'000'000;
@@ -39,6 +42,8 @@ std::vector<std::uint32_t> modes_of(personality who) {
     return {px4(1), px4(2), px4(3), px4(7), px4(4, 3), px4(4, 4), px4(4, 5), px4(4, 6)};
   if (who == personality::ardupilot)
     return {0, 2, 3, 4, 5, 6, 9, 16, 17};
+  if (who == personality::plane)
+    return {0, 2, 5, 6, 7, 10, 11, 12, 1, 13, 15};
   return {0, 4, 10, 11};
 }
 
@@ -48,6 +53,7 @@ bool may_be_ours(personality who, std::uint32_t mode) {
   const std::vector<std::uint32_t> ours = who == personality::px4
                                               ? std::vector<std::uint32_t>{px4(4, 3), px4(4, 4), px4(4, 5)}
                                           : who == personality::ardupilot ? std::vector<std::uint32_t>{3, 4, 5, 6, 17}
+                                          : who == personality::plane     ? std::vector<std::uint32_t>{5, 10, 11, 12}
                                                                           : std::vector<std::uint32_t>{4, 10, 11};
   return std::ranges::find(ours, mode) != ours.end();
 }
@@ -59,7 +65,7 @@ mission::document any_mission(personality who, std::mt19937_64& dice) {
   const auto variant = dice() % 3;
   if (variant == 1)
     result.items.pop_back(); // it ends in the air
-  if (variant == 2) {
+  if (variant == 2 && who != personality::plane) {
     const auto w1 = std::get<mission::waypoint>(result.items[1]).at;
     result.items = {result.items[0],
                     result.items[1],
@@ -74,7 +80,7 @@ mission::document any_mission(personality who, std::mt19937_64& dice) {
 class flight_with_people {
 public:
   explicit flight_with_people(std::uint64_t seed)
-      : dice_(seed), who_(static_cast<personality>(dice_() % 3)), mission_(any_mission(who_, dice_)),
+      : dice_(seed), who_(static_cast<personality>(dice_() % 4)), mission_(any_mission(who_, dice_)),
         world_(any_world(dice_, who_)), may_start_(is_automatic_) {}
 
   void fly() {
@@ -248,10 +254,9 @@ private:
     wish.base_revision = s.mission->revision;
     wish.revision = s.mission->revision + 1;
     wish.replace_after_item_id = dice_() % 2 == 0 ? "w1" : "w2";
-    const double up_m = who_ == personality::rover ? 0 : 20;
-    wish.items = {tests::place("n" + std::to_string(assignments_), 20, 20, up_m)};
+    wish.items = {tests::place(who_, "n" + std::to_string(assignments_), 20, 20)};
     if (who_ != personality::rover)
-      wish.items.emplace_back(mission::return_home{"home"});
+      wish.items.push_back(tests::way_home(who_));
     world_.assign(wish);
   }
 
@@ -334,7 +339,7 @@ private:
     if (!world_.durable().mission)
       return;
     const auto& home = world_.durable().mission->return_point;
-    if (!world_.vehicle().describe().in_air && distance_to(home.latitude, home.longitude) <= home_within_m)
+    if (!world_.vehicle().describe().in_air && distance_to(home.latitude, home.longitude) <= home_within())
       at_home_ns_ = world_.now_ns();
     for (const auto& each : world_.durable().mission->items)
       if (const auto* place = std::get_if<mission::waypoint>(&each))
@@ -354,7 +359,7 @@ private:
       const auto& each = world_.reports()[judged_];
       const auto place = nearest_m_.find(each.item_id.value_or(""));
       if (each.kind == progress_kind::reached && !each.inferred && place != nearest_m_.end() &&
-          place->second > reached_within_m)
+          place->second > reached_within())
         violation_ = each.item_id.value_or("") + " is reported as reached, and the vehicle came no nearer than " +
                      std::to_string(place->second) + " m";
       if (each.kind == progress_kind::complete && each.revision == world_.durable().mission->revision)
@@ -362,13 +367,19 @@ private:
     }
   }
 
+  [[nodiscard]] double reached_within() const {
+    return who_ == personality::plane ? plane_reached_within_m : reached_within_m;
+  }
+
+  [[nodiscard]] double home_within() const { return who_ == personality::plane ? plane_home_within_m : home_within_m; }
+
   void judge_complete() {
     const auto& s = world_.durable();
     const auto& last = s.mission->items.back();
-    if (std::holds_alternative<mission::return_home>(last) && who_ != personality::rover &&
-        world_.now_ns() - at_home_ns_ > report_takes_ns)
+    const bool ends_at_home = std::holds_alternative<mission::return_home>(last) || mission::id_of(last) == "home";
+    if (ends_at_home && who_ != personality::rover && world_.now_ns() - at_home_ns_ > report_takes_ns)
       violation_ = "complete, and it is not at home on the ground";
-    if (const auto* place = std::get_if<mission::waypoint>(&last); place && nearest_m_[place->id] > reached_within_m)
+    if (const auto* place = std::get_if<mission::waypoint>(&last); place && nearest_m_[place->id] > reached_within())
       violation_ = "complete, and it was never at its last item";
   }
 

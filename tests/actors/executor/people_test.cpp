@@ -1,5 +1,6 @@
 // What people do beside a vehicle, and what godwit must not do then. Each was once seen to go wrong on a real vehicle.
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <limits>
 
@@ -19,12 +20,17 @@ constexpr std::uint16_t set_mode = 176;
 constexpr std::uint16_t mission_start = 300;
 
 std::uint32_t loiter(personality who) {
-  return who == personality::px4 ? 0x03040000 : who == personality::ardupilot ? 5 : 4;
+  constexpr std::array modes{4U, 0x03040000U, 5U, 12U}; // by personality
+  return modes.at(static_cast<std::size_t>(who));
 }
-std::uint32_t manual(personality who) { return who == personality::px4 ? 0x00030000 : 0; }
+std::uint32_t manual(personality who) {
+  constexpr std::array modes{0U, 0x00030000U, 0U, 2U}; // by personality
+  return modes.at(static_cast<std::size_t>(who));
+}
 std::uint32_t landing(personality who) { return who == personality::px4 ? 0x06040000 : 9; }
 std::uint32_t mission_mode(personality who) {
-  return who == personality::px4 ? 0x04040000 : who == personality::ardupilot ? 3 : 10;
+  constexpr std::array modes{10U, 0x04040000U, 3U, 10U}; // by personality
+  return modes.at(static_cast<std::size_t>(who));
 }
 
 // Without a return: the last item is a waypoint.
@@ -54,7 +60,7 @@ mission::assignment tail_behind(const std::string& item, personality who) {
   result.base_revision = 1;
   result.revision = 2;
   result.replace_after_item_id = item;
-  result.items = {tests::place("z", -20, 20, who == personality::rover ? 0 : 20)};
+  result.items = {tests::place(who, "z", -20, 20)};
   return result;
 }
 
@@ -290,7 +296,7 @@ TEST_P(people, at_20_percent_loss_a_pause_is_obeyed_within_2_5_s) {
   constexpr int flights = 200;
   const auto holds = [](flight_world& world) {
     const auto mode = world.vehicle().describe().mode;
-    return mode == "AUTO.LOITER" || mode == "BRAKE" || mode == "HOLD";
+    return mode == "AUTO.LOITER" || mode == "BRAKE" || mode == "HOLD" || mode == "LOITER";
   };
   std::vector<double> took_s;
   for (int seed = 1; seed <= flights; ++seed) {
@@ -383,7 +389,7 @@ TEST_P(people, nobody_sends_it_to_a_place_that_no_mission_may_have) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
   const bool drives = GetParam() == personality::rover;
-  const auto near = std::get<mission::waypoint>(tests::place("", 30, 30, drives ? 0 : 20)).at;
+  const auto near = std::get<mission::waypoint>(tests::place(GetParam(), "", 30, 30)).at;
   constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<mission::position> places;
   for (const double up_m : {1e30, endless, -endless, std::numeric_limits<double>::quiet_NaN(), 501.0})
@@ -473,7 +479,9 @@ TEST_P(people_in_the_air, a_done_mission_stays_done_when_godwit_dies_while_it_ma
   EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
 }
 
-INSTANTIATE_TEST_SUITE_P(each, people, testing::Values(personality::px4, personality::ardupilot, personality::rover));
+INSTANTIATE_TEST_SUITE_P(each, people,
+                         testing::Values(personality::px4, personality::ardupilot, personality::rover,
+                                         personality::plane));
 INSTANTIATE_TEST_SUITE_P(each, people_in_the_air, testing::Values(personality::px4, personality::ardupilot));
 INSTANTIATE_TEST_SUITE_P(each, people_at_a_copter, testing::Values(personality::ardupilot));
 

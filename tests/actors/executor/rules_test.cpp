@@ -1,5 +1,6 @@
 // The rules that protect people, and what an operator, a station and the service may ask for and when.
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
@@ -18,10 +19,10 @@ constexpr std::uint16_t set_mode = 176;
 
 class rule : public testing::TestWithParam<sim::personality> {
 protected:
-  [[nodiscard]] static double up_m() { return GetParam() == sim::personality::rover ? 0 : 20; }
   [[nodiscard]] static std::uint32_t pilot_mode() { return GetParam() == sim::personality::px4 ? 0x00030000 : 0; }
   [[nodiscard]] static std::uint32_t hold_mode() {
-    return GetParam() == sim::personality::px4 ? 0x03040000 : GetParam() == sim::personality::ardupilot ? 5 : 4;
+    constexpr std::array modes{4U, 0x03040000U, 5U, 12U}; // by personality
+    return modes.at(static_cast<std::size_t>(GetParam()));
   }
   [[nodiscard]] static mission::document short_mission() { return tests::short_mission(GetParam()); }
 
@@ -47,14 +48,15 @@ protected:
     result.base_revision = 1;
     result.revision = 2;
     result.replace_after_item_id = "w2";
-    result.items = {tests::place("n" + std::to_string(number), north_m, 20, up_m())};
+    result.items = {tests::place(GetParam(), "n" + std::to_string(number), north_m, 20)};
     return result;
   }
   // An inclusion fence around home.
   static mission::geofence square(double half_side_m) {
     mission::geofence result{mission::fence_kind::inclusion, {}, {}, {}};
     for (const auto& [north, east] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
-      const auto corner = std::get<mission::waypoint>(tests::place("", north * half_side_m, east * half_side_m, 0)).at;
+      const auto corner =
+          std::get<mission::waypoint>(tests::place(GetParam(), "", north * half_side_m, east * half_side_m)).at;
       result.vertices.push_back({corner.latitude, corner.longitude});
     }
     return result;
@@ -183,7 +185,7 @@ TEST_P(rule, while_a_pilot_flies_no_word_of_an_operator_is_taken) {
   ASSERT_TRUE(fly(world));
   ASSERT_TRUE(take_over(world));
   operator_words::word there;
-  there.place = std::get<mission::waypoint>(tests::place("", 30, 30, up_m())).at;
+  there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", 30, 30)).at;
   for (const auto each : {verb::go_to, verb::insert, verb::cancel, verb::pause, verb::resume, verb::come_home}) {
     there.verb = each;
     const auto answer = world.say(there);
@@ -208,7 +210,7 @@ TEST_P(rule, behind_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
   ASSERT_TRUE(fly(world));
   operator_words::word there;
   there.verb = verb::go_to;
-  there.place = std::get<mission::waypoint>(tests::place("", -40, -20, up_m())).at;
+  there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", -40, -20)).at;
   ASSERT_TRUE(world.say(there).is_taken);
   ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
   world.run_for(20);
@@ -316,7 +318,7 @@ TEST_P(rule, a_revision_that_leads_out_of_the_fence_is_not_flown) {
   mission.geofences = {square(150)};
   ASSERT_TRUE(fly(world, mission));
   mission.revision = 2;
-  mission.items[mission.items.size() - 1] = tests::place("far", 400, 0, up_m());
+  mission.items[mission.items.size() - 1] = tests::place(GetParam(), "far", 400, 0);
   world.load(mission);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.durable().mission->revision, 1);
@@ -371,7 +373,8 @@ TEST_P(rule, a_vehicle_without_plan_ids_is_held_while_its_plan_is_replaced) {
 
 INSTANTIATE_TEST_SUITE_P(each, rule_of_long_replans, testing::Values(sim::personality::px4));
 INSTANTIATE_TEST_SUITE_P(each, rule,
-                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
+                                         sim::personality::plane));
 
 } // namespace
 } // namespace godwit::executor

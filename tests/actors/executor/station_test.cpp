@@ -33,8 +33,8 @@ mission_item_int item_of(mav_cmd command, const mission::position& at) {
   return result;
 }
 
-mission_item_int waypoint_at(double north_m, double east_m, double up_m) {
-  return item_of(mav_cmd::nav_waypoint, std::get<mission::waypoint>(tests::place("", north_m, east_m, up_m)).at);
+mission_item_int waypoint_at(sim::personality who, double north_m, double east_m) {
+  return item_of(mav_cmd::nav_waypoint, std::get<mission::waypoint>(tests::place(who, "", north_m, east_m)).at);
 }
 
 upload numbered(upload items) {
@@ -55,9 +55,11 @@ upload station_items(sim::personality who) {
   speed.param1 = 1;
   speed.param2 = 4;
   result.push_back(speed);
-  result.push_back(waypoint_at(60, 0, up_m));
-  result.push_back(waypoint_at(60, 60, up_m));
-  if (!drives) {
+  result.push_back(waypoint_at(who, 60, 0));
+  result.push_back(waypoint_at(who, 60, 60));
+  if (who == sim::personality::plane) {
+    result.push_back(item_of(mav_cmd::nav_land, std::get<mission::land>(tests::way_home(who)).at));
+  } else if (!drives) {
     auto back = item_of(mav_cmd::nav_return_to_launch, {});
     back.frame = number(mav_frame::mission);
     result.push_back(back);
@@ -190,7 +192,7 @@ TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_
   flight_world world(by_stations(GetParam()));
   const auto first = station_items(GetParam());
   auto second = first;
-  second.insert(second.begin() + 3, waypoint_at(30, 30, GetParam() == sim::personality::rover ? 0 : 20));
+  second.insert(second.begin() + 3, waypoint_at(GetParam(), 30, 30));
   second = numbered(second);
   ASSERT_TRUE(bring(world, first));
   world.station_says(taken(second));
@@ -236,13 +238,14 @@ TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
 TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_waypoint) {
   flight_world world(by_stations(GetParam()));
   auto items = station_items(GetParam());
-  auto home = waypoint_at(0, 0, 488);
+  auto home = waypoint_at(GetParam(), 0, 0);
+  home.z = 488;
   home.frame = number(mav_frame::global);
   items.insert(items.begin(), home);
   items = numbered(items);
   ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
   world.station_says(taken(items));
-  if (GetParam() != sim::personality::ardupilot) {
+  if (GetParam() != sim::personality::ardupilot && GetParam() != sim::personality::plane) {
     EXPECT_TRUE(was_said(world, "above mean sea level")) << "elsewhere it is an item: " << world.story();
     return;
   }
@@ -264,10 +267,10 @@ TEST_P(flight_by_station, who_takes_us_for_an_ardupilot_is_shown_home_as_item_0)
 
 // -- its fence ------------------------------------------------------------------------------------
 
-upload fence_around(double half_side_m) {
+upload fence_around(sim::personality who, double half_side_m) {
   upload result;
   for (const auto& [north, east] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
-    auto corner = waypoint_at(north * half_side_m, east * half_side_m, 0);
+    auto corner = waypoint_at(who, north * half_side_m, east * half_side_m);
     corner.command = number(mav_cmd::nav_fence_polygon_vertex_inclusion);
     corner.param1 = 4;
     result.push_back(corner);
@@ -279,10 +282,10 @@ TEST_P(flight_by_station, the_fence_of_a_station_is_checked_and_watched) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
   world.station_says(taken(items));
-  world.station_says(taken(fence_around(20), mav_mission_type::fence));
+  world.station_says(taken(fence_around(GetParam(), 20), mav_mission_type::fence));
   world.run_for(10);
   EXPECT_EQ(world.durable().standing.now, phase::preflight) << "the waypoints are outside: " << world.story();
-  world.station_says(taken(fence_around(500), mav_mission_type::fence));
+  world.station_says(taken(fence_around(GetParam(), 500), mav_mission_type::fence));
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.station_says(start_of(world, items));
   ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
@@ -293,7 +296,7 @@ TEST_P(flight_by_station, the_fence_of_a_station_is_checked_and_watched) {
 
 TEST_P(flight_by_station, a_fence_that_comes_first_counts_for_the_plan_behind_it_until_it_is_cleared) {
   flight_world world(by_stations(GetParam()));
-  world.station_says(taken(fence_around(20), mav_mission_type::fence));
+  world.station_says(taken(fence_around(GetParam(), 20), mav_mission_type::fence));
   world.station_says(taken(station_items(GetParam())));
   world.run_for(10);
   EXPECT_EQ(world.durable().standing.now, phase::preflight) << world.story();
@@ -337,7 +340,7 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
   ASSERT_TRUE(fly_two_items(world, items));
   operator_words::word there;
   there.verb = operator_words::verb::insert;
-  there.place = std::get<mission::waypoint>(tests::place("", 30, 30, 20)).at;
+  there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", 30, 30)).at;
   ASSERT_TRUE(world.say(there).is_taken) << world.story();
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
   EXPECT_FALSE(world.shown_items().empty()) << world.story();
@@ -347,7 +350,8 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
 }
 
 INSTANTIATE_TEST_SUITE_P(each, flight_by_station,
-                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
+                                         sim::personality::plane));
 
 } // namespace
 } // namespace godwit::executor

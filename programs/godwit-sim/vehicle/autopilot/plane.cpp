@@ -41,12 +41,14 @@ void plane::on_disarmed() {
 // It flies on by what it knows without satellites.
 void plane::on_position_lost() { say(mav_severity::critical, "EKF3 IMU0 stopped aiding"); }
 
+// Whatever its mode says, without power it comes down ahead.
 void plane::on_battery_empty() {
-  if (state().is_battery_empty)
-    return; // it has acted on it; who then takes another mode has it
-  say(mav_severity::critical, "Battery 1 is critical");
+  if (!state().is_battery_empty)
+    say(mav_severity::critical, "Battery 1 is critical");
   if (craft().is_in_air())
-    enter(mode_kind::come_back);
+    with().craft.set_task(task::land{});
+  else
+    disarm();
 }
 
 void plane::on_restart() {
@@ -71,7 +73,9 @@ void plane::on_item_begun(int sequence) {
 void plane::on_landed() {
   const bool lands_by_plan = state().is_in(mode_kind::mission) && phase() == mission_phase::running &&
                              command_of(run().current()) == mavlink::number(mav_cmd::nav_land);
-  if (lands_by_plan)
+  if (state().is_battery_empty)
+    disarm();
+  else if (lands_by_plan)
     disarms_ns_ = now().world_ns + disarms_after_ns;
 }
 

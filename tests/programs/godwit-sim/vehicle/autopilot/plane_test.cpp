@@ -160,15 +160,14 @@ TEST(plane, flies_on_without_satellites) {
   EXPECT_TRUE(world.is_in("AUTO"));
 }
 
-TEST(plane, comes_home_with_an_empty_battery_and_leaves_the_mode_that_a_person_takes_then) {
+TEST(plane, with_an_empty_battery_comes_down_ahead_whatever_its_mode_and_disarms) {
   plane_with world;
   ASSERT_TRUE(world.fly_to(2));
   world.subject().set_battery(0, world.now_ns());
-  world.run_for(1 * s);
-  EXPECT_TRUE(world.is_in("RTL"));
-  EXPECT_EQ(world.mode(5), mav_result::accepted);
   world.run_for(5 * s);
-  EXPECT_TRUE(world.is_in("FBWA"));
+  EXPECT_EQ(world.mode(loiter), mav_result::accepted);
+  EXPECT_TRUE(world.run_until([&] { return !world.picture().in_air; }, 60 * s));
+  EXPECT_FALSE(world.picture().armed);
 }
 
 TEST(plane, disarming_elsewhere_than_in_auto_puts_the_mission_back_to_its_beginning) {

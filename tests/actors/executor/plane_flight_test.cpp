@@ -1,0 +1,171 @@
+// Whole flights of a fixed wing: it circles where others hold, and comes down by a landing of its plan alone.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "programs/godwit-sim/vehicle/world/position.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using mission::progress_kind;
+using operator_words::verb;
+using tests::flight_world;
+
+constexpr auto plane = sim::personality::plane;
+constexpr double circle_m = 60;
+constexpr double on_circle_m = 8;
+
+mission::document plane_mission() { return tests::short_mission(plane); }
+
+sim::position home() { return sim::vehicle_settings{}.home; }
+
+bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
+  return std::ranges::any_of(world.reports(),
+                             [&](const auto& each) { return each.kind == kind && each.item_id == item; });
+}
+
+testing::AssertionResult fly_to(flight_world& world, const mission::document& mission, progress_kind kind,
+                                const std::string& item) {
+  world.load(mission);
+  const bool came = world.run_until([&] { return is_told(world, kind, item); }, 900);
+  return came ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
+}
+
+// For a minute of its time.
+testing::AssertionResult circles_around(flight_world& world, const sim::position& there) {
+  for (int i = 0; i < 12; ++i) {
+    world.run_for(1);
+    const auto seen = world.vehicle().describe();
+    const double away_m = between(seen.where, there).distance_m;
+    if (!seen.in_air || std::abs(away_m - circle_m) > on_circle_m)
+      return testing::AssertionFailure() << away_m << " m away\n" << world.story();
+  }
+  return testing::AssertionSuccess();
+}
+
+mission::item survey_of_16_hectares() {
+  mission::survey result{"field", {}, 40, 80, 0};
+  for (const auto& [north, east] : {std::pair(60, 60), std::pair(60, 140), std::pair(140, 140), std::pair(140, 60)}) {
+    const auto at = std::get<mission::waypoint>(tests::place(plane, "", north, east)).at;
+    result.polygon.push_back({at.latitude, at.longitude});
+  }
+  return result;
+}
+
+TEST(plane_flight, a_survey_is_flown_to_its_end_and_the_plane_lands) {
+  flight_world world({.who = plane, .marks_landings = true});
+  auto mission = plane_mission();
+  mission.items.insert(mission.items.begin() + 3, survey_of_16_hectares());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until_phase(phase::done, 900)) << world.story();
+  EXPECT_TRUE(is_told(world, progress_kind::reached, "field")) << world.story();
+  EXPECT_TRUE(is_told(world, progress_kind::reached, "home")) << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+  const auto items = world.durable().flown->items;
+  EXPECT_TRUE(std::ranges::any_of(items, [](const auto& each) { return each.command == 189; })) << "DO_LAND_START";
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+  EXPECT_LT(between(world.vehicle().describe().where, home()).distance_m, 150);
+}
+
+TEST(plane_flight, a_pause_circles_and_resume_goes_on) {
+  flight_world world({.who = plane});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  EXPECT_EQ(world.vehicle().describe().mode, "LOITER");
+  world.run_for(10);
+  const auto seen = world.vehicle().describe().where;
+  world.run_for(5);
+  EXPECT_GE(world.vehicle().describe().ground_speed_mps, 10) << "it does not stand";
+  EXPECT_LT(between(world.vehicle().describe().where, seen).distance_m, 2 * circle_m + on_circle_m);
+  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST(plane_flight, called_home_it_circles_there_until_somebody_lands_it) {
+  flight_world world({.who = plane});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  ASSERT_TRUE(world.say(verb::come_home).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::landing, 20)) << world.story();
+  world.run_for(20);
+  EXPECT_TRUE(circles_around(world, home()));
+  EXPECT_EQ(world.vehicle().describe().mode, "RTL");
+  EXPECT_TRUE(world.durable().standing.in_flight) << world.story();
+}
+
+TEST(plane_flight, behind_a_last_waypoint_it_comes_home_by_itself_and_that_is_nobodys_takeover) {
+  flight_world world({.who = plane});
+  auto mission = plane_mission();
+  mission.items.pop_back();
+  ASSERT_TRUE(fly_to(world, mission, progress_kind::reached, "w3"));
+  const auto orders = world.orders();
+  world.run_for(20);
+  EXPECT_EQ(world.vehicle().describe().mode, "RTL");
+  EXPECT_TRUE(circles_around(world, home()));
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_FALSE(needs_hand_back(world.durable().standing.cause)) << world.story();
+  EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+}
+
+TEST(plane_flight, a_return_shows_rtl_as_it_starts_and_is_not_complete_in_the_air) {
+  flight_world world({.who = plane});
+  auto mission = plane_mission();
+  mission.items.back() = mission::return_home{"home"};
+  ASSERT_TRUE(fly_to(world, mission, progress_kind::reached, "w3"));
+  const auto orders = world.orders();
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().mode == "RTL"; }, 10)) << world.story();
+  world.run_for(20);
+  EXPECT_TRUE(circles_around(world, home()));
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_FALSE(needs_hand_back(world.durable().standing.cause)) << world.story();
+  EXPECT_FALSE(is_told(world, progress_kind::reached, "home")) << world.story();
+}
+
+TEST(plane_flight, a_person_who_takes_rtl_in_the_middle_of_its_mission_has_it) {
+  constexpr std::uint32_t rtl = 11;
+  flight_world world({.who = plane});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  world.switch_mode(rtl);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::taken_over; }, 6))
+      << world.story();
+}
+
+TEST(plane_flight, a_low_battery_brings_it_to_circles_over_home) {
+  flight_world world({.who = plane});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  world.vehicle().set_battery(20, world.now_ns());
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().mode == "RTL"; }, 20)) << world.story();
+  const auto orders = world.orders();
+  world.run_for(20);
+  EXPECT_TRUE(circles_around(world, home()));
+  EXPECT_EQ(world.reactions().size(), 1U) << "it is obeyed\n" << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::failsafe) << world.story();
+}
+
+TEST(plane_flight, a_critical_battery_lands_it_by_the_landing_of_its_plan) {
+  flight_world world({.who = plane, .speed = 1, .marks_landings = true});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  world.vehicle().set_battery(5, world.now_ns());
+  ASSERT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 20)) << world.story();
+  EXPECT_EQ(world.reactions().front().what, failsafe::action::do_land_start) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().in_air; }, 120)) << world.story();
+  EXPECT_EQ(world.vehicle().describe().mode, "AUTO");
+  EXPECT_LT(between(world.vehicle().describe().where, home()).distance_m, 150) << world.story();
+}
+
+TEST(plane_flight, stood_in_auto_behind_its_landing_it_is_put_into_a_mode_in_which_arming_begins_nothing) {
+  flight_world world({.who = plane});
+  world.load(plane_mission());
+  ASSERT_TRUE(world.run_until_phase(phase::done, 900)) << world.story();
+  world.run_for(6);
+  EXPECT_EQ(world.vehicle().describe().mode, "FBWA") << world.story();
+  world.arm_by_hand();
+  world.run_for(10);
+  EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
+}
+
+} // namespace
+} // namespace godwit::executor

@@ -20,6 +20,7 @@ json counters_of(const line_counters& from) {
           {"lost", from.lost},
           {"duplicated", from.duplicated},
           {"reordered", from.reordered},
+          {"late", from.late},
           {"damaged", from.damaged},
           {"cut", from.cut},
           {"overflowed", from.overflowed}};

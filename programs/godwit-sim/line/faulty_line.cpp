@@ -56,6 +56,10 @@ std::int64_t faulty_line::due_ns(one_way& line, std::int64_t now_ns) {
   const auto jitter = static_cast<std::uint64_t>(line.settings.jitter.count());
   const auto extra = jitter == 0 ? 0 : static_cast<std::int64_t>(random_.below(jitter + 1));
   const auto due = std::max(now_ns + line.settings.delay.count() + extra, line.in_order_ns);
+  if (happens(line.settings.late)) {
+    ++line.counters.late;
+    return due + late_hold_ns;
+  }
   if (happens(line.settings.reorder)) {
     ++line.counters.reordered;
     return due + reorder_hold_ns;

@@ -33,6 +33,7 @@ struct line_counters {
   std::uint64_t lost = 0;
   std::uint64_t duplicated = 0;
   std::uint64_t reordered = 0;
+  std::uint64_t late = 0;
   std::uint64_t damaged = 0;
   std::uint64_t cut = 0;        // met a line that was cut
   std::uint64_t overflowed = 0; // there was no room for what is under way
@@ -49,6 +50,8 @@ public:
   // A frame that is to be overtaken waits longer than the next frames of a transfer take to come, and not as long as
   // autopilots wait before they ask again.
   static constexpr std::int64_t reorder_hold_ns = 50'000'000;
+  // A late frame comes behind the next heartbeat: a radio that was blocked has kept it.
+  static constexpr std::int64_t late_hold_ns = 1'500'000'000;
 
   faulty_line(std::uint64_t seed, receiver deliver) : random_(seed), deliver_(std::move(deliver)) {}
   faulty_line(const faulty_line&) = delete;

@@ -16,6 +16,7 @@ struct share_word {
 constexpr share_word shares[] = {{"loss", &line_settings::loss},
                                  {"dup", &line_settings::duplication},
                                  {"reorder", &line_settings::reorder},
+                                 {"late", &line_settings::late},
                                  {"biterrors", &line_settings::bit_errors}};
 
 struct duration_word {
@@ -24,8 +25,8 @@ struct duration_word {
 };
 constexpr duration_word durations[] = {{"delay", &line_settings::delay}, {"jitter", &line_settings::jitter}};
 
-constexpr std::string_view forms = "; a line is none, or some of loss=0.1,dup=0.01,reorder=0.05,delay=15ms,jitter=5ms,"
-                                   "biterrors=1e-5,cut, each for one way only with in. or out. before it";
+constexpr std::string_view forms = "; a line is none, or some of loss=0.1,dup=0.01,reorder=0.05,late=0.01,delay=15ms,"
+                                   "jitter=5ms,biterrors=1e-5,cut, each for one way only with in. or out. before it";
 
 std::string mistake(std::string_view word, std::string_view what) {
   return in_quotes(word) + " " + std::string(what) + std::string(forms);

@@ -1,6 +1,6 @@
 // How bad a line is, as it stands on the command line:
 //
-//   loss=0.1,dup=0.01,reorder=0.05,delay=15ms,jitter=5ms,biterrors=1e-5
+//   loss=0.1,dup=0.01,reorder=0.05,late=0.01,delay=15ms,jitter=5ms,biterrors=1e-5
 //   out.loss=0.3,in.cut                  one way only: out from the vehicle, in towards it
 //   none                                 a good line
 //
@@ -21,6 +21,7 @@ struct line_settings {
   double loss = 0;        // 0 to 1
   double duplication = 0; // 0 to 1
   double reorder = 0;     // 0 to 1: held back, so that later frames overtake it
+  double late = 0;        // 0 to 1: held back for so long that what it says is no longer true
   double bit_errors = 0;  // 0 to 1
   std::chrono::nanoseconds delay{0};
   std::chrono::nanoseconds jitter{0}; // at random up to this, on top of the delay; frames stay in order

@@ -18,6 +18,7 @@ namespace godwit::tests {
 namespace {
 
 constexpr std::int64_t executor_period_ns = 200'000'000;
+constexpr std::int64_t late_ms = 1'500;
 constexpr io::mavlink::sender station{255, 190};
 
 // Frames from anybody else than the vehicle do not reach vehicle_link here, and its requests have numbers of ours.
@@ -30,7 +31,7 @@ constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 
 flight_world::flight_world(const options& wanted)
     : map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()), dice_(wanted.seed), lost_(wanted.lost),
-      doubled_(wanted.doubled), most_delay_ms_(wanted.most_delay_ms) {
+      doubled_(wanted.doubled), late_(wanted.late), most_delay_ms_(wanted.most_delay_ms) {
   if (wanted.has_service)
     settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
@@ -265,7 +266,8 @@ void flight_world::carry(
   for (int copies = falls(doubled_) ? 2 : 1; copies > 0; --copies) {
     const auto delay_ms =
         most_delay_ms_ <= 1 ? 1 : std::uniform_int_distribution<std::int64_t>(1, most_delay_ms_)(dice_);
-    time_.at(time_.now_ns() + delay_ms * 1'000'000, [bytes, deliver] { deliver(bytes); });
+    const std::int64_t held_ms = falls(late_) ? late_ms : 0;
+    time_.at(time_.now_ns() + (delay_ms + held_ms) * 1'000'000, [bytes, deliver] { deliver(bytes); });
   }
 }
 

@@ -42,6 +42,7 @@ public:
     // Of the line between link and vehicle, both ways; of each frame.
     double lost = 0;
     double doubled = 0;
+    double late = 0;                // by a second and a half
     std::int64_t most_delay_ms = 1; // frames overtake each other when it is above 1
     std::uint64_t seed = 1;
   };
@@ -188,6 +189,7 @@ private:
   std::mt19937_64 dice_;
   double lost_ = 0;
   double doubled_ = 0;
+  double late_ = 0;
   std::int64_t most_delay_ms_ = 1;
   std::int64_t cut_until_ns_ = 0;
   std::uint64_t link_age_ = 0; // frames on their way to a link that has died are lost

@@ -119,6 +119,20 @@ TEST(faulty_line, a_frame_that_is_held_back_is_overtaken_and_comes_all_the_same)
   EXPECT_NEAR(static_cast<double>(on.line.counters(way::in).reordered), 0.1 * many, 0.02 * many);
 }
 
+TEST(faulty_line, a_late_frame_comes_a_second_and_a_half_behind_those_that_overtake_it) {
+  listened_line on("late=0.1");
+  on.send_many(way::in, many);
+  EXPECT_EQ(on.arrivals.size(), static_cast<std::size_t>(many));
+  std::size_t late = 0;
+  for (const auto& each : on.arrivals) {
+    const auto took = each.at_ns - static_cast<std::int64_t>(each.number) * ms;
+    ASSERT_TRUE(took == 0 || took == 1'500 * ms) << took;
+    late += took != 0 ? 1 : 0;
+  }
+  EXPECT_EQ(late, on.line.counters(way::in).late);
+  EXPECT_NEAR(static_cast<double>(late), 0.1 * many, 0.02 * many);
+}
+
 TEST(faulty_line, so_many_bits_are_turned_as_the_share_says_and_a_damaged_frame_is_marked) {
   std::uint64_t turned = 0;
   std::uint64_t marked = 0;

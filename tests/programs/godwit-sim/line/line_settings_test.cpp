@@ -10,11 +10,13 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(line_settings, every_word_is_read_for_both_ways) {
-  const auto read = parse_line_faults("loss=0.1,dup=0.01,reorder=0.05,delay=15ms,jitter=5ms,biterrors=1e-5,cut");
+  const auto read =
+      parse_line_faults("loss=0.1,dup=0.01,reorder=0.05,late=0.01,delay=15ms,jitter=5ms,biterrors=1e-5,cut");
   ASSERT_TRUE(read) << read.error();
   const line_settings expected{.loss = 0.1,
                                .duplication = 0.01,
                                .reorder = 0.05,
+                               .late = 0.01,
                                .bit_errors = 1e-5,
                                .delay = 15ms,
                                .jitter = 5ms,
@@ -72,6 +74,7 @@ RC_GTEST_PROP(line_settings_property, what_is_written_is_read_as_the_same_value,
     return line_settings{.loss = *share,
                          .duplication = *share,
                          .reorder = *share,
+                         .late = *share,
                          .bit_errors = *share,
                          .delay = *time,
                          .jitter = *time,

@@ -65,6 +65,15 @@ void plan_store::put(const mavlink::mission_item_int& item) {
     items.push_back(kept);
 }
 
+void plan_store::set_home(const mavlink::mission_item_int& home) {
+  vehicle_.home = home;
+  auto& items = place(mav_mission_type::mission).items;
+  if (items.empty())
+    return;
+  items.front() = home;
+  items.front().seq = 0;
+}
+
 bool plan_store::complete() {
   auto& plan = place(type_);
   bool is_the_same = false;

@@ -49,6 +49,9 @@ public:
   // As it was held before; the same plan has the same id.
   void restore(mavlink::mav_mission_type type, std::vector<mavlink::mission_item_int> items);
 
+  // From now on; of a vehicle that keeps its home as item 0 of a mission.
+  void set_home(const mavlink::mission_item_int& home);
+
   // The plan that was begun, as far as it is there.
   [[nodiscard]] const std::vector<mavlink::mission_item_int>& incoming() const;
 

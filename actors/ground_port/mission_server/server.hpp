@@ -48,6 +48,9 @@ public:
   // Where the vehicle is in its mission; at item 0 with each new plan. A download marks it, where it is a habit.
   void set_current(int seq) { current_ = seq; }
 
+  // Of a vehicle that keeps its home as item 0: it is elsewhere now.
+  void set_home(const mavlink::mission_item_int& home) { store_.set_home(home); }
+
   [[nodiscard]] const held_plan& plan(mavlink::mav_mission_type type) const { return store_.plan(type); }
   [[nodiscard]] bool is_idle() const { return std::holds_alternative<idle>(session_); }
   [[nodiscard]] bool is_receiving() const { return std::holds_alternative<receiving>(session_); }

@@ -1,10 +1,10 @@
 #include "programs/godwit-sim/vehicle/vehicle_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "programs/godwit-sim/vehicle/autopilot/copter.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/home_item.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/plane.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/px4.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/rover.hpp"
@@ -32,11 +32,8 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
 
 // ArduPilot keeps its home as item 0 of the mission.
 plans::habits with_home(plans::habits habits, const position& home) {
-  if (habits.home) {
-    habits.home->x = static_cast<std::int32_t>(std::lround(home.latitude_deg * 1e7));
-    habits.home->y = static_cast<std::int32_t>(std::lround(home.longitude_deg * 1e7));
-    habits.home->z = static_cast<float>(home.altitude_m);
-  }
+  if (habits.home)
+    habits.home = home_item(*habits.home, home);
   return habits;
 }
 
@@ -71,7 +68,7 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
       params_(with_system(habits_.params, settings.system), habits_.param_encoding), streams_({}, 0),
       current_(role::current_report::period_ns, habits_.tells_current_on_change) {
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
-  state_.mode = find_mode(habits_.modes, habits_.first_mode);
+  state_.mode = state_.intended = find_mode(habits_.modes, habits_.first_mode);
   state_.is_ready = habits_.ready_after_ns == 0;
   make_streams();
   pilot_ = make_autopilot(settings, {habits_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});

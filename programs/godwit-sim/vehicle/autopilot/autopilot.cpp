@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/mavlink/frame_meaning.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/home_item.hpp"
 
 namespace godwit::sim {
 
@@ -21,21 +22,42 @@ std::uint32_t autopilot::mode_in(const role::order& what) const {
 }
 
 void autopilot::enter(const flight_mode& mode) {
+  with_.state.intended = &mode;
   if (&mode == state().mode)
     return;
   const auto* left = state().mode;
   with_.state.mode = &mode;
   on_mode_left(*left);
+  if (habits().beats_at_mode_change)
+    static_cast<void>(with_.tells.send(mavlink::heartbeat::message_id, now_.world_ns)); // it is known
   steer();
   on_mode_entered(mode);
+}
+
+void autopilot::enter_by_failsafe(mode_kind kind) {
+  const auto* before = state().intended;
+  enter(kind);
+  with_.state.intended = before;
 }
 
 void autopilot::arm() {
   if (state().is_armed)
     return;
+  const bool moves_home = habits().sets_home_when_armed && !state().is_home_fixed && state().has_position &&
+                          !craft().is_in_air() && may_move_home();
+  if (moves_home && craft().where().where != craft().home()) {
+    move_home(craft().where().where);
+    static_cast<void>(with_.tells.send(mavlink::home_position::message_id, now_.world_ns)); // it is known
+  }
   with_.state.is_armed = true;
   steer();
   on_armed();
+}
+
+void autopilot::move_home(const position& where) {
+  with_.craft.set_home(where);
+  if (habits().plan_habits.home)
+    with_.plans.set_home(home_item(*habits().plan_habits.home, where));
 }
 
 void autopilot::disarm() {
@@ -112,8 +134,9 @@ void autopilot::empty_battery() {
 void autopilot::restart() {
   with_.craft.restart();
   with_.state.is_armed = false;
-  with_.state.mode = find_mode(habits().modes, habits().first_mode);
+  with_.state.mode = with_.state.intended = find_mode(habits().modes, habits().first_mode);
   with_.state.started_world_ns = now_.world_ns;
+  with_.state.is_home_fixed = false;
   owed_message_.reset();
   speed_mps_ = 0;
   on_restart();

@@ -96,6 +96,8 @@ protected:
   virtual void on_unknown_mode(const role::order&) {}
   virtual void on_mode_left(const flight_mode&) {}
   virtual void on_mode_entered(const flight_mode&) {}
+  // Asked when it is armed on the ground.
+  [[nodiscard]] virtual bool may_move_home() const { return true; }
   virtual void on_armed() {}
   virtual void on_disarmed() {}
   virtual void on_position_lost() = 0;
@@ -116,8 +118,12 @@ protected:
 
   void enter(const flight_mode& mode);
   void enter(mode_kind kind) { enter(mode_of_kind(with_.habits.modes, kind)); }
+  // By itself: what people have intended stays.
+  void enter_by_failsafe(mode_kind kind);
   void arm();
   void disarm();
+  // A vehicle that keeps its home as item 0 shows it there.
+  void move_home(const position& where);
   // Gives the vehicle the task of the mode.
   void steer();
   void go_to(const position& where);

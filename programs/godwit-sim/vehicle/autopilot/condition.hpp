@@ -10,10 +10,12 @@ namespace godwit::sim {
 
 struct condition {
   const flight_mode* mode = nullptr;
+  const flight_mode* intended = nullptr; // by people; a failsafe of its own changes MODE alone
   bool is_armed = false;
   bool has_position = true; // from satellites
   bool is_ready = true;     // has been up for as long as it needs before it flies
   bool is_battery_empty = false;
+  bool is_home_fixed = false;        // by a command: arming moves it no longer
   std::int64_t started_world_ns = 0; // its own clock is 0 then
 
   [[nodiscard]] bool is_in(mode_kind kind) const { return mode->kind == kind; }

@@ -122,7 +122,9 @@ mav_result autopilot::change_speed(const role::order& what) {
 mav_result autopilot::set_home(const role::order& what) {
   if (!state().has_position)
     return mav_result::failed;
-  with_.craft.set_home(what.param1 == 1 ? craft().where().where : place_in(what));
+  const bool is_here = what.param1 == 1;
+  move_home(is_here ? craft().where().where : place_in(what));
+  with_.state.is_home_fixed = !(is_here && habits().home_is_free_again);
   owed_message_ = mavlink::home_position::message_id;
   return mav_result::accepted;
 }

@@ -68,6 +68,11 @@ void px4::on_mode_entered(const flight_mode& mode) {
     climb_to(takeoff_altitude_m_);
 }
 
+// In the middle of a mission it stays where it was.
+bool px4::may_move_home() const {
+  return run().is_empty() || run().current() == 0 || run().state() == run_state::completed;
+}
+
 void px4::on_armed() {
   say_tabbed(mav_severity::info, "Armed by " + std::string(reason_));
   preflight_ends_ns_ = now().world_ns + disarms_after_ns;
@@ -93,13 +98,13 @@ void px4::disarm_by(std::string_view reason) {
 
 void px4::on_position_lost() {
   say_tabbed(mav_severity::critical, "Failsafe activated");
-  enter(mode_kind::land);
+  enter_by_failsafe(mode_kind::land);
 }
 
 void px4::on_battery_empty() {
   say_tabbed(mav_severity::emergency, "Emergency battery level, land immediately");
   if (craft().is_in_air())
-    enter(mode_kind::land);
+    enter_by_failsafe(mode_kind::land);
   else
     disarm();
 }
@@ -237,6 +242,9 @@ void px4::take_plan(const plans::plan_change& what) {
 }
 
 void px4::end_turn() {
+  const std::pair modes(state().mode, state().intended);
+  if (std::exchange(told_modes_, modes) != modes)
+    static_cast<void>(with().tells.send(telemetry::current_mode_id, now().world_ns)); // it is known
   if (const auto news = old_news_.take_late())
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
 }

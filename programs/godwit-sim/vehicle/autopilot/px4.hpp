@@ -10,6 +10,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/old_news.hpp"
@@ -42,6 +43,7 @@ protected:
   [[nodiscard]] std::uint32_t mode_in(const role::order& what) const override;
   void on_unknown_mode(const role::order& what) override;
   void on_mode_entered(const flight_mode& mode) override;
+  [[nodiscard]] bool may_move_home() const override;
   void on_armed() override;
   void on_disarmed() override;
   void on_position_lost() override;
@@ -67,7 +69,8 @@ private:
   void say_tabbed(mavlink::mav_severity severity, const std::string& text) { say(severity, text + '\t'); }
 
   repeated_reached reached_;
-  bool says_complete_ = false; // it stands behind a landing, whoever landed it
+  std::pair<const flight_mode*, const flight_mode*> told_modes_; // actual, intended
+  bool says_complete_ = false;                                   // it stands behind a landing, whoever landed it
   old_news old_news_;
   std::int64_t heard_station_ns_ = -1; // real time
   std::int64_t preflight_ends_ns_ = never_ns;

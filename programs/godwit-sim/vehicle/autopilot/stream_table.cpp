@@ -26,7 +26,7 @@ constexpr std::array<role::streamed_message, 10> rover_table{{
     {home_position::message_id, each_s(2)},
 }};
 
-constexpr std::array<role::streamed_message, 11> px4_table{{
+constexpr std::array<role::streamed_message, 12> px4_table{{
     {heartbeat::message_id, hz(1)},
     {sys_status::message_id, hz(1)},
     {system_time::message_id, 0},
@@ -38,6 +38,7 @@ constexpr std::array<role::streamed_message, 11> px4_table{{
     {battery_status::message_id, each_s(2)},
     {home_position::message_id, each_s(2)},
     {ping::message_id, each_s(10)},
+    {436, each_s(2)}, // CURRENT_MODE
 }};
 
 constexpr std::array<role::streamed_message, 11> ardupilot_table{{

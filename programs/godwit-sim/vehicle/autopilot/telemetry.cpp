@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -47,6 +48,8 @@ bool telemetry::knows(std::uint32_t id) const {
                                                        mavlink::timesync::message_id};
   if (id == mavlink::protocol_version::message_id)
     return habits_.tells_protocol_version;
+  if (id == current_mode_id)
+    return habits_.tells_intended_mode;
   return std::find(known.begin(), known.end(), id) != known.end();
 }
 
@@ -57,6 +60,9 @@ bool telemetry::send(std::uint32_t id, std::int64_t world_ns) {
   switch (id) {
   case mavlink::heartbeat::message_id:
     out_.send(beat());
+    return true;
+  case current_mode_id:
+    send_current_mode();
     return true;
   case mavlink::sys_status::message_id:
     out_.send(status());
@@ -118,6 +124,15 @@ mavlink::heartbeat telemetry::beat() const {
     how = mavlink::mav_state::critical;
   m.system_status = mavlink::number(how);
   return m;
+}
+
+// Which has no struct: custom_mode u32, intended_custom_mode u32, standard_mode u8 (0: none that it could name).
+void telemetry::send_current_mode() {
+  constexpr std::uint8_t crc_extra = 193;
+  std::array<std::byte, 9> payload{};
+  std::memcpy(payload.data(), &state_.mode->custom, sizeof state_.mode->custom);
+  std::memcpy(payload.data() + sizeof state_.mode->custom, &state_.intended->custom, sizeof state_.intended->custom);
+  out_.send_payload(current_mode_id, crc_extra, payload);
 }
 
 mavlink::sys_status telemetry::status() const {

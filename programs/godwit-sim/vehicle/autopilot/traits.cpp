@@ -50,6 +50,9 @@ traits px4_traits() {
   t.unknown_message = mav_result::denied;
   t.unknown_interval = mav_result::failed;
   t.numbers_each_text = true;
+  t.tells_intended_mode = true;
+  t.sets_home_when_armed = true;
+  t.home_is_free_again = true;
   t.timesync_target = timesync_target::system_of_asker;
   t.sensors = {50348079, 50413615, 320915519};
   t.version.capabilities = 59647;
@@ -76,6 +79,8 @@ traits ardupilot_traits() {
   t.answers_ping = false;
   t.hears_any_component = true;
   t.tells_stale_position = true;
+  t.beats_at_mode_change = true;
+  t.sets_home_when_armed = true;
   t.timesync_target = timesync_target::nobody;
   t.sensors = {322034735, 320986159, 322034991};
   t.fix_type = 6;                  // as its own simulator's receiver

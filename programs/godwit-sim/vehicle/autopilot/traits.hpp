@@ -58,6 +58,11 @@ struct traits {
   bool hears_any_component = false;  // orders and parameters: of its system; else its own and 0
   bool tells_stale_position = false; // goes on with GLOBAL_POSITION_INT when there is no position
 
+  bool tells_intended_mode = false;  // CURRENT_MODE, also at each change
+  bool beats_at_mode_change = false; // a HEARTBEAT at once, besides those of each second
+  bool sets_home_when_armed = false; // on the ground, until a command has fixed it
+  bool home_is_free_again = false;   // by DO_SET_HOME with the place where it is; else until the next start
+
   sensor_bits sensors;
   std::uint8_t fix_type = 3;                 // gps_fix_type when all is well
   std::int64_t ready_after_ns = 0;           // of a start, world time: until then it can not be armed for a flight

@@ -46,7 +46,8 @@ TEST(vehicle, px4_streams_at_the_rates_that_were_recorded) {
                                               {mavlink::vfr_hud::message_id, 80},
                                               {mavlink::battery_status::message_id, 10},
                                               {mavlink::home_position::message_id, 10},
-                                              {mavlink::extended_sys_state::message_id, 20}};
+                                              {mavlink::extended_sys_state::message_id, 20},
+                                              {436, 10}};
   EXPECT_EQ(counts, expected);
 }
 

@@ -30,9 +30,10 @@ struct vehicle_settings {
   double speed = 1; // world seconds in a second
   std::uint64_t seed = 1;
   double battery_percent = 100;
-  double endurance_s = 1'500; // of a full battery in flight; world time
-  bool arms_on_start = false; // rover: MISSION_START arms
-  double stream_factor = 1;   // rates of the default streams, times this
+  double endurance_s = 1'500;       // of a full battery in flight; world time
+  bool arms_on_start = false;       // rover: MISSION_START arms
+  double stream_factor = 1;         // rates of the default streams, times this
+  bool beats_at_mode_change = true; // ardupilot, plane: off for what was recorded before they did
 };
 
 // For people, tests and the control port.

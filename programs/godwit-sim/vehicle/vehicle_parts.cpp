@@ -70,6 +70,7 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
   state_.mode = state_.intended = find_mode(habits_.modes, habits_.first_mode);
   state_.is_ready = habits_.ready_after_ns == 0;
+  state_.beats_at_mode_change = habits_.beats_at_mode_change && settings.beats_at_mode_change;
   make_streams();
   pilot_ = make_autopilot(settings, {habits_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});
   pilot_->set_now(now_);

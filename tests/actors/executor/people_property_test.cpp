@@ -112,6 +112,7 @@ private:
       result.lost = 0.01 * static_cast<double>(dice() % 21);
       result.doubled = 0.01 * static_cast<double>(dice() % 6);
       result.most_delay_ms = 1 + static_cast<std::int64_t>(dice() % 90);
+      result.late = 0.002 * static_cast<double>(dice() % 6);
     }
     return result;
   }

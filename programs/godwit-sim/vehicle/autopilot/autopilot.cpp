@@ -28,7 +28,7 @@ void autopilot::enter(const flight_mode& mode) {
   const auto* left = state().mode;
   with_.state.mode = &mode;
   on_mode_left(*left);
-  if (habits().beats_at_mode_change)
+  if (state().beats_at_mode_change)
     static_cast<void>(with_.tells.send(mavlink::heartbeat::message_id, now_.world_ns)); // it is known
   steer();
   on_mode_entered(mode);

@@ -16,6 +16,7 @@ struct condition {
   bool is_ready = true;     // has been up for as long as it needs before it flies
   bool is_battery_empty = false;
   bool is_home_fixed = false;        // by a command: arming moves it no longer
+  bool beats_at_mode_change = false; // a HEARTBEAT at once, besides those of each second
   std::int64_t started_world_ns = 0; // its own clock is 0 then
 
   [[nodiscard]] bool is_in(mode_kind kind) const { return mode->kind == kind; }

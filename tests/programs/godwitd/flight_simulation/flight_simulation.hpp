@@ -45,6 +45,7 @@ public:
     bool starts_by_itself = true; // else by MISSION_START of the station
     double speed = 10;            // of the vehicle's world
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
+    bool beats_at_mode_change = true; // of an ArduPilot
     sim::line_faults line = {};
     bool is_shuffled = true; // else in the order that costs least
   };

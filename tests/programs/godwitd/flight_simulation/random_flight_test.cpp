@@ -113,12 +113,11 @@ private:
     if (flight_.reports().empty())
       return;
     const auto name = "n" + std::to_string(++assignments_);
-    const double up_m = who_ == sim::personality::rover ? 0 : 20;
     sim::missions::assignment_wish wish;
     wish.replace_after_item_id = dice_() % 2 == 0 ? "w1" : "w2";
-    wish.items = {place(name + "a", 20, 20, up_m), place(name + "b", -30, 20, up_m)};
+    wish.items = {place(who_, name + "a", 20, 20), place(who_, name + "b", -30, 20)};
     if (who_ != sim::personality::rover)
-      wish.items.emplace_back(mission::return_home{name + "home"});
+      wish.items.push_back(way_home(who_, name + "home"));
     (void)flight_.service().assign(flight_.mission_id(), wish, flight_.now_ns());
   }
 

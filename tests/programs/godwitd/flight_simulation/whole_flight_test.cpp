@@ -62,11 +62,10 @@ TEST_P(whole_flight, what_was_seen_on_the_way_is_delivered_once_behind_the_fligh
 TEST_P(whole_flight, an_assignment_on_the_way_is_flown_and_answered_once) {
   fly_past("w1");
   sim::missions::assignment_wish wish;
-  const double up_m = GetParam() == sim::personality::rover ? 0 : 20;
   wish.replace_after_item_id = "w2";
-  wish.items = {place("n1", 20, 20, up_m), place("n2", -30, 20, up_m)};
+  wish.items = {place(GetParam(), "n1", 20, 20), place(GetParam(), "n2", -30, 20)};
   if (GetParam() != sim::personality::rover)
-    wish.items.emplace_back(mission::return_home{"home_again"});
+    wish.items.push_back(way_home(GetParam(), "home_again"));
   ASSERT_TRUE(flight.service().assign(flight.mission_id(), wish, flight.now_ns()));
   EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
   expect_sound_end();
@@ -121,7 +120,8 @@ TEST_P(whole_flight, begins_by_the_start_of_a_ground_station_and_not_before) {
 }
 
 INSTANTIATE_TEST_SUITE_P(every_vehicle, whole_flight,
-                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
+                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
+                                         sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
 // What makes a failure of a random flight worth anything.

@@ -119,7 +119,7 @@ autopilot::answer ardupilot::start_mission(const role::order& what) {
 }
 
 void ardupilot::start_or_resume() {
-  if (phase_ == mission_phase::running)
+  if (phase_ == mission_phase::running || run().is_empty())
     return;
   if (phase_ == mission_phase::complete)
     reset_mission();

@@ -89,6 +89,15 @@ TEST(plane, takes_off_when_it_is_armed_in_auto) {
   EXPECT_TRUE(world.run_until([&] { return world.picture().in_air; }, 20 * s));
 }
 
+TEST(plane, stays_on_the_ground_when_it_is_armed_in_auto_without_a_mission) {
+  plane_with world;
+  ASSERT_EQ(world.clear(), mav_mission_result::accepted);
+  EXPECT_EQ(world.mode(automatic), mav_result::accepted);
+  EXPECT_EQ(world.arm(), mav_result::accepted);
+  world.run_for(30 * s);
+  EXPECT_FALSE(world.picture().in_air);
+}
+
 TEST(plane, does_not_arm_in_rtl) {
   plane_with world;
   EXPECT_EQ(world.mode(rtl), mav_result::accepted);

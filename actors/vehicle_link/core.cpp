@@ -255,7 +255,7 @@ void core::change_phase(turn& t, const std::optional<connection_changed>& change
 void core::restart_conversation(turn& t) {
   if (watch_.phase() != connection_phase::connected)
     return;
-  streams_.begin(t.now.monotonic_ns);
+  streams_.begin(t.now.monotonic_ns, static_cast<mavlink::mav_autopilot>(watch_.vehicle()->autopilot));
   ask_for_streams(t);
 }
 

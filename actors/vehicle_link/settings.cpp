@@ -3,10 +3,16 @@
 namespace godwit::vehicle_link {
 
 std::vector<wanted_stream> default_streams() {
-  return {{mavlink::global_position_int::message_id, 200}, {mavlink::attitude::message_id, 200},
-          {mavlink::sys_status::message_id, 1'000},        {mavlink::gps_raw_int::message_id, 1'000},
-          {mavlink::mission_current::message_id, 200},     {mavlink::extended_sys_state::message_id, 1'000},
-          {mavlink::battery_status::message_id, 2'000},    {mavlink::home_position::message_id, 5'000}};
+  return {{mavlink::global_position_int::message_id, 200},
+          {mavlink::attitude::message_id, 200},
+          {mavlink::sys_status::message_id, 1'000},
+          {mavlink::gps_raw_int::message_id, 1'000},
+          {mavlink::mission_current::message_id, 200},
+          {mavlink::extended_sys_state::message_id, 1'000},
+          {mavlink::battery_status::message_id, 2'000},
+          {mavlink::home_position::message_id, 5'000},
+          {mavlink::ekf_status_report::message_id, 1'000, mavlink::mav_autopilot::ardupilotmega},
+          {mavlink::estimator_status::message_id, 1'000, mavlink::mav_autopilot::px4}};
 }
 
 } // namespace godwit::vehicle_link

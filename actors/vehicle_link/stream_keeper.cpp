@@ -27,6 +27,8 @@ std::uint8_t group_of(std::uint32_t message) {
   case mavlink::vfr_hud::message_id:
     return 11; // EXTRA2
   case mavlink::battery_status::message_id:
+  case mavlink::ekf_status_report::message_id:
+  case mavlink::estimator_status::message_id:
   case mavlink::extended_sys_state::message_id:
   case mavlink::system_time::message_id:
     return 12; // EXTRA3
@@ -51,9 +53,11 @@ stream_keeper::stream_keeper(std::vector<wanted_stream> wanted) {
     streams_.push_back({.wanted = each});
 }
 
-void stream_keeper::begin(std::int64_t now_ns) {
-  for (auto& each : streams_)
-    each = {.wanted = each.wanted, .at = step::unasked, .due_ns = now_ns, .window_from = now_ns};
+void stream_keeper::begin(std::int64_t now_ns, std::optional<mavlink::mav_autopilot> whose) {
+  for (auto& each : streams_) {
+    const bool has_it = !each.wanted.only_of || each.wanted.only_of == whose;
+    each = {.wanted = each.wanted, .at = has_it ? step::unasked : step::idle, .due_ns = now_ns, .window_from = now_ns};
+  }
 }
 
 void stream_keeper::end() {

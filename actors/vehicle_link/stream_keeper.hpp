@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/mavlink/enums/vehicle.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "messages/vehicle_link/command.hpp"
 
@@ -27,6 +28,7 @@ namespace godwit::vehicle_link {
 struct wanted_stream {
   std::uint32_t message = 0; // id
   std::int32_t interval_ms = 1'000;
+  std::optional<io::mavlink::mav_autopilot> only_of = {}; // what no other autopilot has is not asked for
 };
 
 inline constexpr std::size_t max_wanted_streams = 32;
@@ -39,8 +41,9 @@ public:
   // At most max_wanted_streams; what is beyond is not asked for.
   explicit stream_keeper(std::vector<wanted_stream> wanted);
 
-  void begin(std::int64_t now_ns); // the vehicle is there, or has started again: ask for all
-  void end();                      // it is gone
+  // The vehicle is there, or has started again: ask for all that it has.
+  void begin(std::int64_t now_ns, std::optional<io::mavlink::mav_autopilot> whose = {});
+  void end(); // it is gone
   void on_message(std::uint32_t id);
   void on_outcome(const command_outcome& outcome, std::int64_t now_ns);
 

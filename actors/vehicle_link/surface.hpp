@@ -42,8 +42,9 @@ using told_messages =
     mavlink::message_list<mavlink::heartbeat, mavlink::sys_status, mavlink::system_time, mavlink::gps_raw_int,
                           mavlink::attitude, mavlink::global_position_int, mavlink::mission_current,
                           mavlink::mission_item_reached, mavlink::vfr_hud, mavlink::battery_status,
-                          mavlink::autopilot_version, mavlink::fence_status, mavlink::home_position,
-                          mavlink::extended_sys_state, mavlink::statustext, mavlink::radio_status>;
+                          mavlink::autopilot_version, mavlink::fence_status, mavlink::ekf_status_report,
+                          mavlink::estimator_status, mavlink::home_position, mavlink::extended_sys_state,
+                          mavlink::statustext, mavlink::radio_status>;
 
 // Taken and used here.
 using used_messages = mavlink::message_list<mavlink::command_ack, mavlink::mission_count, mavlink::mission_item_int,

@@ -8,6 +8,7 @@
 #include "io/mavlink/messages/battery.hpp"
 #include "io/mavlink/messages/clock.hpp"
 #include "io/mavlink/messages/command.hpp"
+#include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/fence.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
@@ -26,7 +27,8 @@ using known_messages =
                  mission_set_current, mission_current, mission_request_list, mission_count, mission_clear_all,
                  mission_item_reached, mission_ack, mission_request_int, mission_item_int, vfr_hud, command_int,
                  command_long, command_ack, command_cancel, radio_status, timesync, battery_status, autopilot_version,
-                 fence_status, home_position, extended_sys_state, statustext, setup_signing, protocol_version>;
+                 fence_status, ekf_status_report, estimator_status, home_position, extended_sys_state, statustext,
+                 setup_signing, protocol_version>;
 
 // Decodes FRAME and calls F(const M&) with the message; false if it is not one of ours.
 template <class F>

@@ -37,6 +37,17 @@ TEST(stream_keeper, asks_for_one_stream_at_a_time) {
   EXPECT_EQ(asked(keeper.next_request(10 * ms)).param1, static_cast<float>(position));
 }
 
+TEST(stream_keeper, asks_no_vehicle_for_what_only_another_autopilot_has) {
+  stream_keeper keeper({{attitude, 200, mavlink::mav_autopilot::px4}, {position, 500}});
+  keeper.begin(0, mavlink::mav_autopilot::ardupilotmega);
+  EXPECT_EQ(asked(keeper.next_request(0)).param1, static_cast<float>(position));
+  keeper.on_outcome({}, 0);
+  EXPECT_FALSE(keeper.next_request(0));
+  EXPECT_TRUE(keeper.missing().empty());
+  keeper.begin(s, mavlink::mav_autopilot::px4);
+  EXPECT_EQ(asked(keeper.next_request(s)).param1, static_cast<float>(attitude));
+}
+
 TEST(stream_keeper, asks_nothing_before_the_vehicle_is_there_and_after_it_has_gone) {
   stream_keeper keeper({{attitude, 200}});
   EXPECT_FALSE(keeper.next_request(0));

@@ -63,12 +63,13 @@ TEST(recordings, px4_mission_gives_every_frame_and_the_counts_of_each_message) {
   const auto seen = decode_all("px4_quad_mission.rx.bin");
   expect_nothing_wrong(seen);
   EXPECT_EQ(seen.frames + static_cast<int>(seen.counters.unknown_id), 28684);
-  EXPECT_EQ(seen.known, 8833);
+  EXPECT_EQ(seen.known, 8871);
   EXPECT_EQ(seen.by_name, (counts{{"ATTITUDE", 3824},
                                   {"AUTOPILOT_VERSION", 1},
                                   {"BATTERY_STATUS", 38},
                                   {"COMMAND_ACK", 10},
                                   {"COMMAND_LONG", 2},
+                                  {"ESTIMATOR_STATUS", 38},
                                   {"EXTENDED_SYS_STATE", 77},
                                   {"GLOBAL_POSITION_INT", 3825},
                                   {"GPS_RAW_INT", 383},
@@ -93,11 +94,12 @@ TEST(recordings, rover_mission_gives_every_frame_and_the_counts_of_each_message)
   const auto seen = decode_all("ardurover_mission.rx.bin");
   expect_nothing_wrong(seen);
   EXPECT_EQ(seen.frames + static_cast<int>(seen.counters.unknown_id), 7110);
-  EXPECT_EQ(seen.known, 2461);
+  EXPECT_EQ(seen.known, 2738);
   EXPECT_EQ(seen.by_name, (counts{{"ATTITUDE", 278},
                                   {"AUTOPILOT_VERSION", 1},
                                   {"BATTERY_STATUS", 278},
                                   {"COMMAND_ACK", 11},
+                                  {"EKF_STATUS_REPORT", 277},
                                   {"GLOBAL_POSITION_INT", 278},
                                   {"GPS_RAW_INT", 278},
                                   {"HEARTBEAT", 73},
@@ -120,7 +122,7 @@ TEST(recordings, rover_probes_give_every_frame) {
   const auto seen = decode_all("ardurover_probes.rx.bin");
   expect_nothing_wrong(seen);
   EXPECT_EQ(seen.frames + static_cast<int>(seen.counters.unknown_id), 6987);
-  EXPECT_EQ(seen.known, 3229);
+  EXPECT_EQ(seen.known, 3450);
 }
 
 TEST(recordings, give_the_same_byte_by_byte_and_in_random_pieces) {

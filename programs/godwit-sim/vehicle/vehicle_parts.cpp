@@ -71,6 +71,7 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
   state_.mode = state_.intended = find_mode(habits_.modes, habits_.first_mode);
   state_.is_ready = habits_.ready_after_ns == 0;
   state_.beats_at_mode_change = habits_.beats_at_mode_change && settings.beats_at_mode_change;
+  state_.has_estimate = habits_.estimate_after_ns == 0;
   make_streams();
   pilot_ = make_autopilot(settings, {habits_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});
   pilot_->set_now(now_);
@@ -123,6 +124,7 @@ void vehicle::parts::advance_world() {
 
 void vehicle::parts::advance_autopilot() {
   state_.is_ready = state_.up_ns(now_.world_ns) >= habits_.ready_after_ns;
+  state_.has_estimate = state_.has_position && state_.up_ns(now_.world_ns) >= habits_.estimate_after_ns;
   pilot_->on_time();
 }
 

@@ -50,7 +50,7 @@ std::optional<autopilot::refusal> ardupilot::why_not_arm(bool forced) const {
     return refusal{answer::failed, mav_severity::critical, "Arm: Mode not armable"};
   if (forced)
     return std::nullopt;
-  if (!state().is_ready || !state().has_position)
+  if (!state().is_ready || !state().has_estimate)
     return refusal{answer::failed, mav_severity::critical, "Arm: Need Position Estimate"};
   if (state().is_battery_empty)
     return refusal{answer::failed, mav_severity::critical, "Arm: Battery 1 below minimum arming capacity"};
@@ -64,7 +64,7 @@ std::optional<autopilot::refusal> ardupilot::why_not_disarm(bool forced) const {
 }
 
 std::string ardupilot::why_not(const flight_mode& mode) const {
-  if (mode.needs_position && state().is_armed && !(state().has_position && state().is_ready))
+  if (mode.needs_position && state().is_armed && !(state().has_estimate && state().is_ready))
     return "requires position";
   if (mode.kind != mode_kind::mission || !state().is_armed)
     return {};

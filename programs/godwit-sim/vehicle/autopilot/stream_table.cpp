@@ -26,7 +26,7 @@ constexpr std::array<role::streamed_message, 10> rover_table{{
     {home_position::message_id, each_s(2)},
 }};
 
-constexpr std::array<role::streamed_message, 12> px4_table{{
+constexpr std::array<role::streamed_message, 13> px4_table{{
     {heartbeat::message_id, hz(1)},
     {sys_status::message_id, hz(1)},
     {system_time::message_id, 0},
@@ -37,11 +37,12 @@ constexpr std::array<role::streamed_message, 12> px4_table{{
     {vfr_hud::message_id, hz(4)},
     {battery_status::message_id, each_s(2)},
     {home_position::message_id, each_s(2)},
+    {estimator_status::message_id, each_s(2)},
     {ping::message_id, each_s(10)},
     {436, each_s(2)}, // CURRENT_MODE
 }};
 
-constexpr std::array<role::streamed_message, 11> ardupilot_table{{
+constexpr std::array<role::streamed_message, 12> ardupilot_table{{
     {heartbeat::message_id, hz(1)},
     {sys_status::message_id, hz(1)},
     {system_time::message_id, hz(1)},
@@ -52,11 +53,12 @@ constexpr std::array<role::streamed_message, 11> ardupilot_table{{
     {vfr_hud::message_id, hz(1)},
     {battery_status::message_id, hz(1)},
     {home_position::message_id, 0},
+    {ekf_status_report::message_id, hz(1)},
     {timesync::message_id, each_s(10)},
 }};
 
 // Extended status 2, position 6, extra 10 to 12.
-constexpr std::array<stream_group, 8> groups{{
+constexpr std::array<stream_group, 9> groups{{
     {2, sys_status::message_id},
     {2, gps_raw_int::message_id},
     {2, mission_current::message_id},
@@ -65,6 +67,7 @@ constexpr std::array<stream_group, 8> groups{{
     {11, vfr_hud::message_id},
     {12, system_time::message_id},
     {12, battery_status::message_id},
+    {12, ekf_status_report::message_id},
 }};
 
 } // namespace

@@ -50,6 +50,10 @@ bool telemetry::knows(std::uint32_t id) const {
     return habits_.tells_protocol_version;
   if (id == current_mode_id)
     return habits_.tells_intended_mode;
+  if (id == mavlink::ekf_status_report::message_id)
+    return habits_.autopilot == mavlink::mav_autopilot::ardupilotmega;
+  if (id == mavlink::estimator_status::message_id)
+    return habits_.autopilot == mavlink::mav_autopilot::px4;
   return std::find(known.begin(), known.end(), id) != known.end();
 }
 
@@ -91,6 +95,12 @@ bool telemetry::send(std::uint32_t id, std::int64_t world_ns) {
     return true;
   case mavlink::extended_sys_state::message_id:
     out_.send(mavlink::extended_sys_state{.landed_state = mavlink::number(landed_state())});
+    return true;
+  case mavlink::ekf_status_report::message_id:
+    out_.send(mavlink::ekf_status_report{.flags = estimator_flags()});
+    return true;
+  case mavlink::estimator_status::message_id:
+    out_.send(mavlink::estimator_status{.time_usec = us(up_ns), .flags = estimator_flags()});
     return true;
   case mavlink::autopilot_version::message_id:
     out_.send(version());
@@ -246,6 +256,13 @@ mavlink::mav_landed_state telemetry::landed_state() const {
   if (!craft_.is_in_air()) // a rover too: it is on the ground
     return mavlink::mav_landed_state::on_ground;
   return is_landing() ? mavlink::mav_landed_state::landing : mavlink::mav_landed_state::in_air;
+}
+
+// As recorded without and with a position.
+std::uint16_t telemetry::estimator_flags() const {
+  constexpr std::uint16_t without = 0x00A7; // attitude, speeds and height, and it assumes to stand still
+  constexpr std::uint16_t with = 0x032F | mavlink::estimator_pos_horiz_abs;
+  return state_.has_estimate ? with : without;
 }
 
 bool telemetry::is_landing() const {

@@ -43,6 +43,7 @@ private:
   [[nodiscard]] mavlink::battery_status charge() const;
   [[nodiscard]] mavlink::home_position home(std::int64_t up_ns) const;
   [[nodiscard]] mavlink::autopilot_version version() const;
+  [[nodiscard]] std::uint16_t estimator_flags() const;
   [[nodiscard]] bool is_landing() const;
 
   const traits& habits_;

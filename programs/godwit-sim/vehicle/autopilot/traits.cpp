@@ -83,8 +83,9 @@ traits ardupilot_traits() {
   t.sets_home_when_armed = true;
   t.timesync_target = timesync_target::nobody;
   t.sensors = {322034735, 320986159, 322034991};
-  t.fix_type = 6;                  // as its own simulator's receiver
-  t.ready_after_ns = 5 * ns_per_s; // a real one takes 35 to 40 s
+  t.fix_type = 6;                     // as its own simulator's receiver
+  t.ready_after_ns = 5 * ns_per_s;    // a real one takes 35 to 40 s
+  t.estimate_after_ns = 6 * ns_per_s; // and some 16 s more, in which it is not armed though its checks pass
   t.total_of_no_mission = 0;
   t.version.capabilities = 61935;
   t.version.flight_sw_version = 67567616; // 4.7.0, development

@@ -66,6 +66,7 @@ struct traits {
   sensor_bits sensors;
   std::uint8_t fix_type = 3;                 // gps_fix_type when all is well
   std::int64_t ready_after_ns = 0;           // of a start, world time: until then it can not be armed for a flight
+  std::int64_t estimate_after_ns = 0;        // the same: until then its estimator does not know where it is
   std::uint16_t total_of_no_mission = 65535; // MISSION_CURRENT
   mavlink::autopilot_version version;
   bool tells_protocol_version = true;

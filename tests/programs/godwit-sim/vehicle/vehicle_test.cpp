@@ -45,6 +45,7 @@ TEST(vehicle, px4_streams_at_the_rates_that_were_recorded) {
                                               {mavlink::mission_current::message_id, 20},
                                               {mavlink::vfr_hud::message_id, 80},
                                               {mavlink::battery_status::message_id, 10},
+                                              {mavlink::estimator_status::message_id, 10},
                                               {mavlink::home_position::message_id, 10},
                                               {mavlink::extended_sys_state::message_id, 20},
                                               {436, 10}};

@@ -224,6 +224,21 @@ TEST(copter, is_not_ready_before_its_time_and_shows_it_by_the_pre_arm_bit) {
   EXPECT_EQ(world.command(mav_cmd::component_arm_disarm, {.p1 = 1}), mav_result::accepted);
 }
 
+// Its checks pass before its estimator knows where it is; it can not be armed in between.
+TEST(copter, is_armed_when_its_estimator_knows_where_it_is_and_not_as_its_checks_pass) {
+  vehicle_world world(personality::ardupilot);
+  const auto knows_place = [&] {
+    const auto& newest = world.last<mavlink::ekf_status_report>();
+    return newest && (newest->flags & mavlink::estimator_pos_horiz_abs) != 0;
+  };
+  world.run_for(5'500'000'000);
+  EXPECT_FALSE(knows_place());
+  EXPECT_EQ(world.command(mav_cmd::component_arm_disarm, {.p1 = 1}), mav_result::failed);
+  world.run_for(2 * s);
+  EXPECT_TRUE(knows_place());
+  EXPECT_EQ(world.command(mav_cmd::component_arm_disarm, {.p1 = 1}), mav_result::accepted);
+}
+
 TEST(copter, fails_to_change_to_a_mode_that_does_not_exist_and_says_so) {
   copter_with world(0);
   EXPECT_EQ(world.mode(99), mav_result::failed);

@@ -75,6 +75,7 @@ actor::behavior_type actor::handlers() {
           hears<mavlink::global_position_int>(),
           hears<mavlink::sys_status>(),
           hears<mavlink::mission_current>(),
+          hears<mavlink::statustext>(),
           on<connection_changed>([this](const connection_changed& m) {
             if (m.phase == vehicle_link::connection_phase::connected)
               look_.begin();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/failsafe/sentences.hpp"
 #include "actors/failsafe/vehicle_words.hpp"
 
@@ -66,6 +67,11 @@ void core::take_one(const mission_current& what, instant now) {
     return;
   sequence_ = what.sequence;
   sequence_ns_ = now.monotonic_ns;
+}
+
+void core::take_one(const autopilot_text& what, instant now) {
+  if (flight::tells_failsafe(what.what))
+    failsafe_text_ = {what.what, now};
 }
 
 void core::take_one(const command_settled& what, instant) { reaction_.on_settled(what); }
@@ -184,15 +190,19 @@ void core::lift(rule scope) {
 // An order is given to the vehicle where it is: of the two, the place is first.
 void core::watch_pilot(const view& seen, instant now, effects& out) {
   const bool before = pilot_.is_taken_over();
+  const bool was_autopilots = pilot_.is_autopilots();
+  if (const auto text = std::exchange(failsafe_text_, std::nullopt))
+    pilot_.on_text(owner(), text->what, text->at);
   if (const auto place = std::exchange(place_, std::nullopt))
     pilot_.on_place(place->what.sequence, place->what.is_complete, place->at);
   for (const auto& each : std::exchange(orders_, {}))
     pilot_.expect(each.modes, each.lasts_ms, now);
   if (seen.flight.link_up)
     pilot_.evaluate(seen.flight, {owner(), newest_.mode, newest_.is_critical, heartbeat_ns_}, now);
-  if (before || !pilot_.is_taken_over())
-    return;
-  out.emplace_back(warning{mav_severity::notice, "the mode was changed by somebody else; the failsafes only warn"});
+  if (!was_autopilots && pilot_.is_autopilots())
+    out.emplace_back(warning{mav_severity::notice, "the autopilot's own failsafe has the vehicle; ours only warn"});
+  else if (!before && pilot_.is_taken_over())
+    out.emplace_back(warning{mav_severity::notice, "the mode was changed by somebody else; the failsafes only warn"});
 }
 
 // -- the rules ------------------------------------------------------------------------------------

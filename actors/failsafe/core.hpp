@@ -73,6 +73,7 @@ private:
   void take_one(const position& what, instant now);
   void take_one(const battery& what, instant now);
   void take_one(const mission_current& what, instant now);
+  void take_one(const autopilot_text& what, instant now);
   void take_one(const command_settled& what, instant now);
   void take_one(const operator_heard& what, instant now);
   void take_one(const asked_override& what, instant now);
@@ -127,6 +128,11 @@ private:
     instant at;
   };
   std::optional<heard_place> place_;
+  struct heard_text {
+    std::string what;
+    instant at;
+  };
+  std::optional<heard_text> failsafe_text_; // of the autopilot's own failsafe
   std::vector<expect_mode> orders_;
   bool told_taken_over_ = false;
   bool told_hand_back_ = false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include "actors/failsafe/vehicle.hpp"
@@ -45,6 +46,11 @@ struct mission_current {
   bool is_complete = false;
 };
 
+// What it says in words (STATUSTEXT).
+struct autopilot_text {
+  std::string what;
+};
+
 // What became of a command that the failsafe sent.
 struct command_settled {
   std::uint64_t number = 0; // of the command
@@ -72,7 +78,7 @@ struct asked_guard {
   guard_mission what;
 };
 
-using event = std::variant<heartbeat, landed, position, battery, mission_current, command_settled, operator_heard,
-                           asked_override, hand_back, asked_guard, expect_mode, taken_over, following>;
+using event = std::variant<heartbeat, landed, position, battery, mission_current, autopilot_text, command_settled,
+                           operator_heard, asked_override, hand_back, asked_guard, expect_mode, taken_over, following>;
 
 } // namespace godwit::failsafe

@@ -48,6 +48,10 @@ void pilot_watch::on_place(std::uint16_t sequence, bool is_complete, instant now
   authority_.on_place(sequence, is_complete, now.monotonic_ns);
 }
 
+void pilot_watch::on_text(const flight::mode_owner& whose, std::string_view text, instant now) {
+  authority_.on_text(whose, text, now.monotonic_ns);
+}
+
 bool pilot_watch::begins_as_ours(const seen_mode& seen, instant now) const {
   if (seen.mode.kind == mode_kind::mission || authority_.expects(seen.mode, now.monotonic_ns))
     return true;

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "actors/domain/control_authority/control_authority.hpp"
@@ -74,10 +75,13 @@ public:
   void hand_back();
 
   void on_place(std::uint16_t sequence, bool is_complete, instant now);
+  void on_text(const flight::mode_owner& whose, std::string_view text, instant now);
   // Once at each tick at which the vehicle is heard.
   void evaluate(const flight_now& flight, const seen_mode& seen, instant now);
 
   [[nodiscard]] bool is_taken_over() const { return !adopts_ && !authority_.is_ours(); }
+  // The same, and it is the autopilot's own failsafe.
+  [[nodiscard]] bool is_autopilots() const { return authority_.who() == flight::holder::autopilot_failsafe; }
   // Who has it is told next; until then nothing is sent.
   [[nodiscard]] bool is_unclear() const { return begun_ns_ || authority_.is_unclear(); }
   [[nodiscard]] pilot_memory memory() const;

@@ -1,6 +1,7 @@
 #include "actors/failsafe/senses.hpp"
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 
@@ -22,6 +23,8 @@ heartbeat sense(const mavlink::heartbeat& m) {
   return {owner.vehicle, armed, flight::mode_of(m), owner.autopilot,
           m.system_status == mavlink::number(mavlink::mav_state::critical)};
 }
+
+autopilot_text sense(const mavlink::statustext& m) { return {std::string(flight::text_of(m))}; }
 
 landed sense(const mavlink::extended_sys_state& m) {
   switch (static_cast<mavlink::mav_landed_state>(m.landed_state)) {

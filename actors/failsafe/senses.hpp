@@ -15,6 +15,7 @@ namespace godwit::failsafe {
 [[nodiscard]] landed sense(const io::mavlink::extended_sys_state& m);
 [[nodiscard]] position sense(const io::mavlink::global_position_int& m);
 [[nodiscard]] battery sense(const io::mavlink::sys_status& m);
+[[nodiscard]] autopilot_text sense(const io::mavlink::statustext& m);
 [[nodiscard]] mission_current sense(const io::mavlink::mission_current& m);
 
 } // namespace godwit::failsafe

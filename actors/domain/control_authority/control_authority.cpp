@@ -1,10 +1,12 @@
 #include "actors/domain/control_authority/control_authority.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/domain/vehicle_text/vehicle_text.hpp"
 
 namespace godwit::flight {
 namespace {
@@ -15,6 +17,7 @@ constexpr flight_mode not_known{mode_kind::unknown, std::numeric_limits<std::uin
 } // namespace
 
 void control_authority::begin(const flight_mode& mode) {
+  failsafe_told_ns_.reset();
   drop_expected(mode);
   adopt(mode, holder::godwit);
 }
@@ -38,6 +41,7 @@ void control_authority::adopt(const flight_mode& mode, holder who) {
   who_ = who;
   was_ordered_ = false;
   unclear_.reset();
+  taken_ns_.reset();
 }
 
 void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t until_ns) {
@@ -102,7 +106,15 @@ void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode
     unclear_ = change{mode, now_ns, is_critical};
     return on_time(now_ns);
   }
-  lose(is_critical);
+  lose(is_critical, now_ns);
+}
+
+void control_authority::on_text(const mode_owner& whose, std::string_view text, std::int64_t now_ns) {
+  if (whose.autopilot != io::mavlink::mav_autopilot::ardupilotmega || !tells_failsafe(text))
+    return;
+  failsafe_told_ns_ = now_ns;
+  if (who_ == holder::person && taken_ns_ && now_ns - *taken_ns_ <= failsafe_is_told_within_ns)
+    who_ = holder::autopilot_failsafe;
 }
 
 void control_authority::on_time(std::int64_t now_ns) {
@@ -116,17 +128,20 @@ void control_authority::on_time(std::int64_t now_ns) {
   }
   const bool is_denied = place_heard_ns_ >= unclear_->since_ns + end_is_denied_after_ns;
   if (is_denied || now_ns >= unclear_->since_ns + end_is_told_within_ns)
-    lose(unclear_->is_critical);
+    lose(unclear_->is_critical, unclear_->since_ns);
 }
 
-void control_authority::lose(bool is_critical) {
-  take_away(is_critical ? holder::autopilot_failsafe : holder::person);
+void control_authority::lose(bool is_critical, std::int64_t since_ns) {
+  const bool is_told = failsafe_told_ns_ && std::abs(since_ns - *failsafe_told_ns_) <= failsafe_is_told_within_ns;
+  take_away(is_critical || is_told ? holder::autopilot_failsafe : holder::person);
+  taken_ns_ = since_ns;
 }
 
 void control_authority::take_away(holder by) {
   who_ = by;
   unclear_.reset();
   expected_.clear();
+  taken_ns_.reset();
 }
 
 } // namespace godwit::flight

@@ -6,20 +6,23 @@
 //   ──> godwit ──the plan leads there by itself──> autopilot_end
 //          │  ^                                       │
 //          │  └── hand-back ──┐                       │
-//          ├──another mode, autopilot critical──> autopilot_failsafe
+//          ├──another mode, autopilot critical──> autopilot_failsafe    (or it says so within 3 s)
 //          └──any other change of the mode──────> person   <──┘
 //
 // An order names the exact modes that obey it and how long it may take; nothing else is expected. A plan's own change
 // (mode_tables.hpp) is believed once, and only where the vehicle says that it is at its end: until MISSION_CURRENT has
 // told so, or has not for 4 s, it is unclear who has the vehicle, and nothing may be sent. A person who puts
-// the mode back still has it: only begin() gives it back. Executor and failsafe have one each, and a person whom either
-// has seen is a person for both. Monotonic nanoseconds. Thread: pure.
+// the mode back still has it: only begin() gives it back. An ArduPilot's own failsafe is known by its words, which come
+// just before or just after the mode; they only change whose a change is called, and never make it godwit's. Executor
+// and failsafe have one each, and a person whom either has seen is a person for both. Monotonic nanoseconds. Thread:
+// pure.
 //
-// Source: HEARTBEAT (0): custom_mode, system_status; MISSION_CURRENT (42).
+// Source: HEARTBEAT (0): custom_mode, system_status; MISSION_CURRENT (42); STATUSTEXT (253).
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
@@ -40,6 +43,9 @@ inline constexpr std::int64_t order_is_expected_ns = 5'000'000'000;
 inline constexpr std::int64_t end_is_told_within_ns = 4'000'000'000;
 // A MISSION_CURRENT that comes right behind the mode may have been sent before it.
 inline constexpr std::int64_t end_is_denied_after_ns = 500'000'000;
+
+// Between the words of a failsafe and the mode that it changes, either way.
+inline constexpr std::int64_t failsafe_is_told_within_ns = 3'000'000'000;
 
 class control_authority {
 public:
@@ -63,6 +69,8 @@ public:
 
   void on_place(std::uint16_t sequence, bool is_complete, std::int64_t now_ns);
   void on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical, std::int64_t now_ns);
+  // Of the autopilot itself (STATUSTEXT).
+  void on_text(const mode_owner& whose, std::string_view text, std::int64_t now_ns);
   void on_time(std::int64_t now_ns);
   // Somebody else has seen who took it.
   void take_away(holder by);
@@ -87,7 +95,7 @@ private:
 
   void adopt(const flight_mode& mode, holder who);
   void drop_expected(const flight_mode& mode);
-  void lose(bool is_critical);
+  void lose(bool is_critical, std::int64_t since_ns);
   [[nodiscard]] bool leads_to(const flight_mode& mode) const;
   [[nodiscard]] bool is_at_end() const;
 
@@ -101,6 +109,8 @@ private:
   bool is_complete_ = false;
   std::int64_t place_heard_ns_ = 0;
   std::optional<change> unclear_;
+  std::optional<std::int64_t> failsafe_told_ns_;
+  std::optional<std::int64_t> taken_ns_; // by a person, as the mode alone shows
 };
 
 } // namespace godwit::flight

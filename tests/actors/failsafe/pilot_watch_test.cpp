@@ -67,6 +67,18 @@ TEST(pilot_watch, a_mode_change_in_flight_that_no_command_of_ours_caused_is_a_pi
   EXPECT_FALSE(takes_over(on_mission(), mission));
 }
 
+// Taken over all the same: it only changes whom it is called.
+TEST(pilot_watch, a_change_that_an_ardupilot_calls_its_failsafes_is_not_a_pilots_and_leaves_it_alone_too) {
+  constexpr mode_owner ardupilot{mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+  for (const std::string_view text : {"EKF Failsafe: changed to LAND Mode", "EKF Failsafe Cleared"}) {
+    auto watch = on_mission();
+    watch.on_text(ardupilot, text, start);
+    see(watch, flies, lands, 0, ardupilot);
+    EXPECT_TRUE(watch.is_taken_over());
+    EXPECT_EQ(watch.is_autopilots(), text != "EKF Failsafe Cleared") << text;
+  }
+}
+
 TEST(pilot_watch, a_change_between_two_modes_of_one_kind_is_a_change) {
   auto watch = on_mission();
   watch.expect({brakes.custom_mode}, 1'000, start);

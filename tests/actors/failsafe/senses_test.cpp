@@ -52,6 +52,10 @@ TEST(senses, a_position_is_in_degrees_metres_above_home_and_metres_a_second) {
   EXPECT_DOUBLE_EQ(there.down_mps, 0.3);
 }
 
+TEST(senses, what_the_autopilot_says_is_its_text_up_to_the_end) {
+  EXPECT_EQ(sense(mavlink::statustext{.text = {'E', 'K', 'F', '\0', 'x'}}).what, "EKF");
+}
+
 TEST(senses, a_battery_of_which_the_autopilot_knows_nothing_is_minus_one) {
   EXPECT_EQ(sense(mavlink::sys_status{.battery_remaining = -1}).percent, -1);
   EXPECT_EQ(sense(mavlink::sys_status{.battery_remaining = 15}).percent, 15);

@@ -82,6 +82,64 @@ TEST(control_authority, a_change_while_the_autopilot_is_critical_is_its_own) {
   EXPECT_EQ(who.who(), holder::autopilot_failsafe);
 }
 
+TEST(control_authority, a_change_that_an_ardupilot_calls_its_failsafes_is_its_own_whichever_comes_first) {
+  auto text_first = in_flight();
+  text_first.on_text(copter, "GCS Failsafe", s);
+  text_first.on_mode(copter, loiter, false, 4 * s);
+  EXPECT_EQ(text_first.who(), holder::autopilot_failsafe);
+  auto mode_first = in_flight();
+  mode_first.on_mode(copter, loiter, false, s);
+  EXPECT_EQ(mode_first.who(), holder::person);
+  mode_first.on_text(copter, "EKF Failsafe: changed to LAND Mode", 4 * s);
+  EXPECT_EQ(mode_first.who(), holder::autopilot_failsafe);
+}
+
+TEST(control_authority, the_words_of_a_failsafe_count_for_three_seconds) {
+  auto text_first = in_flight();
+  text_first.on_text(copter, "GCS Failsafe", s);
+  text_first.on_mode(copter, loiter, false, 4 * s + 1);
+  EXPECT_EQ(text_first.who(), holder::person);
+  auto mode_first = in_flight();
+  mode_first.on_mode(copter, loiter, false, s);
+  mode_first.on_text(copter, "GCS Failsafe", 4 * s + 1);
+  EXPECT_EQ(mode_first.who(), holder::person);
+}
+
+TEST(control_authority, words_of_a_failsafe_never_give_or_take_the_vehicle) {
+  auto who = in_flight();
+  who.on_text(copter, "EKF Failsafe: changed to LAND Mode", s);
+  EXPECT_EQ(who.who(), holder::godwit) << "the mode decides";
+  who.on_mode(copter, stabilize, false, 2 * s);
+  ASSERT_EQ(who.who(), holder::autopilot_failsafe);
+  who.on_mode(copter, automatic, false, 3 * s);
+  EXPECT_EQ(who.who(), holder::autopilot_failsafe);
+}
+
+TEST(control_authority, other_words_and_those_of_another_autopilot_explain_nothing) {
+  for (const auto* each : {"GCS Failsafe Cleared", "Radio Failsafe - Continuing Auto Mode", "Mission: 3 WP"}) {
+    auto who = in_flight();
+    who.on_text(copter, each, 0);
+    EXPECT_EQ(behind(who, loiter), holder::person) << each;
+  }
+  auto who = in_flight();
+  who.on_text(px4, "GCS Failsafe", 0);
+  EXPECT_EQ(behind(who, loiter), holder::person);
+}
+
+TEST(control_authority, who_was_said_to_have_taken_it_by_somebody_else_is_no_failsafe) {
+  auto who = in_flight();
+  who.take_away(holder::person);
+  who.on_text(copter, "GCS Failsafe", s);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, the_words_of_a_failsafe_before_a_hand_back_explain_nothing_behind_it) {
+  auto who = in_flight();
+  who.on_text(copter, "GCS Failsafe", 0);
+  who.begin(automatic);
+  EXPECT_EQ(behind(who, loiter, s), holder::person);
+}
+
 TEST(control_authority, on_the_way_to_the_last_item_a_hold_is_a_persons) {
   auto who = near_its_end();
   who.on_place(last_item, false, 0);

@@ -1,0 +1,25 @@
+// What an autopilot's STATUSTEXT means to a flight, where it means something.
+//
+// Texts are for people, and each version may word them anew: what is not known here says nothing. Nothing is ever done
+// because of a text alone; it tells who did what was seen, and gives the reason that people are told. Thread: pure.
+// Source: ArduPilot 4.7 (Copter events.cpp and ekf_check.cpp, Plane events.cpp, Rover failsafe.cpp, AP_Arming),
+// PX4 1.17 (health and arming checks); STATUSTEXT (253) of MAVLink's common.xml.
+#pragma once
+
+#include <string_view>
+
+#include "io/mavlink/messages/heartbeat.hpp"
+
+namespace godwit::flight {
+
+// Up to its NUL. Of a text in pieces it is that of this piece. Lives as long as M.
+[[nodiscard]] std::string_view text_of(const io::mavlink::statustext& m);
+
+// An ArduPilot's failsafe acts: "EKF Failsafe: changed to LAND Mode", "Radio Failsafe", "GCS Failsafe On: switched to
+// RTL". Not: one that is over ("GCS Failsafe Cleared"), or that changes nothing ("Radio Failsafe - Continuing Auto").
+[[nodiscard]] bool tells_failsafe(std::string_view text);
+
+// Why it can not be armed: "PreArm: Compass not calibrated" (ArduPilot), "Preflight Fail: ..." (PX4).
+[[nodiscard]] bool tells_why_not_armed(std::string_view text);
+
+} // namespace godwit::flight

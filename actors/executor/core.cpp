@@ -171,7 +171,7 @@ effects core::on_revoked(const order& what) {
   if (!std::holds_alternative<vehicle_link::upload_plan>(what.what) || !flight_.s.progress.upload ||
       (doing && doing->kind == task_kind::deploy))
     return {};
-  return {note{progress::upload_ended{progress::upload_verdict::unchanged, {}, "it was given up"}}};
+  return {note{flight_.runner.uploads().end_unsent("it was given up")}};
 }
 
 effects core::on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now) {
@@ -187,7 +187,7 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
   else if (flight_.runner.awaits(number))
     flight_.runner.on_transfer(flight_.world(now, out), number, outcome);
   else if (flight_.s.progress.upload) // of a task that was dropped
-    out.emplace_back(note{end_of(outcome)});
+    out.emplace_back(note{flight_.runner.uploads().end(outcome)});
   return out;
 }
 

@@ -35,18 +35,6 @@ flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s) {
   return last == items.rend() ? flight::plan_end{} : flight::plan_end_of(whose, last->command, last->seq);
 }
 
-progress::upload_ended end_of(const transfer::outcome& outcome) {
-  using progress::upload_verdict;
-  progress::upload_ended result{upload_verdict::unknown, outcome.plan_id, outcome.reason};
-  if (outcome.verdict == transfer::verdict::accepted)
-    result.verdict = upload_verdict::accepted;
-  else if (outcome.holding == transfer::holding::unchanged)
-    result.verdict = upload_verdict::unchanged;
-  else if (outcome.holding == transfer::holding::other)
-    result.verdict = upload_verdict::other;
-  return result;
-}
-
 // -- a task -----------------------------------------------------------------------------------------
 
 void task_runner::begin(const task& what, steps way, std::optional<progress::upload_intended> intent) {
@@ -73,7 +61,7 @@ void task_runner::drop(const world& w) {
   else if (is_open && stage_ == stage::asked)
     w.out.emplace_back(give_up_transfer{});
   else if (is_open && stage_ != stage::settling)
-    w.out.emplace_back(note{progress::upload_ended{progress::upload_verdict::unchanged, {}, "it was given up"}});
+    w.out.emplace_back(note{uploads_.end_unsent("it was given up")});
   task_.reset();
 }
 
@@ -269,6 +257,8 @@ void task_runner::ask(const world& w, const guard&) {
 }
 
 void task_runner::ask(const world& w, const bring_plan&) {
+  if (tries_ == 1)
+    uploads_.begin(w.now_ns);
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
                            vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items}});
 }
@@ -377,9 +367,9 @@ void task_runner::on_transfer(const world& w, std::uint64_t number, const transf
   if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
     return;
   last_reason_ = outcome.reason;
-  if (outcome.verdict == transfer::verdict::not_begun && tries_ < max_tries)
+  if (uploads_.go_on(outcome, w.now_ns))
     return enter(stage::pausing, w.now_ns + pause_between_ns);
-  note_and_wait(w, end_of(outcome));
+  note_and_wait(w, uploads_.end(outcome));
   enter(stage::closing);
 }
 

@@ -3,6 +3,7 @@
 //   begin ──> noting ──applied──> asked ──answer──> showing ──seen──> closing ──applied──> next step
 //     ^  (the intent)               │                  │               (what came of it)
 //     └───── pausing <───not done───┴──── not seen ────┘        after max_tries: the task has failed
+//                                                               (an upload: as upload_tries says)
 //
 // A step whose intent progress has to know notes it first, and so it does with its end; an order goes out when what was
 // noted before it is on the disk. What has no such intent skips noting and closing. A command without an answer may
@@ -19,12 +20,10 @@
 #include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/executor/effects.hpp"
 #include "actors/executor/steps.hpp"
+#include "actors/executor/upload_tries.hpp"
 #include "actors/executor/view.hpp"
 
 namespace godwit::executor {
-
-// What the outcome of an upload means to the progress.
-[[nodiscard]] progress::upload_ended end_of(const vehicle_link::transfer::outcome& outcome);
 
 // How the plan on the vehicle ends.
 [[nodiscard]] flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s);
@@ -58,6 +57,9 @@ public:
   // REFUSED: why the failsafe does not take the limits; empty: it does. No answer is a reason as well.
   void on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final);
   void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
+
+  // Of the upload that was asked for last, also when its task was dropped since.
+  [[nodiscard]] const upload_tries& uploads() const { return uploads_; }
 
   // It is still what the task waits for.
   [[nodiscard]] bool awaits(std::uint64_t order) const;
@@ -118,6 +120,7 @@ private:
   stage stage_ = stage::begin;
   std::int64_t deadline_ns_ = never_ns;
   int tries_ = 0;
+  upload_tries uploads_;
   bool is_intent_noted_ = false;
   bool has_armed_ = false;
   bool was_refused_for_now_ = false;   // what was asked last

@@ -163,6 +163,7 @@ void flight_world::crash() {
   notes_.clear();
   news_.clear();
   restore();
+  asked_.clear(); // nobody waits for the answers
   end_core();
   core_ = std::make_unique<executor::core>(settings_, state_);
   take(core_->on_vehicle(
@@ -179,7 +180,25 @@ void flight_world::crash_failsafe() {
 void flight_world::crash_all() {
   notes_.clear();
   news_.clear();
+void flight_world::crash_link() {
+  ++link_age_;
+  link_ = new_link();
+  begin_link();
+  for (const auto& [number, is_transfer] : std::exchange(asked_, {}))
+    if (is_transfer) {
+      vehicle_link::transfer::outcome outcome;
+      outcome.reason = "vehicle_link did not answer";
+      take(core_->on_transfer(number, outcome, now()));
+    } else {
+      vehicle_link::command_outcome outcome;
+      outcome.verdict = vehicle_link::command_verdict::timed_out;
+      take(core_->on_command(number, outcome, now()));
+    }
+  settle();
+}
+
   restore();
+  asked_.clear();
   ++link_age_;
   link_ = new_link();
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
@@ -357,6 +376,9 @@ void flight_world::take(const executor::order& each) {
   std::visit(
       [&]<class M>(const M& what) {
         if constexpr (std::is_same_v<M, failsafe::guard_mission>) {
+  if (!std::holds_alternative<failsafe::guard_mission>(each.what))
+    asked_[each.number] = std::holds_alternative<vehicle_link::upload_plan>(each.what) ||
+                          std::holds_alternative<vehicle_link::download_plan>(each.what);
           failsafe_->take(failsafe::asked_guard{each.number, what}, failsafe_now());
           tick_failsafe();
         } else if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
@@ -429,7 +451,8 @@ void flight_world::take(const vehicle_link::settled_command& each) {
   if (each.asked_by.request_id >= first_of_failsafe)
     failsafe_->take(failsafe::command_settled{each.asked_by.request_id - first_of_failsafe, each.outcome.verdict},
                     failsafe_now());
-  else
+  else {
+    asked_.erase(each.asked_by.request_id);
     take(core_->on_command(each.asked_by.request_id, each.outcome, now()));
 }
 
@@ -438,6 +461,7 @@ void flight_world::take(const vehicle_link::settled_transfer& each) {
 }
 
 void flight_world::take(const vehicle_link::observation& each) {
+  asked_.erase(each.request_id);
   std::visit(
       [this](const auto& m) {
         if constexpr (std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::heartbeat>)

@@ -7,9 +7,11 @@
 // and the durable state begins anew. What the service would have got is kept in order. Thread: one.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -78,8 +80,14 @@ public:
   void crash_all(); // the process: executor, failsafe, and the link to the vehicle
   void cut_line(double seconds);
 
+  // Of the link to the vehicle; what was asked of it is answered as the actor's address does it.
+  void crash_link();
   // Until CONDITION, or for so long. True: it held.
   template <class Condition>
+  // The link has a transfer of the executor.
+  [[nodiscard]] bool is_uploading() const {
+    return std::ranges::any_of(asked_, [](const auto& each) { return each.second; });
+  }
   bool run_until(Condition condition, double most_s) {
     const auto end = time_.now_ns() + static_cast<std::int64_t>(most_s * 1e9);
     while (time_.now_ns() < end) {
@@ -192,7 +200,8 @@ private:
   double late_ = 0;
   std::int64_t most_delay_ms_ = 1;
   std::int64_t cut_until_ns_ = 0;
-  std::uint64_t link_age_ = 0; // frames on their way to a link that has died are lost
+  std::map<std::uint64_t, bool> asked_; // of the link, and not answered yet; true: a transfer
+  std::uint64_t link_age_ = 0;          // frames on their way to a link that has died are lost
   std::unique_ptr<sim::vehicle> vehicle_;
   io::mavlink::scanner to_vehicle_;
   std::deque<executor::durable_core::event> notes_;

@@ -218,6 +218,8 @@ effects core::on_map(const mission_client::map_pulled& m, instant) {
   preparation_.on_map(m);
   return {};
 }
+  if (progress::has_ended(s.progress, m.document.mission_id, m.document.revision))
+    return {}; // the service tells it at each start; what was flown is not flown again by itself
 
 effects core::on_assignment(const mission_client::assignment_arrived& m, instant) { return changes_.on_assignment(m); }
 
@@ -273,10 +275,12 @@ effects core::on_news(const progress::news& m, instant) {
     flight_.wanted.choose_item = m.generation == flight_.s.progress.last_generation;
     break;
   case news_kind::foreign_plan:
-    phases_.go(out, trigger::foreign_plan_found);
+    if (!flight_.has_person()) // who has the vehicle still has it; behind the hand-back the plan counts
+      phases_.go(out, trigger::foreign_plan_found);
     break;
   case news_kind::vehicle_restarted:
-    phases_.go(out, trigger::autopilot_restarted);
+    if (!flight_.has_person())
+      phases_.go(out, trigger::autopilot_restarted);
     break;
   case news_kind::plan_done:
   case news_kind::mission_complete:

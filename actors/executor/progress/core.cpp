@@ -37,6 +37,15 @@ bool is_at_last_movement(const state& s) {
   return g.is_armed && !g.is_finished && last && g.moved_to.value_or(g.current) >= *last;
 }
 
+bool has_ended(const state& s, std::string_view mission_id, std::int32_t revision) {
+  const auto is_ended = [&](const mission_record& each) {
+    const bool is_called_off = each.last_report && each.last_report->kind == mission::progress_kind::aborted;
+    return each.mission_id == mission_id && ((each.completed_revision && *each.completed_revision >= revision) ||
+                                             (is_called_off && each.last_report->revision >= revision));
+  };
+  return (s.mission && is_ended(*s.mission)) || std::ranges::any_of(s.past_missions, is_ended);
+}
+
 std::optional<mission::progress_report> last_progress(const state& s) {
   return s.mission ? s.mission->last_report : std::nullopt;
 }

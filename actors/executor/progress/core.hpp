@@ -34,6 +34,10 @@ namespace godwit::executor::progress {
 [[nodiscard]] bool is_at_last_movement(const state& s);
 
 // Of the open mission.
+// This mission was flown to its end, or was called off, in this revision or a later one: now, or before another was
+// opened (of the last max_past_missions).
+[[nodiscard]] bool has_ended(const state& s, std::string_view mission_id, std::int32_t revision);
+
 [[nodiscard]] std::optional<mission::progress_report> last_progress(const state& s);
 
 } // namespace godwit::executor::progress

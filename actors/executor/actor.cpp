@@ -68,6 +68,9 @@ actor::behavior_type actor::handlers() {
       hears<io::mavlink::extended_sys_state>(),
       hears<io::mavlink::mission_current>(),
       hears<io::mavlink::mission_item_reached>(),
+      hears<io::mavlink::ekf_status_report>(),
+      hears<io::mavlink::estimator_status>(),
+      hears<io::mavlink::statustext>(),
       hears<vehicle_link::connection_changed>(),
       hears<vehicle_link::vehicle_restarted>(),
       on<tick>([this](const tick&) {
@@ -323,7 +326,12 @@ void actor::dispatch(const durable_core::effect& each) {
 
 // -- what others see --------------------------------------------------------------------------------
 
-void actor::post_health() { show_health({colour_of(current_state().standing), core_->sentence()}); }
+void actor::post_health() {
+  runtime::condition how{colour_of(current_state().standing), core_->sentence()};
+  if (how.how == runtime::health_colour::green && core_->is_battery_short())
+    how = {runtime::health_colour::yellow, how.reason + "; the battery lasts just for the way home"};
+  show_health(std::move(how));
+}
 
 flight_status actor::describe() const {
   const auto& s = current_state();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
@@ -129,6 +130,17 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
   return out;
 }
 
+effects core::on_vehicle(const io::mavlink::statustext& m, instant now) {
+  flight_.view.take(m, now.now_ns);
+  flight_.authority.on_text(flight_.view.owner(), flight::text_of(m), now.now_ns);
+  return {};
+}
+
+effects core::on_vehicle(const io::mavlink::sys_status& m, instant now) {
+  flight_.view.take(m);
+  return energy_.on_battery(now);
+}
+
 // -- orders that waited for the disk, and what became of orders -------------------------------------
 
 core::release core::lets_out(const order& what, instant now) {
@@ -206,6 +218,8 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant) {
     return {};
   if (s.arrived && *s.arrived == m.document)
     return {};
+  if (progress::has_ended(s.progress, m.document.mission_id, m.document.revision))
+    return {}; // the service tells it at each start; what was flown is not flown again by itself
   return {note{mission_arrived{m.document}}};
 }
 
@@ -218,8 +232,6 @@ effects core::on_map(const mission_client::map_pulled& m, instant) {
   preparation_.on_map(m);
   return {};
 }
-  if (progress::has_ended(s.progress, m.document.mission_id, m.document.revision))
-    return {}; // the service tells it at each start; what was flown is not flown again by itself
 
 effects core::on_assignment(const mission_client::assignment_arrived& m, instant) { return changes_.on_assignment(m); }
 

@@ -29,6 +29,7 @@
 
 #include "actors/executor/effects.hpp"
 #include "actors/executor/flight/control_watch.hpp"
+#include "actors/executor/flight/energy_control.hpp"
 #include "actors/executor/flight/flight_context.hpp"
 #include "actors/executor/flight/flight_end.hpp"
 #include "actors/executor/flight/flight_start.hpp"
@@ -65,6 +66,8 @@ public:
   [[nodiscard]] effects on_vehicle(const io::mavlink::heartbeat& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_current& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_item_reached& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::statustext& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::sys_status& m, instant now);
   template <class M>
   [[nodiscard]] effects on_vehicle(const M& m, instant now) {
     if constexpr (requires { flight_.view.take(m, now.now_ns); })
@@ -120,6 +123,7 @@ public:
 
   void on_house(house seen) { preparation_.on_house(std::move(seen)); }
   [[nodiscard]] const vehicle_view& view() const { return flight_.view; }
+  [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home
   [[nodiscard]] const phase_machine& phases() const { return phases_; }
   [[nodiscard]] std::string sentence() const { return flight_.sentence(); } // how the flight stands, for people
 
@@ -148,7 +152,8 @@ private:
   task_control tasks_{flight_, phases_};
   control_watch watch_{flight_, phases_, tasks_};
   recovery recovery_{flight_, phases_, tasks_, watch_};
-  preparation preparation_{flight_, phases_, tasks_};
+  energy_control energy_{flight_};
+  preparation preparation_{flight_, phases_, tasks_, energy_};
   flight_start start_{flight_, phases_, tasks_, watch_, preparation_};
   plan_changes changes_{flight_, phases_, tasks_};
   operator_control operators_{flight_, phases_, tasks_, changes_};

@@ -5,7 +5,9 @@
 
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/executor/preflight/checks/autopilot_checks.hpp"
+#include "actors/executor/preflight/checks/vehicle_ready.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 
@@ -35,7 +37,9 @@ void vehicle_view::take(const vehicle_link::connection_changed& m) {
     mode_.reset(); // what it does meanwhile is not known
 }
 
-void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t) {
+void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
+  if (!mode_)
+    heard_since_ns_ = now_ns;
   owner_ = flight::owner_of(m);
   mode_ = flight::mode_of(m);
   is_armed_ = io::mavlink::is_armed(m);
@@ -70,6 +74,28 @@ void vehicle_view::take(const io::mavlink::extended_sys_state& m) {
 void vehicle_view::take(const io::mavlink::mission_current& m, std::int64_t now_ns) {
   current_ = m;
   current_heard_ns_ = now_ns;
+}
+
+void vehicle_view::take_estimate(std::uint16_t flags, std::int64_t now_ns) {
+  estimate_ = {preflight::estimate_of(flags), now_ns};
+}
+
+void vehicle_view::take(const io::mavlink::statustext& m, std::int64_t now_ns) {
+  const auto text = flight::text_of(m);
+  if (flight::tells_why_not_armed(text))
+    why_not_armed_ = {std::string(text), now_ns};
+}
+
+preflight::estimate vehicle_view::estimate(std::int64_t now_ns) const {
+  if (estimate_ && now_ns - estimate_->at_ns <= estimate_counts_ns)
+    return estimate_->what;
+  const bool may_still_come =
+      preflight::tells_estimate(owner_.autopilot) && (!mode_ || now_ns - heard_since_ns_ <= estimate_counts_ns);
+  return may_still_come ? preflight::estimate::unknown : preflight::estimate::not_told;
+}
+
+std::string vehicle_view::why_not_armed(std::int64_t now_ns) const {
+  return why_not_armed_ && now_ns - why_not_armed_->at_ns <= words_count_ns ? why_not_armed_->what : std::string();
 }
 
 bool vehicle_view::is_in_one_of(const std::vector<std::uint32_t>& modes) const {

@@ -20,6 +20,12 @@ namespace godwit::executor {
 // Positions that are older say nothing any more.
 inline constexpr std::int64_t position_counts_ns = 3'000'000'000;
 
+// An estimator's report comes once a second; a vehicle of which none has come for so long does not tell.
+inline constexpr std::int64_t estimate_counts_ns = 10'000'000'000;
+
+// ArduPilot says each 30 s what keeps it from being armed.
+inline constexpr std::int64_t words_count_ns = 35'000'000'000;
+
 class vehicle_view {
 public:
   void take(const vehicle_link::connection_changed& m);
@@ -30,6 +36,9 @@ public:
   void take(const io::mavlink::home_position& m);
   void take(const io::mavlink::extended_sys_state& m);
   void take(const io::mavlink::mission_current& m, std::int64_t now_ns);
+  void take(const io::mavlink::ekf_status_report& m, std::int64_t now_ns) { take_estimate(m.flags, now_ns); }
+  void take(const io::mavlink::estimator_status& m, std::int64_t now_ns) { take_estimate(m.flags, now_ns); }
+  void take(const io::mavlink::statustext& m, std::int64_t now_ns);
 
   [[nodiscard]] bool is_connected() const { return phase_ == vehicle_link::connection_phase::connected; }
   [[nodiscard]] vehicle_link::connection_phase link() const { return phase_; }
@@ -72,9 +81,23 @@ public:
   [[nodiscard]] std::uint8_t fix_type() const { return fix_type_; }
   [[nodiscard]] int satellites() const { return satellites_; }
   [[nodiscard]] preflight::own_checks own_checks() const { return own_checks_; }
+  [[nodiscard]] preflight::estimate estimate(std::int64_t now_ns) const;
+  // In its own words; empty: it has said nothing of the kind of late.
+  [[nodiscard]] std::string why_not_armed(std::int64_t now_ns) const;
   [[nodiscard]] std::int64_t place_heard_ns() const { return place_heard_ns_; }
 
 private:
+  struct said {
+    std::string what;
+    std::int64_t at_ns = 0;
+  };
+  struct estimated {
+    preflight::estimate what{};
+    std::int64_t at_ns = 0;
+  };
+
+  void take_estimate(std::uint16_t flags, std::int64_t now_ns);
+
   vehicle_link::connection_phase phase_ = vehicle_link::connection_phase::down;
   std::string reason_;
   std::optional<flight::flight_mode> mode_;
@@ -93,6 +116,9 @@ private:
   std::uint8_t fix_type_ = 0;
   int satellites_ = -1;
   preflight::own_checks own_checks_ = preflight::own_checks::unknown;
+  std::int64_t heard_since_ns_ = 0; // the first heartbeat since the link was up last
+  std::optional<estimated> estimate_;
+  std::optional<said> why_not_armed_;
 };
 
 } // namespace godwit::executor

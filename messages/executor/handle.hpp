@@ -5,6 +5,7 @@
 // start_answer_handle.
 #pragma once
 
+#include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
@@ -33,7 +34,9 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::gps_raw_int>, runtime::tells<io::mavlink::global_position_int>,
                      runtime::tells<io::mavlink::home_position>, runtime::tells<io::mavlink::extended_sys_state>,
                      runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::mission_item_reached>,
-                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>>;
+                     runtime::tells<io::mavlink::ekf_status_report>, runtime::tells<io::mavlink::estimator_status>,
+                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>,
+                     runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
 using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,

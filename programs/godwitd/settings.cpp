@@ -119,6 +119,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.max_altitude_m = flight.at("max_altitude_m").get<double>();
   to.flight.max_distance_m = flight.at("max_distance_m").get<double>();
   to.flight.own_loiter_radius_m = flight.at("own_loiter_radius_m").get<double>();
+  to.flight.drain_percent_per_min = flight.at("drain_percent_per_min").get<double>();
   to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();
   to.flight.fence_margin_m = flight.at("fence_margin_m").get<double>();
   to.flight.allow_partial = to.allow_partial;

@@ -76,6 +76,11 @@ bool control_watch::heed(effects& out, instant now) {
     say_taken_over(out); // a flight that nobody has handed to us
     return true;
   }
+  if (flight_.s.standing.cause == pause_cause::taken_over &&
+      flight_.authority.who() == flight::holder::autopilot_failsafe) { // its words came behind its mode
+    phases_.go(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + in_its_mode());
+    return true;
+  }
   if (!is_ours_to_lose || flight_.has_person())
     return false;
   if (!flight_.view.mode()) // not heard: a pilot may have it, and nothing is said again but a stop
@@ -84,22 +89,25 @@ bool control_watch::heed(effects& out, instant now) {
   return judge_holder(out);
 }
 
+std::string control_watch::in_its_mode() const {
+  const auto& mode = flight_.view.mode();
+  return (mode ? " (mode " + std::string(io::name_of(mode->kind)) + ")" : std::string()) +
+         "; nothing is sent until an operator hands it back";
+}
+
 bool control_watch::judge_holder(effects& out) {
-  const auto mode = " (mode " + std::string(io::name_of(flight_.view.mode()->kind)) +
-                    "); nothing is sent until an "
-                    "operator hands it back";
   if (const auto& acts = flight_.stance->reacts)
     yield(out, trigger::failsafe_acts,
           "a failsafe acts (" + std::string(io::name_of(acts->why)) + ": " + std::string(io::name_of(acts->what)) +
               "); nothing else is sent until an operator hands the vehicle back");
   else if (flight_.authority.who() == flight::holder::autopilot_failsafe)
-    yield(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + mode);
+    yield(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + in_its_mode());
   else if (flight_.is_starting() && was_armed_ && !flight_.view.is_armed())
     yield(out, trigger::person_took_over,
           "the vehicle was disarmed while it was started, and not by godwit; nothing is sent until an operator hands "
           "it back");
   else if (!flight_.authority.is_ours() || flight_.stance->taken_over)
-    yield(out, trigger::person_took_over, "a pilot has the vehicle" + mode);
+    yield(out, trigger::person_took_over, "a pilot has the vehicle" + in_its_mode());
   else
     return flight_.authority.is_unclear();
   return true;

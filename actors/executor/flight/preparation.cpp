@@ -48,6 +48,8 @@ preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
   seen.is_home_known = view.home().has_value();
   seen.battery_percent = view.battery_percent(); // absent before the first word of it
   seen.own = view.own_checks();
+  seen.estimate = view.estimate(now.now_ns);
+  seen.why_not_armed = view.why_not_armed(now.now_ns);
   seen.is_moving = view.is_moving() && !flight_.is_in_flight();
   return seen;
 }
@@ -70,6 +72,7 @@ preflight::report preparation::look_at_all(instant now) {
       for (const auto& each : **plans_)
         for (auto& found : plan::fence_violations(each, *mission, where->vehicle))
           seen.mission.way->push_back(std::move(found));
+      seen.mission.spare_percent = energy_.spare_behind((*plans_)->front());
     }
   }
   seen.journal = house_.journal;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "actors/executor/flight/energy_control.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "actors/executor/preflight/facts.hpp"
 #include "actors/executor/preflight/report.hpp"
@@ -24,8 +25,8 @@ struct house {
 
 class preparation {
 public:
-  preparation(flight_context& flight, phase_machine& phases, task_control& tasks)
-      : flight_(flight), phases_(phases), tasks_(tasks) {}
+  preparation(flight_context& flight, phase_machine& phases, task_control& tasks, const energy_control& energy)
+      : flight_(flight), phases_(phases), tasks_(tasks), energy_(energy) {}
 
   enum class result {
     nothing,
@@ -54,6 +55,7 @@ private:
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
+  const energy_control& energy_;
   bool wants_checks_ = false;
   std::optional<preflight::acknowledged> acknowledged_;
   mission_client::pull_state map_ = mission_client::pull_state::not_started;

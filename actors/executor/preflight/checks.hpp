@@ -9,16 +9,17 @@
 //   on_ground         stands, or flies for us                                        else                 not heard
 //   battery           above return level and margin             level not known      else, no news yet    not heard
 //   autopilot_checks  pass                                      does not say         fail, no news yet    not heard
+//   vehicle_ready     estimator knows its place                                      no, no news yet      not told,
+//                                                                                                         not heard
 //   mission           loaded, and planned for this vehicle                           else
 //   fences            way inside inclusions, outside exclusions                      else                 no fences, no
 //   way return_point      the same                                                       else                 no fences
-//   map_objects       pulled                                    copy from before     else                 no service
-//   journal           written and sound                                              else
-//   free_space        enough                                    low, not known       next to nothing
-//   wall_clock        later than the configured date                                 else
-//   operator_session  alive                                                          else                 not required
-//   actors            all run                                                        else
-//   camera            ready                                     not ready            no news yet          off
+//   energy            lasts for plan and way home               does not                                  drain not
+//   known map_objects       pulled                                    copy from before     else                 no
+//   service journal           written and sound                                              else free_space enough
+//   low, not known       next to nothing wall_clock        later than the configured date else operator_session  alive
+//   else                 not required actors            all run else camera            ready not ready            no
+//   news yet          off
 //
 // Thread: constants.
 #pragma once
@@ -30,6 +31,7 @@
 #include "actors/executor/preflight/checks/autopilot_checks.hpp"
 #include "actors/executor/preflight/checks/battery.hpp"
 #include "actors/executor/preflight/checks/camera.hpp"
+#include "actors/executor/preflight/checks/energy.hpp"
 #include "actors/executor/preflight/checks/fences.hpp"
 #include "actors/executor/preflight/checks/free_space.hpp"
 #include "actors/executor/preflight/checks/home.hpp"
@@ -42,6 +44,7 @@
 #include "actors/executor/preflight/checks/return_point.hpp"
 #include "actors/executor/preflight/checks/vehicle_kind.hpp"
 #include "actors/executor/preflight/checks/vehicle_link.hpp"
+#include "actors/executor/preflight/checks/vehicle_ready.hpp"
 #include "actors/executor/preflight/checks/wall_clock.hpp"
 
 namespace godwit::executor::preflight {
@@ -58,9 +61,11 @@ inline constexpr std::array checks{check{"vehicle_link", look_at_vehicle_link},
                                    check{"on_ground", look_at_on_ground},
                                    check{"battery", look_at_battery},
                                    check{"autopilot_checks", look_at_autopilot_checks},
+                                   check{"vehicle_ready", look_at_vehicle_ready},
                                    check{"mission", look_at_mission},
                                    check{"fences", look_at_fences},
                                    check{"return_point", look_at_return_point},
+                                   check{"energy", look_at_energy},
                                    check{"map_objects", look_at_map_objects},
                                    check{"journal", look_at_journal},
                                    check{"free_space", look_at_free_space},

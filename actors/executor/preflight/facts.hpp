@@ -31,6 +31,14 @@ enum class own_checks {
   passing
 };
 
+// Whether its estimator knows where on the earth it is.
+enum class estimate {
+  unknown,  // it was not heard yet, and may still be told
+  not_told, // the vehicle does not say
+  not_ready,
+  ready
+};
+
 struct vehicle_facts {
   vehicle_link::connection_phase link = vehicle_link::connection_phase::down;
   flight::vehicle_class what = flight::vehicle_class::unknown;
@@ -42,6 +50,8 @@ struct vehicle_facts {
   bool is_moving = false;                      // in the air or driving, and godwit has not started it
   std::optional<std::int32_t> battery_percent; // absent: not heard; -1: the autopilot does not know
   own_checks own = own_checks::unknown;
+  preflight::estimate estimate = preflight::estimate::unknown;
+  std::string why_not_armed; // in the vehicle's own words, of a moment ago; empty: it says nothing
 };
 
 using plan_result = tl::expected<std::vector<plan::flight_plan>, plan::plan_error>;
@@ -51,6 +61,7 @@ struct mission_facts {
   std::string refusal;                                      // why there is none; empty: none was asked for
   const plan_result* plans = nullptr;                       // of this document; null: not planned yet
   std::optional<std::vector<plan::violation>> way;          // of all plans; absent: not looked at yet
+  std::optional<double> spare_percent;                      // of the battery, behind the first plan and the way home
   std::optional<std::vector<plan::violation>> return_point; // absent: not looked at yet
   bool has_service = true;                                  // false: a ground station's; nothing keeps a map of it
   mission_client::pull_state map = mission_client::pull_state::not_started;
@@ -83,6 +94,11 @@ struct facts {
 // While it is not, nothing that is known of the vehicle counts; the check of the link fails then.
 [[nodiscard]] inline bool is_vehicle_heard(const facts& seen) {
   return seen.vehicle.link == vehicle_link::connection_phase::connected;
+}
+
+// The end of a sentence about what keeps the vehicle from being armed.
+[[nodiscard]] inline std::string in_its_words(const facts& seen) {
+  return seen.vehicle.why_not_armed.empty() ? "" : " It says: " + seen.vehicle.why_not_armed;
 }
 
 } // namespace godwit::executor::preflight

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "actors/executor/progress/effects.hpp"
 #include "actors/executor/progress/events.hpp"
@@ -33,11 +34,11 @@ namespace godwit::executor::progress {
 // The last item that moves the vehicle is the one where it is, or was when it was heard last, and is not done.
 [[nodiscard]] bool is_at_last_movement(const state& s);
 
-// Of the open mission.
 // This mission was flown to its end, or was called off, in this revision or a later one: now, or before another was
 // opened (of the last max_past_missions).
 [[nodiscard]] bool has_ended(const state& s, std::string_view mission_id, std::int32_t revision);
 
+// Of the open mission.
 [[nodiscard]] std::optional<mission::progress_report> last_progress(const state& s);
 
 } // namespace godwit::executor::progress

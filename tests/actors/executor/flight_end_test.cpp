@@ -119,6 +119,59 @@ TEST_P(flight_end, what_was_armed_for_a_start_that_failed_is_disarmed_again) {
   EXPECT_FALSE(world.durable().doing) << world.story();
 }
 
+// -- the mission before ---------------------------------------------------------------------------------
+
+// Whoever begins anew asks the service for the mission in its settings, and is told it, whatever was flown since.
+TEST_P(flight_end, a_done_mission_is_not_prepared_again_when_the_service_tells_it_behind_another_one) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  const auto first = tests::short_mission(GetParam());
+  auto second = first;
+  second.mission_id = "0b9f6a3c-2d41-4e7a-9c55-6f1e8d2a7b30";
+  for (const auto& each : {first, second}) {
+    world.load(each);
+    ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+    ASSERT_TRUE(world.say(operator_words::verb::start).is_taken) << world.story();
+    ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  }
+  const auto orders = world.orders();
+  world.crash_all();
+  world.load(first);
+  world.run_for(60);
+  EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
+  EXPECT_EQ(world.durable().mission->mission_id, second.mission_id) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+TEST_P(flight_end, a_newer_revision_of_a_mission_that_was_done_is_prepared_behind_another_one) {
+  flight_world world({.who = GetParam()});
+  const auto first = tests::short_mission(GetParam());
+  auto second = first;
+  second.mission_id = "0b9f6a3c-2d41-4e7a-9c55-6f1e8d2a7b30";
+  for (const auto& each : {first, second}) {
+    world.load(each);
+    world.run_for(1);
+    ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  }
+  auto newer = first;
+  newer.revision = 2;
+  world.load(newer);
+  world.run_for(1);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.reports().back().mission_id, first.mission_id) << world.story();
+  EXPECT_EQ(world.reports().back().revision, 2) << world.story();
+}
+
+// -- before it can be armed -----------------------------------------------------------------------------
+
+TEST_P(landing_end, ready_is_not_said_before_the_vehicle_can_be_armed) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  world.load(with_landing());
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  world.arm_by_hand();
+  world.run_for(0.5);
+  EXPECT_TRUE(world.vehicle().describe().armed) << world.story();
+}
+
 // -- a change that waits --------------------------------------------------------------------------------
 
 // The vehicle tells its home less often than its place.

@@ -41,9 +41,12 @@ flight_world::flight_world(const options& wanted)
   settings_.refused_inserts = wanted.refused_inserts;
   settings_.shows_home = wanted.shows_home;
   settings_.marks_landings = wanted.marks_landings;
+  settings_.drain_percent_per_min = wanted.drain_percent_per_min;
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;
   vehicle.speed = wanted.speed;
+  vehicle.battery_percent = wanted.battery_percent;
+  vehicle.endurance_s = wanted.endurance_s;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(),
                                             [this](std::span<const std::byte> frame) { hear(frame); });
   core_ = std::make_unique<executor::core>(settings_, state_);
@@ -160,10 +163,10 @@ void flight_world::end_core() {
 }
 
 void flight_world::crash() {
+  asked_.clear(); // nobody waits for the answers
   notes_.clear();
   news_.clear();
   restore();
-  asked_.clear(); // nobody waits for the answers
   end_core();
   core_ = std::make_unique<executor::core>(settings_, state_);
   take(core_->on_vehicle(
@@ -177,9 +180,6 @@ void flight_world::crash_failsafe() {
   settle();
 }
 
-void flight_world::crash_all() {
-  notes_.clear();
-  news_.clear();
 void flight_world::crash_link() {
   ++link_age_;
   link_ = new_link();
@@ -197,8 +197,11 @@ void flight_world::crash_link() {
   settle();
 }
 
-  restore();
+void flight_world::crash_all() {
   asked_.clear();
+  notes_.clear();
+  news_.clear();
+  restore();
   ++link_age_;
   link_ = new_link();
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
@@ -373,12 +376,12 @@ void flight_world::take(const executor::order& each) {
   const bool changes_nothing = std::holds_alternative<failsafe::guard_mission>(each.what) ||
                                std::holds_alternative<vehicle_link::download_plan>(each.what);
   orders_ += stands_by || changes_nothing ? 0 : 1;
-  std::visit(
-      [&]<class M>(const M& what) {
-        if constexpr (std::is_same_v<M, failsafe::guard_mission>) {
   if (!std::holds_alternative<failsafe::guard_mission>(each.what))
     asked_[each.number] = std::holds_alternative<vehicle_link::upload_plan>(each.what) ||
                           std::holds_alternative<vehicle_link::download_plan>(each.what);
+  std::visit(
+      [&]<class M>(const M& what) {
+        if constexpr (std::is_same_v<M, failsafe::guard_mission>) {
           failsafe_->take(failsafe::asked_guard{each.number, what}, failsafe_now());
           tick_failsafe();
         } else if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
@@ -454,14 +457,15 @@ void flight_world::take(const vehicle_link::settled_command& each) {
   else {
     asked_.erase(each.asked_by.request_id);
     take(core_->on_command(each.asked_by.request_id, each.outcome, now()));
+  }
 }
 
 void flight_world::take(const vehicle_link::settled_transfer& each) {
+  asked_.erase(each.request_id);
   take(core_->on_transfer(each.request_id, each.outcome, now()));
 }
 
 void flight_world::take(const vehicle_link::observation& each) {
-  asked_.erase(each.request_id);
   std::visit(
       [this](const auto& m) {
         if constexpr (std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::heartbeat>)
@@ -524,6 +528,23 @@ void flight_world::switch_mode(std::uint32_t custom_mode) {
   io::mavlink::scanner one;
   one.feed(io::mavlink::encode(wish, station, 0).span(),
            [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
+}
+
+void flight_world::vehicle_says(std::string_view text) {
+  io::mavlink::statustext says;
+  says.severity = io::mavlink::number(io::mavlink::mav_severity::critical);
+  std::copy_n(text.begin(), std::min(text.size(), says.text.size()), says.text.begin());
+  vehicle_tells(says);
+}
+
+void flight_world::vehicle_tells(const vehicle_link::observation& what) {
+  take(what);
+  settle();
+}
+
+void flight_world::vehicle_restarts() {
+  take(vehicle_link::announcement(vehicle_link::vehicle_restarted{}));
+  settle();
 }
 
 void flight_world::arm_by_hand() { send_by_hand(400, 1); }

@@ -41,6 +41,9 @@ public:
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
     failsafe::settings failsafe = {};
     mission_client::pull_state map = mission_client::pull_state::synced; // what is told of it as a mission is loaded
+    double battery_percent = sim::vehicle_settings{}.battery_percent;
+    double endurance_s = sim::vehicle_settings{}.endurance_s; // of a full one, in flight
+    double drain_percent_per_min = 0;                         // as it is set
     // Of the line between link and vehicle, both ways; of each frame.
     double lost = 0;
     double doubled = 0;
@@ -77,17 +80,17 @@ public:
   void set_changes(mission_client::change_verdict answer) { change_answer_ = answer; }
   void crash(); // of the executor; it begins anew at once, with what its record holds
   void crash_failsafe();
-  void crash_all(); // the process: executor, failsafe, and the link to the vehicle
-  void cut_line(double seconds);
-
   // Of the link to the vehicle; what was asked of it is answered as the actor's address does it.
   void crash_link();
-  // Until CONDITION, or for so long. True: it held.
-  template <class Condition>
+  void crash_all(); // the process: executor, failsafe, and the link to the vehicle
+  void cut_line(double seconds);
   // The link has a transfer of the executor.
   [[nodiscard]] bool is_uploading() const {
     return std::ranges::any_of(asked_, [](const auto& each) { return each.second; });
   }
+
+  // Until CONDITION, or for so long. True: it held.
+  template <class Condition>
   bool run_until(Condition condition, double most_s) {
     const auto end = time_.now_ns() + static_cast<std::int64_t>(most_s * 1e9);
     while (time_.now_ns() < end) {
@@ -131,6 +134,11 @@ public:
   void fly_by_hand(std::uint32_t custom_mode);
   // As a pilot's switch would.
   void switch_mode(std::uint32_t custom_mode);
+  // A STATUSTEXT of the autopilot.
+  void vehicle_says(std::string_view text);
+  // Its clock since boot went back, as far as the link can tell.
+  void vehicle_restarts();
+  void vehicle_tells(const vehicle_link::observation& what);
   void arm_by_hand();
   void disarm_by_hand(); // also in the air
   // The mode that the executor has heard last.

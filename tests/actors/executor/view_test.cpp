@@ -1,5 +1,7 @@
 #include "actors/executor/view.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "io/mavlink/enums.hpp"
@@ -41,6 +43,46 @@ TEST(vehicle_view, plan_ids_are_kept_by_px4_and_by_who_has_told_one) {
   vehicle_view px4;
   px4.take(io::mavlink::heartbeat{.autopilot = io::mavlink::number(io::mavlink::mav_autopilot::px4)}, now_ns);
   EXPECT_TRUE(px4.keeps_plan_ids());
+}
+
+// -- what it takes to be armed ----------------------------------------------------------------------
+
+vehicle_view heard_of(io::mavlink::mav_autopilot autopilot) {
+  vehicle_view result;
+  result.take(io::mavlink::heartbeat{.autopilot = io::mavlink::number(autopilot)}, now_ns);
+  return result;
+}
+
+TEST(vehicle_view, an_estimate_that_may_still_be_told_is_waited_for_and_not_for_ever) {
+  using io::mavlink::mav_autopilot;
+  for (const auto each : {mav_autopilot::ardupilotmega, mav_autopilot::px4}) {
+    EXPECT_EQ(heard_of(each).estimate(now_ns + estimate_counts_ns), preflight::estimate::unknown);
+    EXPECT_EQ(heard_of(each).estimate(now_ns + estimate_counts_ns + 1), preflight::estimate::not_told);
+  }
+  EXPECT_EQ(heard_of(mav_autopilot::generic).estimate(now_ns), preflight::estimate::not_told);
+}
+
+TEST(vehicle_view, an_estimate_counts_as_long_as_it_is_told) {
+  auto seen = heard_of(io::mavlink::mav_autopilot::ardupilotmega);
+  seen.take(io::mavlink::ekf_status_report{.flags = 0x00A7}, now_ns);
+  EXPECT_EQ(seen.estimate(now_ns), preflight::estimate::not_ready);
+  seen.take(io::mavlink::ekf_status_report{.flags = 0x033F}, now_ns);
+  EXPECT_EQ(seen.estimate(now_ns + estimate_counts_ns), preflight::estimate::ready);
+  EXPECT_EQ(seen.estimate(now_ns + estimate_counts_ns + 1), preflight::estimate::not_told);
+}
+
+TEST(vehicle_view, why_it_is_not_armed_is_what_it_said_last_and_of_late) {
+  auto seen = heard_of(io::mavlink::mav_autopilot::ardupilotmega);
+  const auto say = [&](std::string_view what, std::int64_t at_ns) {
+    io::mavlink::statustext text;
+    std::copy(what.begin(), what.end(), text.text.begin());
+    seen.take(text, at_ns);
+  };
+  say("PreArm: Gyros not calibrated", now_ns);
+  say("PreArm: Need Position Estimate", now_ns);
+  say("Mission: 3 WP", now_ns);
+  EXPECT_EQ(seen.why_not_armed(now_ns + words_count_ns), "PreArm: Need Position Estimate");
+  EXPECT_EQ(seen.why_not_armed(now_ns + words_count_ns + 1), "");
 }
 
 } // namespace

@@ -9,7 +9,7 @@ result look_at_autopilot_checks(const facts& seen, const settings&) {
   case own_checks::passing:
     return pass("The autopilot's own checks pass.");
   case own_checks::failing:
-    return fail("The autopilot's own checks fail; its messages at the ground station say which.");
+    return fail("The autopilot's own checks fail; its messages at the ground station say which." + in_its_words(seen));
   case own_checks::not_told:
     return degraded("The autopilot does not say whether its own checks pass; look at its messages.");
   case own_checks::unknown:

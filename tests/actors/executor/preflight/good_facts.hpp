@@ -39,11 +39,14 @@ inline facts good_facts() {
                  .position_age_ns = 100'000'000,
                  .is_home_known = true,
                  .battery_percent = 83,
-                 .own = own_checks::passing};
+                 .own = own_checks::passing,
+                 .estimate = estimate::ready,
+                 .why_not_armed = {}};
   all.mission.document = &small_mission();
   all.mission.plans = &small_plans();
   all.mission.way.emplace();
   all.mission.return_point.emplace();
+  all.mission.spare_percent = 20;
   all.mission.map = mission_client::pull_state::synced;
   all.journal = {true, true, 8'000'000'000};
   all.wall_ns = in_2026_ns;

@@ -1,0 +1,95 @@
+// Whom a change of the mode is called by the autopilot's own words, and what a person keeps whatever else is found out.
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using operator_words::verb;
+using sim::personality;
+using tests::flight_world;
+
+constexpr std::uint32_t copter_rtl = 6;
+constexpr std::uint32_t copter_land = 9;
+constexpr std::uint32_t copter_loiter = 5;
+
+void fly(flight_world& world) {
+  world.load(tests::short_mission(personality::ardupilot));
+  ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+}
+
+TEST(failsafe_words, before_the_mode_call_it_the_autopilots_and_nothing_is_sent) {
+  flight_world world({.who = personality::ardupilot});
+  fly(world);
+  world.vehicle_says("GCS Failsafe");
+  world.switch_mode(copter_rtl);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::autopilot_failsafe) << world.story();
+  const auto orders = world.orders();
+  world.run_for(5);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+TEST(failsafe_words, behind_the_mode_call_it_the_autopilots_too) {
+  flight_world world({.who = personality::ardupilot});
+  fly(world);
+  const auto orders = world.orders();
+  world.switch_mode(copter_land);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  world.vehicle_says("EKF Failsafe: changed to LAND Mode");
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::autopilot_failsafe) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_FALSE(world.say(verb::resume).is_taken) << "it still has to be handed back";
+}
+
+TEST(failsafe_words, long_before_or_behind_the_mode_leave_it_a_persons) {
+  flight_world world({.who = personality::ardupilot, .speed = 1});
+  fly(world);
+  world.vehicle_says("GCS Failsafe");
+  world.run_for(4);
+  world.switch_mode(copter_loiter);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  world.run_for(4);
+  world.vehicle_says("GCS Failsafe");
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+}
+
+// What is found out about the plan meanwhile counts when the vehicle was handed back, and does not hand it back.
+TEST(failsafe_words, a_person_keeps_the_vehicle_when_its_autopilot_starts_again) {
+  flight_world world({.who = personality::ardupilot});
+  fly(world);
+  world.switch_mode(copter_loiter);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  world.vehicle_restarts();
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().progress.paused, progress::pause_reason::vehicle_restarted);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_FALSE(world.say(verb::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken) << world.story();
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::vehicle_restarted) << world.story();
+}
+
+TEST(failsafe_words, a_person_keeps_the_vehicle_when_it_has_a_foreign_plan) {
+  constexpr std::uint32_t px4_manual = 1U << 16U;
+  flight_world world({.who = personality::px4});
+  world.load(tests::short_mission(personality::px4));
+  ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+  world.switch_mode(px4_manual);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  world.vehicle_tells(io::mavlink::mission_current{.seq = 0, .total = 9, .mission_state = 3, .mission_id = 4711});
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().progress.paused, progress::pause_reason::foreign_plan) << world.story();
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_FALSE(world.say(verb::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.say(verb::hand_back).is_taken) << world.story();
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::foreign_plan) << world.story();
+}
+
+} // namespace
+} // namespace godwit::executor

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geofence/fence.hpp"
@@ -80,6 +81,19 @@ std::optional<route_error> what_blocks(const clear_space& space, const local_poi
   return std::nullopt;
 }
 
+// Who turns early at CORNER flies to the end from somewhere within the room to turn, and keeps the margin all the way.
+bool is_clear_from_around(const clear_space& space, const local_point& corner, double room_m, const local_point& end) {
+  constexpr int places_around = 32; // what they leave out of the circle is half a per cent of the room
+  const auto at = [&](int i) {
+    const double angle = 2 * std::numbers::pi * i / places_around;
+    return corner + room_m * local_point{std::cos(angle), std::sin(angle)};
+  };
+  for (int i = 0; room_m > 0 && i < places_around; ++i)
+    if (!space.is_clear({at(i), end}))
+      return false;
+  return space.is_clear({corner, end});
+}
+
 // START and END are places 0 and 1, the corners follow. SPACE keeps the margin, and ROOMY the room to turn as well.
 tl::expected<std::vector<local_point>, route_error> flat_route(const clear_space& space, const clear_space& roomy,
                                                                const local_point& start, const local_point& end) {
@@ -95,8 +109,8 @@ tl::expected<std::vector<local_point>, route_error> flat_route(const clear_space
   const auto can_see = [&](std::size_t from, std::size_t to) {
     if (from == 0)
       return space.is_clear_from_here({places[from], places[to]});
-    if (to == 1) // from where it turned last; at the end there is nothing to turn for
-      return roomy.is_clear_from_here({places[to], places[from]});
+    if (to == 1) // at the end there is nothing to turn for
+      return is_clear_from_around(space, places[from], roomy.margin_m() - space.margin_m(), places[to]);
     return roomy.is_clear({places[from], places[to]});
   };
   const auto path = shortest_path(places, 0, 1, can_see);

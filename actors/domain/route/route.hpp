@@ -4,9 +4,9 @@
 //   fences ──> clear_space ──> corner_points ──┐
 //   from, to ──────────────────────────────────┴──> who sees whom ──> shortest_path ──> route
 //
-// A vehicle cuts the corners of a route: where it turns it may be `turn_room_m` away from the way. So between two
-// corners the way keeps the margin and that room; on the first and the last leg the room shrinks to what start and end
-// have.
+// A vehicle cuts the corners of a route: it turns up to `turn_room_m` before each and flies straight to the next. So
+// between two corners the way keeps the margin and that room, and on the last leg the margin holds for whoever comes to
+// it from anywhere within that room of its beginning.
 //
 // All of it is reckoned in a local projection around the start (actors/domain/geo/local_projection.hpp). Straight there
 // and straight on the ellipsoid differ by less than half a metre at 50 km, which is the farthest that is taken: the

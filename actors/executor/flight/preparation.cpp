@@ -69,9 +69,13 @@ preflight::report preparation::look_at_all(instant now) {
     seen.mission.return_point = plan::return_point_violations(*mission);
     if (*plans_) {
       seen.mission.way.emplace();
-      for (const auto& each : **plans_)
+      seen.mission.straight_return.emplace();
+      for (const auto& each : **plans_) {
         for (auto& found : plan::fence_violations(each, *mission, where->vehicle))
           seen.mission.way->push_back(std::move(found));
+        for (const auto& found : plan::straight_return_crossings(each, *mission, *where))
+          seen.mission.straight_return->push_back(found);
+      }
       seen.mission.spare_percent = energy_.spare_behind((*plans_)->front());
     }
   }

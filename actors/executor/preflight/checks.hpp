@@ -9,17 +9,19 @@
 //   on_ground         stands, or flies for us                                        else                 not heard
 //   battery           above return level and margin             level not known      else, no news yet    not heard
 //   autopilot_checks  pass                                      does not say         fail, no news yet    not heard
-//   vehicle_ready     estimator knows its place                                      no, no news yet      not told,
-//                                                                                                         not heard
+//   vehicle_ready     estimator knows its place                                      no, no news yet      not told
 //   mission           loaded, and planned for this vehicle                           else
-//   fences            way inside inclusions, outside exclusions                      else                 no fences, no
+//   fences            way inside inclusions, outside exclusions                      else                 no fences,
 //   way return_point      the same                                                       else                 no fences
-//   energy            lasts for plan and way home               does not                                  drain not
-//   known map_objects       pulled                                    copy from before     else                 no
-//   service journal           written and sound                                              else free_space enough
-//   low, not known       next to nothing wall_clock        later than the configured date else operator_session  alive
-//   else                 not required actors            all run else camera            ready not ready            no
-//   news yet          off
+//   straight_return   from no leg into an exclusion             else                 not looked at yet    no fences,
+//   way energy            lasts for plan and way home           does not                                  drain unknown
+//   map_objects       pulled                                    copy from before     else                 no service
+//   journal           written and sound                                              else
+//   free_space        enough                                    low, not known       next to nothing
+//   wall_clock        later than the configured date                                 else
+//   operator_session  alive                                                          else                 not required
+//   actors            all run                                                        else
+//   camera            ready                                     not ready            no news yet          off
 //
 // Thread: constants.
 #pragma once
@@ -42,6 +44,7 @@
 #include "actors/executor/preflight/checks/operator_session.hpp"
 #include "actors/executor/preflight/checks/position.hpp"
 #include "actors/executor/preflight/checks/return_point.hpp"
+#include "actors/executor/preflight/checks/straight_return.hpp"
 #include "actors/executor/preflight/checks/vehicle_kind.hpp"
 #include "actors/executor/preflight/checks/vehicle_link.hpp"
 #include "actors/executor/preflight/checks/vehicle_ready.hpp"
@@ -66,6 +69,7 @@ inline constexpr std::array checks{check{"vehicle_link", look_at_vehicle_link},
                                    check{"fences", look_at_fences},
                                    check{"return_point", look_at_return_point},
                                    check{"energy", look_at_energy},
+                                   check{"straight_return", look_at_straight_return},
                                    check{"map_objects", look_at_map_objects},
                                    check{"journal", look_at_journal},
                                    check{"free_space", look_at_free_space},

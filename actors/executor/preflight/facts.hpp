@@ -15,6 +15,7 @@
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/plan/flight_plan.hpp"
 #include "actors/executor/plan/plan_error.hpp"
+#include "actors/executor/plan/straight_return.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "messages/flight/vehicle_class.hpp"
 #include "messages/mission/document.hpp"
@@ -63,6 +64,8 @@ struct mission_facts {
   std::optional<std::vector<plan::violation>> way;          // of all plans; absent: not looked at yet
   std::optional<double> spare_percent;                      // of the battery, behind the first plan and the way home
   std::optional<std::vector<plan::violation>> return_point; // absent: not looked at yet
+  // Of all plans; absent: not looked at yet.
+  std::optional<std::vector<plan::return_crossing>> straight_return;
   bool has_service = true;                                  // false: a ground station's; nothing keeps a map of it
   mission_client::pull_state map = mission_client::pull_state::not_started;
   std::string map_problem; // why the pull failed

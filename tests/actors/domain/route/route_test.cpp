@@ -283,6 +283,52 @@ RC_GTEST_PROP(route_property, cut_corners_come_no_nearer_to_an_exclusion_than_th
     RC_ASSERT(keeps_away(with_cut_corners(*found, request.turn_room_m), request.margin_m - 0.05, fence));
 }
 
+// Three fences beside each other, and an end that is OFF from a corner of the last one.
+struct crowded {
+  fence_list fences;
+  route_request request;
+
+  crowded(std::uint64_t seed, const geo::local_point& off, double margin_m, double turn_room_m) {
+    std::mt19937_64 random(seed);
+    std::vector<geo::local_point> last;
+    for (const double east_m : {-300.0, 0.0, 300.0}) {
+      last = tests::star(random, {east_m, 0}, 40, 350);
+      fences.push_back(exclusion(last));
+    }
+    const auto near = last[std::uniform_int_distribution<std::size_t>(0, last.size() - 1)(random)] + off;
+    request = from_to(place(-1100, -100), place(near.east_m, near.north_m), margin_m);
+    request.turn_room_m = turn_room_m;
+  }
+
+  [[nodiscard]] bool keeps_margin(const route& found) const {
+    return std::ranges::all_of(fences, [&](const auto& each) {
+      return keeps_away(with_cut_corners(found, request.turn_room_m), request.margin_m - 0.05, each);
+    });
+  }
+};
+
+TEST(route, the_margin_holds_on_the_last_leg_of_a_vehicle_that_has_cut_the_corner_before_it) {
+  const crowded seen(7688108510737392579U, {17.8462, -15.0263}, 5, 2.79048);
+  const auto found = find_route(seen.request, seen.fences);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->points.size(), 2U);
+  EXPECT_TRUE(seen.keeps_margin(*found));
+}
+
+// Whatever the fences are, and also where the end lies at the margin of one.
+RC_GTEST_PROP(route_property, a_vehicle_that_turns_early_keeps_the_margin_to_the_end, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const double east_m = *tests::number_between(-40, 40);
+  const double north_m = *tests::number_between(-40, 40);
+  const double margin_m = *tests::number_between(5, 15);
+  const crowded seen(seed, {east_m, north_m}, margin_m, *tests::number_between(1, 12));
+  const auto found = find_route(seen.request, seen.fences);
+  RC_CLASSIFY(!found.has_value(), "refused");
+  RC_CLASSIFY(found.has_value() && found->points.size() > 2, "with turns");
+  if (found)
+    RC_ASSERT(seen.keeps_margin(*found));
+}
+
 RC_GTEST_PROP(route_property, the_way_back_is_as_long, ()) {
   std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
   const auto fences = some_fences(random);

@@ -18,9 +18,10 @@ constexpr std::int64_t check_period_ns = 1'000'000'000;
 // -- the arbiter ------------------------------------------------------------------------------------
 
 // The first that has something to do keeps the others waiting. Above: who has the vehicle, and words that stop it.
-const std::array<core::rule, 14> core::rules{
+const std::array<core::rule, 15> core::rules{
     &core::look,              // a new incarnation, at the vehicle
     &core::heed,              // somebody else has it, or may have
+    &core::come_home,         // around the fences
     &core::halt,              // hold, come home
     &core::settle,            // what became of an upload or a start without an answer
     &core::run_task,          // the one under way
@@ -49,7 +50,8 @@ effects core::on_start() {
 }
 
 std::int64_t core::next_deadline_ns(instant now) const {
-  return std::min(flight_.runner.next_deadline_ns(), now.now_ns + check_period_ns / 2);
+  return std::min(
+      {flight_.runner.next_deadline_ns(), homecoming_.next_deadline_ns(), now.now_ns + check_period_ns / 2});
 }
 
 // What follows from a note is decided when it is applied.
@@ -181,7 +183,7 @@ effects core::on_late(const order& what, instant now) {
 effects core::on_revoked(const order& what) {
   const auto& doing = flight_.runner.doing();
   if (!std::holds_alternative<vehicle_link::upload_plan>(what.what) || !flight_.s.progress.upload ||
-      (doing && doing->kind == task_kind::deploy))
+      (doing && brings_plan(doing->kind)))
     return {};
   return {note{flight_.runner.uploads().end_unsent("it was given up")}};
 }

@@ -34,6 +34,7 @@
 #include "actors/executor/flight/flight_end.hpp"
 #include "actors/executor/flight/flight_start.hpp"
 #include "actors/executor/flight/gcs_view.hpp"
+#include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/operator_control.hpp"
 #include "actors/executor/flight/phase_table.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
@@ -130,10 +131,11 @@ public:
 private:
   // True: something is under way, and the rest waits.
   using rule = bool (core::*)(effects&, instant);
-  static const std::array<rule, 14> rules;
+  static const std::array<rule, 15> rules;
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
   [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now); }
+  [[nodiscard]] bool come_home(effects& out, instant now) { return homecoming_.advance(out, now); }
   [[nodiscard]] bool halt(effects& out, instant now) { return operators_.halt(out, now); }
   [[nodiscard]] bool settle(effects& out, instant now) { return recovery_.settle(out, now); }
   [[nodiscard]] bool run_task(effects& out, instant now) { return tasks_.run(out, now); }
@@ -156,7 +158,8 @@ private:
   preparation preparation_{flight_, phases_, tasks_, energy_};
   flight_start start_{flight_, phases_, tasks_, watch_, preparation_};
   plan_changes changes_{flight_, phases_, tasks_};
-  operator_control operators_{flight_, phases_, tasks_, changes_};
+  homecoming homecoming_{flight_, phases_, tasks_};
+  operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_};
   flight_end end_{flight_, phases_, tasks_, watch_};
   gcs_view stations_{flight_, phases_, tasks_};
 };

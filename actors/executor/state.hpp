@@ -44,8 +44,9 @@ enum class task_kind {
   hold,
   resume,
   come_home,
-  stand_down, // behind a start that failed
-  stand_by    // disarmed in its mission mode: into one in which it begins nothing
+  come_home_by_plan, // hold, and then bring the way around the fences and fly it
+  stand_down,        // behind a start that failed
+  stand_by           // disarmed in its mission mode: into one in which it begins nothing
 };
 
 constexpr auto enum_names(task_kind) {
@@ -54,8 +55,14 @@ constexpr auto enum_names(task_kind) {
                                {task_kind::hold, "hold"},
                                {task_kind::resume, "resume"},
                                {task_kind::come_home, "come_home"},
+                               {task_kind::come_home_by_plan, "come_home_by_plan"},
                                {task_kind::stand_down, "stand_down"},
                                {task_kind::stand_by, "stand_by"}});
+}
+
+// It brings a plan to the vehicle.
+[[nodiscard]] constexpr bool brings_plan(task_kind kind) {
+  return kind == task_kind::deploy || kind == task_kind::come_home_by_plan;
 }
 
 // What the vehicle is being brought to.

@@ -5,6 +5,7 @@
 //   deploy, under way, without           hold, note upload, upload, guard, choose the first item, mission mode
 //   start                                guard, (guided or hold, arm,) start
 //   hold, resume, come home              that mode
+//   come home by plan                    hold; then as deploy, with the way home
 //   stand down                           disarm
 //   stand by                             the standing mode, on the ground
 //

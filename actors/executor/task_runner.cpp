@@ -293,6 +293,9 @@ void task_runner::ask(const world& w, const start_plan&) {
 // Nothing that lets the vehicle go on is sent before its reason is on the disk; a stop does not wait for that.
 goes task_runner::urgency() const {
   const auto kind = task_->kind;
+  const auto* mode = at_ < way_.size() ? std::get_if<change_mode>(&way_[at_]) : nullptr;
+  if (kind == task_kind::come_home_by_plan && mode != nullptr && mode->to == flight::mode_kind::hold)
+    return goes::at_once;
   return kind == task_kind::hold || kind == task_kind::come_home || kind == task_kind::stand_down ? goes::at_once
                                                                                                   : goes::after_notes;
 }

@@ -26,7 +26,6 @@ constexpr double off_the_ground_m = 1;
 
 // Where a rover stops that was told to return.
 constexpr double at_home_m = 8;
-constexpr double standing_mps = 0.2;
 
 } // namespace
 
@@ -117,7 +116,7 @@ bool vehicle_view::is_within(double metres, const geo::point& there, std::int64_
 }
 
 bool vehicle_view::stands_at_home(std::int64_t now_ns) const {
-  return home_ && speed_mps_ <= standing_mps && is_within(at_home_m, {home_->latitude, home_->longitude}, now_ns);
+  return home_ && stands() && is_within(at_home_m, {home_->latitude, home_->longitude}, now_ns);
 }
 
 bool vehicle_view::is_moving() const {

@@ -28,6 +28,8 @@ inline constexpr std::int64_t words_count_ns = 35'000'000'000;
 
 class vehicle_view {
 public:
+  static constexpr double standing_mps = 0.2; // over the ground
+
   void take(const vehicle_link::connection_changed& m);
   void take(const io::mavlink::heartbeat& m, std::int64_t now_ns);
   void take(const io::mavlink::sys_status& m);
@@ -54,7 +56,9 @@ public:
   [[nodiscard]] std::uint64_t heartbeats() const { return heartbeats_; }
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; }
   [[nodiscard]] bool is_armed() const { return is_armed_; }
-  // Not moving, within a few metres of its home.
+  // Not moving, as far as it was heard.
+  [[nodiscard]] bool stands() const { return speed_mps_ <= standing_mps; }
+  // The same, within a few metres of its home.
   [[nodiscard]] bool stands_at_home(std::int64_t now_ns) const;
   // Armed and off the ground; a rover: armed.
   [[nodiscard]] bool is_under_way() const;

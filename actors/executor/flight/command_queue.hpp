@@ -27,7 +27,10 @@ struct plan_change {
   std::optional<std::string> after_item_id; // absent: in front of all items
   std::vector<mission::item> items;
   std::vector<mission::item> set_aside;
-  bool is_held_for = false; // the vehicle was told to hold first
+  std::optional<mission::position> to; // go_to
+  bool leads_around = false;           // its way begins where the vehicle holds
+  bool is_held_for = false;            // the vehicle was told to hold first
+  std::int64_t held_since_ns = 0;      // 0: it was not seen to hold yet
 };
 
 struct start_flight {

@@ -28,6 +28,15 @@ struct instant {
   std::int64_t wall_ns = 0; // since 1970 (UTC)
 };
 
+// How far a return around the fences is: see homecoming.hpp.
+enum class homing_stage { none, holding, held, bringing, failed };
+struct homing_state {
+  homing_stage at = homing_stage::none;
+  std::int64_t since_ns = 0;
+  bool is_recalled = false; // by an incarnation that has not heard yet where the vehicle is
+  std::string why;          // failed
+};
+
 struct flight_context {
   flight_context(settings configuration, const state& durable) : configured(std::move(configuration)), s(durable) {}
 
@@ -38,6 +47,7 @@ struct flight_context {
   task_runner runner;
   std::optional<failsafe::stance> stance; // none: not told to this incarnation yet
   command_queue wanted;
+  homing_state homing;
   bool was_up = false; // it has been in the air, as far as this incarnation knows
 
   [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s, view, authority, now.now_ns, out}; }
@@ -56,6 +66,7 @@ struct flight_context {
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;
   [[nodiscard]] bool is_mission_finished() const;
+  [[nodiscard]] bool is_on_way_home() const; // by a plan
   [[nodiscard]] bool was_called_home() const { return s.progress.paused == progress::pause_reason::aborted; }
   [[nodiscard]] bool may_change_plan() const; // of a flight
   // Behind a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.

@@ -31,7 +31,8 @@ bool flight_end::is_down(instant now) const {
     return flight_.is_plan_finished() && flight_.was_up && !view.is_under_way();
   if (view.is_in(mode_kind::returning)) // ArduPilot's rover stays in that mode
     return (flight_.was_called_home() || flight_.is_plan_finished()) && view.stands_at_home(now.now_ns);
-  return flight_.is_plan_finished() || (flight_.was_called_home() && view.is_in(mode_kind::hold));
+  const bool holds_on_the_way = flight_.s.standing.now == phase::paused || flight_.homing.at != homing_stage::none;
+  return flight_.is_plan_finished() || (flight_.was_called_home() && view.is_in(mode_kind::hold) && !holds_on_the_way);
 }
 
 bool flight_end::was_brought_down(instant now) const {

@@ -15,7 +15,7 @@ bool holds_our_plan(pause_cause cause) {
 }
 
 bool can_be_stopped(task_kind kind) {
-  return kind == task_kind::deploy || kind == task_kind::start || kind == task_kind::resume;
+  return brings_plan(kind) || kind == task_kind::start || kind == task_kind::resume;
 }
 
 bool needs_vehicle(verb what) { return what != verb::hand_back && what != verb::start; }
@@ -100,7 +100,7 @@ bool operator_control::halt(effects& out, instant now) {
     return false;
   if (doing)
     return interrupt(out, now);
-  begin_halt(out);
+  begin_halt(out, now);
   return true;
 }
 
@@ -123,11 +123,11 @@ bool operator_control::interrupt(effects& out, instant now) {
   return true;
 }
 
-void operator_control::begin_halt(effects& out) {
+void operator_control::begin_halt(effects& out, instant now) {
   const auto what = *std::exchange(flight_.wanted.halt, {});
   drop_change(out);
   if (what == task_kind::come_home)
-    return tasks_.begin(out, what, {change_mode{mode_kind::returning}});
+    return returns_.begin(out, now);
   const auto at = flight_.s.standing.now;
   if (at == phase::flying || at == phase::landing)
     phases_.go(out, trigger::told_to_hold);
@@ -153,7 +153,9 @@ bool operator_control::go_on(effects& out, instant now) {
     return true;
   }
   drop_change(out);
-  if (!holds_our_plan(flight_.s.standing.cause))
+  if (flight_.was_called_home()) // since it was said
+    out.emplace_back(announce{"not resumed: " + why_not_resume(), true});
+  else if (!holds_our_plan(flight_.s.standing.cause))
     changes_.deploy_again(out, now);
   else
     tasks_.begin(out, task_kind::resume, tasks_.guarded(going_on_steps(flight_)));

@@ -2,6 +2,7 @@
 // what is under way, and wait for nothing. Pure. Thread: one at a time.
 #pragma once
 
+#include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
 #include "actors/executor/flight/preparation.hpp"
 #include "actors/executor/flight/recovery.hpp"
@@ -10,8 +11,9 @@ namespace godwit::executor {
 
 class operator_control {
 public:
-  operator_control(flight_context& flight, phase_machine& phases, task_control& tasks, plan_changes& changes)
-      : flight_(flight), phases_(phases), tasks_(tasks), changes_(changes) {}
+  operator_control(flight_context& flight, phase_machine& phases, task_control& tasks, plan_changes& changes,
+                   homecoming& returns)
+      : flight_(flight), phases_(phases), tasks_(tasks), changes_(changes), returns_(returns) {}
 
   // HAS_LOOKED: at the vehicle, since this incarnation began. The answer tells whether the word is taken; what comes of
   // it is told as the flight's status.
@@ -25,13 +27,14 @@ private:
   [[nodiscard]] std::string why_not(const operator_words::word& m, bool has_looked) const;
   [[nodiscard]] std::string why_not_resume() const;
   [[nodiscard]] bool interrupt(effects& out, instant now);
-  void begin_halt(effects& out);
+  void begin_halt(effects& out, instant now);
   void drop_change(effects& out);
 
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
   plan_changes& changes_;
+  homecoming& returns_;
 };
 
 } // namespace godwit::executor

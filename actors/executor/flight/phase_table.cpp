@@ -20,10 +20,11 @@ constexpr phase_set on_the_way = of(flying, landing);
 constexpr phase_set over = of(post_flight, done, aborted);
 
 bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
-bool is_plan_finished(const flight_context& c) { return c.is_plan_finished(); }
+// Or it flies the way home, which is no part of the mission.
+bool is_plan_finished(const flight_context& c) { return c.is_plan_finished() || c.is_on_way_home(); }
 bool has_person(const flight_context& c) { return c.has_person(); }
 bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
-bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && c.is_plan_finished(); }
+bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && is_plan_finished(c); }
 bool has_more_plans(const flight_context& c) { return !c.has_person() && c.is_plan_finished(); }
 bool owes_delivery(const flight_context& c) { return c.is_mission_finished() && c.configured.has_service; }
 bool is_mission_finished(const flight_context& c) { return c.is_mission_finished(); }
@@ -34,7 +35,7 @@ bool has_lost_plan(const flight_context& c) {
   return c.is_in_flight() && c.s.progress.paused == progress::pause_reason::vehicle_restarted;
 }
 bool flies_plan(const flight_context& c) { return c.is_in_flight() && c.view.is_in(flight::mode_kind::mission); }
-bool flies_end_of_plan(const flight_context& c) { return flies_plan(c) && c.is_plan_finished(); }
+bool flies_end_of_plan(const flight_context& c) { return flies_plan(c) && is_plan_finished(c); }
 
 struct named_guard {
   std::string_view name;
@@ -137,6 +138,8 @@ constexpr std::array table{
     flying_on(trigger::resumed, any, plan_finished, landing),
     flying_on(trigger::resumed, any, no_guard, flying),
     with(row(trigger::called_home, any, no_guard, landing), cause::none, "the vehicle returns"),
+    with(row(trigger::called_home_by_plan, any, no_guard, flying), cause::none,
+         "called home: it holds, and then flies around the fences"),
     with(row(trigger::not_obeyed, any, no_guard, stays), cause_rule::kept),
     pauses(trigger::task_failed, cause::not_done),
     // who has the vehicle
@@ -178,7 +181,7 @@ constexpr std::array table{
     with(row(trigger::delivered, of(post_flight), no_guard, done), cause_rule::kept),
 };
 
-constexpr std::array<std::string_view, 36> names{"link_lost",
+constexpr std::array<std::string_view, 37> names{"link_lost",
                                                  "link_found",
                                                  "mission_changed",
                                                  "prepare_again",
@@ -198,6 +201,7 @@ constexpr std::array<std::string_view, 36> names{"link_lost",
                                                  "held",
                                                  "resumed",
                                                  "called_home",
+                                                 "called_home_by_plan",
                                                  "not_obeyed",
                                                  "task_failed",
                                                  "person_took_over",

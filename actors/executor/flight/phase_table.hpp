@@ -41,6 +41,7 @@ enum class trigger {
   held,
   resumed,
   called_home,
+  called_home_by_plan, // it holds first
   not_obeyed,
   task_failed,
   // who has the vehicle

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "actors/domain/geo/geodesic.hpp"
-#include "actors/domain/route/route.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/remaining.hpp"
@@ -18,10 +17,7 @@ using operator_words::verb;
 
 constexpr std::uint64_t changes = 0x6368616e6765; // keeps their keys apart from whatever else follows from a mission
 
-// A vehicle turns to the next leg before it has reached the end of this one. PX4 does so within the radius of the item,
-// an ArduPilot multirotor or rover within its own of 2 m (WP_RADIUS); wind and control add to it.
-constexpr double turn_accept_radius_m = 2;
-constexpr double turn_room_m = 5;
+constexpr std::int64_t stands_within_ns = 5'000'000'000; // what was told to hold, at any speed
 
 // At the place to which an operator has sent the vehicle; then the mission is over.
 constexpr double stay_s = 3'600;
@@ -69,7 +65,7 @@ operator_words::answer plan_changes::take(const operator_words::word& m, instant
 plan_changes::change_or_reason plan_changes::change_of(const operator_words::word& m, instant now) const {
   if (m.verb == verb::go_to)
     return go_there(*m.place, now);
-  return m.verb == verb::cancel ? cancel() : insert(m);
+  return m.verb == verb::cancel ? cancel(now) : insert(m);
 }
 
 // Empty: a place like those of a mission, within the limits that are set.
@@ -91,30 +87,35 @@ std::string plan_changes::why_not_there(const mission::position& to) const {
   return {};
 }
 
+way_wish plan_changes::way_between(const mission::position& from, const mission::position& to) const {
+  const auto [low, high] = std::minmax(from.altitude_m, to.altitude_m);
+  const auto& set = flight_.configured;
+  return {from, to, low, high, flight_.view.owner().vehicle, set.fence_margin_m, set.own_loiter_radius_m};
+}
+
+// NAME is that of the change; the turns are flown at the altitude of where they lead.
+std::vector<mission::item> plan_changes::items_of(const std::vector<geo::point>& turns, double altitude_m,
+                                                  const std::string& name) const {
+  std::vector<mission::item> result;
+  for (const auto& each : turns)
+    result.emplace_back(
+        turn_at(each, altitude_m, name + "-" + std::to_string(result.size() + 1), flight_.view.owner().vehicle));
+  return result;
+}
+
 plan_changes::change_or_reason plan_changes::go_there(const mission::position& to, instant now) const {
   const auto from = flight_.view.place(now.now_ns);
   if (!from)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
-  route::route_request request;
-  request.from = {from->latitude, from->longitude};
-  request.to = {to.latitude, to.longitude};
-  request.altitudes = {std::min(from->altitude_m, to.altitude_m), std::max(from->altitude_m, to.altitude_m)};
-  request.margin_m = flight_.configured.fence_margin_m;
-  const bool is_fixed_wing = flight_.view.owner().vehicle == flight::vehicle_class::fixed_wing; // turns on a circle
-  request.turn_room_m = is_fixed_wing ? flight_.configured.own_loiter_radius_m : turn_room_m;
-  const auto way = route::find_route(request, flight_.s.mission->geofences);
-  if (!way)
-    return tl::make_unexpected("there is no way there: " + way.error().reason);
+  const auto turns = turns_between(way_between(*from, to), flight_.s.mission->geofences);
+  if (!turns)
+    return tl::make_unexpected("there is no way there: " + turns.error());
   plan_change result;
+  result.to = to;
+  result.leads_around = true;
   result.after_item_id = last_done(flight_.s);
   const auto name = "goto" + std::to_string(flight_.s.last_task + 1);
-  for (std::size_t i = 1; i + 1 < way->points.size(); ++i) {
-    mission::waypoint turn;
-    turn.id = name + "-" + std::to_string(i);
-    turn.at = {way->points[i].latitude_deg, way->points[i].longitude_deg, to.altitude_m};
-    turn.accept_radius_m = is_fixed_wing ? 0 : turn_accept_radius_m;
-    result.items.emplace_back(std::move(turn));
-  }
+  result.items = items_of(*turns, to.altitude_m, name);
   result.items.emplace_back(mission::loiter{name, to, 0, stay_s});
   if (flight_.s.set_aside.empty()) {
     const auto& items = flight_.s.mission->items;
@@ -124,10 +125,43 @@ plan_changes::change_or_reason plan_changes::go_there(const mission::position& t
   return result;
 }
 
-plan_changes::change_or_reason plan_changes::cancel() const {
+// The first place to which the plan leads that the change would make.
+std::optional<mission::position> plan_changes::first_place(const plan_change& what, instant now) const {
+  const auto after = changed(what);
+  const auto where = flight_.setting(now);
+  if (!after || !where)
+    return std::nullopt;
+  const auto plans = plan::build_plans(*after, *where, flight_.going_on(*after, flight_.first_item(*after)));
+  if (!plans)
+    return std::nullopt;
+  const auto& legs = plans->front().legs;
+  const auto moves = std::ranges::find_if(legs, [](const plan::leg& each) {
+    return each.from.latitude != each.to.latitude || each.from.longitude != each.to.longitude;
+  });
+  return moves == legs.end() ? std::nullopt : std::optional(moves->to);
+}
+
+// A mission may lead nearer to a fence than the margin: then it goes there straight, where that crosses none.
+plan_changes::change_or_reason plan_changes::cancel(instant now) const {
   if (flight_.s.set_aside.empty())
     return tl::make_unexpected(std::string("there is nothing to cancel: the vehicle was not sent elsewhere"));
-  return plan_change{change_kind::cancel, last_done(flight_.s), flight_.s.set_aside, {}, false};
+  plan_change result;
+  result.kind = change_kind::cancel;
+  result.after_item_id = last_done(flight_.s);
+  result.items = flight_.s.set_aside;
+  const auto from = flight_.view.place(now.now_ns);
+  const auto to = first_place(result, now);
+  if (!from || !to || flight_.s.mission->geofences.empty())
+    return result;
+  const auto turns = turns_between(way_between(*from, *to), flight_.s.mission->geofences);
+  if (!turns && !why_not_changed(result, now).empty())
+    return tl::make_unexpected("there is no way back to the mission: " + turns.error());
+  if (!turns)
+    return result;
+  const auto items = items_of(*turns, to->altitude_m, "back" + std::to_string(flight_.s.last_task + 1));
+  result.leads_around = !items.empty();
+  result.items.insert(result.items.begin(), items.begin(), items.end());
+  return result;
 }
 
 plan_changes::change_or_reason plan_changes::insert(const operator_words::word& m) const {
@@ -145,7 +179,11 @@ plan_changes::change_or_reason plan_changes::insert(const operator_words::word& 
   mission::waypoint extra;
   extra.id = "extra" + std::to_string(flight_.s.last_task + 1);
   extra.at = *m.place;
-  return plan_change{change_kind::insert, std::move(after), {std::move(extra)}, {}, false};
+  plan_change result;
+  result.kind = change_kind::insert;
+  result.after_item_id = std::move(after);
+  result.items.emplace_back(std::move(extra));
+  return result;
 }
 
 // As the service will make it, so that nothing is asked of it that can not be flown.
@@ -173,21 +211,49 @@ std::string plan_changes::why_not_changed(const plan_change& what, instant now) 
   return plan ? std::string() : plan.error();
 }
 
-// Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there.
 bool plan_changes::begin_wanted(effects& out, instant now) {
   auto& wanted = flight_.wanted.change;
   if (!wanted)
     return false;
-  const bool holds = wanted->kind != change_kind::go_to || flight_.view.obeys(mode_kind::hold);
   if (!flight_.is_in_flight() || (flight_.is_plan_finished() && !flight_.hovers()))
     drop(out, "the flight was over before");
-  else if (holds)
-    ask_for(out, *std::exchange(wanted, {}), now);
-  else if (!std::exchange(wanted->is_held_for, true))
-    tasks_.begin(out, task_kind::hold, {change_mode{mode_kind::hold}});
-  else
-    drop(out, "the vehicle does not hold");
+  else if (!wanted->leads_around || stands_for_change(out, now))
+    begin_from_here(out, now);
   return true;
+}
+
+// Who is sent around holds first, and stands: the mission that goes on meanwhile would fly away from there. A fixed
+// wing circles.
+bool plan_changes::stands_for_change(effects& out, instant now) {
+  auto& wanted = *flight_.wanted.change;
+  if (!flight_.view.obeys(mode_kind::hold)) {
+    if (!std::exchange(wanted.is_held_for, true))
+      tasks_.begin(out, task_kind::hold, {change_mode{mode_kind::hold}});
+    else
+      drop(out, "the vehicle does not hold");
+    return false;
+  }
+  if (wanted.held_since_ns == 0)
+    wanted.held_since_ns = now.now_ns;
+  const bool circles = flight_.view.owner().vehicle == flight::vehicle_class::fixed_wing;
+  return circles || flight_.view.stands() || now.now_ns - wanted.held_since_ns >= stands_within_ns;
+}
+
+// The way that was found when it was said began where the vehicle was then.
+void plan_changes::begin_from_here(effects& out, instant now) {
+  auto& wanted = *flight_.wanted.change;
+  auto here = wanted.kind == change_kind::go_to    ? go_there(*wanted.to, now)
+              : wanted.kind == change_kind::cancel ? cancel(now)
+                                                   : change_or_reason(wanted);
+  if (!here)
+    return drop(out, here.error());
+  if (here->leads_around && !wanted.leads_around) { // it has flown behind a fence since
+    wanted = *std::move(here);
+    static_cast<void>(begin_wanted(out, now));
+    return;
+  }
+  flight_.wanted.change.reset();
+  ask_for(out, *here, now);
 }
 
 void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {

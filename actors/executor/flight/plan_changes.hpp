@@ -2,12 +2,15 @@
 // revisions that come. The service numbers the revision; where there is none, we do. Pure. Thread: one at a time.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
 #include "actors/executor/flight/task_control.hpp"
 #include "actors/executor/remaining.hpp"
+#include "actors/executor/way_around.hpp"
 #include "messages/operator/types.hpp"
 
 namespace godwit::executor {
@@ -36,7 +39,13 @@ private:
   using change_or_reason = tl::expected<plan_change, std::string>;
   [[nodiscard]] change_or_reason change_of(const operator_words::word& m, instant now) const;
   [[nodiscard]] change_or_reason go_there(const mission::position& to, instant now) const;
-  [[nodiscard]] change_or_reason cancel() const;
+  [[nodiscard]] change_or_reason cancel(instant now) const;
+  [[nodiscard]] way_wish way_between(const mission::position& from, const mission::position& to) const;
+  [[nodiscard]] std::vector<mission::item> items_of(const std::vector<geo::point>& turns, double altitude_m,
+                                                    const std::string& name) const;
+  [[nodiscard]] std::optional<mission::position> first_place(const plan_change& what, instant now) const;
+  [[nodiscard]] bool stands_for_change(effects& out, instant now);
+  void begin_from_here(effects& out, instant now);
   [[nodiscard]] change_or_reason insert(const operator_words::word& m) const;
   [[nodiscard]] tl::expected<mission::document, std::string> changed(const plan_change& what) const;
   [[nodiscard]] std::string why_not_there(const mission::position& to) const;

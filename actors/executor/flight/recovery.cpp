@@ -22,6 +22,9 @@ void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& mo
   to.insert(to.end(), more.begin(), more.end());
 }
 
+constexpr std::string_view call_again =
+    "godwit was restarted while it called the vehicle home; it holds: say come_home again";
+
 } // namespace
 
 void recovery::begin() {
@@ -107,12 +110,14 @@ void recovery::recover_in_flight(effects& out, instant now) {
   if (flight_.stance->reacts || flight_.stance->taken_over)
     return phases_.go(out, trigger::found_on_its_way); // the watch says the rest
   watch_.resume(left_in(doing), now);
-  find_in_flight(out, doing);
+  find_in_flight(out, doing, now);
 }
 
 // What was meant and is not done is finished by a mode change, and only out of the hold that we have commanded.
-void recovery::find_in_flight(effects& out, const std::optional<task>& doing) {
+void recovery::find_in_flight(effects& out, const std::optional<task>& doing, instant now) {
   const auto is = [&](task_kind kind) { return doing && doing->kind == kind; };
+  if (is(task_kind::come_home_by_plan))
+    return find_called_home(out, now);
   const bool is_held = flight_.authority.is_ours() && flight_.view.obeys(mode_kind::hold);
   const bool was_to_go_on = is(task_kind::resume) || (is(task_kind::deploy) && doing->goes_on);
   if (is_held && was_to_go_on) {
@@ -126,6 +131,25 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing) {
       (is(task_kind::hold) || is(task_kind::come_home)))
     flight_.wanted.put_halt(doing->kind); // an operator's word, which the vehicle has not heard or not shown yet
   phases_.go(out, trigger::found_in_flight);
+}
+
+// It is flown already, or the operator's word is done anew. What needs a start is not begun by a restart.
+void recovery::find_called_home(effects& out, instant now) {
+  const bool flies_it =
+      flight_.view.is_in(mode_kind::mission) && flight_.is_on_way_home() && !flight_.has_open_intent();
+  if (flies_it || !flight_.authority.is_ours()) {
+    flight_.wanted.guard_again = flies_it;
+    return phases_.go(out, trigger::found_in_flight);
+  }
+  if (starts_in_mission_mode(flight_)) {
+    phases_.go(out, trigger::found_in_flight);
+    flight_.wanted.put_halt(task_kind::hold);
+    out.push_back(announce{std::string(call_again), true});
+    return;
+  }
+  flight_.homing = {homing_stage::holding, now.now_ns, true, {}};
+  phases_.go(out, trigger::called_home_by_plan);
+  tasks_.begin(out, task_kind::come_home_by_plan, {change_mode{mode_kind::hold}});
 }
 
 // -- what was left open -----------------------------------------------------------------------------

@@ -44,7 +44,8 @@ private:
 
   void recover_on_ground(effects& out, instant now);
   void recover_in_flight(effects& out, instant now);
-  void find_in_flight(effects& out, const std::optional<task>& doing);
+  void find_in_flight(effects& out, const std::optional<task>& doing, instant now);
+  void find_called_home(effects& out, instant now);
   void read_back(effects& out, instant now);
   void settle_plan_id(effects& out, instant now, bool is_news);
   void settle_start(effects& out, bool is_news);

@@ -25,7 +25,15 @@ void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on) 
 
 void task_control::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                                 const std::optional<std::string>& assignment, bool goes_on) {
-  const task doing{flight_.s.last_task + 1, task_kind::deploy, goes_on, {}};
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, mission, what, assignment);
+}
+
+void task_control::begin_way_home(effects& out, const plan::flight_plan& what) {
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::come_home_by_plan, true, {}}, *flight_.s.mission, what, {});
+}
+
+void task_control::begin_plan(effects& out, const task& doing, const mission::document& mission,
+                              const plan::flight_plan& what, const std::optional<std::string>& assignment) {
   progress::upload_intended intent{mission.revision, what.map, {}, {}};
   if (flight_.view.keeps_plan_ids() && flight_.view.current())
     intent.id_before = flight_.view.current()->mission_id;
@@ -35,7 +43,7 @@ void task_control::begin_deploy(effects& out, const mission::document& mission, 
   flight_.wanted.choose_item = false;
   deploying_over_ = flight_.s.progress.last_generation;
   deploys_behind_end_ = flight_.is_plan_finished();
-  flight_.runner.begin(doing, deploy_steps(flight_, what.map, goes_on), std::move(intent));
+  flight_.runner.begin(doing, deploy_steps(flight_, what.map, doing.goes_on), std::move(intent));
 }
 
 void task_control::begin_start(effects& out, std::optional<std::uint64_t> key) {
@@ -121,10 +129,21 @@ void task_control::finish(effects& out, const task& what) {
     out.emplace_back(note{progress::mission_aborted{}});
     phases_.go(out, trigger::called_home);
     return;
+  case task_kind::come_home_by_plan:
+    finish_way_home(out);
+    return;
   case task_kind::stand_down:
   case task_kind::stand_by:
     return;
   }
+}
+
+// It holds, or it flies it.
+void task_control::finish_way_home(effects& out) {
+  auto& at = flight_.homing.at;
+  if (at == homing_stage::bringing)
+    phases_.go(out, trigger::called_home, "the vehicle returns around the fences");
+  at = at == homing_stage::holding ? homing_stage::held : homing_stage::none;
 }
 
 void task_control::finish_deploy(effects& out, const task& what) {
@@ -160,6 +179,10 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
     warn("not obeyed: ");
     if (flight_.s.standing.now != phase::paused)
       phases_.go(out, trigger::not_obeyed, "the vehicle has not obeyed: " + why);
+    return;
+  case task_kind::come_home_by_plan:
+    flight_.homing.at = homing_stage::failed;
+    flight_.homing.why = why;
     return;
   case task_kind::deploy:
     if (flight_.is_in_flight() && flight_.view.is_in(mode_kind::mission)) // it has never left the plan before

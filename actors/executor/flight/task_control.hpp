@@ -20,6 +20,8 @@ public:
   // GOES_ON: in flight, into the new plan. ASSIGNMENT: that the plan carries out.
   void begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                     const std::optional<std::string>& assignment, bool goes_on);
+  // In flight: of no mission, and flown at once.
+  void begin_way_home(effects& out, const plan::flight_plan& what);
   // KEY: of the ground station's request.
   void begin_start(effects& out, std::optional<std::uint64_t> key);
 
@@ -35,6 +37,9 @@ public:
   [[nodiscard]] steps guarded(steps way);
 
 private:
+  void begin_plan(effects& out, const task& doing, const mission::document& mission, const plan::flight_plan& what,
+                  const std::optional<std::string>& assignment);
+  void finish_way_home(effects& out);
   [[nodiscard]] bool is_pointless(const task& what) const;
   void finish(effects& out, const task& what);
   void finish_deploy(effects& out, const task& what);

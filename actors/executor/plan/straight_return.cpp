@@ -54,8 +54,7 @@ std::vector<return_crossing> straight_return_crossings(const flight_plan& plan, 
     return all;
   const auto& begins_at = plan.legs.front().from;
   const bool is_in_flight = setting.is_under_way && begins_at == setting.start;
-  const auto home =
-      is_in_flight ? geo::point{setting.home.latitude, setting.home.longitude} : point_of(begins_at);
+  const auto home = is_in_flight ? geo::point{setting.home.latitude, setting.home.longitude} : point_of(begins_at);
   for (const auto& each : plan.legs)
     for (std::size_t i = 0; i < fences->size(); ++i) {
       const return_crossing found{each.item_index, i};

@@ -2,9 +2,9 @@
 // is, and knows no fences of ours.
 //
 // From a leg the straight ways home fill a triangle; an exclusion fence that has a part in it lies in the way from
-// somewhere on that leg. All altitudes of the leg count, and those up to the altitude to which the vehicle climbs first.
-// A rover keeps to all fences whatever their altitudes. Home is where a plan begins: a vehicle that is armed there sets
-// it so. Thread: pure.
+// somewhere on that leg. All altitudes of the leg count, and those up to the altitude to which the vehicle climbs
+// first. A rover keeps to all fences whatever their altitudes. Home is where a plan begins: a vehicle that is armed
+// there sets it so. Thread: pure.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,7 @@ struct return_crossing {
 };
 
 // In the order of the way, each pair once. Empty: none, or fences that nobody can judge, which fence_violations tells.
-[[nodiscard]] std::vector<return_crossing> straight_return_crossings(const flight_plan& plan,
-                                                                     const mission::document& mission,
-                                                                     const plan_setting& setting);
+[[nodiscard]] std::vector<return_crossing>
+straight_return_crossings(const flight_plan& plan, const mission::document& mission, const plan_setting& setting);
 
 } // namespace godwit::executor::plan

@@ -11,10 +11,10 @@
 //   autopilot_checks  pass                                      does not say         fail, no news yet    not heard
 //   vehicle_ready     estimator knows its place                                      no, no news yet      not told
 //   mission           loaded, and planned for this vehicle                           else
-//   fences            way inside inclusions, outside exclusions                      else                 no fences,
-//   way return_point      the same                                                       else                 no fences
-//   straight_return   from no leg into an exclusion             else                 not looked at yet    no fences,
-//   way energy            lasts for plan and way home           does not                                  drain unknown
+//   fences            way inside inclusions, outside exclusions                      else                 no fences
+//   return_point      the same                                                       else                 no fences
+//   straight_return   from no leg into an exclusion             else                 not looked at yet    no fences
+//   energy            lasts for plan and way home               does not                                  drain unknown
 //   map_objects       pulled                                    copy from before     else                 no service
 //   journal           written and sound                                              else
 //   free_space        enough                                    low, not known       next to nothing

@@ -66,7 +66,7 @@ struct mission_facts {
   std::optional<std::vector<plan::violation>> return_point; // absent: not looked at yet
   // Of all plans; absent: not looked at yet.
   std::optional<std::vector<plan::return_crossing>> straight_return;
-  bool has_service = true;                                  // false: a ground station's; nothing keeps a map of it
+  bool has_service = true; // false: a ground station's; nothing keeps a map of it
   mission_client::pull_state map = mission_client::pull_state::not_started;
   std::string map_problem; // why the pull failed
 };

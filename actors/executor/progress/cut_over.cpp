@@ -4,6 +4,7 @@
 
 #include "actors/executor/progress/advance.hpp"
 #include "actors/executor/progress/follow.hpp"
+#include "actors/executor/progress/open_mission.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::executor::progress {
@@ -26,13 +27,19 @@ void answer_accepted(turn& t, const pending_upload& upload) {
 // is not known whether the items are still in the mission.
 std::vector<mapped_item> left_out(const state& s, const pending_upload& upload) {
   std::vector<mapped_item> result;
-  if (!s.plan || upload.intent.revision != s.mission->revision)
+  if (!s.plan || upload.intent.revision != s.mission->revision || is_way_home(upload.intent.map))
     return result;
   const auto& old = *s.plan;
   const auto goes_on_at = upload.intent.map.items.front().item_index;
   for (auto i = old.ever_settled; i < old.map.items.size() && old.map.items[i].item_index < goes_on_at; ++i)
     result.push_back(old.map.items[i]);
   return result;
+}
+
+// Nothing that is told behind a way home is progress of the mission.
+void end_mission(turn& t) {
+  take(t, mission_aborted{});
+  t.s.paused = pause_reason::aborted;
 }
 
 } // namespace
@@ -45,7 +52,10 @@ void cut_over(turn& t, std::optional<std::uint32_t> plan_id) {
   answer_accepted(t, upload);
   const auto skipped = left_out(t.s, upload);
   t.s.mission->revision = upload.intent.revision;
-  t.s.paused.reset();
+  if (is_way_home(upload.intent.map))
+    end_mission(t);
+  else
+    t.s.paused.reset();
   const auto start = upload.intent.map.start_sequence;
   // The same content: PX4 goes on where it is, and repeats the MISSION_ITEM_REACHED that it has repeated before.
   const bool is_same = plan_id && t.s.plan && t.s.plan->vehicle_plan_id == plan_id;

@@ -22,7 +22,7 @@ bool has_sound_movements(const mapped_item& item) {
 
 bool is_sound(const plan_map& map) {
   const auto end = std::uint32_t{map.first_sequence} + map.total;
-  if (map.items.empty() || map.items.size() > max_mapped_items || map.total == 0 || end > no_sequence)
+  if (map.items.size() > max_mapped_items || map.total == 0 || end > no_sequence)
     return false;
   if (!has_sequence(map, map.start_sequence))
     return false;

@@ -57,6 +57,9 @@ inline constexpr std::size_t max_mapped_items = 10'000; // as many as a mission 
 // MISSION_CURRENT says this number where there is no item, or no plan.
 inline constexpr std::uint16_t no_sequence = 65535;
 
+// A plan to which no item of the mission belongs: it leads home, and the mission is over.
+[[nodiscard]] inline bool is_way_home(const plan_map& map) { return map.items.empty(); }
+
 // Items in the order of the mission, none twice; sequences in the same order, none twice, all on the vehicle; the start
 // is on the vehicle. Vehicle items that belong to no item of the mission are allowed.
 [[nodiscard]] bool is_sound(const plan_map& map);

@@ -24,7 +24,8 @@ void take(turn& t, const start_ended& what) {
     return;
   }
   catch_up(t);
-  t.s.paused.reset();
+  if (!is_way_home(t.s.plan->map))
+    t.s.paused.reset();
   open_generation(t, generation_origin::start, start.sequence);
   release_held(t);
 }

@@ -417,6 +417,7 @@ TEST_P(who_need_not_circle, on_the_way_around_a_fence_corners_are_taken_narrowly
   }
   mission.geofences = {wall};
   world.load(mission);
+  ASSERT_TRUE(world.acknowledge()) << "a failsafe would return through it\n" << world.story();
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w2"); }, 600)) << world.story();
   const auto answer = world.say(go_there(GetParam()));
   ASSERT_TRUE(answer.is_taken) << answer.reason;

@@ -162,6 +162,16 @@ void flight_world::end_core() {
       all_transitions()[row][from] += taken[row][from];
 }
 
+bool flight_world::acknowledge() {
+  const auto awaits = [&] { return state_.preflight.now == executor::preflight::phase::awaiting_ack; };
+  if (!run_until(awaits, 60))
+    return false;
+  operator_words::word word;
+  word.verb = operator_words::verb::acknowledge;
+  word.report = state_.preflight.report->id;
+  return say(word).is_taken;
+}
+
 void flight_world::crash() {
   asked_.clear(); // nobody waits for the answers
   notes_.clear();
@@ -432,8 +442,17 @@ bool flight_world::is_lost(std::span<const std::byte> frame) {
   return result;
 }
 
+bool flight_world::is_silenced(std::span<const std::byte> frame) const {
+  if (lost_message_ == 0)
+    return false;
+  bool result = false;
+  io::mavlink::scanner one;
+  one.feed(frame, [&](const io::mavlink::frame_view& each) { result = each.id() == lost_message_; });
+  return result;
+}
+
 void flight_world::take(const vehicle_link::transmission& each) {
-  if (is_lost(each.frame.span()))
+  if (is_lost(each.frame.span()) || is_silenced(each.frame.span()))
     return;
   carry(each.frame.span(), [this](const std::vector<std::byte>& bytes) {
     to_vehicle_.feed(bytes,
@@ -442,6 +461,8 @@ void flight_world::take(const vehicle_link::transmission& each) {
 }
 
 void flight_world::hear(std::span<const std::byte> frame) {
+  if (is_silenced(frame))
+    return;
   carry(frame, [this, age = link_age_](const std::vector<std::byte>& bytes) {
     if (age == link_age_)
       take(link_->on_bytes(line, true, bytes, link_now()));

@@ -76,6 +76,8 @@ public:
   [[nodiscard]] std::int64_t wall_ns() const { return now().wall_ns; }
   [[nodiscard]] operator_words::answer say(operator_words::verb what);
   [[nodiscard]] operator_words::answer say(const operator_words::word& what);
+  // Acknowledges what the preflight checks find degraded, when they have.
+  [[nodiscard]] bool acknowledge();
   // What the service answers to a change, from now on.
   void set_changes(mission_client::change_verdict answer) { change_answer_ = answer; }
   void crash(); // of the executor; it begins anew at once, with what its record holds
@@ -123,6 +125,8 @@ public:
   void set_loss(double share) { lost_ = share; }
   // The next so many of this MAV_CMD do not come to the vehicle.
   void lose_command(std::uint16_t command, int times) { losses_ = {command, times}; }
+  // None of these comes to the vehicle any more, or from it; 0: all do again.
+  void lose_message(std::uint32_t id) { lost_message_ = id; }
   // Those of the failsafe.
   [[nodiscard]] const std::vector<failsafe::command_vehicle>& reactions() const { return reactions_; }
   // What the failsafe watches over.
@@ -146,6 +150,7 @@ public:
 
 private:
   [[nodiscard]] bool is_lost(std::span<const std::byte> frame);
+  [[nodiscard]] bool is_silenced(std::span<const std::byte> frame) const;
   [[nodiscard]] executor::instant now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] io::mavlink::instant link_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] static std::unique_ptr<vehicle_link::core> new_link();
@@ -221,6 +226,7 @@ private:
   int stand_bys_ = 0;
   int orders_ = 0;
   std::pair<std::uint16_t, int> losses_; // MAV_CMD, how many more
+  std::uint32_t lost_message_ = 0;
   std::vector<failsafe::command_vehicle> reactions_;
   mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
   std::vector<io::mavlink::mission_item_int> shown_items_;

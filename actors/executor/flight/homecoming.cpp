@@ -1,0 +1,156 @@
+#include "actors/executor/flight/homecoming.hpp"
+
+#include <algorithm>
+
+#include "actors/executor/plan/way_home.hpp"
+#include "actors/executor/way_around.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+
+bool names_battery(failsafe::rule each) {
+  return each == failsafe::rule::battery_low || each == failsafe::rule::battery_critical;
+}
+
+} // namespace
+
+// -- the word ---------------------------------------------------------------------------------------
+
+void homecoming::begin(effects& out, instant now) {
+  const auto way = turns(now);
+  if (!way)
+    return begin_straight(out, way.error());
+  if (way->empty())
+    return begin_return(out);
+  flight_.homing = {homing_stage::holding, now.now_ns, false, {}};
+  phases_.go(out, trigger::called_home_by_plan);
+  tasks_.begin(out, task_kind::come_home_by_plan, {change_mode{mode_kind::hold}});
+}
+
+// The autopilot's own, which is straight.
+void homecoming::begin_return(effects& out) {
+  flight_.homing = {};
+  tasks_.begin(out, task_kind::come_home, {change_mode{mode_kind::returning}});
+}
+
+void homecoming::begin_straight(effects& out, const std::string& why) {
+  out.emplace_back(announce{"the vehicle returns straight home, whatever fence lies there: " + why, true});
+  begin_return(out);
+}
+
+homecoming::turns_or_why homecoming::turns(instant now) const {
+  const auto& view = flight_.view;
+  const auto& mission = flight_.s.mission;
+  const bool is_flown = flight_.is_in_flight() && view.is_under_way() && !view.obeys(mode_kind::returning);
+  if (!is_flown || !mission || mission->geofences.empty())
+    return std::vector<mission::waypoint>();
+  const auto here = view.place(now.now_ns);
+  if (!here || !view.home())
+    return tl::make_unexpected(std::string("the vehicle does not tell where it is, or where its home is"));
+  const auto& set = flight_.configured;
+  const auto vehicle = view.owner().vehicle;
+  const double altitude_m = std::max(here->altitude_m, set.return_altitude_m);
+  const mission::position home{view.home()->latitude, view.home()->longitude, altitude_m};
+  const auto places =
+      turns_home({*here, home, here->altitude_m, altitude_m, vehicle, set.fence_margin_m, set.own_loiter_radius_m},
+                 mission->geofences);
+  if (!places)
+    return tl::make_unexpected(places.error());
+  if (!places->empty() && is_battery_low())
+    return tl::make_unexpected(std::string("the battery is low"));
+  std::vector<mission::waypoint> result;
+  for (const auto& each : *places)
+    result.push_back(turn_at(each, altitude_m, {}, vehicle));
+  return result;
+}
+
+// Also while an operator has told the failsafe to wait: a longer way is nothing for this battery.
+bool homecoming::is_battery_low() const {
+  const auto percent = flight_.view.battery_percent().value_or(-1);
+  const bool is_told = flight_.stance && std::ranges::any_of(flight_.stance->latched, names_battery);
+  return is_told || (percent >= 0 && percent <= flight_.configured.checks.battery_return_percent);
+}
+
+// -- around the fences ------------------------------------------------------------------------------
+
+std::int64_t homecoming::next_deadline_ns() const {
+  return flight_.homing.at == homing_stage::none ? std::numeric_limits<std::int64_t>::max()
+                                                 : flight_.homing.since_ns + flown_within_ns;
+}
+
+bool homecoming::is_coming_home() const {
+  const bool flies_it =
+      flight_.is_on_way_home() && flight_.s.standing.now == phase::landing && flight_.view.is_in(mode_kind::mission);
+  return flight_.homing.at != homing_stage::none || flies_it;
+}
+
+bool homecoming::advance(effects& out, instant now) {
+  auto& wanted = flight_.wanted;
+  auto& homing = flight_.homing;
+  if (wanted.halt == task_kind::come_home && is_coming_home())
+    wanted.halt.reset();
+  const auto& doing = flight_.runner.doing();
+  const bool is_task = doing && doing->kind == task_kind::come_home_by_plan;
+  const bool has_task = homing.at == homing_stage::holding || homing.at == homing_stage::bringing;
+  const bool is_over = !flight_.is_in_flight() || flight_.has_person();
+  if (is_over || wanted.halt || wanted.go_on || (has_task && !is_task)) // a later word takes its place
+    homing = {};
+  return homing.at == homing_stage::none ? stop_at_home(out, now) : go_on(out, now);
+}
+
+bool homecoming::go_on(effects& out, instant now) {
+  const auto at = flight_.homing.at;
+  if (const auto why = why_not_by_plan(now); !why.empty()) {
+    tasks_.give_up(out, now, why);
+    begin_straight(out, why);
+    return true;
+  }
+  const bool is_known = flight_.setting(now).has_value();
+  if (at != homing_stage::held || !is_known || flight_.has_open_intent() || flight_.runner.is_busy())
+    return false;
+  const auto way = turns(now); // it has come on a little until it held
+  if (!way)
+    begin_straight(out, way.error());
+  else if (way->empty())
+    begin_return(out);
+  else
+    bring(out, *way, now);
+  return true;
+}
+
+// Empty: there is still time for it.
+std::string homecoming::why_not_by_plan(instant now) const {
+  if (flight_.homing.at == homing_stage::failed)
+    return flight_.homing.why;
+  if (now.now_ns - flight_.homing.since_ns >= flown_within_ns)
+    return "the way around was not flown within " + std::to_string(flown_within_ns / 1'000'000'000) + " s";
+  if (is_battery_low())
+    return "the battery is low";
+  const bool is_known = flight_.homing.is_recalled || flight_.setting(now);
+  return is_known ? "" : "the vehicle does not tell where it is";
+}
+
+void homecoming::bring(effects& out, const std::vector<mission::waypoint>& turns, instant now) {
+  flight_.homing.at = homing_stage::bringing;
+  tasks_.begin_way_home(out, plan::way_home(turns, *flight_.setting(now)));
+}
+
+// What flies lands by itself. A rover would stand in its mission mode.
+bool homecoming::stop_at_home(effects& out, instant now) {
+  const auto& view = flight_.view;
+  const auto generation = flight_.s.progress.last_generation;
+  const bool is_rover = view.owner().vehicle == flight::vehicle_class::rover;
+  if (!is_rover || !flight_.is_in_flight() || !flight_.is_on_way_home() || flight_.has_person() ||
+      flight_.runner.is_busy() || flight_.wanted.halt || stopped_in_ == generation)
+    return false;
+  const bool is_at_end = view.current() && view.current()->seq >= end_of_plan(view.owner(), flight_.s).from_sequence;
+  if (!view.is_in(mode_kind::mission) || !is_at_end || !view.stands_at_home(now.now_ns))
+    return false;
+  stopped_in_ = generation;
+  tasks_.begin(out, task_kind::come_home, {change_mode{mode_kind::hold}});
+  return true;
+}
+
+} // namespace godwit::executor

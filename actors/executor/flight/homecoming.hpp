@@ -1,0 +1,62 @@
+// come-home: straight where no fence lies in the way, and else around the fences, by a plan of its own.
+//
+//   come-home ──> holding ──> held ──> bringing ──> on the way home
+//       │            │          │          │
+//       └────────────┴──────────┴──────────┴──> the autopilot's return, which is straight
+//
+//   at once      no fence lies in the way, or there is no way around it
+//   from there   a step failed, or it is not flown 5 s behind the word
+//   both         the battery is low, or it is not known where the vehicle is
+//
+// It holds in the turn in which the word is said. The way begins where the vehicle holds, at the altitude that it has
+// or at that of a return, and ends with the autopilot's own return, which lands; a rover is told to hold at home. The
+// plan is a generation of its own, and no item of the mission belongs to it: what is reached on it is no progress, and
+// the mission is over. A word that comes later takes its place; come-home said again changes nothing. Pure. Thread: one
+// at a time.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "actors/executor/flight/task_control.hpp"
+
+namespace godwit::executor {
+
+class homecoming {
+public:
+  static constexpr std::int64_t flown_within_ns = 5'000'000'000;
+
+  homecoming(flight_context& flight, phase_machine& phases, task_control& tasks)
+      : flight_(flight), phases_(phases), tasks_(tasks) {}
+
+  // The word.
+  void begin(effects& out, instant now);
+  // To be asked before any other word. True: it is seen to, and the rest waits.
+  [[nodiscard]] bool advance(effects& out, instant now);
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+
+private:
+  using turns_or_why = tl::expected<std::vector<mission::waypoint>, std::string>;
+
+  // None: it may fly straight. The error: it has to, though a fence may lie there.
+  [[nodiscard]] turns_or_why turns(instant now) const;
+  [[nodiscard]] bool is_battery_low() const;
+  [[nodiscard]] bool is_coming_home() const; // by a plan
+  [[nodiscard]] std::string why_not_by_plan(instant now) const;
+  void begin_return(effects& out);
+  void begin_straight(effects& out, const std::string& why);
+  void bring(effects& out, const std::vector<mission::waypoint>& turns, instant now);
+  [[nodiscard]] bool go_on(effects& out, instant now);
+  [[nodiscard]] bool stop_at_home(effects& out, instant now);
+
+  flight_context& flight_;
+  phase_machine& phases_;
+  task_control& tasks_;
+  std::uint32_t stopped_in_ = 0; // the generation at whose end a rover was told to hold
+};
+
+} // namespace godwit::executor

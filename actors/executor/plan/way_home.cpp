@@ -1,0 +1,35 @@
+#include "actors/executor/plan/way_home.hpp"
+
+#include "actors/executor/plan/vehicle_items.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::executor::plan {
+
+namespace {
+
+mission::position home_of(const plan_setting& setting, const std::vector<mission::waypoint>& turns) {
+  return {setting.home.latitude, setting.home.longitude, turns.empty() ? 0 : turns.back().at.altitude_m};
+}
+
+} // namespace
+
+flight_plan way_home(const std::vector<mission::waypoint>& turns, const plan_setting& setting) {
+  flight_plan result;
+  auto& items = result.items;
+  if (keeps_home_as_item(setting))
+    items.push_back(home_item(setting));
+  result.map.first_sequence = static_cast<std::uint16_t>(items.size());
+  result.map.start_sequence = result.map.first_sequence;
+  for (const auto& each : turns)
+    items.push_back(waypoint_item(each.at, 0, each.accept_radius_m, setting));
+  items.push_back(setting.vehicle == vehicle_class::rover ? waypoint_item(home_of(setting, turns), 0, 0, setting)
+                                                          : return_item());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    items[i].seq = static_cast<std::uint16_t>(i);
+  items.at(result.map.start_sequence).current = 1;
+  result.map.total = static_cast<std::uint16_t>(items.size() - result.map.first_sequence);
+  GODWIT_ASSERT(progress::is_sound(result.map), "plan: the map of a way home has the return");
+  return result;
+}
+
+} // namespace godwit::executor::plan

@@ -46,7 +46,8 @@ struct address_counters {
   std::uint64_t dead_lettered = 0; // messages given up after max_crashes
   std::uint64_t repeated = 0;      // durable effects that were seen before
   std::uint64_t lost = 0;          // given up by policy lose, or handled by an incarnation that had been replaced
-  std::uint64_t refused = 0;       // over a bound, or after the end
+  std::uint64_t refused = 0;       // over a bound, or after the end; asks also while the actor is away
+  std::uint64_t dropped = 0;       // tells while the actor is away
   std::uint64_t not_accepted = 0;  // messages that the mailbox does not have, and answers of a wrong type
 };
 

@@ -20,9 +20,11 @@ exit_code exit_code_for(exit_cause cause) {
     return exit_code::ok;
   case exit_cause::guardian_died:
   case exit_cause::essential_given_up:
+  case exit_cause::given_up_in_flight:
     return exit_code::essential_given_up;
   case exit_cause::essential_silent:
   case exit_cause::no_free_worker:
+  case exit_cause::recovery_overdue:
     return exit_code::unresponsive;
   }
   return exit_code::failed;

@@ -24,6 +24,11 @@ void answer_with(const stable_address::requester& r, caf::error why) {
     r.who->enqueue(nullptr, r.mid.response_id(), caf::make_message(std::move(why)), nullptr);
 }
 
+bool is_durable_effect(const caf::mailbox_element& element) {
+  const auto* m = envelope_in(element);
+  return m != nullptr && m->head.effect_event != 0;
+}
+
 } // namespace
 
 bool is_runtime_message(const envelope& m) {
@@ -70,8 +75,9 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
     keep_for_next(std::move(element));
     return;
   }
-  if (target_ || closed_ || arrived_while_parked_ >= options_.parking_bound) {
-    ++counters_.refused;
+  const bool is_for_nobody = !target_ && !closed_ && away_ && !is_durable_effect(*element);
+  if (is_for_nobody || target_ || closed_ || arrived_while_parked_ >= options_.parking_bound) {
+    ++(is_for_nobody && !element->mid.is_request() ? counters_.dropped : counters_.refused);
     guard.unlock();
     refuse(std::move(element));
     return;
@@ -312,12 +318,31 @@ void stable_address::give_back(std::vector<caf::mailbox_element_ptr> mail, std::
         forward_again(mail);
       else
         std::move(mail.rbegin(), mail.rend(), std::front_inserter(parked_));
-      return;
+      if (target_ || !away_)
+        return;
+      mail = sort_out(parked_);
+    } else {
+      (closed_ ? counters_.refused : counters_.lost) += mail.size();
     }
-    (closed_ ? counters_.refused : counters_.lost) += mail.size();
   }
   for (auto& each : mail)
     refuse(std::move(each));
+}
+
+std::vector<caf::mailbox_element_ptr> stable_address::sort_out(std::deque<caf::mailbox_element_ptr>& mail) {
+  std::vector<caf::mailbox_element_ptr> refused;
+  std::deque<caf::mailbox_element_ptr> kept;
+  for (auto& each : mail) {
+    if (is_durable_effect(*each)) {
+      kept.push_back(std::move(each));
+      continue;
+    }
+    ++(each->mid.is_request() ? counters_.refused : counters_.dropped);
+    refused.push_back(std::move(each));
+  }
+  mail = std::move(kept);
+  arrived_while_parked_ = mail.size();
+  return refused;
 }
 
 void stable_address::forward_again(std::vector<caf::mailbox_element_ptr>& mail) {
@@ -340,7 +365,11 @@ std::string stable_address::last_crash() const {
 
 // -- the guardian ---------------------------------------------------------------------------------
 
-std::uint64_t stable_address::begin_incarnation() { return incarnation_.fetch_add(1, std::memory_order_acq_rel) + 1; }
+std::uint64_t stable_address::begin_incarnation() {
+  const std::unique_lock guard(mutex_);
+  away_ = false;
+  return incarnation_.fetch_add(1, std::memory_order_acq_rel) + 1;
+}
 
 void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit* context) {
   const std::unique_lock guard(mutex_);
@@ -385,6 +414,18 @@ bool stable_address::kill() {
     return false;
   target_->enqueue(kill_message(address()), nullptr);
   return true;
+}
+
+void stable_address::go_away() {
+  std::vector<caf::mailbox_element_ptr> refused;
+  {
+    const std::unique_lock guard(mutex_);
+    if (closed_ || std::exchange(away_, true) || target_)
+      return;
+    refused = sort_out(parked_);
+  }
+  for (auto& each : refused)
+    refuse(std::move(each));
 }
 
 void stable_address::close() {

@@ -1,15 +1,17 @@
 // The address of an actor that outlives its incarnations: handles, timers and queued mail stay good across a crash.
 //
 // Messages are forwarded to the living incarnation in the sender's own thread. Between two incarnations they are
-// parked, up to a bound. What belongs to the actor but not to an incarnation lives here too: message ids, how often a
-// message has crashed its handler, which durable effects were seen, which requests still wait for an answer, and the
-// counters.
+// parked, up to a bound. While the actor is away (not wanted, or given up) only durable effects are: nobody answers an
+// ask, and what a tell said is old when the actor is back. What belongs to the actor but not to an incarnation lives
+// here too: message ids, how often a message has crashed its handler, which durable effects were seen, which requests
+// still wait for an answer, and the counters.
 //
 //   sender ──tell──> stable_address ──> incarnation 3
 //                        │   ▲ mail that was not handled, with the message that crashed in front
 //                     parked ┘
 //
-// Nothing is dropped silently: `lost` counts mail given up by policy `lose`, `refused` what ran over a bound,
+// Nothing is dropped silently: `lost` counts mail given up by policy `lose`, `refused` what ran over a bound, `dropped`
+// tells to an actor that is away,
 // `dead_lettered` what crashed its handler, or led to a write that can never commit, max_crashes times. A request that
 // is dropped is answered with an error at once. Thread: any; no actor reference is released and no foreign code is
 // called while the lock is held.
@@ -124,7 +126,10 @@ public:
   std::size_t abandon();
   [[nodiscard]] bool is_running() const; // there is one
   bool kill();                           // ends the incarnation between two messages; false: there is none
-  void close();                          // final: everything waiting is answered with an error and counted as refused
+  // The actor is not wanted or was given up: what waits is dropped or refused, but for durable effects. It is back when
+  // its next incarnation begins.
+  void go_away();
+  void close(); // final: everything waiting is answered with an error and counted as refused
 
   // -- anybody ------------------------------------------------------------------------------------
   [[nodiscard]] address_counters counters() const;
@@ -137,6 +142,9 @@ private:
   };
 
   void keep_for_next(caf::mailbox_element_ptr element); // under the lock
+  // Nobody will look at MAIL but, later, at its durable effects: these are left in it.
+  std::vector<caf::mailbox_element_ptr>
+  sort_out(std::deque<caf::mailbox_element_ptr>& mail); // under it; what to refuse
   void take_back_unwritten(caf::mailbox_element_ptr failed, caf::execution_unit* context);
   [[nodiscard]] std::deque<unwritten_message> unwritten_of(std::uint64_t incarnation, std::int64_t upto); // under it
   void refuse(caf::mailbox_element_ptr element);
@@ -163,6 +171,7 @@ private:
   std::deque<unwritten_message> returned_; // a write of theirs can never commit; the incarnation has not seen to it yet
   std::vector<caf::mailbox_element_ptr> confirmations_; // effect_taken, likewise; at most max_confirmations
   bool closed_ = false;
+  bool away_ = false;
   std::string last_crash_;
   std::map<std::uint64_t, int> crashes_of_;                 // by message id; only messages in trouble
   std::map<std::uint32_t, effect_id> seen_;                 // by source

@@ -32,7 +32,7 @@ system::~system() {
       address_of(each.address).close();
     address_of(guardian_address_).close();
     children_.clear();
-    decider_ = nullptr;
+    supervisor_ = nullptr;
     guardian_address_ = {};
     return;
   }
@@ -71,8 +71,11 @@ void system::start() {
   options.how = options_.how;
   options.ping = options_.ping;
   options.stop_timeout = options_.stop_timeout;
+  options.floor = floor_;
+  options.not_wanted = not_wanted_;
+  options.may_end_fast = may_end_fast_;
   options.on_exit_request = [this](exit_request why) { request_exit(std::move(why)); };
-  const auto spawned = spawn_guardian(*actors_, outside_, children_, std::move(options), decider_, status_);
+  const auto spawned = spawn_guardian(*actors_, outside_, children_, std::move(options), supervisor_, status_);
   guardian_ = ref_of(spawned);
   spawned->get()->attach_functor([this](const caf::error& why) {
     const std::lock_guard guard(mutex_);

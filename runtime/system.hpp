@@ -18,6 +18,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -65,9 +66,15 @@ public:
         }));
   }
 
-  // The child that hears of all others and sets their policies. Before start().
-  void set_decider(decider_handle decider) { decider_ = std::move(decider); }
-  // For actors that decide; usable in ARGS of add: it is a stable address too.
+  // The child that hears of all others and says by its table who runs. Before start().
+  void set_supervisor(supervisor_handle supervisor) { supervisor_ = std::move(supervisor); }
+  // Children that run whatever a table says. Before start().
+  void set_floor(std::set<std::string> names) { floor_ = std::move(names); }
+  // Children that do not run until a table wants them. Before start().
+  void begin_without(std::set<std::string> names) { not_wanted_ = std::move(names); }
+  // An essential child that can not be kept up in flight ends the process; else the rest goes on. Before start().
+  void let_end_fast(bool may) { may_end_fast_ = may; }
+  // For the supervisor; usable in ARGS of add: it is a stable address too.
   [[nodiscard]] guardian_handle guardian() const { return guardian_handle(guardian_address_); }
 
   void start();
@@ -118,7 +125,10 @@ private:
   std::unique_ptr<caf::actor_system_config> config_;
   std::unique_ptr<caf::actor_system> actors_;
   std::vector<child_spec> children_;
-  decider_handle decider_;
+  supervisor_handle supervisor_;
+  std::set<std::string> floor_;
+  std::set<std::string> not_wanted_;
+  bool may_end_fast_ = false;
   actor_ref guardian_address_;
   actor_ref guardian_;
   std::shared_ptr<guardian_status> status_ = std::make_shared<guardian_status>();

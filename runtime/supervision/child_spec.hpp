@@ -18,8 +18,8 @@ namespace godwit::runtime {
 // Makes the actor of an incarnation. May throw: then the incarnation does not come to be.
 using actor_maker = std::function<std::unique_ptr<actor_frame>(spawn_context)>;
 
-using guardian_handle = mailbox<asks<get_children, children>, tells<set_policy>, tells<want_child>>;
-using decider_handle = mailbox<tells<child_event>>;
+using guardian_handle = mailbox<asks<get_children, children>, asks<supervise, supervised>>;
+using supervisor_handle = mailbox<tells<child_event>>;
 
 struct child_spec {
   actor_ref address;
@@ -28,14 +28,27 @@ struct child_spec {
   actor_maker make;
 };
 
-enum class exit_cause { requested, essential_given_up, essential_silent, no_free_worker, guardian_died };
+enum class exit_cause {
+  requested,
+  essential_given_up,
+  essential_silent,
+  no_free_worker,
+  guardian_died,
+  recovery_overdue,   // the journal does not give back what a child's state is
+  given_up_in_flight, // one of these while the table says fast_once: end within fast_end, by force
+};
+
+// From the request for a fast end to the end of the process.
+inline constexpr milliseconds fast_end{500};
 
 constexpr auto enum_names(exit_cause) {
   return io::names<exit_cause>({{exit_cause::requested, "requested"},
                                 {exit_cause::essential_given_up, "essential_given_up"},
                                 {exit_cause::essential_silent, "essential_silent"},
                                 {exit_cause::no_free_worker, "no_free_worker"},
-                                {exit_cause::guardian_died, "guardian_died"}});
+                                {exit_cause::guardian_died, "guardian_died"},
+                                {exit_cause::recovery_overdue, "recovery_overdue"},
+                                {exit_cause::given_up_in_flight, "given_up_in_flight"}});
 }
 
 struct exit_request {

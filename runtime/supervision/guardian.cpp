@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "runtime/caf_mail.hpp"
@@ -27,7 +28,7 @@ struct child_runtime {
   caf::strong_actor_ptr incarnation;
   std::uint64_t number = 0; // of the incarnation
   std::shared_ptr<recovery_slot> slot = std::make_shared<recovery_slot>();
-  bool restart_is_useless = false;
+  std::optional<std::int64_t> recovers_since_ns; // its durable state is being read
 };
 
 std::vector<child_policy> policies_of(const std::vector<child_spec>& children) {
@@ -41,12 +42,15 @@ std::vector<child_policy> policies_of(const std::vector<child_spec>& children) {
 class guardian final : public caf::event_based_actor {
 public:
   guardian(caf::actor_config& config, const services& outside, std::vector<child_spec> children,
-           guardian_options options, decider_handle decider, std::shared_ptr<guardian_status> status)
-      : caf::event_based_actor(config), outside_(outside), options_(std::move(options)), decider_(std::move(decider)),
-        status_(std::move(status)), core_(options_.how, policies_of(children), outside.seed),
-        pings_(options_.ping, children.size()) {
+           guardian_options options, supervisor_handle supervisor, std::shared_ptr<guardian_status> status)
+      : caf::event_based_actor(config), outside_(outside), options_(std::move(options)),
+        supervisor_(std::move(supervisor)), status_(std::move(status)),
+        core_(options_.how, policies_of(children), outside.seed), pings_(options_.ping, children.size()) {
     for (auto& each : children)
-      children_.push_back({.spec = std::move(each), .incarnation = nullptr});
+      children_.push_back({.spec = std::move(each), .incarnation = nullptr, .recovers_since_ns = {}});
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      if (options_.not_wanted.contains(address(children_[i]).actor_name()))
+        (void)core_.want(i, false);
     set_down_handler([this](caf::down_msg& message) { on_down(message); });
     set_default_handler(caf::drop);
   }
@@ -81,26 +85,42 @@ private:
     } else if (m.is<stop_overdue>()) {
       on_stop_overdue(m.as<stop_overdue>());
     } else {
-      receive_of_decider(m);
+      receive_of_supervisor(m);
     }
   }
 
-  void receive_of_decider(const envelope& m) {
+  void receive_of_supervisor(const envelope& m) {
     if (m.is<get_children>()) {
       auto promise = make_response_promise();
       promise.deliver(envelope::of({0, m.head.id, 0, 0, 0}, report()));
-    } else if (m.is<set_policy>()) {
-      const auto& set = m.as<set_policy>();
-      if (const auto i = find_or_tell(set.name); i < children_.size())
-        core_.set_policy(i, set.policy);
-    } else if (m.is<want_child>()) {
-      const auto& want = m.as<want_child>();
-      if (const auto i = find_or_tell(want.name); i < children_.size())
-        carry_out(core_.want(i, want.wanted));
+    } else if (m.is<supervise>()) {
+      take_table(m.as<supervise>());
+      auto promise = make_response_promise();
+      promise.deliver(envelope::of({0, m.head.id, 0, 0, 0}, supervised{epoch_}));
     } else {
       outside_.health->post("guardian", health_colour::yellow,
                             "was sent " + std::string(m.type->name) + ", which it does not take");
     }
+  }
+
+  // An entry that says what holds already changes nothing: crash histories and waits go on.
+  void take_table(const supervise& table) {
+    if (table.epoch <= epoch_)
+      return;
+    const bool is_first = epoch_ == table_epoch{};
+    epoch_ = table.epoch;
+    for (const auto& each : table.list) {
+      const auto i = find_or_tell(each.name);
+      if (i >= children_.size())
+        continue;
+      core_.set_policy(i, each.policy);
+      if (const bool wanted = each.wanted || options_.floor.contains(each.name); wanted != core_.is_wanted(i))
+        carry_out(core_.want(i, wanted));
+    }
+    if (std::exchange(revivals_, std::max(revivals_, table.revivals)) >= table.revivals || is_first)
+      return;
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      carry_out(core_.revive(i));
   }
 
   // -- carrying out -------------------------------------------------------------------------------
@@ -108,18 +128,21 @@ private:
   void carry_out(const supervision_core::actions& actions) {
     for (const auto& each : actions)
       std::visit([this](const auto& action) { act(action); }, each);
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      if (!core_.shutting_down() && (!core_.is_wanted(i) || core_.phase(i) == child_phase::given_up))
+        address(children_[i]).go_away();
     if (core_.has_begun())
       status_->has_begun.store(true, std::memory_order_relaxed);
   }
 
   void act(const start_child& action) {
     auto& child = children_[action.child];
-    child.restart_is_useless = false;
     child.number = address(child).begin_incarnation();
     if (!child.spec.is_durable || outside_.durable == nullptr) {
       make_incarnation(action.child, {});
       return;
     }
+    child.recovers_since_ns = now_ns();
     outside_.durable->recover(address(child).actor_name(), child.number,
                               [slot = child.slot, self = caf::strong_actor_ptr(ctrl()), index = action.child,
                                number = child.number](tl::expected<recovered, journal_error> result) {
@@ -136,6 +159,7 @@ private:
     pings_.forget(action.child);
     if (!child.incarnation) { // its recovery is still under way
       child.number = 0;
+      child.recovers_since_ns.reset();
       carry_out(core_.down(action.child, now_ns()));
       return;
     }
@@ -164,8 +188,8 @@ private:
 
   void act(const bring_down& action) {
     const auto& child = children_[action.child];
-    request_exit(exit_cause::essential_given_up,
-                 address(child).actor_name() + " is essential and was given up: " + address(child).last_crash());
+    end_process(action.child, exit_cause::essential_given_up,
+                address(child).actor_name() + " is essential and was given up: " + address(child).last_crash());
   }
 
   void act(const all_stopped&) {
@@ -205,6 +229,7 @@ private:
     }
     if (child.number != ready.incarnation || core_.phase(ready.child) != child_phase::starting)
       return; // stopped meanwhile
+    child.recovers_since_ns.reset();
     if (result) {
       make_incarnation(ready.child, std::move(*result));
       return;
@@ -273,8 +298,22 @@ private:
     }
     for (const auto i : verdict.silent)
       on_silent(i);
+    look_at_recoveries(now);
     if (!core_.shutting_down())
       later(options_.ping.period / 4, guardian_tick{});
+  }
+
+  void look_at_recoveries(std::int64_t now) {
+    for (std::size_t i = 0; i < children_.size(); ++i) {
+      auto& since = children_[i].recovers_since_ns;
+      if (!since || now - *since <= std::chrono::nanoseconds(options_.recovery_limit).count())
+        continue;
+      since.reset();
+      const auto reason =
+          "the journal has not given its state back for " + std::to_string(options_.recovery_limit.count()) + " ms";
+      post_health(i, health_colour::red, reason);
+      end_process(i, exit_cause::recovery_overdue, address(children_[i]).actor_name() + ": " + reason);
+    }
   }
 
   void on_pong(const pong& answer) {
@@ -292,8 +331,8 @@ private:
     tell_event(index, child_event_kind::silent, reason + "; " + std::to_string(stranded) + " messages are stranded");
     post_health(index, health_colour::red, reason);
     if (core_.policy(index).essential)
-      request_exit(exit_cause::essential_silent,
-                   address(children_[index]).actor_name() + " is essential and " + reason);
+      end_process(index, exit_cause::essential_silent,
+                  address(children_[index]).actor_name() + " is essential and " + reason);
     carry_out(core_.down(index, now_ns()));
   }
 
@@ -342,8 +381,25 @@ private:
   [[nodiscard]] children report() const {
     children result;
     for (std::size_t i = 0; i < children_.size(); ++i)
-      result.list.push_back({address(children_[i]).actor_name(), core_.phase(i), children_[i].number, core_.restarts(i),
-                             address(children_[i]).last_crash()});
+      result.list.push_back(report_of(i));
+    for (const auto& shown : outside_.health->entries())
+      for (auto& each : result.list)
+        if (each.name == shown.component) {
+          each.health = shown.colour;
+          each.health_reason = shown.reason;
+        }
+    return result;
+  }
+
+  [[nodiscard]] child_report report_of(std::size_t i) const {
+    child_report result;
+    result.name = address(children_[i]).actor_name();
+    result.phase = core_.phase(i);
+    result.incarnation = children_[i].number;
+    result.restarts = core_.restarts(i);
+    result.last_crash = address(children_[i]).last_crash();
+    result.wanted = core_.is_wanted(i);
+    result.essential = core_.policy(i).essential;
     return result;
   }
 
@@ -358,8 +414,8 @@ private:
       entry.incarnation = static_cast<std::uint32_t>(child.number);
       outside_.trace->record(entry, type_of<child_event>(), &event);
     }
-    if (decider_)
-      strong(decider_.ref())->enqueue(make_internal_mail(std::move(event)), context());
+    if (supervisor_)
+      strong(supervisor_.ref())->enqueue(make_internal_mail(std::move(event)), context());
   }
 
   void post_health(std::size_t index, health_colour colour, std::string reason) {
@@ -372,6 +428,14 @@ private:
                           hanging == 0 ? "" : std::to_string(hanging) + " hang in handlers that do not return");
   }
 
+  // In flight a second end within minutes would cure nothing: what still runs goes on.
+  void end_process(std::size_t because_of, exit_cause cause, std::string reason) {
+    if (core_.policy(because_of).end == process_end::in_order)
+      request_exit(cause, std::move(reason));
+    else if (options_.may_end_fast)
+      request_exit(exit_cause::given_up_in_flight, std::move(reason));
+  }
+
   void request_exit(exit_cause cause, std::string reason) {
     if (options_.on_exit_request)
       options_.on_exit_request({cause, std::move(reason)});
@@ -379,20 +443,22 @@ private:
 
   const services outside_;
   const guardian_options options_;
-  const decider_handle decider_;
+  const supervisor_handle supervisor_;
   const std::shared_ptr<guardian_status> status_;
   std::vector<child_runtime> children_;
   supervision_core core_;
   ping_ledger pings_;
+  table_epoch epoch_; // of the last table
+  std::uint64_t revivals_ = 0;
 };
 
 } // namespace
 
 caf::strong_actor_ptr spawn_guardian(caf::actor_system& system, const services& outside,
-                                     std::vector<child_spec> children, guardian_options options, decider_handle decider,
-                                     std::shared_ptr<guardian_status> status) {
-  return caf::actor_cast<caf::strong_actor_ptr>(
-      system.spawn<guardian>(outside, std::move(children), std::move(options), std::move(decider), std::move(status)));
+                                     std::vector<child_spec> children, guardian_options options,
+                                     supervisor_handle supervisor, std::shared_ptr<guardian_status> status) {
+  return caf::actor_cast<caf::strong_actor_ptr>(system.spawn<guardian>(outside, std::move(children), std::move(options),
+                                                                       std::move(supervisor), std::move(status)));
 }
 
 void tell_guardian_to_start(const caf::strong_actor_ptr& guardian) {

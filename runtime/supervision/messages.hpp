@@ -1,19 +1,28 @@
-// What the guardian and the actor that decides (the executor) say to each other.
+// What the guardian and the actor that supervises (the executor) say to each other.
 //
-// The guardian carries out a policy table; the decider owns its content: it changes entries as the flight goes on
-// (`set_policy`), stops and starts children, and hears of every change. It may crash: the guardian goes on with the
-// last table, and the new incarnation asks for `get_children` and finds them all as they are. Thread: plain values.
+// The guardian carries out a table; the supervisor owns its content. It sends the whole of it (`supervise`) with an
+// epoch whenever it becomes another one, and again until the answer has that epoch; the guardian applies what differs
+// and ignores an older epoch. The supervisor hears of every change (`child_event`). It may crash: the guardian goes on
+// with the last table, and the new incarnation asks for `get_children` and finds them all as they are. Thread: plain
+// values.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "io/fields/field_table.hpp"
+#include "runtime/condition.hpp"
+#include "runtime/supervision/child_phase.hpp"
 #include "runtime/supervision/policy.hpp"
-#include "runtime/supervision/supervision_core.hpp"
 
 namespace godwit::runtime {
+
+constexpr auto enum_names(health_colour) {
+  return io::names<health_colour>(
+      {{health_colour::green, "green"}, {health_colour::yellow, "yellow"}, {health_colour::red, "red"}});
+}
 
 struct child_report {
   std::string name;
@@ -21,13 +30,19 @@ struct child_report {
   std::uint64_t incarnation = 0;
   std::uint64_t restarts = 0;
   std::string last_crash; // reason, empty = never
+  bool wanted = true;
+  bool essential = false;
+  health_colour health = health_colour::green;
+  std::string health_reason; // a sentence for people; empty when all is well
   static constexpr auto fields =
       io::table("runtime.child_report", io::field("name", &child_report::name),
                 io::field("phase", &child_report::phase), io::field("incarnation", &child_report::incarnation),
-                io::field("restarts", &child_report::restarts), io::field("last_crash", &child_report::last_crash));
+                io::field("restarts", &child_report::restarts), io::field("last_crash", &child_report::last_crash),
+                io::field("wanted", &child_report::wanted), io::field("essential", &child_report::essential),
+                io::field("health", &child_report::health), io::field("health_reason", &child_report::health_reason));
 };
 
-// The decider asks, also to adopt the children after a crash of its own.
+// The supervisor asks, also to adopt the children after a crash of its own.
 struct get_children {
   static constexpr auto fields = io::table("runtime.get_children");
 };
@@ -48,7 +63,7 @@ constexpr auto enum_names(child_event_kind) {
                                       {child_event_kind::gave_up, "gave_up"}});
 }
 
-// The guardian tells the decider, and the trace.
+// The guardian tells the supervisor, and the trace.
 struct child_event {
   std::string name;
   child_event_kind kind = child_event_kind::up;
@@ -59,19 +74,41 @@ struct child_event {
                 io::field("incarnation", &child_event::incarnation), io::field("reason", &child_event::reason));
 };
 
-// The decider tells the guardian. Unknown names are ignored and posted to health as the decider's mistake.
-struct set_policy {
+// What holds for a child from now on.
+struct child_entry {
   std::string name;
+  bool wanted = true; // else it is stopped; its tells are dropped, its asks refused, and durable effects wait
   child_policy policy;
   static constexpr auto fields =
-      io::table("runtime.set_policy", io::field("name", &set_policy::name), io::field("policy", &set_policy::policy));
+      io::table("runtime.child_entry", io::field("name", &child_entry::name), io::field("wanted", &child_entry::wanted),
+                io::field("policy", &child_entry::policy));
 };
 
-struct want_child {
-  std::string name;
-  bool wanted = true;
+// Of a table: which incarnation of the supervisor has made it, and its how manieth it is. The later one counts.
+struct table_epoch {
+  std::uint64_t incarnation = 0;
+  std::uint64_t n = 0;
+  static constexpr auto fields = io::table("runtime.table_epoch", io::field("incarnation", &table_epoch::incarnation),
+                                           io::field("n", &table_epoch::n));
+  friend auto operator<=>(const table_epoch&, const table_epoch&) = default;
+};
+
+// The supervisor asks the guardian. Children that are not in the list keep what holds for them; names that no child has
+// are ignored and posted to health as the supervisor's mistake. When `revivals` has risen, each child that was given up
+// starts again with its crashes forgotten; the first table of a process revives nobody.
+struct supervise {
+  table_epoch epoch;
+  std::uint64_t revivals = 0;
+  std::vector<child_entry> list;
   static constexpr auto fields =
-      io::table("runtime.want_child", io::field("name", &want_child::name), io::field("wanted", &want_child::wanted));
+      io::table("runtime.supervise", io::field("epoch", &supervise::epoch), io::field("revivals", &supervise::revivals),
+                io::field("list", &supervise::list));
+};
+
+// The answer: of the table that holds now.
+struct supervised {
+  table_epoch epoch;
+  static constexpr auto fields = io::table("runtime.supervised", io::field("epoch", &supervised::epoch));
 };
 
 } // namespace godwit::runtime

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 
 #include "io/fields/field_table.hpp"
 
@@ -19,7 +20,10 @@ enum class strategy {
 // More than `intensity` crashes within `period` and the child is given up. The first crash in a period is followed by a
 // restart at once; from the second on the wait doubles from backoff_initial to backoff_max, changed at random by
 // +-jitter, so that children that crash together do not come back together.
+// With `for_ever` it is never given up, and the waits stay at backoff_max.
 struct restart_policy {
+  static constexpr std::uint32_t for_ever = std::numeric_limits<std::uint32_t>::max();
+
   std::uint32_t intensity = 5;
   milliseconds period{60'000};
   milliseconds backoff_initial{100};
@@ -41,11 +45,23 @@ struct ping_policy {
                 io::field("fatal", &ping_policy::fatal));
 };
 
+// How the process ends because of a child that can not be kept up.
+enum class process_end {
+  in_order, // every child is stopped in its turn
+  fast_once // a vehicle flies: within half a second, and only if the composition says that it helps; else it goes on
+};
+
+constexpr auto enum_names(process_end) {
+  return io::names<process_end>({{process_end::in_order, "in_order"}, {process_end::fast_once, "fast_once"}});
+}
+
 struct child_policy {
-  bool essential = false; // given up or hanging: the process ends in order and the service manager starts it again
+  bool essential = false; // given up or hanging: the process ends, and the service manager starts it again
   restart_policy restart;
-  static constexpr auto fields = io::table("runtime.child_policy", io::field("essential", &child_policy::essential),
-                                           io::field("restart", &child_policy::restart));
+  process_end end = process_end::in_order; // also of a child that is not essential and whose recovery hangs
+  static constexpr auto fields =
+      io::table("runtime.child_policy", io::field("essential", &child_policy::essential),
+                io::field("restart", &child_policy::restart), io::field("end", &child_policy::end));
 };
 
 } // namespace godwit::runtime

@@ -87,13 +87,19 @@ supervision_core::actions supervision_core::restart_due(std::size_t i) {
 }
 
 supervision_core::actions supervision_core::want(std::size_t i, bool wanted) {
-  auto& each = children_[i];
-  each.wanted = wanted;
-  if (wanted && each.phase == child_phase::given_up) {
-    each.phase = child_phase::absent;
-    each.history.forget();
-  }
+  children_[i].wanted = wanted;
   actions out;
+  look_again(out);
+  return out;
+}
+
+supervision_core::actions supervision_core::revive(std::size_t i) {
+  auto& each = children_[i];
+  actions out;
+  if (each.phase != child_phase::given_up)
+    return out;
+  each.phase = child_phase::absent;
+  each.history.forget();
   look_again(out);
   return out;
 }
@@ -123,24 +129,16 @@ bool supervision_core::may_start(std::size_t i) const {
       return true;
     if (strategy_ == strategy::rest_for_one)
       return before.phase == child_phase::running;
-    return before.been_up || before.phase == child_phase::given_up;
+    return before.been_up || before.phase == child_phase::given_up || before.phase == child_phase::stopping;
   });
 }
 
 void supervision_core::look_again(actions& out) {
   if (!started_)
     return;
-  const auto is_stopping = [](const entry& each) { return each.phase == child_phase::stopping; };
-  if (std::any_of(children_.begin(), children_.end(), is_stopping))
+  const bool is_stopping = stop_one(out);
+  if (is_stopping && (shutting_down_ || strategy_ == strategy::rest_for_one))
     return;
-  for (std::size_t i = children_.size(); i-- > 0;) {
-    auto& phase = children_[i].phase;
-    if ((phase != child_phase::running && phase != child_phase::starting) || !must_stop(i))
-      continue;
-    phase = child_phase::stopping;
-    out.emplace_back(stop_child{i, shutting_down_ || !children_[i].wanted});
-    return;
-  }
   if (shutting_down_) {
     if (!std::exchange(told_stopped_, true))
       out.emplace_back(all_stopped{});
@@ -152,6 +150,21 @@ void supervision_core::look_again(actions& out) {
     children_[i].phase = child_phase::starting;
     out.emplace_back(start_child{i});
   }
+}
+
+bool supervision_core::stop_one(actions& out) {
+  const auto is_stopping = [](const entry& each) { return each.phase == child_phase::stopping; };
+  if (std::any_of(children_.begin(), children_.end(), is_stopping))
+    return true;
+  for (std::size_t i = children_.size(); i-- > 0;) {
+    auto& phase = children_[i].phase;
+    if ((phase != child_phase::running && phase != child_phase::starting) || !must_stop(i))
+      continue;
+    phase = child_phase::stopping;
+    out.emplace_back(stop_child{i, shutting_down_ || !children_[i].wanted});
+    return true;
+  }
+  return false;
 }
 
 } // namespace godwit::runtime

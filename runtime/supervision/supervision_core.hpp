@@ -7,10 +7,10 @@
 //     │ stopped                │ too many crashes
 //   stopping <── must stop ────┴──────────> given_up
 //
-// One rule drives all: after each event the table is looked at again. What must stop is stopped first, last started
-// first, one at a time; then what is wanted, absent and allowed to start is started in order. A child's first start
-// waits until all before it have been up once. With rest_for_one a child may run only while all before it run. Thread:
-// one owner. Pure: time and randomness are passed in.
+// One rule drives all: after each event the table is looked at again. What must stop is stopped, last started first,
+// one at a time; what is wanted, absent and allowed to start is started in order. A child that stops delays no other's
+// start, but for rest_for_one, where a child may run only while all before it run. A child's first start waits until
+// all before it have been up once. Thread: one owner. Pure: time and randomness are passed in.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,11 @@
 #include <vector>
 
 #include "runtime/random.hpp"
+#include "runtime/supervision/child_phase.hpp"
 #include "runtime/supervision/policy.hpp"
 #include "runtime/supervision/restart_history.hpp"
 
 namespace godwit::runtime {
-
-enum class child_phase { absent, starting, running, stopping, waiting, given_up };
-
-constexpr auto enum_names(child_phase) {
-  return io::names<child_phase>({{child_phase::absent, "absent"},
-                                 {child_phase::starting, "starting"},
-                                 {child_phase::running, "running"},
-                                 {child_phase::stopping, "stopping"},
-                                 {child_phase::waiting, "waiting"},
-                                 {child_phase::given_up, "given_up"}});
-}
 
 struct start_child {
   std::size_t child = 0;
@@ -68,11 +58,14 @@ public:
   // The incarnation is gone. RESTART_IS_USELESS: give up at once (its durable state can not be read).
   [[nodiscard]] actions down(std::size_t i, std::int64_t now_ns, bool restart_is_useless = false);
   [[nodiscard]] actions restart_due(std::size_t i);
-  // Somebody wants the child to run, or not. Wanting it again forgets its crashes.
+  // Somebody wants the child to run, or not. Its crashes stay as they are, and so does one that was given up.
   [[nodiscard]] actions want(std::size_t i, bool wanted);
+  // One that was given up may start again, with its crashes forgotten.
+  [[nodiscard]] actions revive(std::size_t i);
   void set_policy(std::size_t i, child_policy policy) { children_[i].policy = policy; }
 
   [[nodiscard]] child_phase phase(std::size_t child) const { return children_[child].phase; }
+  [[nodiscard]] bool is_wanted(std::size_t child) const { return children_[child].wanted; }
   [[nodiscard]] const child_policy& policy(std::size_t child) const { return children_[child].policy; }
   [[nodiscard]] std::uint64_t restarts(std::size_t child) const { return children_[child].restarts; }
   [[nodiscard]] std::size_t size() const { return children_.size(); }
@@ -91,6 +84,7 @@ private:
   };
 
   void look_again(actions& out);
+  [[nodiscard]] bool stop_one(actions& out); // true: a child is stopping
   [[nodiscard]] bool must_stop(std::size_t i) const;
   [[nodiscard]] bool may_start(std::size_t i) const;
   void crashed(std::size_t i, std::int64_t now_ns, bool restart_is_useless, actions& out);

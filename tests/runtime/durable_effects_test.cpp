@@ -129,6 +129,46 @@ TEST(durable_effects, two_confirmations_of_one_receiver_do_not_stand_for_the_oth
   }
 }
 
+// The child is given up; two effects for it are decided, and a table revives it.
+TEST(durable_effects, effects_for_a_child_that_was_given_up_wait_and_reach_it_once_when_it_is_back) {
+  twin_world w(given_up_at_once());
+  const auto table = [&](std::uint64_t n, std::uint64_t revivals) {
+    (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, n}, revivals, {}});
+    w.world.settle();
+  };
+  table(1, 0);
+  EXPECT_TRUE(w.world.kill("second"));
+  w.world.settle();
+  w.world.tell(w.twin, deposit{1, 1});
+  w.world.tell(w.twin, deposit{2, 1});
+  w.world.advance(1min);
+  EXPECT_EQ(w.unreleased(), 2U) << "nobody confirms for a child that is away";
+  table(2, 1);
+  EXPECT_EQ(w.seen_second.receipts[1], 1);
+  EXPECT_EQ(w.seen_second.receipts[2], 1);
+  EXPECT_EQ(w.seen_first.receipts[1], 1);
+  EXPECT_EQ(w.unreleased(), 0U);
+  EXPECT_EQ(w.world.counters("twin").crashes, 0U) << "their sender needs no crash for it";
+}
+
+TEST(durable_effects, effects_for_a_child_that_is_not_wanted_outlive_the_process) {
+  twin_world w;
+  (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, 1}, 0, {{"second", false, patient()}}});
+  w.world.settle();
+  w.world.tell(w.twin, deposit{1, 1});
+  w.world.settle();
+  EXPECT_EQ(w.unreleased(), 1U);
+  audit seen;
+  simulation next(w.disk, 2, {}, false);
+  const auto first = next.actors().add<auditor_actor>({.name = "first"}, patient(), &w.seen_first);
+  const auto second = next.actors().add<auditor_actor>({.name = "second"}, patient(), &seen);
+  (void)next.actors().add<twin_actor>({.name = "twin"}, patient(), first, second);
+  next.start();
+  next.settle();
+  EXPECT_EQ(seen.receipts[1], 1);
+  EXPECT_EQ(w.unreleased(), 0U);
+}
+
 TEST(durable_effects, a_request_whose_core_throws_once_is_answered_once_and_well) {
   twin_world w;
   const auto asked = w.world.ask(w.twin, 10s, withdraw{5, unlucky_amount});

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "runtime/actor_base.hpp"
 #include "runtime/define_message.hpp"
 #include "runtime/simulation/simulation.hpp"
@@ -48,7 +50,7 @@ protected:
   }
 };
 
-using boss_handle = mailbox<tells<child_event>, tells<fail>, tells<set_policy>>;
+using boss_handle = mailbox<tells<child_event>, tells<fail>, tells<supervise>>;
 
 // What the boss saw, outside of it, where no crash reaches.
 struct boss_notes {
@@ -56,7 +58,7 @@ struct boss_notes {
   std::vector<children> adopted; // the first answer of each incarnation
 };
 
-// The actor that decides: adopts the children at its start, hears of them, sets their policies.
+// The actor that supervises: adopts the children at its start, hears of them, sends tables.
 class boss final : public actor_base<boss_handle> {
 public:
   boss(spawn_context context, guardian_handle guardian, boss_notes* notes)
@@ -69,7 +71,10 @@ protected:
                                        std::to_string(e.incarnation));
             }),
             on<fail>([](const fail&) { throw std::runtime_error("told to fail"); }),
-            on<set_policy>([this](const set_policy& s) { tell(guardian_, s); })};
+            on<supervise>([this](const supervise& table) {
+              ask(
+                  guardian_, 1s, table, [](const supervised&) {}, [](const ask_error& why) { FAIL() << why.what; });
+            })};
   }
   void started() override {
     ask(
@@ -143,11 +148,20 @@ struct world_of_workers {
     ADD_FAILURE() << "no child " << name;
     return {};
   }
+  // A table with one entry; returns the epoch of the table that holds then.
+  table_epoch set(table_epoch epoch, const child_entry& entry, std::uint64_t revivals = 0) {
+    const auto asked = world.ask(world.actors().guardian(), 1s, supervise{epoch, revivals, {entry}});
+    world.settle();
+    EXPECT_EQ(asked->answers, 1);
+    return asked->answer.epoch;
+  }
+  table_epoch want(const std::string& name, bool wanted) { return set({1, ++tables}, {name, wanted, with(100)}); }
   [[nodiscard]] health_entry health_of(const std::string& name) const { return ::health_of(world, name); }
 
   simulated_disk disk;
   std::map<std::string, int> counted;
   boss_notes notes;
+  std::uint64_t tables = 0;
   simulation world;
   std::map<std::string, worker_handle> workers;
 };
@@ -236,39 +250,221 @@ TEST(guardian, a_child_given_up_that_is_not_essential_leaves_the_rest_and_a_red_
 TEST(guardian, a_child_that_is_not_wanted_is_stopped_and_started_again_when_it_is) {
   world_of_workers w;
   w.start();
-  w.world.tell(w.world.actors().guardian(), want_child{"second", false});
-  w.world.settle();
+  w.want("second", false);
   EXPECT_EQ(w.report("second").phase, child_phase::absent);
-  w.world.tell(w.workers.at("second"), count_up{});
+  EXPECT_FALSE(w.report("second").wanted);
   w.world.advance(1min);
   EXPECT_EQ(w.report("second").phase, child_phase::absent);
-  EXPECT_EQ(w.counted["second"], 0);
-  w.world.tell(w.world.actors().guardian(), want_child{"second", true});
-  w.world.settle();
+  w.want("second", true);
   EXPECT_EQ(w.report("second").phase, child_phase::running);
-  EXPECT_EQ(w.counted["second"], 1) << "its mail waited for it";
   EXPECT_EQ(w.world.counters("second").crashes, 0U);
 }
 
-TEST(guardian, a_child_given_up_is_started_when_it_is_wanted_again_and_turns_green) {
+TEST(guardian, a_child_that_hangs_while_it_stops_does_not_delay_the_restart_of_another) {
+  world_of_workers w;
+  w.start();
+  auto& jobs = dynamic_cast<caf::scheduler::test_coordinator&>(w.world.actors().actors().scheduler()).jobs;
+  const auto run_all_but_the_first = [&] {
+    while (jobs.size() > 1)
+      ASSERT_TRUE(w.world.step(1));
+  };
+  (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, 1}, 0, {{"first", false, with(100)}}});
+  ASSERT_TRUE(w.world.step(0)); // the guardian tells it to stop, and it gets no worker
+  run_all_but_the_first();
+  EXPECT_TRUE(w.world.kill("second"));
+  w.world.tell(w.workers.at("second"), count_up{});
+  run_all_but_the_first();
+  const auto events = w.events();
+  EXPECT_EQ(events.back(), "second up 2");
+  EXPECT_EQ(std::ranges::count(events, "first stopped 1"), 0);
+  EXPECT_EQ(w.counted["second"], 1);
+  w.world.settle();
+  EXPECT_EQ(w.events().back(), "first stopped 1");
+}
+
+TEST(guardian, tells_to_a_child_that_is_not_wanted_are_dropped_and_counted) {
+  world_of_workers w;
+  w.start();
+  w.want("second", false);
+  for (int i = 0; i < 3; ++i)
+    w.world.tell(w.workers.at("second"), count_up{});
+  w.want("second", true);
+  EXPECT_EQ(w.counted["second"], 0);
+  EXPECT_EQ(w.world.counters("second").dropped, 3U);
+  w.world.tell(w.workers.at("second"), count_up{});
+  w.world.settle();
+  EXPECT_EQ(w.counted["second"], 1);
+}
+
+TEST(guardian, what_waited_for_a_child_in_its_back_off_is_dropped_when_it_is_given_up) {
+  world_of_workers w(with(2));
+  w.start();
+  for (int i = 0; i < 2; ++i) { // at once, then behind 100 ms
+    EXPECT_TRUE(w.world.kill("second"));
+    w.world.settle();
+  }
+  w.world.tell(w.workers.at("second"), count_up{});
+  EXPECT_EQ(w.world.counters("second").dropped, 0U) << "it comes back";
+  w.want("second", false);
+  EXPECT_EQ(w.world.counters("second").dropped, 1U);
+}
+
+TEST(guardian, an_ask_to_a_child_that_was_given_up_is_refused_at_once) {
+  simulated_disk disk;
+  godwit::tests::audit seen;
+  simulation world(disk, 1);
+  const auto auditor = world.actors().add<godwit::tests::auditor_actor>({.name = "auditor"}, with(100), &seen);
+  const auto ledger = world.actors().add<godwit::tests::ledger_actor>({.name = "ledger"}, with(0), auditor);
+  world.start();
+  world.settle();
+  EXPECT_TRUE(world.kill("ledger"));
+  world.settle();
+  const auto asked = world.ask(ledger, 1h, godwit::tests::withdraw{1, 1});
+  world.settle();
+  EXPECT_EQ(asked->failures, 1);
+  EXPECT_EQ(world.counters("ledger").refused, 1U);
+}
+
+TEST(guardian, a_child_given_up_stays_so_when_it_is_wanted_and_runs_and_is_green_when_it_is_revived) {
+  world_of_workers w(with(0));
+  w.start();
+  w.set({1, 1}, {"first", true, with(0)});
+  EXPECT_TRUE(w.world.kill("first"));
+  w.world.settle();
+  EXPECT_EQ(w.health_of("first").colour, health_colour::red);
+  w.set({1, 2}, {"first", true, with(0)});
+  EXPECT_EQ(w.report("first").phase, child_phase::given_up);
+  w.set({1, 3}, {"first", true, with(0)}, 1);
+  EXPECT_EQ(w.report("first").phase, child_phase::running);
+  EXPECT_EQ(w.health_of("first").colour, health_colour::green);
+}
+
+TEST(guardian, the_first_table_of_a_process_revives_nobody) {
   world_of_workers w(with(0));
   w.start();
   EXPECT_TRUE(w.world.kill("first"));
   w.world.settle();
-  EXPECT_EQ(w.health_of("first").colour, health_colour::red);
-  w.world.tell(w.world.actors().guardian(), want_child{"first", true});
+  w.set({1, 1}, {"second", true, with(0)}, 7);
+  EXPECT_EQ(w.report("first").phase, child_phase::given_up);
+}
+
+TEST(guardian, a_table_with_an_older_epoch_is_ignored_and_answered_with_the_one_that_holds) {
+  world_of_workers w;
+  w.start();
+  EXPECT_EQ(w.set({2, 1}, {"second", true, with(100)}), (table_epoch{2, 1}));
+  EXPECT_EQ(w.set({1, 9}, {"second", false, with(100)}), (table_epoch{2, 1})) << "of an incarnation before";
+  EXPECT_EQ(w.set({2, 1}, {"second", false, with(100)}), (table_epoch{2, 1})) << "the same, once more";
+  EXPECT_EQ(w.report("second").phase, child_phase::running);
+}
+
+TEST(guardian, a_table_that_says_the_same_keeps_crash_histories_and_waits) {
+  world_of_workers w(with(2));
+  w.start();
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(w.world.kill("second"));
+    w.world.settle();
+    w.set({1, ++w.tables}, {"second", true, with(2)});
+  }
+  EXPECT_EQ(w.report("second").phase, child_phase::waiting);
+  w.world.advance(100ms);
+  EXPECT_TRUE(w.world.kill("second"));
   w.world.settle();
+  EXPECT_EQ(w.report("second").phase, child_phase::given_up) << "its third crash";
+}
+
+TEST(guardian, a_child_of_the_floor_can_not_be_unwanted) {
+  world_of_workers w;
+  w.world.actors().set_floor({"second"});
+  w.start();
+  w.want("second", false);
+  w.want("third", false);
+  EXPECT_EQ(w.report("second").phase, child_phase::running);
+  EXPECT_EQ(w.report("third").phase, child_phase::absent);
+}
+
+TEST(guardian, a_child_that_the_beginning_goes_without_starts_when_a_table_wants_it) {
+  world_of_workers w;
+  w.world.actors().begin_without({"second"});
+  w.start();
+  EXPECT_EQ(w.report("second").phase, child_phase::absent);
+  EXPECT_EQ(w.report("third").phase, child_phase::running);
+  EXPECT_TRUE(w.world.actors().has_begun());
+  w.want("second", true);
+  EXPECT_EQ(w.report("second").phase, child_phase::running);
+}
+
+// What happens when `second`, essential, crashes once too often while the table says that a vehicle flies.
+std::optional<exit_request> given_up_in_flight(world_of_workers& w, bool may_end_fast) {
+  w.world.actors().let_end_fast(may_end_fast);
+  w.start();
+  auto policy = with(0, true);
+  policy.end = process_end::fast_once;
+  w.set({1, 1}, {"second", true, policy});
+  EXPECT_TRUE(w.world.kill("second"));
+  w.world.settle();
+  return w.world.exit();
+}
+
+TEST(guardian, an_essential_child_that_is_given_up_in_flight_asks_for_a_fast_end) {
+  world_of_workers w;
+  const auto why = given_up_in_flight(w, true);
+  ASSERT_TRUE(why);
+  EXPECT_EQ(why->cause, exit_cause::given_up_in_flight);
+  EXPECT_EQ(why->reason, "second is essential and was given up: killed");
+}
+
+TEST(guardian, an_essential_child_that_is_given_up_in_flight_again_ends_nothing) {
+  world_of_workers w;
+  EXPECT_FALSE(given_up_in_flight(w, false));
+  EXPECT_EQ(w.report("second").phase, child_phase::given_up);
   EXPECT_EQ(w.report("first").phase, child_phase::running);
-  EXPECT_EQ(w.health_of("first").colour, health_colour::green);
+  EXPECT_EQ(w.report("third").phase, child_phase::running);
+}
+
+TEST(guardian, a_recovery_that_takes_more_than_ten_seconds_ends_the_process) {
+  simulated_disk disk;
+  godwit::tests::audit seen;
+  simulation world(disk, 1);
+  const auto auditor = world.actors().add<godwit::tests::auditor_actor>({.name = "auditor"}, with(100), &seen);
+  (void)world.actors().add<godwit::tests::ledger_actor>({.name = "ledger"}, with(100), auditor);
+  world.start();
+  auto& scheduler = dynamic_cast<caf::scheduler::test_coordinator&>(world.actors().actors().scheduler());
+  const auto pass = [&](milliseconds duration) { // the journal does nothing
+    for (; duration > 0ms; duration -= 250ms) {
+      scheduler.advance_time(250ms);
+      while (scheduler.try_run_once()) {
+      }
+    }
+  };
+  pass(10s);
+  EXPECT_FALSE(world.exit());
+  pass(500ms);
+  ASSERT_TRUE(world.exit());
+  EXPECT_EQ(world.exit()->cause, exit_cause::recovery_overdue);
+  EXPECT_EQ(world.exit()->reason, "ledger: the journal has not given its state back for 10000 ms");
 }
 
 TEST(guardian, a_name_that_no_child_has_is_posted_to_health) {
   world_of_workers w;
   w.start();
-  w.world.tell(w.world.actors().guardian(), set_policy{"secnod", with(0)});
-  w.world.settle();
+  w.set({1, 1}, {"secnod", true, with(0)});
   EXPECT_EQ(w.health_of("guardian").colour, health_colour::yellow);
   EXPECT_NE(w.health_of("guardian").reason.find("secnod"), std::string::npos);
+}
+
+TEST(guardian, reports_of_each_child_whether_it_is_wanted_and_essential_and_how_it_is) {
+  world_of_workers w(with(0, true));
+  w.start();
+  w.want("third", false);
+  EXPECT_TRUE(w.world.kill("second"));
+  w.world.settle();
+  EXPECT_TRUE(w.report("second").essential);
+  EXPECT_TRUE(w.report("second").wanted);
+  EXPECT_EQ(w.report("second").health, health_colour::red);
+  EXPECT_EQ(w.report("second").health_reason, "given up: killed");
+  EXPECT_EQ(w.report("second").last_crash, "killed");
+  EXPECT_FALSE(w.report("third").wanted);
+  EXPECT_EQ(w.report("third").health, health_colour::green);
 }
 
 TEST(guardian, a_constructor_that_throws_is_a_crash) {
@@ -314,18 +510,17 @@ TEST(guardian, stopping_does_not_wait_for_a_recovery_under_way) {
   EXPECT_TRUE(world.stop());
 }
 
-// -- the actor that decides
-// --------------------------------------------------------------------------------------------
+// -- the actor that supervises -----------------------------------------------------------------------
 
 struct world_with_a_boss : world_of_workers {
   explicit world_with_a_boss(child_policy policy = with(100)) : world_of_workers(policy) {
     chief = world.actors().add<boss>({.name = "boss"}, with(100), world.actors().guardian(), &notes);
-    world.actors().set_decider(chief);
+    world.actors().set_supervisor(chief);
   }
   boss_handle chief;
 };
 
-TEST(guardian, the_deciding_actor_hears_what_happens_to_the_children) {
+TEST(guardian, the_supervisor_hears_what_happens_to_the_children) {
   world_with_a_boss w(with(1));
   w.start();
   EXPECT_EQ(w.notes.events, (list{"first up 1", "second up 1", "third up 1", "boss up 1"}));
@@ -335,7 +530,7 @@ TEST(guardian, the_deciding_actor_hears_what_happens_to_the_children) {
   EXPECT_EQ(w.notes.events, (list{"second crashed 1", "second up 2", "second crashed 2", "second gave_up 2"}));
 }
 
-TEST(guardian, a_new_incarnation_of_the_deciding_actor_adopts_the_children_as_they_are) {
+TEST(guardian, a_new_incarnation_of_the_supervisor_adopts_the_children_as_they_are) {
   world_with_a_boss w;
   w.start();
   EXPECT_TRUE(w.world.kill("second"));
@@ -356,7 +551,7 @@ TEST(guardian, a_new_incarnation_of_the_deciding_actor_adopts_the_children_as_th
   EXPECT_EQ(found[1].last_crash, "killed");
 }
 
-TEST(guardian, what_happens_while_the_deciding_actor_is_down_is_told_to_its_next_incarnation) {
+TEST(guardian, what_happens_while_the_supervisor_is_down_is_told_to_its_next_incarnation) {
   world_with_a_boss w;
   w.start();
   for (int i = 0; i < 2; ++i) { // the second crash is followed by a wait
@@ -372,10 +567,10 @@ TEST(guardian, what_happens_while_the_deciding_actor_is_down_is_told_to_its_next
   EXPECT_EQ(w.notes.events, (list{"boss crashed 2", "first crashed 1", "first up 2", "boss up 3"}));
 }
 
-TEST(guardian, a_policy_that_was_set_holds_while_the_deciding_actor_is_down) {
+TEST(guardian, the_last_table_holds_while_the_supervisor_is_down) {
   world_with_a_boss w;
   w.start();
-  w.world.tell(w.chief, set_policy{"third", with(0, true)});
+  w.world.tell(w.chief, supervise{{1, 1}, 0, {{"third", true, with(0, true)}}});
   w.world.settle();
   for (int i = 0; i < 2; ++i) {
     EXPECT_TRUE(w.world.kill("boss"));

@@ -209,13 +209,74 @@ TEST(supervision_core, nobody_waits_for_an_unwanted_child) {
   EXPECT_EQ(in_words(core.start()), words{"start 1"});
 }
 
-TEST(supervision_core, a_child_given_up_that_is_wanted_again_starts_with_its_crashes_forgotten) {
+TEST(supervision_core, a_child_given_up_that_is_revived_starts_with_its_crashes_forgotten) {
   auto core = three_running(strategy::one_for_one, 1);
   (void)core.down(0, 0);
   (void)core.up(0);
   EXPECT_EQ(in_words(core.down(0, 1)), words{"give up 0"});
-  EXPECT_EQ(in_words(core.want(0, true)), words{"start 0"});
+  EXPECT_EQ(in_words(core.revive(0)), words{"start 0"});
   EXPECT_EQ(in_words(core.down(0, 2)), words{"start 0"}) << "the first crash of a new period";
+}
+
+TEST(supervision_core, wanting_a_child_that_was_given_up_does_not_start_it) {
+  auto core = three_running(strategy::one_for_one, 1);
+  (void)core.down(0, 0);
+  (void)core.up(0);
+  (void)core.down(0, 1);
+  EXPECT_EQ(in_words(core.want(0, true)), words{});
+  EXPECT_EQ(in_words(core.want(0, false)), words{});
+  EXPECT_EQ(in_words(core.want(0, true)), words{});
+  expect_phases(core, {given_up, running, running});
+}
+
+TEST(supervision_core, wanting_a_child_again_keeps_its_crash_history) {
+  auto core = three_running(strategy::one_for_one, 2);
+  (void)core.down(0, 0);
+  (void)core.up(0);
+  (void)core.want(0, false);
+  (void)core.down(0, 1);
+  EXPECT_EQ(in_words(core.want(0, true)), words{"start 0"});
+  EXPECT_EQ(in_words(core.down(0, 2)), words{"wait 0 100 ms"}) << "its second crash";
+}
+
+TEST(supervision_core, reviving_changes_nothing_for_a_child_that_was_not_given_up) {
+  auto core = three_running(strategy::one_for_one, 3);
+  (void)core.down(0, 0);
+  (void)core.up(0);
+  (void)core.down(0, 1);
+  EXPECT_EQ(in_words(core.revive(0)), words{}) << "it waits";
+  EXPECT_EQ(in_words(core.revive(1)), words{}) << "it runs";
+  EXPECT_EQ(in_words(core.restart_due(0)), words{"start 0"});
+}
+
+TEST(supervision_core, a_child_that_stops_does_not_delay_the_restart_of_another) {
+  auto core = three_running(strategy::one_for_one);
+  EXPECT_EQ(in_words(core.want(1, false)), words{"stop 1 for good"});
+  EXPECT_EQ(in_words(core.down(0, 0)), words{"start 0"}) << "while child 1 hangs in its stop";
+  EXPECT_EQ(in_words(core.down(2, 0)), words{"start 2"});
+}
+
+TEST(supervision_core, a_child_that_stops_does_not_delay_the_first_start_of_another) {
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3)), 1);
+  (void)core.start();
+  EXPECT_EQ(in_words(core.want(0, false)), (words{"stop 0 for good", "start 1"}));
+  EXPECT_EQ(in_words(core.want(0, true)), words{}) << "it starts when it has stopped";
+  EXPECT_EQ(in_words(core.down(1, 0)), words{"start 1"});
+  EXPECT_EQ(in_words(core.down(0, 0)), words{"start 0"});
+}
+
+TEST(supervision_core, a_child_that_is_restarted_for_ever_is_not_given_up_and_waits_the_longest_wait) {
+  supervision_core core(strategy::one_for_one, {with(restart_policy::for_ever)}, 1);
+  (void)core.start();
+  std::int64_t now_ns = 0;
+  words last;
+  for (int i = 0; i < 100; ++i) {
+    (void)core.up(0);
+    last = in_words(core.down(0, now_ns));
+    now_ns += 5'000'000'000;
+    (void)core.restart_due(0);
+  }
+  EXPECT_EQ(last, words{"wait 0 5000 ms"});
 }
 
 TEST(supervision_core, an_unwanted_child_in_its_back_off_is_not_started_when_it_is_due) {

@@ -403,11 +403,6 @@ std::size_t stable_address::abandon() {
   return enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed);
 }
 
-bool stable_address::is_running() const {
-  const std::shared_lock guard(mutex_);
-  return target_ != nullptr && !closed_;
-}
-
 bool stable_address::kill() {
   const std::shared_lock guard(mutex_);
   if (!target_)

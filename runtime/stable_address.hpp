@@ -124,8 +124,7 @@ public:
   // Gives up an incarnation that does not answer: mail is parked from now on. Returns how many messages are stranded in
   // it.
   std::size_t abandon();
-  [[nodiscard]] bool is_running() const; // there is one
-  bool kill();                           // ends the incarnation between two messages; false: there is none
+  bool kill(); // ends the incarnation between two messages; false: there is none
   // The actor is not wanted or was given up: what waits is dropped or refused, but for durable effects. It is back when
   // its next incarnation begins.
   void go_away();

@@ -72,7 +72,7 @@ void system::start() {
   options.ping = options_.ping;
   options.stop_timeout = options_.stop_timeout;
   options.floor = floor_;
-  options.not_wanted = not_wanted_;
+  options.first_table = first_table_;
   options.may_end_fast = may_end_fast_;
   options.on_exit_request = [this](exit_request why) { request_exit(std::move(why)); };
   const auto spawned = spawn_guardian(*actors_, outside_, children_, std::move(options), supervisor_, status_);
@@ -150,10 +150,10 @@ bool system::is_responsive() {
          silent_ns <= std::chrono::nanoseconds(options_.ping.fatal).count();
 }
 
-std::vector<system::child_standing> system::standings() const {
-  std::vector<child_standing> result;
+std::vector<std::string> system::names() const {
+  std::vector<std::string> result;
   for (const auto& each : children_)
-    result.push_back({address_of(each.address).actor_name(), address_of(each.address).is_running()});
+    result.push_back(address_of(each.address).actor_name());
   return result;
 }
 

@@ -18,7 +18,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -69,9 +68,9 @@ public:
   // The child that hears of all others and says by its table who runs. Before start().
   void set_supervisor(supervisor_handle supervisor) { supervisor_ = std::move(supervisor); }
   // Children that run whatever a table says. Before start().
-  void set_floor(std::set<std::string> names) { floor_ = std::move(names); }
-  // Children that do not run until a table wants them. Before start().
-  void begin_without(std::set<std::string> names) { not_wanted_ = std::move(names); }
+  void set_floor(std::vector<std::string> names) { floor_ = std::move(names); }
+  // What holds until the supervisor has said something, where it is not what add() was given. Before start().
+  void begin_with(std::vector<child_entry> table) { first_table_ = std::move(table); }
   // An essential child that can not be kept up in flight ends the process; else the rest goes on. Before start().
   void let_end_fast(bool may) { may_end_fast_ = may; }
   // For the supervisor; usable in ARGS of add: it is a stable address too.
@@ -91,12 +90,8 @@ public:
   // A way in for a thread that is not an actor; one for each thread.
   [[nodiscard]] gateway make_gateway(const std::string& name);
 
-  struct child_standing {
-    std::string name;
-    bool is_running = false;
-  };
-  // All that were declared. Thread: any.
-  [[nodiscard]] std::vector<child_standing> standings() const;
+  // Of all that were declared, in that order. Thread: any, once they are started.
+  [[nodiscard]] std::vector<std::string> names() const;
   // For drills: ends the incarnation of NAME between two messages, as a crash would. False: there is none. Thread: any.
   bool kill_child(std::string_view name);
   bool kill_child(std::size_t child);
@@ -126,8 +121,8 @@ private:
   std::unique_ptr<caf::actor_system> actors_;
   std::vector<child_spec> children_;
   supervisor_handle supervisor_;
-  std::set<std::string> floor_;
-  std::set<std::string> not_wanted_;
+  std::vector<std::string> floor_;
+  std::vector<child_entry> first_table_;
   bool may_end_fast_ = false;
   actor_ref guardian_address_;
   actor_ref guardian_;

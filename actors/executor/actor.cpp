@@ -73,9 +73,17 @@ actor::behavior_type actor::handlers() {
       hears<io::mavlink::statustext>(),
       hears<vehicle_link::connection_changed>(),
       hears<vehicle_link::vehicle_restarted>(),
+      on<runtime::child_event>([this](const runtime::child_event& m) {
+        say_all(supervisor_->on_event(m, now_ns()));
+        greet_returned();
+        supervise();
+        look_at_house();
+        after_turn();
+      }),
       on<tick>([this](const tick&) {
         tell_after(tick_period, me(), tick{});
-        core_->on_house(world_.look_at_house());
+        supervise();
+        look_at_house();
         vouch();
         look_at_service();
         ask_for_stance();
@@ -85,8 +93,10 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, current_state());
+  supervisor_.emplace(world_.process(), incarnation_number(), world_.children());
   at_end([this] { world_.on_standing(current_state().standing); });
-  core_->on_house(world_.look_at_house());
+  supervise();
+  look_at_house();
   carry_out(core_->on_start());
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
@@ -124,6 +134,88 @@ void actor::ask_for_stance() {
         after_turn();
       },
       [this](const runtime::ask_error&) { is_asking_stance_ = false; });
+}
+
+// -- the other actors ---------------------------------------------------------------------------------
+
+void actor::look_at_house() {
+  auto seen = world_.look_at_house();
+  seen.actors = supervisor_->facts();
+  core_->on_house(std::move(seen));
+}
+
+void actor::supervise() {
+  const auto& s = current_state();
+  supervisor_->look(s.supervision, s.standing.in_flight, now_ns());
+  send_table();
+  if (!supervisor_->knows_children())
+    ask_for_children();
+  const bool is_gone = supervisor_->is_failsafe_gone(now_ns());
+  core_->on_failsafe_gone(is_gone);
+  if (is_gone && core_->wants_stance())
+    core_->on_stance({}); // there is nobody to ask, and the vehicle still has to be brought home
+  if (core_->view().mode() && supervisor_->misses_failsafe(s.supervision, now_ns()))
+    miss_failsafe(); // once the vehicle is heard: what is decided then is on the disk with the return
+}
+
+// Again with each tick, until it is acknowledged.
+void actor::send_table() {
+  const auto table = supervisor_->unacknowledged();
+  if (!table || is_sending_table_)
+    return;
+  is_sending_table_ = true;
+  ask(
+      others_->guardian, guardian_patience, *table,
+      [this](const runtime::supervised& held) {
+        is_sending_table_ = false;
+        supervisor_->on_acknowledged(held.epoch);
+      },
+      [this](const runtime::ask_error&) { is_sending_table_ = false; });
+}
+
+// What happened before this incarnation was told to the one before.
+void actor::ask_for_children() {
+  if (std::exchange(is_asking_children_, true))
+    return;
+  ask(
+      others_->guardian, guardian_patience, runtime::get_children{},
+      [this](const runtime::children& all) {
+        is_asking_children_ = false;
+        say_all(supervisor_->on_children(all, now_ns()));
+        look_at_house();
+        after_turn();
+      },
+      [this](const runtime::ask_error&) { is_asking_children_ = false; });
+}
+
+// What they were told while they were away was dropped.
+void actor::greet_returned() {
+  for (const auto& name : supervisor_->take_returned()) {
+    if (name == "mission_client")
+      carry_out(core_->on_client_back());
+    else if (name == "ground_port")
+      core_->on_port_back();
+  }
+}
+
+// A person who has the vehicle keeps it. What is decided here counts for the whole flight.
+void actor::miss_failsafe() {
+  commit(supervision::failsafe_missed{});
+  carry_out(announce{"the failsafe can not be kept up: nobody watches fences, battery and links; no new plan is flown",
+                     true});
+  if (settings_.failsafe_gone != failsafe_gone_policy::come_home)
+    return;
+  operator_words::word word;
+  word.verb = operator_words::verb::come_home;
+  word.by = actor_name();
+  const auto answer = core_->on_operator(word, now());
+  carry_out(answer.is_taken ? announce{"the vehicle returns because the failsafe is gone", true}
+                            : announce{"the vehicle is not told to return: " + answer.reason, true});
+}
+
+void actor::say_all(const std::vector<announce>& sentences) {
+  for (const auto& each : sentences)
+    carry_out(each);
 }
 
 // The vehicle hears our heartbeat only while somebody is here who decides.

@@ -15,12 +15,14 @@
 #include <variant>
 
 #include "actors/executor/core.hpp"
+#include "actors/executor/supervision/core.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/handle.hpp"
 #include "messages/ground_port/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "runtime/durable_actor.hpp"
+#include "runtime/supervision/handle.hpp"
 
 namespace godwit::executor {
 
@@ -30,12 +32,15 @@ struct neighbours {
   failsafe::handle failsafe;
   std::optional<mission_client::flight_handle> client; // none without a service
   std::optional<ground_port::handle> port;             // none without ground stations
+  runtime::guardian_handle guardian;
 };
 
 // The world outside of the actors. May be called by any thread and does not block.
 struct outside_world {
   std::function<void(const announce& said)> tell_people;
-  std::function<house()> look_at_house;
+  std::function<house()> look_at_house; // all but the actors
+  std::function<std::vector<std::string>()> children;
+  std::function<supervision::circumstances()> process;
   std::function<void(const stood& standing)> on_standing; // at each change, and as each incarnation begins
 };
 
@@ -48,6 +53,8 @@ public:
   // A thousand items over a slow radio with losses.
   static constexpr std::chrono::seconds transfer_patience{600};
   static constexpr std::chrono::milliseconds tick_period{200};
+  // The guardian has its turns, or the process ends.
+  static constexpr std::chrono::milliseconds guardian_patience{1'000};
   static constexpr std::int64_t vouch_every_ns = 1'000'000'000;
   static constexpr int max_decisions_per_turn = 1'000;
 
@@ -94,6 +101,13 @@ private:
   void vouch();
   void look_at_service();
   void ask_for_stance();
+  void look_at_house();
+  void supervise();
+  void send_table();
+  void ask_for_children();
+  void miss_failsafe();
+  void greet_returned();
+  void say_all(const std::vector<announce>& sentences);
   void post_health();
   [[nodiscard]] flight_status describe() const;
 
@@ -101,6 +115,7 @@ private:
   std::shared_ptr<const neighbours> others_;
   outside_world world_;
   std::optional<core> core_;
+  std::optional<supervision::core> supervisor_;
   // What the notes of this handler have led to, for the core.
   using news =
       std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::settle_start, progress::news>;
@@ -108,6 +123,8 @@ private:
   std::int64_t vouched_ns_ = -vouch_every_ns;
   bool is_asking_service_ = false;
   bool is_asking_stance_ = false;
+  bool is_asking_children_ = false;
+  bool is_sending_table_ = false;
   std::uint64_t revoked_ = 0; // orders that waited for the disk and were not meant any more
 };
 

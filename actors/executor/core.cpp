@@ -38,14 +38,19 @@ const std::array<core::rule, 15> core::rules{
 
 effects core::on_start() {
   recovery_.begin();
+  auto out = on_client_back();
+  if (flight_.s.preflight.now != preflight::phase::idle)
+    out.emplace_back(note{preflight::restarted{}});
+  return out;
+}
+
+effects core::on_client_back() const {
   const auto& s = flight_.s;
   effects out;
   if (flight_.configured.has_service && !flight_.configured.mission_id.empty())
     out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
   if (flight_.configured.has_service && s.standing.now == phase::post_flight && s.mission)
     out.emplace_back(say_to_client{mission_client::push_map{s.mission->mission_id}});
-  if (s.preflight.now != preflight::phase::idle)
-    out.emplace_back(note{preflight::restarted{}});
   return out;
 }
 

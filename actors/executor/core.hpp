@@ -91,6 +91,8 @@ public:
   // -- the failsafe
   // Told at each change, and asked for by who begins anew: nothing is done before it is known.
   void on_stance(const failsafe::stance& m) { flight_.stance = m; }
+  // It can not be kept up in this flight: no plan is changed.
+  void on_failsafe_gone(bool is_gone) { flight_.is_failsafe_gone = is_gone; }
   [[nodiscard]] bool wants_stance() const { return !flight_.stance; }
   [[nodiscard]] effects on_guarded(std::uint64_t number, const failsafe::guard_answer& answer, bool is_answered,
                                    instant now);
@@ -105,6 +107,10 @@ public:
   [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m, instant now);
   [[nodiscard]] effects on_change(const mission_client::change_outcome& m, instant now);
   [[nodiscard]] effects on_deleted(const mission_client::mission_deleted& m, instant now);
+  // mission_client was away, and what it was told meanwhile is lost.
+  [[nodiscard]] effects on_client_back() const;
+  // The same of ground_port.
+  void on_port_back() { stations_.forget_told(); }
   [[nodiscard]] effects on_delivered(const mission_client::mission_settled& m, instant now);
 
   // -- people

@@ -25,6 +25,18 @@ constexpr auto enum_names(refusal_policy) {
   return io::names<refusal_policy>({{refusal_policy::go_on, "go_on"}, {refusal_policy::come_home, "come_home"}});
 }
 
+// What follows when the failsafe can not be kept up in flight. In both cases there are no new plans, and people are
+// told.
+enum class failsafe_gone_policy {
+  come_home, // once, unless a person has the vehicle
+  go_on
+};
+
+constexpr auto enum_names(failsafe_gone_policy) {
+  return io::names<failsafe_gone_policy>(
+      {{failsafe_gone_policy::come_home, "return"}, {failsafe_gone_policy::go_on, "continue"}});
+}
+
 struct settings {
   std::string mission_id; // that the service is asked for, or of the file; empty: ground stations bring missions
   bool has_service = true;
@@ -33,6 +45,7 @@ struct settings {
   // Behind a landing on the way, and whenever else this mission has flown before.
   start_policy takeoff_again = start_policy::on_command;
   refusal_policy refused_inserts = refusal_policy::go_on;
+  failsafe_gone_policy failsafe_gone = failsafe_gone_policy::come_home;
   double max_altitude_m = 500;    // above home: of a place to which an operator sends the vehicle
   double max_distance_m = 20'000; // from home: the same
   double fence_margin_m = 10;     // of the way to where an operator sends the vehicle

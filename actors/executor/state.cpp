@@ -122,8 +122,10 @@ effects take(state& s, const mission_arrived& happened, std::int64_t) {
 }
 
 effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
-  if (!s.mission || s.mission->mission_id != happened.mission.mission_id)
+  if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
     s.awaits_word = false;
+    s.supervision.has_landed = false;
+  }
   s.mission = happened.mission;
   s.arrived.reset();
   if (happened.assignment) {
@@ -205,8 +207,15 @@ effects take(state& s, const stood& happened, std::int64_t) {
   const bool has_landed = s.standing.in_flight && !happened.in_flight;
   const bool is_resumed = s.standing.now == phase::paused && happened.now == phase::connected;
   s.awaits_word = s.awaits_word || has_landed || is_resumed;
+  if (s.standing.in_flight != happened.in_flight)
+    supervision::change_in_flight(s.supervision, happened.in_flight);
   s.standing = happened;
   return {happened};
+}
+
+effects take(state& s, const supervision::failsafe_missed& happened, std::int64_t) {
+  supervision::apply(s.supervision, happened);
+  return {};
 }
 
 effects take(state&, const start_settled& happened, std::int64_t) { return {happened.answer}; }

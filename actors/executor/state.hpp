@@ -12,6 +12,7 @@
 //                                 return and stand down
 //   stood                         the flight's new standing, to whoever watches
 //   start_settled                 start_answer to who asked
+//   supervision::failsafe_missed  none
 //
 // A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
 #pragma once
@@ -29,6 +30,7 @@
 #include "actors/executor/preflight/bit.hpp"
 #include "actors/executor/progress/core.hpp"
 #include "actors/executor/progress/state.hpp"
+#include "actors/executor/supervision/state.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/flight/flight_mode.hpp"
@@ -248,17 +250,19 @@ struct state {
   bool awaits_word = false; // this mission has flown, or was resumed on the ground: a person starts it, nothing else
   preflight::state preflight;
   progress::state progress;
+  supervision::state supervision;
 
   static constexpr int version = 1;
-  static constexpr auto fields = io::table(
-      "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
-      io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
-      io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
-      io::field("set_aside", &state::set_aside), io::field("station", &state::station),
-      io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
-      io::field("flown", &state::flown), io::field("doing", &state::doing), io::field("last_task", &state::last_task),
-      io::field("standing", &state::standing), io::field("awaits_word", &state::awaits_word),
-      io::field("preflight", &state::preflight), io::field("progress", &state::progress));
+  static constexpr auto fields =
+      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+                io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
+                io::field("set_aside", &state::set_aside), io::field("station", &state::station),
+                io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
+                io::field("flown", &state::flown), io::field("doing", &state::doing),
+                io::field("last_task", &state::last_task), io::field("standing", &state::standing),
+                io::field("awaits_word", &state::awaits_word), io::field("preflight", &state::preflight),
+                io::field("progress", &state::progress), io::field("supervision", &state::supervision));
 };
 
 // From the decision to start on.
@@ -277,7 +281,7 @@ struct durable_core {
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
                    preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_settled,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
-                   task_begun, task_ended, stood, start_settled>;
+                   task_begun, task_ended, stood, start_settled, supervision::failsafe_missed>;
   using effect =
       std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                    mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,

@@ -16,6 +16,7 @@
 #include "messages/operator/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 #include "runtime/seam.hpp"
+#include "runtime/supervision/messages.hpp"
 
 namespace godwit::executor {
 
@@ -39,7 +40,8 @@ using telemetry_handle =
                      runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
-using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
-                                    runtime::mailbox<runtime::tells<failsafe::stance>, runtime::tells<tick>>>;
+using own_handle = runtime::combine<
+    mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
+    runtime::mailbox<runtime::tells<failsafe::stance>, runtime::tells<runtime::child_event>, runtime::tells<tick>>>;
 
 } // namespace godwit::executor

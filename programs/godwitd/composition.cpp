@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <future>
 #include <random>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "programs/godwitd/child_policies.hpp"
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/convert_command.hpp"
+#include "programs/godwitd/flight_state.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -165,6 +167,13 @@ void composition::add_flight(control::neighbours& of_desk) {
   of_desk.sightings = feeder_;
 }
 
+bool composition::is_in_flight() {
+  std::promise<tl::expected<runtime::recovered, runtime::journal_error>> read;
+  host_->journal().recover("executor", 0, [&read](auto result) { read.set_value(std::move(result)); });
+  const auto result = read.get_future().get();
+  return wanted_.flies && result && daemon::is_in_flight(*result);
+}
+
 checked composition::open() {
   // What may fail comes first; mail waits at the addresses until the actors are there.
   if (auto opened = open_map(); !opened)
@@ -173,6 +182,9 @@ checked composition::open() {
     return opened;
   if (service_) // before the first call can be answered
     service_->attach(host_->actors().make_gateway("missions_service"), base_.client);
+  using executor::supervision::part;
+  if (wanted_.flies)
+    begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
   host_->actors().start();
   open_vehicle();
   if (wanted_.flies)

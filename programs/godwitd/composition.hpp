@@ -36,6 +36,10 @@ public:
   composition& operator=(const composition&) = delete;
   ~composition() = default;
 
+  // As the journal says, before the actors start.
+  [[nodiscard]] bool is_in_flight();
+  // How this process begins, and may end; before open().
+  void set_circumstances(const executor::supervision::circumstances& process) { outside_.process = process; }
   // Starts the actors and joins them to the world. After an error: close().
   [[nodiscard]] tl::expected<void, std::string> open();
 

@@ -1,6 +1,8 @@
 #include "programs/godwitd/daemon.hpp"
 
+#include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include <unistd.h>
 
@@ -52,10 +54,23 @@ pulse_view view_of(runtime::process& host, program_log& log) {
           }};
 }
 
+// A new process cures more than an orderly end of this one, and a vehicle waits for it. The journal loses nothing by
+// it.
+void leave_by_force_soon(exit_code code) {
+  std::thread([code] {
+    std::this_thread::sleep_for(runtime::fast_end);
+    std::_Exit(static_cast<int>(code));
+  }).detach();
+}
+
 // Until the end is asked for: by a signal, the run itself or the guardian.
-exit_code wait_for_end(composition& made, program_log& log) {
+exit_code wait_for_end(composition& made, program_log& log, start_ledger& ledger) {
   const auto why = made.host().actors().wait_for_exit_request();
   auto code = runtime::exit_code_for(why.cause);
+  if (why.cause == runtime::exit_cause::given_up_in_flight) {
+    ledger.end_fast();
+    leave_by_force_soon(code);
+  }
   const auto ended = made.end_of_run();
   if (code == exit_code::ok && ended && !ended->well)
     code = exit_code::failed;
@@ -85,7 +100,7 @@ exit_code run_made(composition& made, program_log& log, signal_handler& signals,
     complain(log, opened.error());
   } else {
     beats.start();
-    code = wait_for_end(made, log);
+    code = wait_for_end(made, log, ledger);
     beats.end();
   }
   manager.tell_stopping();
@@ -112,13 +127,14 @@ exit_code run_daemon(daemon_settings wanted, const add_more& more) {
     complain(**log, made.error());
     return is_beyond_us() ? exit_code::unknown_state : exit_code::failed;
   }
-  const auto verdict = ledger.begin(this_moment());
+  const auto verdict = ledger.begin(this_moment(), (*made)->is_in_flight());
   if (!verdict.may_start) {
     complain(**log, verdict.sentence);
     return static_cast<exit_code>((*made)->close(exit_code::unknown_state));
   }
   if (!verdict.sentence.empty())
     (*log)->say(log_level::warning, part, verdict.sentence);
+  (*made)->set_circumstances({verdict.may_end_fast, verdict.is_reduced});
   if (more)
     more(**made);
   const auto code = run_made(**made, **log, signals, ledger);

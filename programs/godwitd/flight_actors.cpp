@@ -17,19 +17,18 @@ namespace {
 constexpr const char* executor_name = "executor";
 constexpr const char* failsafe_name = "failsafe";
 
-executor::house look_at_house(const runtime::system& actors, const actor_surroundings& outside) {
+executor::house look_at_house(const actor_surroundings& outside) {
   executor::house result;
   result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
   result.journal.is_writable = !outside.journal->status().failing;
   result.journal.free_bytes = outside.host->free_bytes();
-  for (auto& each : actors.standings())
-    result.actors.push_back({std::move(each.name), each.is_running});
   return result;
 }
 
 executor::outside_world world_of(const runtime::system& actors, const actor_surroundings& outside) {
   return {[&outside](const executor::announce& said) { outside.say(executor_name, said.sentence, said.is_warning); },
-          [&actors, &outside] { return look_at_house(actors, outside); },
+          [&outside] { return look_at_house(outside); }, [&actors] { return actors.names(); },
+          [&outside] { return outside.process; },
           [&outside](const executor::stood& standing) {
             outside.on_standing(standing);
             outside.say(executor_name,
@@ -48,6 +47,14 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
 }
 
 } // namespace
+
+void begin_supervision(runtime::system& actors, const executor::supervision::circumstances& process,
+                       executor::supervision::part now) {
+  namespace supervision = executor::supervision;
+  actors.set_floor(supervision::floor_children());
+  actors.let_end_fast(process.may_end_fast);
+  actors.begin_with(supervision::table_of(now, process, actors.names()));
+}
 
 base_actors add_base(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside) {
   base_actors made;
@@ -92,6 +99,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_vehicle->add(made.ground);
   }
   of_executor->vehicle = base.vehicle;
+  of_executor->guardian = actors.guardian();
+  actors.set_supervisor(made.executor);
   of_executor->failsafe = base.failsafe;
   if (outside.service)
     of_executor->client = base.client;

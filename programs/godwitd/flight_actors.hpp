@@ -21,6 +21,7 @@
 #include <string>
 #include <string_view>
 
+#include "actors/executor/supervision/table.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "actors/vehicle_link/listeners.hpp"
@@ -65,6 +66,7 @@ struct actor_surroundings {
   std::uint64_t seed = 0;
   const runtime::journal* journal = nullptr;
   host_facts* host = nullptr;
+  executor::supervision::circumstances process; // before the actors start
 
   // A sentence for people. PART: of whom it is said.
   std::function<void(std::string_view part, const std::string& sentence, bool is_warning)> say;
@@ -89,6 +91,11 @@ struct flight_actors {
   executor::own_handle executor;
   ground_port::own_handle ground; // none without a line for ground stations
 };
+
+// The table that holds until the executor has sent its own: from it on an essential actor that can not be kept up is
+// met as its part of the flight demands. Behind the last add(), before the actors start.
+void begin_supervision(runtime::system& actors, const executor::supervision::circumstances& process,
+                       executor::supervision::part now);
 
 // SETTINGS.flies: with a failsafe.
 [[nodiscard]] base_actors add_base(runtime::system& actors, const daemon_settings& settings,

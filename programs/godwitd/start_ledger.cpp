@@ -1,12 +1,21 @@
 #include "programs/godwitd/start_ledger.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 
 namespace godwit::daemon {
+namespace {
+
+constexpr std::string_view fast_word = "fast";
+constexpr std::size_t max_kept = 1'000; // lines; more is judged as these
+
+} // namespace
 
 boot_moment this_moment() {
   boot_moment result;
@@ -17,41 +26,88 @@ boot_moment this_moment() {
   return result;
 }
 
-start_verdict start_ledger::begin(const boot_moment& now) {
-  if (limits_.max_abnormal_ends == 0)
-    return {};
+start_verdict start_ledger::begin(const boot_moment& now, bool in_flight) {
   boot_ = now.boot;
-  starts_ms_ = read(now);
-  if (starts_ms_.size() >= limits_.max_abnormal_ends)
-    return {false, "godwitd has ended abnormally " + std::to_string(starts_ms_.size()) + " times within " +
-                       std::to_string(limits_.within.count()) +
-                       " s (a crash, a kill, or exit code 70 or 71), and does not begin once more by itself.\nLook "
-                       "into the log and the trace; then remove " +
-                       file_ + " and start it again. It also starts when the time is over"};
-  starts_ms_.push_back(now.at_ms);
-  if (!write())
-    return {true, "crashes are not counted, " + file_ + " can not be written: " + std::strerror(errno)};
-  return {};
+  runs_ = read(now);
+  auto verdict = judge(now, in_flight);
+  if (!verdict.may_start)
+    return verdict;
+  if (runs_.size() >= max_kept)
+    runs_.erase(runs_.begin());
+  runs_.push_back({now.at_ms});
+  if (limits_.max_abnormal_ends == 0 || write())
+    return verdict;
+  verdict.may_end_fast = false; // the next run would not know of it
+  verdict.sentence = "crashes are not counted, " + file_ + " can not be written: " + std::strerror(errno);
+  return verdict;
+}
+
+start_verdict start_ledger::judge(const boot_moment& now, bool in_flight) const {
+  start_verdict result;
+  const auto since_ms = now.at_ms - std::chrono::milliseconds(fast_end_counts).count();
+  result.may_end_fast =
+      std::ranges::none_of(runs_, [&](const run& each) { return each.ended_fast && each.began_ms >= since_ms; });
+  const auto ended = ended_within(now);
+  if (limits_.max_abnormal_ends == 0)
+    return result;
+  if (in_flight && ended >= max_whole_in_flight) {
+    result.is_reduced = true;
+    result.sentence = count_of(ended) +
+                      ", and a vehicle flies: until it has landed only vehicle_link, failsafe, executor "
+                      "and ground_port run";
+  } else if (!in_flight && ended >= limits_.max_abnormal_ends) {
+    result.may_start = false;
+    result.sentence = count_of(ended) +
+                      " (a crash, a kill, or exit code 70 or 71), and does not begin once more by itself.\nLook "
+                      "into the log and the trace; then remove " +
+                      file_ + " and start it again. It also starts when the time is over";
+  }
+  return result;
+}
+
+std::size_t start_ledger::ended_within(const boot_moment& now) const {
+  const auto since_ms = now.at_ms - std::chrono::milliseconds(limits_.within).count();
+  return static_cast<std::size_t>(
+      std::ranges::count_if(runs_, [&](const run& each) { return each.began_ms >= since_ms; }));
+}
+
+std::string start_ledger::count_of(std::size_t ended) const {
+  return "godwitd has ended abnormally " + std::to_string(ended) + " times within " +
+         std::to_string(limits_.within.count()) + " s";
 }
 
 void start_ledger::end_in_order() {
-  if (starts_ms_.empty())
+  if (limits_.max_abnormal_ends == 0 || runs_.empty())
     return;
-  starts_ms_.pop_back();
+  runs_.pop_back();
   (void)write(); // then this run counts as a crash, and a later one says that the file can not be written
 }
 
+void start_ledger::end_fast() {
+  if (runs_.empty())
+    return;
+  runs_.back().ended_fast = true;
+  (void)write();
+}
+
 // What is no line of ours counts for nothing: the file is a help, and not a state.
-std::vector<std::int64_t> start_ledger::read(const boot_moment& now) const {
-  std::vector<std::int64_t> result;
+std::vector<start_ledger::run> start_ledger::read(const boot_moment& now) const {
+  std::vector<run> result;
   std::ifstream file(file_);
-  std::string boot;
-  if (!(file >> boot) || boot != now.boot)
+  std::string line;
+  if (!std::getline(file, line) || line != now.boot)
     return result;
-  const auto since_ms = now.at_ms - std::chrono::milliseconds(limits_.within).count();
-  for (std::int64_t at_ms = 0; result.size() < limits_.max_abnormal_ends && file >> at_ms;)
-    if (at_ms >= since_ms && at_ms <= now.at_ms)
-      result.push_back(at_ms);
+  const auto longest = std::max<std::chrono::milliseconds>(limits_.within, fast_end_counts);
+  while (result.size() < max_kept && std::getline(file, line)) {
+    std::istringstream words(line);
+    run each;
+    std::string how;
+    if (!(words >> each.began_ms))
+      break;
+    each.ended_fast = (words >> how) && how == fast_word;
+    if (each.began_ms >= now.at_ms - longest.count() && each.began_ms <= now.at_ms)
+      result.push_back(each);
+  }
   return result;
 }
 
@@ -60,8 +116,8 @@ bool start_ledger::write() const {
   {
     std::ofstream file(fresh, std::ios::trunc);
     file << boot_ << '\n';
-    for (const auto at_ms : starts_ms_)
-      file << at_ms << '\n';
+    for (const auto& each : runs_)
+      file << each.began_ms << (each.ended_fast ? " " + std::string(fast_word) : "") << '\n';
     if (!file.flush())
       return false;
   }

@@ -9,17 +9,13 @@
 #include <string>
 
 #include "runtime/actor_frame.hpp"
-#include "runtime/seam.hpp"
-#include "runtime/supervision/messages.hpp"
+#include "runtime/supervision/handle.hpp"
 #include "runtime/supervision/policy.hpp"
 
 namespace godwit::runtime {
 
 // Makes the actor of an incarnation. May throw: then the incarnation does not come to be.
 using actor_maker = std::function<std::unique_ptr<actor_frame>(spawn_context)>;
-
-using guardian_handle = mailbox<asks<get_children, children>, asks<supervise, supervised>>;
-using supervisor_handle = mailbox<tells<child_event>>;
 
 struct child_spec {
   actor_ref address;

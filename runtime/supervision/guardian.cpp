@@ -48,9 +48,7 @@ public:
         core_(options_.how, policies_of(children), outside.seed), pings_(options_.ping, children.size()) {
     for (auto& each : children)
       children_.push_back({.spec = std::move(each), .incarnation = nullptr, .recovers_since_ns = {}});
-    for (std::size_t i = 0; i < children_.size(); ++i)
-      if (options_.not_wanted.contains(address(children_[i]).actor_name()))
-        (void)core_.want(i, false);
+    apply(options_.first_table);
     set_down_handler([this](caf::down_msg& message) { on_down(message); });
     set_default_handler(caf::drop);
   }
@@ -109,18 +107,26 @@ private:
       return;
     const bool is_first = epoch_ == table_epoch{};
     epoch_ = table.epoch;
-    for (const auto& each : table.list) {
-      const auto i = find_or_tell(each.name);
-      if (i >= children_.size())
-        continue;
-      core_.set_policy(i, each.policy);
-      if (const bool wanted = each.wanted || options_.floor.contains(each.name); wanted != core_.is_wanted(i))
-        carry_out(core_.want(i, wanted));
-    }
+    apply(table.list);
     if (std::exchange(revivals_, std::max(revivals_, table.revivals)) >= table.revivals || is_first)
       return;
     for (std::size_t i = 0; i < children_.size(); ++i)
       carry_out(core_.revive(i));
+  }
+
+  [[nodiscard]] bool is_of_floor(const std::string& name) const {
+    return std::ranges::find(options_.floor, name) != options_.floor.end();
+  }
+
+  void apply(const std::vector<child_entry>& table) {
+    for (const auto& each : table) {
+      const auto i = find_or_tell(each.name);
+      if (i >= children_.size())
+        continue;
+      core_.set_policy(i, each.policy);
+      if (const bool wanted = each.wanted || is_of_floor(each.name); wanted != core_.is_wanted(i))
+        carry_out(core_.want(i, wanted));
+    }
   }
 
   // -- carrying out -------------------------------------------------------------------------------

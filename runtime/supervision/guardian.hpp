@@ -15,7 +15,6 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -30,11 +29,11 @@ namespace godwit::runtime {
 struct guardian_options {
   strategy how = strategy::one_for_one;
   ping_policy ping;
-  milliseconds stop_timeout{2'000};    // for each child; then it is killed, and after as long again left behind
-  milliseconds recovery_limit{10'000}; // then the journal is taken to hang, and the process ends
-  std::set<std::string> floor;         // children that no table can have stopped
-  std::set<std::string> not_wanted;    // at the beginning, until the first table
-  bool may_end_fast = false;           // see process_end::fast_once
+  milliseconds stop_timeout{2'000};     // for each child; then it is killed, and after as long again left behind
+  milliseconds recovery_limit{10'000};  // then the journal is taken to hang, and the process ends
+  std::vector<std::string> floor;       // children that no table can have stopped
+  std::vector<child_entry> first_table; // holds until the supervisor sends one
+  bool may_end_fast = false;            // see process_end::fast_once
   std::function<void(exit_request)> on_exit_request; // any thread; the process should end in order
 };
 

@@ -41,7 +41,7 @@ bool flight_context::is_mission_finished() const {
 
 bool flight_context::may_change_plan() const {
   const auto& at = s.standing;
-  return at.in_flight &&
+  return at.in_flight && !is_failsafe_gone &&
          (at.now == phase::flying || is_held() || (at.now == phase::paused && at.cause == pause_cause::plan_ended) ||
           (at.now == phase::landing && hovers()));
 }

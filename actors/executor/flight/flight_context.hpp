@@ -46,6 +46,7 @@ struct flight_context {
   flight::control_authority authority;
   task_runner runner;
   std::optional<failsafe::stance> stance; // none: not told to this incarnation yet
+  bool is_failsafe_gone = false;          // in this flight: no plan is changed
   command_queue wanted;
   homing_state homing;
   bool was_up = false; // it has been in the air, as far as this incarnation knows

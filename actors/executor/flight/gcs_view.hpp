@@ -24,6 +24,8 @@ public:
   [[nodiscard]] effects tell(instant now);
   // The durable state has changed.
   void forget_shown() { shown_.reset(); }
+  // ground_port has lost what it was told.
+  void forget_told() { told_plan_id_ = 0; }
 
 private:
   struct shown_plan {

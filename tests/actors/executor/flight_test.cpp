@@ -249,6 +249,18 @@ TEST_P(every_vehicle, a_survey_that_is_replanned_goes_on_with_the_line_that_was_
       << world.story();
 }
 
+TEST_P(every_vehicle, without_a_failsafe_no_new_plan_goes_to_the_vehicle_in_flight) {
+  flight_world world({.who = GetParam()});
+  const auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+  world.lose_failsafe(true);
+  world.assign(other_tail(mission, GetParam()));
+  EXPECT_FALSE(world.run_until([&] { return !world.answers().empty(); }, 3)) << world.story();
+  world.lose_failsafe(false);
+  EXPECT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
+}
+
 TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the_reason) {
   flight_world world({.who = GetParam()});
   const auto mission = tests::short_mission(GetParam());

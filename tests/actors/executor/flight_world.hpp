@@ -62,6 +62,8 @@ public:
   // What becomes of the map's pull, now and for missions that are loaded later.
   void pull_map(mission_client::pull_state outcome);
   void assign(const mission::assignment& wish);
+  // As far as the core is told: it can not be kept up.
+  void lose_failsafe(bool is_gone) { core_->on_failsafe_gone(is_gone); }
   // What a ground station uploads, clears and starts; and what it is shown.
   template <class M>
   void station_says(const M& m) {

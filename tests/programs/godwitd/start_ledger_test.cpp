@@ -18,7 +18,16 @@ struct ledger_test : testing::Test {
 
   // A run that nobody ends in order, as its process is gone.
   start_verdict crash(std::int64_t at_ms, const std::string& boot = "boot-1") const {
-    return start_ledger(file, limits).begin({boot, at_ms});
+    return start_ledger(file, limits).begin({boot, at_ms}, false);
+  }
+  // The same, and the journal says that a vehicle flies.
+  start_verdict crash_in_flight(std::int64_t at_ms) const {
+    return start_ledger(file, limits).begin({"boot-1", at_ms}, true);
+  }
+  void end_fast(std::int64_t at_ms) const {
+    start_ledger ledger(file, limits);
+    (void)ledger.begin({"boot-1", at_ms}, true);
+    ledger.end_fast();
   }
 };
 
@@ -37,7 +46,7 @@ TEST_F(ledger_test, after_too_many_abnormal_ends_a_run_does_not_begin_and_says_w
 TEST_F(ledger_test, a_run_that_ends_in_order_does_not_count) {
   for (int n = 1; n <= 20; ++n) {
     start_ledger ledger(file, limits);
-    ASSERT_TRUE(ledger.begin({"boot-1", n}).may_start);
+    ASSERT_TRUE(ledger.begin({"boot-1", n}, false).may_start);
     ledger.end_in_order();
   }
 }
@@ -46,7 +55,7 @@ TEST_F(ledger_test, an_orderly_run_takes_no_crash_away) {
   EXPECT_TRUE(crash(1).may_start);
   EXPECT_TRUE(crash(2).may_start);
   start_ledger orderly(file, limits);
-  EXPECT_TRUE(orderly.begin({"boot-1", 3}).may_start);
+  EXPECT_TRUE(orderly.begin({"boot-1", 3}, false).may_start);
   orderly.end_in_order();
   EXPECT_TRUE(crash(4).may_start);
   EXPECT_FALSE(crash(5).may_start);
@@ -73,7 +82,7 @@ TEST_F(ledger_test, a_file_that_is_none_of_ours_counts_for_nothing_and_is_replac
 
 TEST_F(ledger_test, a_folder_that_can_not_be_written_is_said_and_no_reason_not_to_start) {
   start_ledger ledger(folder.file("no/godwit.starts"), limits);
-  const auto verdict = ledger.begin({"boot-1", 1});
+  const auto verdict = ledger.begin({"boot-1", 1}, false);
   EXPECT_TRUE(verdict.may_start);
   EXPECT_NE(verdict.sentence.find("can not be written"), std::string::npos) << verdict.sentence;
   ledger.end_in_order();
@@ -81,8 +90,50 @@ TEST_F(ledger_test, a_folder_that_can_not_be_written_is_said_and_no_reason_not_t
 
 TEST_F(ledger_test, zero_means_any_number_and_no_file) {
   for (int n = 1; n <= 20; ++n)
-    EXPECT_TRUE(start_ledger(file, {0, 600s}).begin({"boot-1", n}).may_start);
+    EXPECT_TRUE(start_ledger(file, {0, 600s}).begin({"boot-1", n}, false).may_start);
   EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(ledger_test, in_flight_no_number_of_abnormal_ends_refuses_a_start) {
+  for (int n = 1; n <= 200; ++n)
+    ASSERT_TRUE(crash_in_flight(n).may_start) << n;
+}
+
+TEST_F(ledger_test, in_flight_a_run_behind_ten_abnormal_ends_is_reduced_and_says_so) {
+  for (int n = 1; n <= 10; ++n)
+    EXPECT_FALSE(crash_in_flight(n).is_reduced) << n;
+  const auto verdict = crash_in_flight(11);
+  EXPECT_TRUE(verdict.is_reduced);
+  EXPECT_NE(verdict.sentence.find("10 times"), std::string::npos) << verdict.sentence;
+  EXPECT_NE(verdict.sentence.find("ground_port"), std::string::npos) << verdict.sentence;
+  EXPECT_FALSE(crash_in_flight(700'000).is_reduced) << "they are long ago";
+}
+
+TEST_F(ledger_test, a_fast_end_is_the_only_one_within_ten_minutes) {
+  EXPECT_TRUE(crash_in_flight(1).may_end_fast) << "nobody has ended so";
+  end_fast(2'000);
+  EXPECT_FALSE(crash_in_flight(3'000).may_end_fast);
+  EXPECT_FALSE(crash_in_flight(601'999).may_end_fast);
+  EXPECT_TRUE(crash_in_flight(602'001).may_end_fast);
+}
+
+TEST_F(ledger_test, a_fast_end_is_kept_when_a_later_run_ends_in_order) {
+  end_fast(2'000);
+  start_ledger orderly(file, limits);
+  EXPECT_TRUE(orderly.begin({"boot-1", 3'000}, false).may_start);
+  orderly.end_in_order();
+  EXPECT_FALSE(crash_in_flight(4'000).may_end_fast);
+}
+
+TEST_F(ledger_test, a_fast_end_is_kept_where_crashes_are_not_counted) {
+  start_ledger first(file, {0, 600s});
+  EXPECT_TRUE(first.begin({"boot-1", 1}, true).may_end_fast);
+  first.end_fast();
+  EXPECT_FALSE(start_ledger(file, {0, 600s}).begin({"boot-1", 2}, true).may_end_fast);
+}
+
+TEST_F(ledger_test, without_a_file_nobody_ends_fast_because_the_next_run_would_not_know_of_it) {
+  EXPECT_FALSE(start_ledger(folder.file("no/godwit.starts"), limits).begin({"boot-1", 1}, true).may_end_fast);
 }
 
 TEST(boot_moment, this_moment_has_a_boot_and_goes_on) {

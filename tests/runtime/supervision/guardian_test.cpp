@@ -382,9 +382,9 @@ TEST(guardian, a_child_of_the_floor_can_not_be_unwanted) {
   EXPECT_EQ(w.report("third").phase, child_phase::absent);
 }
 
-TEST(guardian, a_child_that_the_beginning_goes_without_starts_when_a_table_wants_it) {
+TEST(guardian, a_child_that_the_first_table_goes_without_starts_when_a_later_one_wants_it) {
   world_of_workers w;
-  w.world.actors().begin_without({"second"});
+  w.world.actors().begin_with({{"second", false, with(100)}});
   w.start();
   EXPECT_EQ(w.report("second").phase, child_phase::absent);
   EXPECT_EQ(w.report("third").phase, child_phase::running);

@@ -1,9 +1,12 @@
 #include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "actors/mapobjects_store/map_port.hpp"
 #include "programs/godwitd/flight_actors.hpp"
+#include "programs/godwitd/flight_state.hpp"
+#include "runtime/assert.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/mapobjects_store/stepped_map.hpp"
 
@@ -20,6 +23,9 @@ struct daemon_process::parts {
     auto& actors = world.actors();
     base = daemon::add_base(actors, around.settings, meets);
     flight = daemon::add_flight(actors, around.settings, meets, base);
+    using executor::supervision::part;
+    const bool flies = daemon::is_in_flight(around.journal.actors["executor"].kept);
+    daemon::begin_supervision(actors, meets.process, flies ? part::flight : part::ground);
     open_ports();
   }
 
@@ -31,6 +37,7 @@ struct daemon_process::parts {
     meets.seed = seed;
     meets.journal = &world.journal();
     meets.host = &facts;
+    meets.process = outside.process;
     meets.say = [this](std::string_view part, const std::string& sentence, bool) { outside.say(part, sentence); };
     meets.on_standing = [this](const executor::stood& now) { outside.on_standing(now); };
   }
@@ -111,9 +118,15 @@ runtime::health_colour daemon_process::health(const std::string& component) cons
   return worst;
 }
 
-std::optional<std::string> daemon_process::wants_exit() const {
-  const auto asked = parts_->world.exit();
-  return asked ? std::optional(asked->reason) : std::nullopt;
+std::optional<runtime::exit_request> daemon_process::wants_exit() const { return parts_->world.exit(); }
+
+runtime::child_report daemon_process::look_at(const std::string& actor) {
+  const auto asked =
+      parts_->world.ask(parts_->world.actors().guardian(), std::chrono::seconds(1), runtime::get_children{});
+  settle();
+  const auto found = std::ranges::find(asked->answer.list, actor, &runtime::child_report::name);
+  GODWIT_ASSERT(found != asked->answer.list.end(), "test: the actor is one of the process's");
+  return *found;
 }
 
 std::uint64_t daemon_process::crashes(const std::string& actor) const { return parts_->world.counters(actor).crashes; }

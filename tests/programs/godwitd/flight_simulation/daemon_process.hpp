@@ -12,11 +12,13 @@
 #include <string>
 
 #include "actors/executor/state.hpp"
+#include "actors/executor/supervision/table.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "runtime/crash_points.hpp"
 #include "runtime/simulation/simulated_journal.hpp"
+#include "runtime/supervision/child_spec.hpp"
 #include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
 #include "tests/programs/godwitd/flight_simulation/simulated_wire.hpp"
 
@@ -27,6 +29,7 @@ struct process_surroundings {
   daemon::daemon_settings settings;
   runtime::simulated_disk journal;
   std::string map_file;
+  executor::supervision::circumstances process; // of the next one
   std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
   std::function<void(std::string_view part, const std::string& sentence)> say;
   std::function<void(const executor::stood& now)> on_standing;
@@ -72,7 +75,9 @@ public:
   [[nodiscard]] runtime::health_colour health(const std::string& component) const;
 
   // Why the guardian wants the process to end.
-  [[nodiscard]] std::optional<std::string> wants_exit() const;
+  [[nodiscard]] std::optional<runtime::exit_request> wants_exit() const;
+  // How the guardian sees it; what can happen now happens meanwhile.
+  [[nodiscard]] runtime::child_report look_at(const std::string& actor);
   [[nodiscard]] std::uint64_t crashes(const std::string& actor) const;
 
 private:

@@ -119,6 +119,10 @@ bool flight_simulation::exchange() {
 
 void flight_simulation::begin_process() {
   note("process " + std::to_string(++processes_));
+  ledger_.emplace(folder_.file("godwit.starts"), outside_.settings.restarts);
+  const auto verdict = ledger_->begin({"boot", now_ns_ / 1'000'000}, standing_.in_flight);
+  GODWIT_ASSERT(verdict.may_start, "test: it ends less often than the guard allows");
+  outside_.process = {verdict.may_end_fast, verdict.is_reduced};
   process_ = std::make_unique<daemon_process>(outside_, now_ns_, dice_());
 }
 
@@ -136,8 +140,26 @@ void flight_simulation::watch_process() {
   const auto why = process_ ? process_->wants_exit() : std::nullopt;
   if (!why)
     return;
-  note("the process ends: " + *why);
+  note("the process ends: " + why->reason);
+  if (why->cause == runtime::exit_cause::given_up_in_flight)
+    ledger_->end_fast();
   kill_process();
+}
+
+bool flight_simulation::give_up(const std::string& actor, double most_s) {
+  note(actor + " is to be given up");
+  const auto before = processes_;
+  const bool is_done = run_until(
+      [&] {
+        if (process_ == nullptr || processes_ != before)
+          return true;
+        (void)process_->kill(actor);
+        settle();
+        return process_ == nullptr || process_->look_at(actor).phase == runtime::child_phase::given_up;
+      },
+      most_s);
+  settle();
+  return is_done;
 }
 
 void flight_simulation::kill_process_at_commit(std::uint64_t number, side where) {
@@ -226,6 +248,10 @@ std::vector<mission::progress_report> flight_simulation::reports() {
 
 void flight_simulation::note(const std::string& sentence) {
   told_.push_back(std::to_string(now_ns_ / 1'000'000) + " ms: " + sentence);
+}
+
+bool flight_simulation::was_told(const std::string& words) const {
+  return std::ranges::any_of(told_, [&](const std::string& each) { return each.find(words) != std::string::npos; });
 }
 
 std::string flight_simulation::story() {

@@ -23,6 +23,7 @@
 #include "messages/mission/progress.hpp"
 #include "programs/godwit-sim/line/faulty_line.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
+#include "programs/godwitd/start_ledger.hpp"
 #include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
 #include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
 #include "tests/programs/godwitd/flight_simulation/simulated_station.hpp"
@@ -78,6 +79,8 @@ public:
   // Now; the next process begins after restart_takes_ns.
   void kill_process();
   enum class side { before, after };
+  // Crashes it as soon as it runs again, until it is given up or the process is another one. True: within MOST_S.
+  bool give_up(const std::string& actor, double most_s = 20);
   // At the N-th commit of all processes, counted from 1.
   void kill_process_at_commit(std::uint64_t number, side where);
   // As a pilot's switch would, without godwit knowing.
@@ -104,6 +107,8 @@ public:
   [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
   [[nodiscard]] int processes() const { return processes_; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  // What the program log would say, with its part in front.
+  [[nodiscard]] bool was_told(const std::string& words) const;
   // As the service has them, in the order in which they came.
   [[nodiscard]] std::vector<mission::progress_report> reports();
   // All of it, for messages of tests.
@@ -142,7 +147,8 @@ private:
   process_surroundings outside_;
   std::unique_ptr<daemon_process> process_;
   int processes_ = 0;
-  std::int64_t begins_ns_ = 0; // the next process, when there is none
+  std::optional<daemon::start_ledger> ledger_; // of the process that runs
+  std::int64_t begins_ns_ = 0;                 // the next process, when there is none
   struct planned_kill {
     std::uint64_t commit = 0;
     side where = side::after;

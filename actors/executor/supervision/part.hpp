@@ -1,0 +1,19 @@
+// The parts of a flight, as far as supervision is another one in each. Thread: constants.
+#pragma once
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::executor::supervision {
+
+// Of a flight.
+enum class part {
+  ground, // before it
+  flight,
+  after // what is owed for it is delivered
+};
+
+constexpr auto enum_names(part) {
+  return io::names<part>({{part::ground, "ground"}, {part::flight, "flight"}, {part::after, "after"}});
+}
+
+} // namespace godwit::executor::supervision

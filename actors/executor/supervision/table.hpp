@@ -1,0 +1,37 @@
+// Who runs, and what follows when a child can not be kept up: a child x the part of the flight.
+//
+//   child                    ground      flight      after
+//   vehicle_link             essential   essential   essential
+//   failsafe, executor       essential   essential   essential
+//   ground_port              wanted      wanted      wanted
+//   mission_client           wanted      wanted *    essential: it delivers what is owed
+//   others                   wanted      wanted *    wanted       * not in a reduced process
+//
+// An essential child that is given up ends the process: on the ground in order; in flight fast, and once within ten
+// minutes only (runtime::process_end::fast_once). When that is used up the rest goes on, and vehicle_link is restarted
+// for ever. The part comes from the durable state, not from names of phases. Pure. Thread: plain values.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actors/executor/supervision/part.hpp"
+#include "runtime/supervision/messages.hpp"
+
+namespace godwit::executor::supervision {
+
+// Of this process; see start_ledger.
+struct circumstances {
+  bool may_end_fast = true; // no process before it has ended fast within ten minutes
+  bool is_reduced = false;  // too many ended abnormally in flight: only what flies runs
+};
+
+// Of CHILDREN, in their order. One that the table does not name is wanted and not essential.
+[[nodiscard]] std::vector<runtime::child_entry> table_of(part now, const circumstances& process,
+                                                         const std::vector<std::string>& children);
+
+// What no table can have stopped.
+[[nodiscard]] std::vector<std::string> floor_children();
+
+} // namespace godwit::executor::supervision

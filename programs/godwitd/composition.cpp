@@ -127,6 +127,7 @@ void composition::add_actors() {
   auto& actors = host_->actors();
   base_ = add_base(actors, wanted_, outside_);
   control::neighbours of_desk;
+  of_desk.guardian = actors.guardian();
   of_desk.store = base_.store;
   of_desk.vehicle = base_.vehicle;
   if (service_)

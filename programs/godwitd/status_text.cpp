@@ -7,6 +7,8 @@ namespace {
 
 using json = nlohmann::json;
 
+constexpr std::size_t key_width = 11; // of the names in front of the lines
+
 std::string number(const json& part, const char* key) { return std::to_string(part.value(key, std::uint64_t{0})); }
 
 std::string text(const json& part, const char* key) { return part.value(key, std::string()); }
@@ -56,13 +58,32 @@ std::string sightings_line(const json& seen) {
          number(seen, "unreadable") + " unreadable";
 }
 
+// "executor: running, wanted, essential, incarnation 2, 1 restarts; green; last crash: killed"
+std::string actor_line(const json& actor) {
+  auto result =
+      text(actor, "name") + ": " + text(actor, "phase") + (actor.value("wanted", true) ? ", wanted" : ", not wanted") +
+      (actor.value("essential", false) ? ", essential" : "") + ", incarnation " + number(actor, "incarnation") + ", " +
+      number(actor, "restarts") + " restarts; " + text(actor, "health") + in_brackets(text(actor, "health_reason"));
+  if (const auto crash = text(actor, "last_crash"); !crash.empty())
+    result += "; last crash: " + crash;
+  return result;
+}
+
+std::string actor_lines(const json& actors) {
+  std::string result;
+  for (const auto& each : actors.value("list", json::array()))
+    result += (result.empty() ? "" : "\n" + std::string(key_width, ' ')) + actor_line(each);
+  return result;
+}
+
 struct part_row {
   const char* key;
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {{"run", run_line}, {"flight", flight_line},       {"service", service_line},
-                              {"map", map_line}, {"sightings", sightings_line}, {"vehicle", vehicle_line}};
+constexpr part_row parts[] = {{"run", run_line},      {"flight", flight_line},       {"service", service_line},
+                              {"map", map_line},      {"sightings", sightings_line}, {"vehicle", vehicle_line},
+                              {"actors", actor_lines}};
 
 } // namespace
 
@@ -73,7 +94,7 @@ std::string status_text(const json& answer) {
     if (part == answer.end() || !part->is_object())
       continue;
     result += (result.empty() ? "" : "\n") + std::string(row.key) +
-              std::string(11 - std::char_traits<char>::length(row.key), ' ') +
+              std::string(key_width - std::char_traits<char>::length(row.key), ' ') +
               (part->contains("error") && !part->contains("sync") ? text(*part, "error") : row.line(*part));
   }
   return result;

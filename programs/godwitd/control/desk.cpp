@@ -45,7 +45,7 @@ void desk::take(const control_request& asked) {
 }
 
 void desk::collect_status(std::uint64_t ticket) {
-  auto& half = collecting_[ticket] = {{{"ok", true}}, 2};
+  auto& half = collecting_[ticket] = {{{"ok", true}}, 3};
   half.missing +=
       (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0);
   if (others_.run)
@@ -54,6 +54,7 @@ void desk::collect_status(std::uint64_t ticket) {
     collect(ticket, "flight", *others_.flight, executor::get_flight{});
   if (others_.sightings)
     collect(ticket, "sightings", *others_.sightings, sightings::get_sightings{});
+  collect(ticket, "actors", others_.guardian, runtime::get_children{});
   collect(ticket, "map", others_.store, mapobjects_store::get_map{});
   collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});
   if (others_.client)

@@ -25,6 +25,7 @@
 #include "programs/godwitd/ground_run/handle.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
 #include "runtime/actor_base.hpp"
+#include "runtime/supervision/handle.hpp"
 
 namespace godwit::control {
 
@@ -37,10 +38,11 @@ struct neighbours {
   mission_client::operator_handle client; // none without a service
   mapobjects_store::operator_handle store;
   vehicle_handle vehicle;
-  std::optional<ground_run::status_handle> run;       // of a run on the ground
-  std::optional<executor::operator_handle> flight;    // else
-  std::optional<override_handle> failsafe;            // with a flight
-  std::optional<sightings::status_handle> sightings;  // with a flight
+  std::optional<ground_run::status_handle> run;      // of a run on the ground
+  std::optional<executor::operator_handle> flight;   // else
+  std::optional<override_handle> failsafe;           // with a flight
+  std::optional<sightings::status_handle> sightings; // with a flight
+  runtime::guardian_handle guardian;
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
 };
 

@@ -37,6 +37,31 @@ TEST(status_text, a_flight_says_how_it_stands_and_what_waits_for_a_person) {
             "disarmed; preflight report 4 waits for `ctl ack`");
 }
 
+TEST(status_text, each_actor_is_a_line_with_what_the_guardian_knows_of_it) {
+  const json list = json::array({{{"name", "vehicle_link"},
+                                  {"phase", "running"},
+                                  {"wanted", true},
+                                  {"essential", true},
+                                  {"incarnation", 3},
+                                  {"restarts", 2},
+                                  {"last_crash", "killed"},
+                                  {"health", "yellow"},
+                                  {"health_reason", "no heartbeat"}},
+                                 {{"name", "mission_client"},
+                                  {"phase", "absent"},
+                                  {"wanted", false},
+                                  {"essential", false},
+                                  {"incarnation", 0},
+                                  {"restarts", 0},
+                                  {"last_crash", ""},
+                                  {"health", "green"},
+                                  {"health_reason", ""}}});
+  EXPECT_EQ(status_text({{"ok", true}, {"actors", {{"list", list}}}}),
+            "actors     vehicle_link: running, wanted, essential, incarnation 3, 2 restarts; yellow (no heartbeat); "
+            "last crash: killed\n"
+            "           mission_client: absent, not wanted, incarnation 0, 0 restarts; green");
+}
+
 TEST(status_text, a_retry_tells_how_many_rows_it_found) {
   EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
 }

@@ -81,6 +81,7 @@ struct process {
     neighbours others;
     others.store = world.actors().add<map_stand_in>({.name = "map"}, {});
     others.vehicle = all;
+    others.guardian = world.actors().guardian();
     if (flies) {
       others.flight = all;
       others.failsafe = all;
@@ -111,10 +112,19 @@ struct process {
 
 TEST(control_desk, a_status_is_the_word_of_all_parts) {
   const auto answer = process(true).ask({});
-  for (const auto* part : {"run", "map", "vehicle", "service"})
+  for (const auto* part : {"run", "map", "vehicle", "service", "actors"})
     EXPECT_TRUE(answer.contains(part)) << part;
   EXPECT_EQ(answer.at("ok"), true);
   EXPECT_FALSE(process(true, false).ask({}).contains("service"));
+}
+
+TEST(control_desk, a_status_has_each_actor_as_the_guardian_sees_it) {
+  const auto actors = process(true).ask({}).at("actors").at("list");
+  ASSERT_EQ(actors.size(), 3U);
+  EXPECT_EQ(actors[2].at("name"), "control_desk");
+  EXPECT_EQ(actors[2].at("phase"), "running");
+  EXPECT_EQ(actors[2].at("incarnation"), 1);
+  EXPECT_EQ(actors[2].at("health"), "green");
 }
 
 TEST(control_desk, a_part_that_does_not_answer_holds_up_nobody_and_is_said) {

@@ -50,6 +50,7 @@ inline constexpr int max_tries_of_lost = 5;                     // of a command 
 inline constexpr std::int64_t shown_within_ns = 4'000'000'000;  // from the answer to the heartbeat that shows it
 inline constexpr std::uint64_t heartbeats_to_show = 3;          // so many that do not show it: it was not obeyed
 inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try of what was refused
+inline constexpr std::int64_t stop_answer_ms = 800;             // of a stop: it is obeyed within 2.5 s at 20 % loss
 inline constexpr std::int64_t until_heartbeat_ns = 100'000'000; // that vehicle_link has, and we have not: on its way
 
 // An automatic start is begun anew for so long while the vehicle refuses it for now: an ArduPilot that has just been

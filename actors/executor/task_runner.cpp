@@ -328,6 +328,8 @@ bool task_runner::is_overdue(const world& w) const {
 
 void task_runner::give_order(const world& w, vehicle_link::send_command what) {
   what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
+  if (is_stop())
+    what.timeout_ms = stop_answer_ms;
   if (w.view.mode())
     what.only_while = vehicle_link::seen_state{w.view.mode()->custom_mode, w.view.is_armed()};
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), what});

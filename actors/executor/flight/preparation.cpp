@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/preflight/checks/straight_return.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
@@ -67,15 +68,16 @@ preflight::report preparation::look_at_all(instant now) {
     plans_ = plan::build_plans(*mission, *where, flight_.going_on(*mission, flight_.first_item(*mission)));
     seen.mission.plans = &*plans_;
     seen.mission.return_point = plan::return_point_violations(*mission);
+    crossings_.clear();
     if (*plans_) {
       seen.mission.way.emplace();
-      seen.mission.straight_return.emplace();
       for (const auto& each : **plans_) {
         for (auto& found : plan::fence_violations(each, *mission, where->vehicle))
           seen.mission.way->push_back(std::move(found));
         for (const auto& found : plan::straight_return_crossings(each, *mission, *where))
-          seen.mission.straight_return->push_back(found);
+          crossings_.push_back(found);
       }
+      seen.mission.straight_return = crossings_;
       seen.mission.spare_percent = energy_.spare_behind((*plans_)->front());
     }
   }
@@ -147,6 +149,12 @@ bool preparation::take_arrived(effects& out) {
   return true;
 }
 
+// Where nobody is asked for it, everybody is told before each flight.
+void preparation::warn_of_straight_return(effects& out) const {
+  if (!flight_.configured.checks.asks_for_straight_return && !crossings_.empty())
+    out.emplace_back(announce{preflight::crossing_sentence(crossings_, *flight_.s.mission), true});
+}
+
 preparation::result preparation::check(effects& out, instant now) {
   const auto at = flight_.s.standing.now;
   if (checked_ns_ != 0 && now.now_ns - checked_ns_ < check_period_ns)
@@ -161,6 +169,7 @@ preparation::result preparation::check(effects& out, instant now) {
   if (!preflight::why_not_start(flight_.s.preflight, look.what, now.wall_ns).empty())
     return result::nothing;
   if (at == phase::preflight && plans_ && *plans_) {
+    warn_of_straight_return(out);
     phases_.go(out, trigger::checks_passed);
     tasks_.begin_deploy(out, *flight_.s.mission, (*plans_)->front(), flight_.s.assigned, false);
     return result::under_way;

@@ -50,6 +50,7 @@ private:
   [[nodiscard]] preflight::report look_at_all(instant now);
   [[nodiscard]] preflight::vehicle_facts look_at_vehicle(instant now) const;
   [[nodiscard]] bool take_arrived(effects& out);
+  void warn_of_straight_return(effects& out) const;
   [[nodiscard]] result check(effects& out, instant now);
 
   flight_context& flight_;
@@ -61,7 +62,8 @@ private:
   mission_client::pull_state map_ = mission_client::pull_state::not_started;
   std::string map_problem_;
   std::string refusal_;
-  std::optional<preflight::plan_result> plans_; // of the mission, from its first remaining item on
+  std::optional<preflight::plan_result> plans_;  // of the mission, from its first remaining item on
+  std::vector<plan::return_crossing> crossings_; // of these plans, by a straight return
   std::int64_t checked_ns_ = 0;
   house house_;
 };

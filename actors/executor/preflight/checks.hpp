@@ -13,7 +13,7 @@
 //   mission           loaded, and planned for this vehicle                           else
 //   fences            way inside inclusions, outside exclusions                      else                 no fences
 //   return_point      the same                                                       else                 no fences
-//   straight_return   from no leg into an exclusion             else                 not looked at yet    no fences
+//   straight_return   from no leg into an exclusion, or told    else, where asked    not looked at yet    no fences
 //   energy            lasts for plan and way home               does not                                  drain unknown
 //   map_objects       pulled                                    copy from before     else                 no service
 //   journal           written and sound                                              else

@@ -41,6 +41,7 @@ flight_world::flight_world(const options& wanted)
   settings_.refused_inserts = wanted.refused_inserts;
   settings_.shows_home = wanted.shows_home;
   settings_.marks_landings = wanted.marks_landings;
+  settings_.checks.asks_for_straight_return = true;
   settings_.drain_percent_per_min = wanted.drain_percent_per_min;
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;

@@ -47,8 +47,8 @@ async function generate_class(definition) {
 }
 
 export async function load_definitions() {
-  const { minimal, standard, common } = mappings;
-  const classes = { ...minimal.REGISTRY, ...standard.REGISTRY, ...common.REGISTRY };
+  const { minimal, standard, common, ardupilotmega } = mappings;
+  const classes = { ...minimal.REGISTRY, ...standard.REGISTRY, ...common.REGISTRY, ...ardupilotmega.REGISTRY };
   const magic_numbers = { ...mappings.MSG_ID_MAGIC_NUMBER };
   for (const { id, why, definition } of lacking) {
     if (classes[id]) throw new Error(`node-mavlink has message ${id} now: take it off the list of what it lacks`);

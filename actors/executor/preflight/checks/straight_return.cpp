@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "actors/domain/geofence/fence_name.hpp"
@@ -24,7 +25,12 @@ std::string names_of(const std::vector<plan::return_crossing>& all, const missio
 
 } // namespace
 
-result look_at_straight_return(const facts& seen, const settings&) {
+std::string crossing_sentence(const std::vector<plan::return_crossing>& all, const mission::document& mission) {
+  return "The return of a failsafe is straight, and leads into " + geofence::fence_name(all.front().fence) +
+         " from the way to item " + names_of(all, mission) + ".";
+}
+
+result look_at_straight_return(const facts& seen, const settings& set) {
   const auto& now = seen.mission;
   if (now.document == nullptr || now.plans == nullptr || !*now.plans)
     return skipped("There is no way from which a return could be looked at.");
@@ -34,10 +40,10 @@ result look_at_straight_return(const facts& seen, const settings&) {
     return fail("The straight returns of the mission were not compared with its fences yet; wait.");
   if (now.straight_return->empty())
     return pass("A failsafe's straight return crosses no exclusion fence.");
-  return degraded("The return of a failsafe is straight, and leads into " +
-                  geofence::fence_name(now.straight_return->front().fence) + " from the way to item " +
-                  names_of(*now.straight_return, *now.document) +
-                  ". Move these items or the fence, or acknowledge that it flies there.");
+  auto sentence = crossing_sentence(*now.straight_return, *now.document);
+  if (!set.asks_for_straight_return)
+    return pass(std::move(sentence));
+  return degraded(sentence + " Move these items or the fence, or acknowledge that it flies there.");
 }
 
 } // namespace godwit::executor::preflight

@@ -9,10 +9,10 @@ namespace {
 
 using namespace test;
 
-result with(std::vector<plan::return_crossing> found) {
+result with(std::vector<plan::return_crossing> found, bool is_asked = true) {
   auto seen = good_facts();
   seen.mission.straight_return = std::move(found);
-  return look_at_straight_return(seen, {});
+  return look_at_straight_return(seen, {.asks_for_straight_return = is_asked});
 }
 
 TEST(straight_return_check, passes_where_no_return_crosses_a_fence) { EXPECT_EQ(with({}).how, verdict::pass); }
@@ -21,6 +21,12 @@ TEST(straight_return_check, names_the_fence_and_the_items_from_which_it_is_cross
   const auto found = with({{1, 2}, {2, 2}, {2, 3}});
   EXPECT_EQ(found, degraded("The return of a failsafe is straight, and leads into geofence 3 from the way to item "
                             "'east', 'back'. Move these items or the fence, or acknowledge that it flies there."));
+}
+
+TEST(straight_return_check, passes_where_nobody_is_asked_and_says_the_same) {
+  const auto found = with({{1, 2}, {2, 2}, {2, 3}}, false);
+  EXPECT_EQ(found, pass("The return of a failsafe is straight, and leads into geofence 3 from the way to item 'east', "
+                        "'back'."));
 }
 
 TEST(straight_return_check, of_many_items_it_names_the_first_ones) {

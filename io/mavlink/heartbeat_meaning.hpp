@@ -1,7 +1,7 @@
 // What the flags of a HEARTBEAT say. Source: MAV_MODE_FLAG. Thread: any.
 #pragma once
 
-#include "io/mavlink/enums/vehicle.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::io::mavlink {

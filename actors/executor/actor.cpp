@@ -205,6 +205,8 @@ void actor::miss_failsafe() {
                      true});
   if (settings_.failsafe_gone != failsafe_gone_policy::come_home)
     return;
+  if (core_->is_coming_down())
+    return carry_out(announce{"the failsafe is gone; the vehicle comes down already, and is left to it", true});
   operator_words::word word;
   word.verb = operator_words::verb::come_home;
   word.by = actor_name();

@@ -286,7 +286,25 @@ effects core::on_news(const progress::settle_start& m, instant now) {
   return {};
 }
 
-effects core::on_news(const progress::news& m, instant) {
+// Who has the vehicle still has it; behind the hand-back the plan counts. What would fly the vehicle's plan is given
+// up, but for a start that may have come through.
+void core::lose_plan(effects& out, trigger what, instant now) {
+  if (flight_.has_person())
+    return;
+  const auto& runner = flight_.runner;
+  const auto kind = runner.doing() ? runner.doing()->kind : task_kind::stand_by;
+  const bool flies_it = kind == task_kind::resume || (kind == task_kind::start && !runner.has_asked_to_start());
+  const bool is_left_armed = flies_it && runner.has_armed() && flight_.view.is_armed() && !flight_.is_in_air();
+  if (flies_it)
+    tasks_.give_up(out, now, "the vehicle does not hold our plan any more");
+  flight_.wanted.go_on = false;
+  start_.refuse(out, "the vehicle does not hold our plan any more");
+  phases_.go(out, what);
+  if (is_left_armed && !flight_.is_in_flight())
+    tasks_.begin(out, task_kind::stand_down, {disarm{}});
+}
+
+effects core::on_news(const progress::news& m, instant now) {
   using progress::news_kind;
   effects out;
   switch (m.kind) {
@@ -294,12 +312,10 @@ effects core::on_news(const progress::news& m, instant) {
     flight_.wanted.choose_item = m.generation == flight_.s.progress.last_generation;
     break;
   case news_kind::foreign_plan:
-    if (!flight_.has_person()) // who has the vehicle still has it; behind the hand-back the plan counts
-      phases_.go(out, trigger::foreign_plan_found);
+    lose_plan(out, trigger::foreign_plan_found, now);
     break;
   case news_kind::vehicle_restarted:
-    if (!flight_.has_person())
-      phases_.go(out, trigger::autopilot_restarted);
+    lose_plan(out, trigger::autopilot_restarted, now);
     break;
   case news_kind::plan_done:
   case news_kind::mission_complete:

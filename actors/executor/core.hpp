@@ -130,6 +130,7 @@ public:
 
   void on_house(house seen) { preparation_.on_house(std::move(seen)); }
   [[nodiscard]] const vehicle_view& view() const { return flight_.view; }
+  [[nodiscard]] bool is_coming_down() const { return flight_.is_coming_down(); }
   [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home
   [[nodiscard]] const phase_machine& phases() const { return phases_; }
   [[nodiscard]] std::string sentence() const { return flight_.sentence(); } // how the flight stands, for people
@@ -151,6 +152,7 @@ private:
   [[nodiscard]] bool deploy_arrived(effects& out, instant now) { return changes_.deploy_arrived(out, now); }
   [[nodiscard]] bool follow_started(effects& out, instant) { return start_.follow(out); }
   [[nodiscard]] bool take_back(effects& out, instant) { return watch_.take_back(out); }
+  void lose_plan(effects& out, trigger what, instant now);
   [[nodiscard]] bool leave_to_person(effects& out, instant now);
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
   [[nodiscard]] bool prepare(effects& out, instant now);

@@ -68,7 +68,7 @@ exit_code wait_for_end(composition& made, program_log& log, start_ledger& ledger
   const auto why = made.host().actors().wait_for_exit_request();
   auto code = runtime::exit_code_for(why.cause);
   if (why.cause == runtime::exit_cause::given_up_in_flight) {
-    ledger.end_fast();
+    ledger.end_fast(this_moment());
     leave_by_force_soon(code);
   }
   const auto ended = made.end_of_run();

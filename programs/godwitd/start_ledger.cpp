@@ -45,8 +45,8 @@ start_verdict start_ledger::begin(const boot_moment& now, bool in_flight) {
 start_verdict start_ledger::judge(const boot_moment& now, bool in_flight) const {
   start_verdict result;
   const auto since_ms = now.at_ms - std::chrono::milliseconds(fast_end_counts).count();
-  result.may_end_fast =
-      std::ranges::none_of(runs_, [&](const run& each) { return each.ended_fast && each.began_ms >= since_ms; });
+  result.may_end_fast = std::ranges::none_of(
+      runs_, [&](const run& each) { return each.ended_fast_ms != 0 && each.last_ms() >= since_ms; });
   const auto ended = ended_within(now);
   if (limits_.max_abnormal_ends == 0)
     return result;
@@ -68,7 +68,7 @@ start_verdict start_ledger::judge(const boot_moment& now, bool in_flight) const 
 std::size_t start_ledger::ended_within(const boot_moment& now) const {
   const auto since_ms = now.at_ms - std::chrono::milliseconds(limits_.within).count();
   return static_cast<std::size_t>(
-      std::ranges::count_if(runs_, [&](const run& each) { return each.began_ms >= since_ms; }));
+      std::ranges::count_if(runs_, [&](const run& each) { return each.last_ms() >= since_ms; }));
 }
 
 std::string start_ledger::count_of(std::size_t ended) const {
@@ -83,10 +83,10 @@ void start_ledger::end_in_order() {
   (void)write(); // then this run counts as a crash, and a later one says that the file can not be written
 }
 
-void start_ledger::end_fast() {
+void start_ledger::end_fast(const boot_moment& now) {
   if (runs_.empty())
     return;
-  runs_.back().ended_fast = true;
+  runs_.back().ended_fast_ms = now.at_ms;
   (void)write();
 }
 
@@ -104,8 +104,9 @@ std::vector<start_ledger::run> start_ledger::read(const boot_moment& now) const 
     std::string how;
     if (!(words >> each.began_ms))
       break;
-    each.ended_fast = (words >> how) && how == fast_word;
-    if (each.began_ms >= now.at_ms - longest.count() && each.began_ms <= now.at_ms)
+    if ((words >> how) && how == fast_word && !(words >> each.ended_fast_ms))
+      each.ended_fast_ms = each.began_ms;
+    if (each.last_ms() >= now.at_ms - longest.count() && each.last_ms() <= now.at_ms)
       result.push_back(each);
   }
   return result;
@@ -117,7 +118,9 @@ bool start_ledger::write() const {
     std::ofstream file(fresh, std::ios::trunc);
     file << boot_ << '\n';
     for (const auto& each : runs_)
-      file << each.began_ms << (each.ended_fast ? " " + std::string(fast_word) : "") << '\n';
+      file << each.began_ms
+           << (each.ended_fast_ms != 0 ? " " + std::string(fast_word) + " " + std::to_string(each.ended_fast_ms) : "")
+           << '\n';
     if (!file.flush())
       return false;
   }

@@ -1,7 +1,8 @@
 // Counts the runs that did not end in order, so that godwitd does not start again and again into a state that kills it.
 //
 // A small file beside the journal: the boot's id, then a line for each run that is under way or has ended abnormally,
-// with its start in milliseconds of this boot, and " fast" behind it when it ended by force in flight. A run that ends
+// with its start in milliseconds of this boot, and " fast" and the time of the end behind it when it ended by force in
+// flight. A run that ends
 // in order takes its line away. When there are too many lines of late, the next run does not begin before a person has
 // removed the file or the time has passed; while a vehicle flies it begins in any case, in the end with what flies
 // alone. Only this boot counts: power that comes and goes is no crash, and the clock of a boot is never set. The page
@@ -51,12 +52,13 @@ public:
   [[nodiscard]] start_verdict begin(const boot_moment& now, bool in_flight);
   // Of a run that was noted.
   void end_in_order();
-  void end_fast();
+  void end_fast(const boot_moment& now);
 
 private:
   struct run {
     std::int64_t began_ms = 0;
-    bool ended_fast = false;
+    std::int64_t ended_fast_ms = 0; // 0: it did not
+    [[nodiscard]] std::int64_t last_ms() const { return ended_fast_ms != 0 ? ended_fast_ms : began_ms; }
   };
 
   [[nodiscard]] start_verdict judge(const boot_moment& now, bool in_flight) const;

@@ -75,6 +75,11 @@ bool flight_context::ends_on_ground() const {
          flight::leads_down(s.flown->items.back().command);
 }
 
+bool flight_context::is_coming_down() const {
+  const bool is_at_end = view.current() && view.current()->seq >= end_of_plan(view.owner(), s).from_sequence;
+  return s.standing.now == phase::landing || (ends_on_ground() && is_at_end);
+}
+
 bool flight_context::came_down_as_planned(instant now) const {
   if (!ends_on_ground() || view.is_under_way())
     return false;

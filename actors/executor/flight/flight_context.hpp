@@ -81,6 +81,7 @@ struct flight_context {
   [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
 
   // -- the end of the plan on the vehicle
+  [[nodiscard]] bool is_coming_down() const; // in the landing or the return with which it ends
   [[nodiscard]] bool ends_on_ground() const; // by a landing or a return
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;

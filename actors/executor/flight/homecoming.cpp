@@ -10,6 +10,8 @@ namespace {
 
 using flight::mode_kind;
 
+constexpr double climb_margin_m = 1;
+
 bool names_battery(failsafe::rule each) {
   return each == failsafe::rule::battery_low || each == failsafe::rule::battery_critical;
 }
@@ -134,7 +136,15 @@ std::string homecoming::why_not_by_plan(instant now) const {
 
 void homecoming::bring(effects& out, const std::vector<mission::waypoint>& turns, instant now) {
   flight_.homing.at = homing_stage::bringing;
-  tasks_.begin_way_home(out, plan::way_home(turns, *flight_.setting(now)));
+  const auto where = *flight_.setting(now);
+  auto way = turns;
+  const bool climbs = turns.front().at.altitude_m > where.start.altitude_m + climb_margin_m;
+  if (climbs && where.vehicle == flight::vehicle_class::multirotor) { // first, as at any return, and not on a slant
+    way.insert(way.begin(), turns.front());
+    way.front().at.latitude = where.start.latitude;
+    way.front().at.longitude = where.start.longitude;
+  }
+  tasks_.begin_way_home(out, plan::way_home(way, where));
 }
 
 // What flies lands by itself. A rover would stand in its mission mode.

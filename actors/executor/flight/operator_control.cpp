@@ -123,7 +123,16 @@ bool operator_control::interrupt(effects& out, instant now) {
   return true;
 }
 
+bool operator_control::flies_our_plan() const {
+  return flight_.s.mission && flight_.s.flown && flight_.view.is_under_way() && flight_.view.is_in(mode_kind::mission);
+}
+
 void operator_control::begin_halt(effects& out, instant now) {
+  if (!flight_.is_in_flight() && flies_our_plan()) { // somebody else has started it: from here on it is a flight
+    flight_.authority.begin(*flight_.view.mode());
+    flight_.was_up = true;
+    return phases_.go(out, trigger::started);
+  }
   const auto what = *std::exchange(flight_.wanted.halt, {});
   drop_change(out);
   if (what == task_kind::come_home)

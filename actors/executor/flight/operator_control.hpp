@@ -27,6 +27,7 @@ private:
   [[nodiscard]] std::string why_not(const operator_words::word& m, bool has_looked) const;
   [[nodiscard]] std::string why_not_resume() const;
   [[nodiscard]] bool interrupt(effects& out, instant now);
+  [[nodiscard]] bool flies_our_plan() const;
   void begin_halt(effects& out, instant now);
   void drop_change(effects& out);
 

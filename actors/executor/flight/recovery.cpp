@@ -252,7 +252,7 @@ bool recovery::finish(effects& out) {
     begin_going_on(out);
     return true;
   }
-  if (wanted.guard_again && flight_.s.standing.now != phase::paused && flight_.s.flown) {
+  if (wanted.guard_again && !flight_.is_failsafe_gone && flight_.s.standing.now != phase::paused && flight_.s.flown) {
     tasks_.begin(out, task_kind::resume, tasks_.guarded({}));
     return true;
   }

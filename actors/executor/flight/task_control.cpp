@@ -54,7 +54,8 @@ void task_control::begin_start(effects& out, std::optional<std::uint64_t> key) {
 
 steps task_control::guarded(steps way) {
   flight_.wanted.guard_again = false;
-  way.insert(way.begin(), guard{});
+  if (!flight_.is_failsafe_gone)
+    way.insert(way.begin(), guard{});
   return way;
 }
 

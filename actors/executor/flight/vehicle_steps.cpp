@@ -23,6 +23,25 @@ steps out_of_mission_steps(const flight_context& flight) {
   return {stand_by{flight.view.is_armed()}};
 }
 
+steps way_to_plan(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
+  if (!flight.is_in_flight()) {
+    steps result = out_of_mission_steps(flight);
+    result.emplace_back(bring_plan{});
+    return result;
+  }
+  if (flight.view.owner().autopilot == mav_autopilot::px4)
+    return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
+  steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
+  if (is_ardupilot(flight)) {
+    result.emplace_back(choose_item{map.start_sequence});
+    if (goes_on)
+      result.emplace_back(change_mode{mode_kind::mission});
+  } else if (goes_on) {
+    result.emplace_back(start_plan{map.start_sequence});
+  }
+  return result;
+}
+
 } // namespace
 
 bool starts_in_mission_mode(const flight_context& flight) {
@@ -44,21 +63,9 @@ steps start_steps(const flight_context& flight) {
 }
 
 steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
-  if (!flight.is_in_flight()) {
-    steps result = out_of_mission_steps(flight);
-    result.emplace_back(bring_plan{});
-    return result;
-  }
-  if (flight.view.owner().autopilot == mav_autopilot::px4)
-    return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
-  steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
-  if (is_ardupilot(flight)) {
-    result.emplace_back(choose_item{map.start_sequence});
-    if (goes_on)
-      result.emplace_back(change_mode{mode_kind::mission});
-  } else if (goes_on) {
-    result.emplace_back(start_plan{map.start_sequence});
-  }
+  auto result = way_to_plan(flight, map, goes_on);
+  if (flight.is_failsafe_gone) // nobody is there who would take the limits, and what is brought then is the way home
+    std::erase_if(result, [](const step& each) { return std::holds_alternative<guard>(each); });
   return result;
 }
 

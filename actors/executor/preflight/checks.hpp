@@ -9,7 +9,7 @@
 //   on_ground         stands, or flies for us                                        else                 not heard
 //   battery           above return level and margin             level not known      else, no news yet    not heard
 //   autopilot_checks  pass                                      does not say         fail, no news yet    not heard
-//   vehicle_ready     estimator knows its place                                      no, no news yet      not told
+//   vehicle_ready     estimator knows its place                 no: a Plane          no, no news yet      not told
 //   mission           loaded, and planned for this vehicle                           else
 //   fences            way inside inclusions, outside exclusions                      else                 no fences
 //   return_point      the same                                                       else                 no fences

@@ -25,6 +25,8 @@ private:
   // The plan ends between two heartbeats, while something else is said: no flight by hand meets that moment, and random
   // ones seldom. phase_table_test.cpp takes them.
   static bool is_moment(const transition& each) {
+    if (each.on == trigger::called_home && each.next == phase::paused)
+      return true; // somebody else flies a plan of his own, and an operator calls it home
     const bool is_at_end = each.guard.find("plan finished") != std::string_view::npos;
     return is_at_end && (each.on == trigger::resumed || each.on == trigger::found_in_flight ||
                          (each.on == trigger::handed_back && each.next == phase::landing));

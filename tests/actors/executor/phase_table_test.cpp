@@ -128,6 +128,19 @@ TEST(phase_table, who_has_the_vehicle_keeps_it_behind_the_end_of_the_mission) {
   EXPECT_EQ(*noted(out), (stood{phase::aborted, pause_cause::taken_over, "why", false}));
 }
 
+// Of a flight that is none of ours: nothing would lead out of the landing.
+TEST(phase_table, what_is_called_home_and_is_no_flight_of_ours_is_paused) {
+  state s;
+  s.standing = stands_in(phase::ready);
+  flight_context flight({}, s);
+  phase_machine machine(flight);
+  effects out;
+  machine.go(out, trigger::called_home);
+  ASSERT_TRUE(noted(out));
+  EXPECT_EQ(noted(out)->now, phase::paused);
+  EXPECT_EQ(noted(out)->cause, pause_cause::asked);
+}
+
 TEST(phase_table, a_pause_that_was_asked_for_ends_with_the_mission) {
   state s;
   s.standing = stands_in(phase::paused, pause_cause::asked, true);

@@ -1,4 +1,6 @@
 // Flights through rows of the phase table that no other test takes.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/flight_world.hpp"
@@ -11,6 +13,7 @@ using sim::personality;
 using tests::flight_world;
 
 constexpr std::uint16_t set_mode = 176;
+constexpr std::uint16_t mission_start = 300;
 constexpr std::uint16_t arm_disarm = 400;
 constexpr std::uint8_t denied = 2;
 
@@ -55,6 +58,23 @@ TEST_P(transitions, a_start_that_is_stopped_before_it_moved_is_prepared_again_by
   world.run_for(10);
   ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+}
+
+// Its MISSION_START would fly that.
+TEST(transition, a_start_ends_when_the_vehicle_has_another_plan) {
+  flight_world world({.who = personality::px4, .start = start_policy::on_command});
+  world.load(tests::short_mission(personality::px4));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.run_for(10);
+  world.lose_command(arm_disarm, 1);
+  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::starting)) << world.story();
+  world.vehicle_tells(io::mavlink::mission_current{.seq = 0, .total = 9, .mission_state = 2, .mission_id = 4711});
+  world.run_for(0.2);
+  EXPECT_EQ(world.durable().standing.cause, pause_cause::foreign_plan) << world.story();
+  world.run_for(20);
+  EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 0) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
 }
 
 TEST_P(transitions, what_is_brought_while_it_is_held_is_not_begun) {

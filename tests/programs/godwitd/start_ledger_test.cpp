@@ -27,7 +27,7 @@ struct ledger_test : testing::Test {
   void end_fast(std::int64_t at_ms) const {
     start_ledger ledger(file, limits);
     (void)ledger.begin({"boot-1", at_ms}, true);
-    ledger.end_fast();
+    ledger.end_fast({"boot-1", at_ms});
   }
 };
 
@@ -117,6 +117,15 @@ TEST_F(ledger_test, a_fast_end_is_the_only_one_within_ten_minutes) {
   EXPECT_TRUE(crash_in_flight(602'001).may_end_fast);
 }
 
+TEST_F(ledger_test, a_run_of_an_hour_that_ends_fast_counts_from_its_end_on) {
+  constexpr std::int64_t hour_ms = 3'600'000;
+  start_ledger ledger(file, limits);
+  (void)ledger.begin({"boot-1", 1'000}, true);
+  ledger.end_fast({"boot-1", hour_ms});
+  EXPECT_FALSE(crash_in_flight(hour_ms + 1'000).may_end_fast);
+  EXPECT_TRUE(crash_in_flight(hour_ms + 600'001).may_end_fast);
+}
+
 TEST_F(ledger_test, a_fast_end_is_kept_when_a_later_run_ends_in_order) {
   end_fast(2'000);
   start_ledger orderly(file, limits);
@@ -128,7 +137,7 @@ TEST_F(ledger_test, a_fast_end_is_kept_when_a_later_run_ends_in_order) {
 TEST_F(ledger_test, a_fast_end_is_kept_where_crashes_are_not_counted) {
   start_ledger first(file, {0, 600s});
   EXPECT_TRUE(first.begin({"boot-1", 1}, true).may_end_fast);
-  first.end_fast();
+  first.end_fast({"boot-1", 1});
   EXPECT_FALSE(start_ledger(file, {0, 600s}).begin({"boot-1", 2}, true).may_end_fast);
 }
 

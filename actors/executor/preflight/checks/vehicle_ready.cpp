@@ -4,6 +4,16 @@
 
 namespace godwit::executor::preflight {
 
+namespace {
+
+// A Plane without a compass finds its heading in the take-off run, and says so by a flag that is missing on the ground.
+bool may_align_in_flight(const facts& seen) {
+  return seen.vehicle.autopilot == io::mavlink::mav_autopilot::ardupilotmega &&
+         seen.vehicle.what == flight::vehicle_class::fixed_wing && seen.vehicle.own == own_checks::passing;
+}
+
+} // namespace
+
 result look_at_vehicle_ready(const facts& seen, const settings&) {
   if (!is_vehicle_heard(seen))
     return skipped("The vehicle is not heard: whether its position estimate is ready is not known.");
@@ -11,6 +21,10 @@ result look_at_vehicle_ready(const facts& seen, const settings&) {
   case estimate::ready:
     return pass("The vehicle's position estimate is ready.");
   case estimate::not_ready:
+    if (may_align_in_flight(seen))
+      return degraded(
+          "The vehicle's position estimate is not ready, though its own checks pass; without a compass it is "
+          "aligned in the take-off. Acknowledge it if that is so, else wait.");
     return fail("The vehicle can not be armed for a flight yet, because its position estimate is not ready; wait until "
                 "it is." +
                 in_its_words(seen));

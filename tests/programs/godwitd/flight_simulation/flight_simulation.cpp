@@ -142,7 +142,7 @@ void flight_simulation::watch_process() {
     return;
   note("the process ends: " + why->reason);
   if (why->cause == runtime::exit_cause::given_up_in_flight)
-    ledger_->end_fast();
+    ledger_->end_fast({"boot", now_ns_ / 1'000'000});
   kill_process();
 }
 

@@ -26,6 +26,17 @@ TEST(vehicle_ready_check, fails_while_it_does_not_though_the_autopilots_own_chec
   EXPECT_EQ(with(estimate::not_ready).how, verdict::fail);
 }
 
+TEST(vehicle_ready_check, a_plane_that_may_align_in_its_take_off_needs_an_acknowledgement) {
+  auto seen = good_facts();
+  seen.vehicle.estimate = estimate::not_ready;
+  seen.vehicle.autopilot = mav_autopilot::ardupilotmega;
+  seen.vehicle.what = flight::vehicle_class::fixed_wing;
+  seen.vehicle.own = own_checks::passing;
+  EXPECT_EQ(look_at_vehicle_ready(seen, {}).how, verdict::degraded);
+  seen.vehicle.own = own_checks::failing;
+  EXPECT_EQ(look_at_vehicle_ready(seen, {}).how, verdict::fail);
+}
+
 TEST(vehicle_ready_check, says_the_reason_in_the_vehicles_own_words) {
   const auto found = with(estimate::not_ready, "PreArm: Need Position Estimate");
   EXPECT_NE(found.sentence.find("PreArm: Need Position Estimate"), std::string::npos) << found.sentence;

@@ -294,13 +294,12 @@ void core::lose_plan(effects& out, trigger what, instant now) {
   const auto& runner = flight_.runner;
   const auto kind = runner.doing() ? runner.doing()->kind : task_kind::stand_by;
   const bool flies_it = kind == task_kind::resume || (kind == task_kind::start && !runner.has_asked_to_start());
-  const bool is_left_armed = flies_it && runner.has_armed() && flight_.view.is_armed() && !flight_.is_in_air();
   if (flies_it)
     tasks_.give_up(out, now, "the vehicle does not hold our plan any more");
   flight_.wanted.go_on = false;
   start_.refuse(out, "the vehicle does not hold our plan any more");
   phases_.go(out, what);
-  if (is_left_armed && !flight_.is_in_flight())
+  if (flies_it && flight_.is_left_armed() && !flight_.is_in_flight())
     tasks_.begin(out, task_kind::stand_down, {disarm{}});
 }
 

@@ -169,10 +169,16 @@ void composition::add_flight(control::neighbours& of_desk) {
 }
 
 bool composition::is_in_flight() {
+  if (!was_in_flight_)
+    was_in_flight_ = wanted_.flies && reads_in_flight();
+  return *was_in_flight_;
+}
+
+bool composition::reads_in_flight() {
   std::promise<tl::expected<runtime::recovered, runtime::journal_error>> read;
   host_->journal().recover("executor", 0, [&read](auto result) { read.set_value(std::move(result)); });
   const auto result = read.get_future().get();
-  return wanted_.flies && result && daemon::is_in_flight(*result);
+  return result && daemon::is_in_flight(*result);
 }
 
 checked composition::open() {

@@ -57,6 +57,7 @@ private:
 
   [[nodiscard]] tl::expected<void, std::string> open_files();
   [[nodiscard]] tl::expected<void, std::string> load_mission();
+  [[nodiscard]] bool reads_in_flight();
   void surround_actors();
   void add_actors();
   void add_flight(control::neighbours& of_desk);
@@ -72,6 +73,7 @@ private:
   // PART: of whom it is said.
   void announce(const ground_run::announce& said, std::string_view part = "ground_run");
 
+  std::optional<bool> was_in_flight_; // none: the journal was not asked yet
   daemon_settings wanted_;
   program_log& log_;
   run_end end_;

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 
+#include "runtime/supervision/messages.hpp"
+
 namespace godwit::daemon {
 namespace {
 
 using runtime::health_colour;
 using runtime::health_entry;
-
-const char* word_of(health_colour colour) {
-  switch (colour) {
-  case health_colour::green:
-    return "green";
-  case health_colour::yellow:
-    return "yellow";
-  case health_colour::red:
-    break;
-  }
-  return "red";
-}
 
 std::string because(const std::string& reason) { return reason.empty() ? "" : ": " + reason; }
 
@@ -29,7 +19,7 @@ std::string health_in_a_line(const std::vector<health_entry>& now) {
   if (ill == 0)
     return "all is well";
   const auto& worst = *std::ranges::max_element(now, {}, &health_entry::colour);
-  return word_of(worst.colour) + (": " + worst.component) + because(worst.reason) +
+  return std::string(io::name_of(worst.colour)) + ": " + worst.component + because(worst.reason) +
          (ill > 1 ? "; and " + std::to_string(ill - 1) + " more" : "");
 }
 
@@ -44,7 +34,7 @@ std::vector<health_change> health_changes(const std::vector<health_entry>& befor
     result.push_back({each.component, each.colour,
                       each.colour == health_colour::green
                           ? each.component + " is well again"
-                          : each.component + " is " + word_of(each.colour) + because(each.reason)});
+                          : each.component + " is " + std::string(io::name_of(each.colour)) + because(each.reason)});
   }
   return result;
 }

@@ -43,4 +43,13 @@ mission::document short_mission(sim::personality who) {
   return result;
 }
 
+mission::document with_landing_on_the_way() {
+  auto result = short_mission(sim::personality::px4);
+  const auto w1 = std::get<mission::waypoint>(result.items[1]).at;
+  result.items = {result.items[0],           result.items[1],
+                  mission::land{"drop", w1}, mission::takeoff{"up again", 20},
+                  place("w2", 60, 60, 20),   mission::return_home{"home"}};
+  return result;
+}
+
 } // namespace godwit::tests

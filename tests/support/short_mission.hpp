@@ -14,6 +14,8 @@ namespace godwit::tests {
 [[nodiscard]] mission::item place(const std::string& id, double north_m, double east_m, double up_m);
 // The same for this vehicle, at 20 m unless it drives: a plane needs more room, and is sent so many times as far.
 [[nodiscard]] mission::item place(sim::personality who, const std::string& id, double north_m, double east_m);
+// Take-off, a waypoint, a landing on the way; and behind it take-off, a waypoint and home.
+[[nodiscard]] mission::document with_landing_on_the_way();
 inline constexpr double plane_goes_farther = 5;
 // What ends a mission on the ground at home: a return; of a plane, which would circle there for ever, a landing. Behind
 // a place that is not too near.

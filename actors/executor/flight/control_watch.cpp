@@ -47,7 +47,7 @@ void control_watch::know_plan_end() {
 // -- when it is watched -----------------------------------------------------------------------------
 
 void control_watch::begin_start(effects& out) {
-  begin_flight();
+  flight_.authority.begin(*flight_.view.mode());
   was_armed_ = flight_.view.is_armed();
   if (flight_.stance && flight_.stance->taken_over) { // of a flight before; whoever starts this one hands it over
     flight_.stance->taken_over = false;
@@ -136,7 +136,7 @@ bool control_watch::take_back(effects& out) {
     flight_.stance->reacts.reset();
   }
   if (flight_.is_in_flight() && flight_.view.mode())
-    begin_flight();
+    flight_.authority.begin(*flight_.view.mode());
   phases_.go(out, trigger::handed_back);
   return true;
 }

@@ -25,8 +25,6 @@ public:
 
   // godwit starts the vehicle, and has it from here on.
   void begin_start(effects& out);
-  // The vehicle flies our plan, and godwit has it.
-  void begin_flight() { flight_.authority.begin(*flight_.view.mode()); }
   // A new incarnation. LEFT_IN: the modes in which godwit may have left the vehicle.
   void resume(std::vector<std::uint32_t> left_in, instant now);
   void end_flight();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/executor/plan/places.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -15,12 +16,10 @@ double apart_m(const geo::point& a, const geo::point& b) {
   return geo::is_valid(a) && geo::is_valid(b) ? geo::distance_m(a, b) : std::nan("");
 }
 
-geo::point place_of(const mission::position& at) { return {at.latitude, at.longitude}; }
-
 energy::way way_of(const plan::flight_plan& plan) {
   energy::way result;
   for (const auto& each : plan.legs) {
-    result.horizontal_m += apart_m(place_of(each.from), place_of(each.to));
+    result.horizontal_m += apart_m(plan::point_of(each.from), plan::point_of(each.to));
     result.climb_m += std::max(0.0, each.to.altitude_m - each.from.altitude_m);
     result.descent_m += std::max(0.0, each.from.altitude_m - each.to.altitude_m);
   }
@@ -70,7 +69,7 @@ std::optional<double> energy_control::seconds_home(instant now) const {
   const auto& home = flight_.view.home();
   if (!at || !home)
     return std::nullopt;
-  const auto distance_m = apart_m(place_of(*at), {home->latitude, home->longitude});
+  const auto distance_m = apart_m(plan::point_of(*at), plan::point_of(*home));
   return energy::seconds_for(energy::straight_home(distance_m, at->altitude_m, flight_.configured.return_altitude_m),
                              energy::pace_of(flight_.view.owner().vehicle));
 }
@@ -81,7 +80,7 @@ std::optional<double> energy_control::spare_behind(const plan::flight_plan& plan
     return std::nullopt;
   const auto pace = energy::pace_of(flight_.view.owner().vehicle);
   const auto out = energy::seconds_for(way_of(plan), pace);
-  const auto distance_m = apart_m(place_of(plan.ends_at), {home->latitude, home->longitude});
+  const auto distance_m = apart_m(plan::point_of(plan.ends_at), plan::point_of(*home));
   // Down on the ground it is either home, or a person has to see to what comes next.
   const auto back =
       plan.ends_on_ground

@@ -1,7 +1,10 @@
 #include "actors/executor/flight/flight_context.hpp"
 
+#include <algorithm>
+
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/preflight/report.hpp"
 #include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
@@ -18,6 +21,11 @@ constexpr double landed_there_m = 15;
 constexpr double fixed_wing_landed_there_m = 150;
 
 } // namespace
+
+void flight_context::adopt_flight() {
+  authority.begin(*view.mode());
+  was_up = true;
+}
 
 std::string flight_context::sentence() const {
   const auto& at = s.standing;
@@ -54,12 +62,13 @@ bool flight_context::is_in_air() const {
   return view.owner().vehicle != flight::vehicle_class::rover && view.is_under_way();
 }
 
+bool flight_context::is_ardupilot() const { return view.owner().autopilot == mav_autopilot::ardupilotmega; }
+
 bool flight_context::is_copter() const {
-  return view.owner().autopilot == mav_autopilot::ardupilotmega &&
-         view.owner().vehicle == flight::vehicle_class::multirotor;
+  return is_ardupilot() && view.owner().vehicle == flight::vehicle_class::multirotor;
 }
 
-bool flight_context::plan_has_home() const { return view.owner().autopilot == mav_autopilot::ardupilotmega; }
+bool flight_context::is_left_armed() const { return runner.has_armed() && view.is_armed() && !is_in_air(); }
 
 std::vector<std::uint32_t> flight_context::modes_behind_disarm() const {
   if (view.owner().autopilot != io::mavlink::mav_autopilot::px4)
@@ -75,9 +84,12 @@ bool flight_context::ends_on_ground() const {
          flight::leads_down(s.flown->items.back().command);
 }
 
+bool flight_context::is_at_end_of_plan() const {
+  return view.current() && view.current()->seq >= end_of_plan(view.owner(), s).from_sequence;
+}
+
 bool flight_context::is_coming_down() const {
-  const bool is_at_end = view.current() && view.current()->seq >= end_of_plan(view.owner(), s).from_sequence;
-  return s.standing.now == phase::landing || (ends_on_ground() && is_at_end);
+  return s.standing.now == phase::landing || (ends_on_ground() && is_at_end_of_plan());
 }
 
 bool flight_context::came_down_as_planned(instant now) const {
@@ -87,7 +99,7 @@ bool flight_context::came_down_as_planned(instant now) const {
   const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
   if (last.command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
-    return view.home() && view.is_within(metres, {view.home()->latitude, view.home()->longitude}, now.now_ns);
+    return view.home() && view.is_within(metres, plan::point_of(*view.home()), now.now_ns);
   constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
   return (last.x == 0 && last.y == 0) || view.is_within(metres, {last.x / units, last.y / units}, now.now_ns);
 }
@@ -135,15 +147,25 @@ std::optional<plan::plan_setting> flight_context::setting(instant now) const {
 
 tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(const mission::document& mission,
                                                                             instant now) const {
+  return plan_in_flight(mission, first_item(mission), now);
+}
+
+tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(const mission::document& mission,
+                                                                            std::size_t first_item, instant now) const {
   const auto where = setting(now);
   if (!where)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
-  auto plans = plan::build_plans(mission, *where, going_on(mission, first_item(mission)));
+  auto plans = plan::build_plans(mission, *where, going_on(mission, first_item));
   if (!plans)
     return tl::make_unexpected(plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), mission, where->vehicle); !found.empty())
     return tl::make_unexpected(found.front().message);
   return std::move(plans->front());
+}
+
+way_wish flight_context::way_between(const mission::position& from, const mission::position& to) const {
+  const auto [low, high] = std::minmax(from.altitude_m, to.altitude_m);
+  return {from, to, low, high, view.owner().vehicle, configured.fence_margin_m, configured.own_loiter_radius_m};
 }
 
 } // namespace godwit::executor

@@ -20,6 +20,7 @@
 #include "actors/executor/settings.hpp"
 #include "actors/executor/task_runner.hpp"
 #include "actors/executor/view.hpp"
+#include "actors/executor/way_around.hpp"
 
 namespace godwit::executor {
 
@@ -51,6 +52,8 @@ struct flight_context {
   homing_state homing;
   bool was_up = false; // it has been in the air, as far as this incarnation knows
 
+  // The vehicle flies our plan, and godwit has it from here on.
+  void adopt_flight();
   [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s, view, authority, now.now_ns, out}; }
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
 
@@ -75,14 +78,17 @@ struct flight_context {
 
   // -- the vehicle
   [[nodiscard]] bool is_in_air() const; // of a rover, that it is armed says nothing
+  [[nodiscard]] bool is_ardupilot() const;
   [[nodiscard]] bool is_copter() const;
-  [[nodiscard]] bool plan_has_home() const; // as its first item
+  [[nodiscard]] bool plan_has_home() const { return is_ardupilot(); } // as its first item
+  [[nodiscard]] bool is_left_armed() const;                           // on the ground, by the task that began last
   // PX4 goes back to its mission mode when it disarms in another one, or holds when the mission is done.
   [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
 
   // -- the end of the plan on the vehicle
-  [[nodiscard]] bool is_coming_down() const; // in the landing or the return with which it ends
-  [[nodiscard]] bool ends_on_ground() const; // by a landing or a return
+  [[nodiscard]] bool is_at_end_of_plan() const; // MISSION_CURRENT has its last item that moves the vehicle
+  [[nodiscard]] bool is_coming_down() const;    // in the landing or the return with which it ends
+  [[nodiscard]] bool ends_on_ground() const;    // by a landing or a return
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;
   // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the
@@ -97,9 +103,13 @@ struct flight_context {
   [[nodiscard]] plan::plan_from going_on(const mission::document& mission, std::size_t first_item) const;
   // None: where the vehicle or its home is, is not known.
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
-  // Of the rest of MISSION, from where the vehicle is. Errors: a sentence for people.
+  // Of MISSION from FIRST_ITEM on, or of the rest of it, from where the vehicle is. Errors: a sentence for people.
+  [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
+                                                                            std::size_t first_item, instant now) const;
   [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
                                                                             instant now) const;
+  // What an operator sends it around the fences by.
+  [[nodiscard]] way_wish way_between(const mission::position& from, const mission::position& to) const;
 };
 
 } // namespace godwit::executor

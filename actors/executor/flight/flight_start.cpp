@@ -73,8 +73,7 @@ bool flight_start::follow(effects& out) {
   const bool flies = flight_.view.is_under_way() && flight_.view.is_in_begun_mission();
   if (flight_.is_in_flight() || !waits || !flies || !flight_.s.progress.plan || !flight_.s.flown)
     return false;
-  watch_.begin_flight();
-  flight_.was_up = true;
+  flight_.adopt_flight();
   out.emplace_back(note{preflight::took_off{}});
   phases_.go(out, trigger::found_started);
   tasks_.begin(out, task_kind::resume, {guard{}, change_mode{mode_kind::mission}});

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "actors/executor/plan/way_home.hpp"
-#include "actors/executor/way_around.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -51,20 +50,16 @@ homecoming::turns_or_why homecoming::turns(instant now) const {
   const auto here = view.place(now.now_ns);
   if (!here || !view.home())
     return tl::make_unexpected(std::string("the vehicle does not tell where it is, or where its home is"));
-  const auto& set = flight_.configured;
-  const auto vehicle = view.owner().vehicle;
-  const double altitude_m = std::max(here->altitude_m, set.return_altitude_m);
+  const double altitude_m = std::max(here->altitude_m, flight_.configured.return_altitude_m);
   const mission::position home{view.home()->latitude, view.home()->longitude, altitude_m};
-  const auto places =
-      turns_home({*here, home, here->altitude_m, altitude_m, vehicle, set.fence_margin_m, set.own_loiter_radius_m},
-                 mission->geofences);
+  const auto places = turns_home(flight_.way_between(*here, home), mission->geofences);
   if (!places)
     return tl::make_unexpected(places.error());
   if (!places->empty() && is_battery_low())
     return tl::make_unexpected(std::string("the battery is low"));
   std::vector<mission::waypoint> result;
   for (const auto& each : *places)
-    result.push_back(turn_at(each, altitude_m, {}, vehicle));
+    result.push_back(turn_at(each, altitude_m, {}, view.owner().vehicle));
   return result;
 }
 
@@ -155,8 +150,7 @@ bool homecoming::stop_at_home(effects& out, instant now) {
   if (!is_rover || !flight_.is_in_flight() || !flight_.is_on_way_home() || flight_.has_person() ||
       flight_.runner.is_busy() || flight_.wanted.halt || stopped_in_ == generation)
     return false;
-  const bool is_at_end = view.current() && view.current()->seq >= end_of_plan(view.owner(), flight_.s).from_sequence;
-  if (!view.is_in(mode_kind::mission) || !is_at_end || !view.stands_at_home(now.now_ns))
+  if (!view.is_in(mode_kind::mission) || !flight_.is_at_end_of_plan() || !view.stands_at_home(now.now_ns))
     return false;
   stopped_in_ = generation;
   tasks_.begin(out, task_kind::come_home, {change_mode{mode_kind::hold}});

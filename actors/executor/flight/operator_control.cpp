@@ -106,7 +106,6 @@ bool operator_control::halt(effects& out, instant now) {
 
 bool operator_control::interrupt(effects& out, instant now) {
   const auto& runner = flight_.runner;
-  const bool has_armed = runner.has_armed() && flight_.view.is_armed();
   const bool may_move = flight_.is_in_flight() || flight_.view.is_moving() || runner.has_asked_to_start();
   tasks_.give_up(out, now, "an operator has stopped it");
   if (may_move) { // a start may still come through: it is held as what flies
@@ -118,7 +117,7 @@ bool operator_control::interrupt(effects& out, instant now) {
   flight_.wanted.halt.reset();
   flight_.authority.end();
   phases_.go(out, trigger::start_stopped);
-  if (has_armed)
+  if (flight_.is_left_armed())
     tasks_.begin(out, task_kind::stand_down, {disarm{}});
   return true;
 }
@@ -129,8 +128,7 @@ bool operator_control::flies_our_plan() const {
 
 void operator_control::begin_halt(effects& out, instant now) {
   if (!flight_.is_in_flight() && flies_our_plan()) { // somebody else has started it: from here on it is a flight
-    flight_.authority.begin(*flight_.view.mode());
-    flight_.was_up = true;
+    flight_.adopt_flight();
     return phases_.go(out, trigger::started);
   }
   const auto what = *std::exchange(flight_.wanted.halt, {});

@@ -4,8 +4,6 @@
 
 #include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
-#include "actors/executor/flight/preparation.hpp"
-#include "actors/executor/flight/recovery.hpp"
 
 namespace godwit::executor {
 

@@ -15,7 +15,7 @@ constexpr phase_set of(P... each) {
   return (0U | ... | (1U << static_cast<unsigned>(each)));
 }
 
-constexpr phase_set any = (1U << (static_cast<unsigned>(aborted) + 1)) - 1;
+constexpr phase_set any = (1U << phase_count) - 1;
 constexpr phase_set on_the_way = of(flying, landing);
 constexpr phase_set over = of(post_flight, done, aborted);
 
@@ -181,45 +181,6 @@ constexpr std::array table{
     with(row(trigger::delivered, of(post_flight), no_guard, done), cause_rule::kept),
 };
 
-constexpr std::array<std::string_view, 37> names{"link_lost",
-                                                 "link_found",
-                                                 "mission_changed",
-                                                 "prepare_again",
-                                                 "checks_begun",
-                                                 "checks_passed",
-                                                 "plan_brought",
-                                                 "plan_brought_held",
-                                                 "start_waits",
-                                                 "start_begun",
-                                                 "start_refused",
-                                                 "start_failed",
-                                                 "start_stopped",
-                                                 "started",
-                                                 "found_started",
-                                                 "plan_done",
-                                                 "told_to_hold",
-                                                 "held",
-                                                 "resumed",
-                                                 "called_home",
-                                                 "called_home_by_plan",
-                                                 "not_obeyed",
-                                                 "task_failed",
-                                                 "person_took_over",
-                                                 "failsafe_acts",
-                                                 "autopilot_failsafe_acts",
-                                                 "handed_back",
-                                                 "foreign_plan_found",
-                                                 "autopilot_restarted",
-                                                 "restarted_on_ground",
-                                                 "replan_left_open",
-                                                 "found_held",
-                                                 "found_on_its_way",
-                                                 "found_in_flight",
-                                                 "flight_ended",
-                                                 "mission_ended",
-                                                 "delivered"};
-static_assert(names.size() == static_cast<std::size_t>(trigger::delivered) + 1);
-
 pause_cause cause_behind(const transition& taken, const stood& before) {
   switch (taken.rule) {
   case cause_rule::kept:
@@ -250,8 +211,6 @@ bool flies_behind(const transition& taken, const flight_context& c) {
 
 } // namespace
 
-std::string_view name_of(trigger what) { return names[static_cast<std::size_t>(what)]; }
-
 std::span<const transition> phase_table() { return table; }
 
 phase_machine::phase_machine(const flight_context& flight) : flight_(flight), taken_(table.size()) {}
@@ -270,7 +229,7 @@ void phase_machine::go(effects& out, trigger what, const std::string& reason) {
     return;
   }
   throw std::logic_error("the phase " + std::string(io::name_of(before.now)) + " has no way on for " +
-                         std::string(name_of(what)));
+                         std::string(io::name_of(what)));
 }
 
 } // namespace godwit::executor

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "actors/executor/flight/flight_context.hpp"
+#include "io/fields/field_table.hpp"
 
 namespace godwit::executor {
 
@@ -63,7 +64,47 @@ enum class trigger {
   delivered
 };
 
-[[nodiscard]] std::string_view name_of(trigger what);
+constexpr auto enum_names(trigger) {
+  return io::names<trigger>({{trigger::link_lost, "link_lost"},
+                             {trigger::link_found, "link_found"},
+                             {trigger::mission_changed, "mission_changed"},
+                             {trigger::prepare_again, "prepare_again"},
+                             {trigger::checks_begun, "checks_begun"},
+                             {trigger::checks_passed, "checks_passed"},
+                             {trigger::plan_brought, "plan_brought"},
+                             {trigger::plan_brought_held, "plan_brought_held"},
+                             {trigger::start_waits, "start_waits"},
+                             {trigger::start_begun, "start_begun"},
+                             {trigger::start_refused, "start_refused"},
+                             {trigger::start_failed, "start_failed"},
+                             {trigger::start_stopped, "start_stopped"},
+                             {trigger::started, "started"},
+                             {trigger::found_started, "found_started"},
+                             {trigger::plan_done, "plan_done"},
+                             {trigger::told_to_hold, "told_to_hold"},
+                             {trigger::held, "held"},
+                             {trigger::resumed, "resumed"},
+                             {trigger::called_home, "called_home"},
+                             {trigger::called_home_by_plan, "called_home_by_plan"},
+                             {trigger::not_obeyed, "not_obeyed"},
+                             {trigger::task_failed, "task_failed"},
+                             {trigger::person_took_over, "person_took_over"},
+                             {trigger::failsafe_acts, "failsafe_acts"},
+                             {trigger::autopilot_failsafe_acts, "autopilot_failsafe_acts"},
+                             {trigger::handed_back, "handed_back"},
+                             {trigger::foreign_plan_found, "foreign_plan_found"},
+                             {trigger::autopilot_restarted, "autopilot_restarted"},
+                             {trigger::restarted_on_ground, "restarted_on_ground"},
+                             {trigger::replan_left_open, "replan_left_open"},
+                             {trigger::found_held, "found_held"},
+                             {trigger::found_on_its_way, "found_on_its_way"},
+                             {trigger::found_in_flight, "found_in_flight"},
+                             {trigger::flight_ended, "flight_ended"},
+                             {trigger::mission_ended, "mission_ended"},
+                             {trigger::delivered, "delivered"}});
+}
+
+inline constexpr std::size_t phase_count = static_cast<std::size_t>(phase::aborted) + 1;
 
 // A set of phases, as bits.
 using phase_set = std::uint32_t;
@@ -99,7 +140,7 @@ public:
   void go(effects& out, trigger what, const std::string& reason = {});
 
   // So often each row was taken, in the order of the table; and by which phase.
-  using counts = std::array<std::uint32_t, 16>;
+  using counts = std::array<std::uint32_t, phase_count>;
   [[nodiscard]] const std::vector<counts>& taken() const { return taken_; }
 
 private:

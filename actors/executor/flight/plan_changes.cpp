@@ -7,6 +7,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/remaining.hpp"
 
 namespace godwit::executor {
@@ -70,7 +71,7 @@ plan_changes::change_or_reason plan_changes::change_of(const operator_words::wor
 
 // Empty: a place like those of a mission, within the limits that are set.
 std::string plan_changes::why_not_there(const mission::position& to) const {
-  const geo::point there{to.latitude, to.longitude};
+  const auto there = plan::point_of(to);
   if (!geo::is_valid(there) || !std::isfinite(to.altitude_m))
     return "the place is none: latitude -90 to 90, longitude -180 to 180, altitude in metres above home";
   const bool drives = flight_.view.owner().vehicle == flight::vehicle_class::rover;
@@ -80,17 +81,11 @@ std::string plan_changes::why_not_there(const mission::position& to) const {
            " m above home (flight.max_altitude_m)";
   if (!flight_.view.home())
     return "the vehicle has told no home yet";
-  const auto away_m = geo::distance_m({flight_.view.home()->latitude, flight_.view.home()->longitude}, there);
+  const auto away_m = geo::distance_m(plan::point_of(*flight_.view.home()), there);
   if (away_m > flight_.configured.max_distance_m)
     return "the place is " + std::to_string(static_cast<int>(away_m)) + " m from home; allowed are " +
            std::to_string(static_cast<int>(flight_.configured.max_distance_m)) + " m (flight.max_distance_m)";
   return {};
-}
-
-way_wish plan_changes::way_between(const mission::position& from, const mission::position& to) const {
-  const auto [low, high] = std::minmax(from.altitude_m, to.altitude_m);
-  const auto& set = flight_.configured;
-  return {from, to, low, high, flight_.view.owner().vehicle, set.fence_margin_m, set.own_loiter_radius_m};
 }
 
 // NAME is that of the change; the turns are flown at the altitude of where they lead.
@@ -107,7 +102,7 @@ plan_changes::change_or_reason plan_changes::go_there(const mission::position& t
   const auto from = flight_.view.place(now.now_ns);
   if (!from)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
-  const auto turns = turns_between(way_between(*from, to), flight_.s.mission->geofences);
+  const auto turns = turns_between(flight_.way_between(*from, to), flight_.s.mission->geofences);
   if (!turns)
     return tl::make_unexpected("there is no way there: " + turns.error());
   plan_change result;
@@ -153,7 +148,7 @@ plan_changes::change_or_reason plan_changes::cancel(instant now) const {
   const auto to = first_place(result, now);
   if (!from || !to || flight_.s.mission->geofences.empty())
     return result;
-  const auto turns = turns_between(way_between(*from, *to), flight_.s.mission->geofences);
+  const auto turns = turns_between(flight_.way_between(*from, *to), flight_.s.mission->geofences);
   if (!turns && !why_not_changed(result, now).empty())
     return tl::make_unexpected("there is no way back to the mission: " + turns.error());
   if (!turns)
@@ -350,15 +345,12 @@ bool plan_changes::take_on_ground(effects& out, const mission::assignment& asked
 
 bool plan_changes::deploy_assigned(effects& out, const mission::assignment& asked, const reassigned& wanted,
                                    instant now) {
-  const auto where = flight_.setting(now);
-  if (!where)
+  if (!flight_.setting(now))
     return true; // until the vehicle is heard
-  const auto plans = plan::build_plans(wanted.mission, *where, flight_.going_on(wanted.mission, wanted.first_item));
-  if (!plans)
-    return reject(out, asked, plans.error().message());
-  if (const auto found = plan::fence_violations(plans->front(), wanted.mission, where->vehicle); !found.empty())
-    return reject(out, asked, found.front().message);
-  tasks_.begin_deploy(out, wanted.mission, plans->front(), asked.assignment_id, !flight_.is_held());
+  const auto plan = flight_.plan_in_flight(wanted.mission, wanted.first_item, now);
+  if (!plan)
+    return reject(out, asked, plan.error());
+  tasks_.begin_deploy(out, wanted.mission, *plan, asked.assignment_id, !flight_.is_held());
   return true;
 }
 

@@ -10,7 +10,6 @@
 
 #include "actors/executor/flight/task_control.hpp"
 #include "actors/executor/remaining.hpp"
-#include "actors/executor/way_around.hpp"
 #include "messages/operator/types.hpp"
 
 namespace godwit::executor {
@@ -40,7 +39,6 @@ private:
   [[nodiscard]] change_or_reason change_of(const operator_words::word& m, instant now) const;
   [[nodiscard]] change_or_reason go_there(const mission::position& to, instant now) const;
   [[nodiscard]] change_or_reason cancel(instant now) const;
-  [[nodiscard]] way_wish way_between(const mission::position& from, const mission::position& to) const;
   [[nodiscard]] std::vector<mission::item> items_of(const std::vector<geo::point>& turns, double altitude_m,
                                                     const std::string& name) const;
   [[nodiscard]] std::optional<mission::position> first_place(const plan_change& what, instant now) const;

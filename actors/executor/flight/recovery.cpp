@@ -275,8 +275,7 @@ void recovery::begin_going_on(effects& out) {
   auto way = going_on_steps(flight_);
   if (std::holds_alternative<start_plan>(way.front())) // a start, which nothing but a person's word may cause
     return phases_.go(out, trigger::replan_left_open);
-  const bool is_ardupilot = flight_.view.owner().autopilot == io::mavlink::mav_autopilot::ardupilotmega;
-  if (is_ardupilot && flight_.s.progress.plan && !std::holds_alternative<choose_item>(way.front()))
+  if (flight_.is_ardupilot() && flight_.s.progress.plan && !std::holds_alternative<choose_item>(way.front()))
     way = at_start_steps(flight_, false);
   tasks_.begin(out, task_kind::resume, tasks_.guarded(std::move(way)));
 }

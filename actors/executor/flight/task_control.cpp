@@ -196,8 +196,7 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
       phases_.go(out, trigger::start_refused, why + "; it is tried again");
     else
       phases_.go(out, trigger::start_failed, why);
-    if (flight_.runner.has_armed() && flight_.view.is_armed() && !flight_.is_in_air() &&
-        !flight_.view.is_in(mode_kind::mission))
+    if (flight_.is_left_armed() && !flight_.view.is_in(mode_kind::mission))
       begin(out, task_kind::stand_down, {disarm{}});
     return;
   }

@@ -10,10 +10,6 @@ namespace {
 using flight::mode_kind;
 using io::mavlink::mav_autopilot;
 
-bool is_ardupilot(const flight_context& flight) {
-  return flight.view.owner().autopilot == mav_autopilot::ardupilotmega;
-}
-
 // A vehicle that is left in its mission mode on the ground would begin what it holds as soon as somebody arms it (PX4),
 // or does not begin at all when it is started in the mode in which it is (ArduPilot's rover).
 steps out_of_mission_steps(const flight_context& flight) {
@@ -32,7 +28,7 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
   if (flight.view.owner().autopilot == mav_autopilot::px4)
     return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
   steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
-  if (is_ardupilot(flight)) {
+  if (flight.is_ardupilot()) {
     result.emplace_back(choose_item{map.start_sequence});
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
@@ -75,7 +71,7 @@ steps going_on_steps(const flight_context& flight) {
       plan && !plan->generation.was_active && plan->generation.origin != progress::generation_origin::start;
   if (is_new && starts_in_mission_mode(flight))
     return {start_plan{plan->generation.start_sequence}};
-  if (is_new && is_ardupilot(flight)) // it goes on where it was in the plan before
+  if (is_new && flight.is_ardupilot()) // it goes on where it was in the plan before
     return at_start_steps(flight, false);
   return {change_mode{mode_kind::mission}};
 }

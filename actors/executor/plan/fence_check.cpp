@@ -5,6 +5,7 @@
 
 #include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/geofence/fence_set.hpp"
+#include "actors/executor/plan/places.hpp"
 
 namespace godwit::executor::plan {
 
@@ -14,8 +15,6 @@ using geofence::altitude_band;
 using geofence::endless_m;
 using geofence::fence_name;
 using geofence::fence_set;
-
-geo::point point_of(const mission::position& at) { return {at.latitude, at.longitude}; }
 
 // What is judged: a leg of the plan, or a place.
 struct piece {

@@ -7,17 +7,13 @@
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/executor/plan/mission_look.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/survey/survey_lines.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor::plan {
 
 namespace {
-
-template <class Place>
-geo::point point_of(const Place& at) {
-  return {at.latitude, at.longitude};
-}
 
 template <class Place, class Other>
 double between_m(const Place& a, const Other& b) {

@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "actors/domain/geofence/fence_set.hpp"
+#include "actors/executor/plan/places.hpp"
 
 namespace godwit::executor::plan {
 namespace {
 
 using geo::local_point;
 using geofence::fence_set;
-
-geo::point point_of(const mission::position& at) { return {at.latitude, at.longitude}; }
 
 // Never in one without an area: of a leg that leads home.
 bool is_in_triangle(const local_point& at, const local_point& a, const local_point& b, const local_point& c) {
@@ -54,7 +53,7 @@ std::vector<return_crossing> straight_return_crossings(const flight_plan& plan, 
     return all;
   const auto& begins_at = plan.legs.front().from;
   const bool is_in_flight = setting.is_under_way && begins_at == setting.start;
-  const auto home = is_in_flight ? geo::point{setting.home.latitude, setting.home.longitude} : point_of(begins_at);
+  const auto home = is_in_flight ? point_of(setting.home) : point_of(begins_at);
   for (const auto& each : plan.legs)
     for (std::size_t i = 0; i < fences->size(); ++i) {
       const return_crossing found{each.item_index, i};

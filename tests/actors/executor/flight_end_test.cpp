@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/executor/flight_checks.hpp"
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
@@ -10,15 +11,11 @@ namespace {
 
 using mission::progress_kind;
 using tests::flight_world;
+using tests::is_told;
 
 class flight_end : public testing::TestWithParam<sim::personality> {};
 class landing_end : public flight_end {};       // of what flies
 class end_behind_return : public flight_end {}; // of what does not circle there for ever
-
-bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
-  return std::ranges::any_of(world.reports(),
-                             [&](const auto& each) { return each.kind == kind && each.item_id == item; });
-}
 
 // Take-off, one waypoint, landing there.
 mission::document with_landing() {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -19,7 +20,7 @@ enum class trouble { crash, pilot, pause, assignment, reboot, refusal, crash_of_
 constexpr int kinds_of_trouble = 10;
 constexpr int most_troubles = 6;
 
-std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality::px4 ? 0x00030000 : 0; }
+using tests::pilot_mode;
 
 class random_flight {
 public:

@@ -5,13 +5,17 @@
 #include <gtest/gtest.h>
 
 #include "actors/domain/geo/local_projection.hpp"
+#include "tests/actors/executor/flight_checks.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace {
 
 using mission::progress_kind;
 using tests::flight_world;
+using tests::is_told;
+using tests::pilot_mode;
 
 class every_vehicle : public testing::TestWithParam<sim::personality> {};
 class who_need_not_circle : public every_vehicle {}; // and comes down, or stops, behind a return
@@ -103,8 +107,6 @@ TEST_P(every_vehicle, a_crash_on_the_ground_begins_nothing_until_an_operator_say
 
 // -- people ---------------------------------------------------------------------------------------
 
-std::uint32_t pilot_mode(sim::personality who) { return who == sim::personality::px4 ? 0x00030000 : 0; }
-
 TEST_P(every_vehicle, a_start_that_came_through_after_a_kill_is_followed_and_not_disturbed) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
@@ -161,11 +163,6 @@ TEST_P(every_vehicle, pause_holds_and_resume_goes_on) {
 }
 
 // -- replans --------------------------------------------------------------------------------------
-
-bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
-  return std::any_of(world.reports().begin(), world.reports().end(),
-                     [&](const auto& each) { return each.kind == kind && each.item_id == item; });
-}
 
 const mission::item& item_of(const mission::document& mission, std::string_view id) {
   return *std::ranges::find_if(mission.items, [&](const auto& each) { return mission::id_of(each) == id; });

@@ -65,15 +65,8 @@ mission::document any_mission(personality who, std::mt19937_64& dice) {
   const auto variant = dice() % 3;
   if (variant == 1)
     result.items.pop_back(); // it ends in the air
-  if (variant == 2 && who != personality::plane) {
-    const auto w1 = std::get<mission::waypoint>(result.items[1]).at;
-    result.items = {result.items[0],
-                    result.items[1],
-                    mission::land{"drop", w1},
-                    mission::takeoff{"up again", 20},
-                    tests::place("w2", 60, 60, 20),
-                    mission::return_home{"home"}};
-  }
+  if (variant == 2 && who != personality::plane)
+    result.items = tests::with_landing_on_the_way().items;
   return result;
 }
 

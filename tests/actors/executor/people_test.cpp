@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/executor/flight_checks.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -15,42 +17,25 @@ using mission::progress_kind;
 using operator_words::verb;
 using sim::personality;
 using tests::flight_world;
+using tests::fly_to;
+using tests::hold_mode;
+using tests::is_told;
+using tests::landing_mode;
+using tests::mission_mode;
+using tests::with_landing_on_the_way;
 
 constexpr std::uint16_t set_mode = 176;
 constexpr std::uint16_t mission_start = 300;
 
-std::uint32_t loiter(personality who) {
-  constexpr std::array modes{4U, 0x03040000U, 5U, 12U}; // by personality
-  return modes.at(static_cast<std::size_t>(who));
-}
 std::uint32_t manual(personality who) {
   constexpr std::array modes{0U, 0x00030000U, 0U, 2U}; // by personality
   return modes.at(static_cast<std::size_t>(who));
 }
-std::uint32_t landing(personality who) { return who == personality::px4 ? 0x06040000 : 9; }
-std::uint32_t mission_mode(personality who) {
-  constexpr std::array modes{10U, 0x04040000U, 3U, 10U}; // by personality
-  return modes.at(static_cast<std::size_t>(who));
-}
-
 // Without a return: the last item is a waypoint.
 mission::document open_ended(personality who) {
   auto result = tests::short_mission(who);
   if (who != personality::rover)
     result.items.pop_back();
-  return result;
-}
-
-// Take-off, a waypoint, a landing on the way; and behind it take-off, a waypoint and home.
-mission::document with_landing_on_the_way() {
-  auto result = tests::short_mission(personality::px4);
-  const auto w1 = std::get<mission::waypoint>(result.items[1]).at;
-  result.items = {result.items[0],
-                  result.items[1],
-                  mission::land{"drop", w1},
-                  mission::takeoff{"up again", 20},
-                  tests::place("w2", 60, 60, 20),
-                  mission::return_home{"home"}};
   return result;
 }
 
@@ -64,24 +49,11 @@ mission::assignment tail_behind(const std::string& item, personality who) {
   return result;
 }
 
-bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
-  return std::ranges::any_of(world.reports(),
-                             [&](const auto& each) { return each.kind == kind && each.item_id == item; });
-}
-
 bool is_complete(const flight_world& world) {
   return std::ranges::any_of(world.reports(), [](const auto& each) { return each.kind == progress_kind::complete; });
 }
 
-class people : public testing::TestWithParam<personality> {
-protected:
-  [[nodiscard]] static testing::AssertionResult fly_to(flight_world& world, const mission::document& mission,
-                                                       progress_kind kind, const std::string& item) {
-    world.load(mission);
-    const bool came = world.run_until([&] { return is_told(world, kind, item); }, 900);
-    return came ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
-  }
-};
+class people : public testing::TestWithParam<personality> {};
 class people_in_the_air : public people {};
 class people_at_a_copter : public people {};
 
@@ -89,7 +61,7 @@ class people_at_a_copter : public people {};
 
 TEST_P(people, on_the_way_to_the_last_item_a_pilot_is_seen_and_nothing_is_sent) {
   for (const bool returns : {false, true})
-    for (const auto mode : {loiter(GetParam()), manual(GetParam())}) {
+    for (const auto mode : {hold_mode(GetParam()), manual(GetParam())}) {
       flight_world world({.who = GetParam(), .speed = 2});
       const auto mission = returns ? tests::short_mission(GetParam()) : open_ended(GetParam());
       const bool goes_home = returns && GetParam() != personality::rover; // PX4 changes its mode for that
@@ -119,7 +91,7 @@ TEST_P(people_in_the_air, behind_a_landing_by_a_pilot_nothing_is_brought_armed_o
       ASSERT_TRUE(world.say(verb::start).is_taken);
     }
     ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
-    world.switch_mode(landing(GetParam()));
+    world.switch_mode(landing_mode(GetParam()));
     ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
     const auto orders = world.orders();
     world.run_for(60);
@@ -137,7 +109,7 @@ TEST_P(people_in_the_air, behind_a_landing_by_a_pilot_nothing_is_brought_armed_o
 TEST_P(people_in_the_air, a_landing_by_a_pilot_reaches_skips_and_completes_nothing) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
-  world.switch_mode(landing(GetParam()));
+  world.switch_mode(landing_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
   const auto reports = world.reports().size();
   world.run_for(30);
@@ -244,7 +216,7 @@ TEST_P(people_in_the_air, a_plan_that_somebody_else_flies_is_not_replaced) {
   for (const auto policy : {start_policy::on_command, start_policy::automatic}) {
     flight_world world({.who = GetParam(), .start = policy});
     world.run_for(10);
-    world.fly_by_hand(loiter(GetParam()));
+    world.fly_by_hand(hold_mode(GetParam()));
     world.load(tests::short_mission(GetParam()));
     world.run_for(20);
     EXPECT_EQ(world.orders(), 0) << world.story();
@@ -262,8 +234,8 @@ TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_behind_a_hold_of_ours_that_w
   world.lose_command(set_mode, 1);
   ASSERT_TRUE(world.say(verb::pause).is_taken);
   world.run_for(0.5);
-  world.switch_mode(loiter(GetParam()));
-  ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == loiter(GetParam()); }, 3)) << world.story();
+  world.switch_mode(hold_mode(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == hold_mode(GetParam()); }, 3)) << world.story();
   const auto orders = world.orders();
   world.run_for(10);
   EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
@@ -447,9 +419,9 @@ TEST_P(people_in_the_air, behind_a_last_waypoint_it_is_said_that_the_vehicle_wai
 TEST_P(people_in_the_air, who_has_landed_it_keeps_it_when_godwit_dies_while_it_makes_it_safe_to_arm) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly_to(world, with_landing_on_the_way(), progress_kind::started, "w1"));
-  world.switch_mode(loiter(GetParam()));
+  world.switch_mode(hold_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 10)) << world.story();
-  world.switch_mode(landing(GetParam()));
+  world.switch_mode(landing_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
   world.switch_mode(mission_mode(GetParam()));
   world.lose_command(set_mode, 3);
@@ -467,7 +439,7 @@ TEST_P(people_in_the_air, a_done_mission_stays_done_when_godwit_dies_while_it_ma
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   world.run_for(5);
-  world.switch_mode(loiter(GetParam()));
+  world.switch_mode(hold_mode(GetParam()));
   world.arm_by_hand();
   world.run_for(2);
   world.disarm_by_hand();

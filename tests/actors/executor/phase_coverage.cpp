@@ -33,14 +33,14 @@ private:
   }
 
   static void list(const transition& each, const phase_machine::counts& taken) {
-    std::cout << name_of(each.on) << (each.guard.empty() ? "" : " [") << each.guard
+    std::cout << io::name_of(each.on) << (each.guard.empty() ? "" : " [") << each.guard
               << (each.guard.empty() ? ":" : "]:");
     for (std::size_t from = 0; from < taken.size(); ++from)
       if (taken[from] > 0)
         std::cout << " " << io::name_of(static_cast<phase>(from)) << " " << taken[from];
     std::cout << "\n";
     EXPECT_TRUE(is_moment(each) || std::ranges::any_of(taken, [](std::uint32_t n) { return n > 0; }))
-        << name_of(each.on) << " is never taken";
+        << io::name_of(each.on) << " is never taken";
   }
 };
 

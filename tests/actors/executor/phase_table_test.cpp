@@ -39,7 +39,7 @@ TEST(phase_table, each_trigger_has_a_row) {
   for (int on = 0; on <= last_trigger; ++on)
     EXPECT_TRUE(std::ranges::any_of(phase_table(), [&](const transition& each) {
       return static_cast<int>(each.on) == on;
-    })) << name_of(static_cast<trigger>(on));
+    })) << io::name_of(static_cast<trigger>(on));
 }
 
 TEST(phase_table, what_takes_the_vehicle_from_godwit_pauses_in_each_phase) {
@@ -52,8 +52,8 @@ TEST(phase_table, what_takes_the_vehicle_from_godwit_pauses_in_each_phase) {
       phase_machine machine(flight);
       effects out;
       machine.go(out, on, "why");
-      ASSERT_TRUE(noted(out)) << name_of(on);
-      EXPECT_EQ(noted(out)->now, phase::paused) << name_of(on);
+      ASSERT_TRUE(noted(out)) << io::name_of(on);
+      EXPECT_EQ(noted(out)->now, phase::paused) << io::name_of(on);
       EXPECT_EQ(noted(out)->reason.empty(), false);
     }
 }
@@ -65,7 +65,7 @@ TEST(phase_table, no_row_hides_behind_another) {
     for (std::size_t early = 0; early < late; ++early)
       EXPECT_FALSE(rows[early].on == rows[late].on && rows[early].holds == nullptr &&
                    (rows[early].from & rows[late].from) == rows[late].from)
-          << name_of(rows[late].on) << ", row " << late;
+          << io::name_of(rows[late].on) << ", row " << late;
 }
 
 TEST(phase_table, where_a_guard_decides_there_is_a_row_for_the_other_case) {
@@ -73,7 +73,8 @@ TEST(phase_table, where_a_guard_decides_there_is_a_row_for_the_other_case) {
     for (int from = 0; from <= last_phase; ++from) {
       const auto at = static_cast<phase>(from);
       const bool is_guarded = each.holds != nullptr && has(each.from, at);
-      EXPECT_TRUE(!is_guarded || has_row_without_guard(each.on, at)) << name_of(each.on) << " from " << io::name_of(at);
+      EXPECT_TRUE(!is_guarded || has_row_without_guard(each.on, at))
+          << io::name_of(each.on) << " from " << io::name_of(at);
     }
 }
 
@@ -87,7 +88,8 @@ TEST(phase_table, a_trigger_without_a_row_throws) {
       flight_context flight({}, s);
       phase_machine machine(flight);
       effects out;
-      EXPECT_THROW(machine.go(out, static_cast<trigger>(on)), std::logic_error) << name_of(static_cast<trigger>(on));
+      EXPECT_THROW(machine.go(out, static_cast<trigger>(on)), std::logic_error)
+          << io::name_of(static_cast<trigger>(on));
     }
 }
 
@@ -112,8 +114,8 @@ TEST(phase_table, behind_the_end_of_the_plan_it_lands_and_does_not_fly_on) {
   for (const auto on : {trigger::resumed, trigger::found_in_flight}) {
     effects out;
     machine.go(out, on);
-    ASSERT_TRUE(noted(out)) << name_of(on);
-    EXPECT_EQ(*noted(out), (stood{phase::landing, pause_cause::none, "", true})) << name_of(on);
+    ASSERT_TRUE(noted(out)) << io::name_of(on);
+    EXPECT_EQ(*noted(out), (stood{phase::landing, pause_cause::none, "", true})) << io::name_of(on);
   }
 }
 

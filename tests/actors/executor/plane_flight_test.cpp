@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "programs/godwit-sim/vehicle/world/position.hpp"
+#include "tests/actors/executor/flight_checks.hpp"
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
@@ -12,6 +13,8 @@ namespace {
 using mission::progress_kind;
 using operator_words::verb;
 using tests::flight_world;
+using tests::fly_to;
+using tests::is_told;
 
 constexpr auto plane = sim::personality::plane;
 constexpr double circle_m = 60;
@@ -20,18 +23,6 @@ constexpr double on_circle_m = 8;
 mission::document plane_mission() { return tests::short_mission(plane); }
 
 sim::position home() { return sim::vehicle_settings{}.home; }
-
-bool is_told(const flight_world& world, progress_kind kind, const std::string& item) {
-  return std::ranges::any_of(world.reports(),
-                             [&](const auto& each) { return each.kind == kind && each.item_id == item; });
-}
-
-testing::AssertionResult fly_to(flight_world& world, const mission::document& mission, progress_kind kind,
-                                const std::string& item) {
-  world.load(mission);
-  const bool came = world.run_until([&] { return is_told(world, kind, item); }, 900);
-  return came ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
-}
 
 // For a minute of its time.
 testing::AssertionResult circles_around(flight_world& world, const sim::position& there) {

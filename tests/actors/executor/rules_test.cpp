@@ -6,6 +6,7 @@
 
 #include "io/mavlink/plan_checksum.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -19,11 +20,8 @@ constexpr std::uint16_t set_mode = 176;
 
 class rule : public testing::TestWithParam<sim::personality> {
 protected:
-  [[nodiscard]] static std::uint32_t pilot_mode() { return GetParam() == sim::personality::px4 ? 0x00030000 : 0; }
-  [[nodiscard]] static std::uint32_t hold_mode() {
-    constexpr std::array modes{4U, 0x03040000U, 5U, 12U}; // by personality
-    return modes.at(static_cast<std::size_t>(GetParam()));
-  }
+  [[nodiscard]] static std::uint32_t pilot_mode() { return tests::pilot_mode(GetParam()); }
+  [[nodiscard]] static std::uint32_t hold_mode() { return tests::hold_mode(GetParam()); }
   [[nodiscard]] static mission::document short_mission() { return tests::short_mission(GetParam()); }
 
   // Under way to the second waypoint.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -11,17 +12,14 @@ namespace {
 using operator_words::verb;
 using sim::personality;
 using tests::flight_world;
+using tests::landing_mode;
+using tests::mission_mode;
+using tests::pilot_mode;
 
 constexpr std::uint16_t set_mode = 176;
 constexpr std::uint16_t mission_start = 300;
 constexpr std::uint16_t arm_disarm = 400;
 constexpr std::uint8_t denied = 2;
-
-std::uint32_t pilots_mode(personality who) { return who == personality::px4 ? 0x00030000 : 0; }
-std::uint32_t landing_mode(personality who) { return who == personality::px4 ? 0x06040000 : 9; }
-std::uint32_t mission_mode(personality who) {
-  return who == personality::px4 ? 0x04040000 : who == personality::ardupilot ? 3 : 10;
-}
 
 class transitions : public testing::TestWithParam<personality> {
 protected:
@@ -34,7 +32,7 @@ protected:
   }
 
   [[nodiscard]] static testing::AssertionResult pilot_takes_over(flight_world& world) {
-    world.switch_mode(pilots_mode(GetParam()));
+    world.switch_mode(pilot_mode(GetParam()));
     if (!world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 10))
       return testing::AssertionFailure() << world.story();
     return testing::AssertionSuccess();

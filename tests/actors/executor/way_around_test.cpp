@@ -12,7 +12,9 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/polygon.hpp"
 #include "actors/domain/geofence/fence.hpp"
+#include "tests/actors/executor/flight_checks.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -47,8 +49,6 @@ mission::document around_a_fence(personality who) {
   result.geofences = {box(20, 20, 40, 40)};
   return result;
 }
-
-std::uint32_t manual(personality who) { return who == personality::px4 ? 0x00030000 : 0; }
 
 class way_around : public testing::TestWithParam<personality> {
 protected:
@@ -92,8 +92,7 @@ protected:
   }
 
   [[nodiscard]] bool is_told(progress_kind kind, const std::string& item) const {
-    return std::ranges::any_of(world->reports(),
-                               [&](const auto& each) { return each.kind == kind && each.item_id == item; });
+    return tests::is_told(*world, kind, item);
   }
   [[nodiscard]] std::ptrdiff_t told(progress_kind kind) const {
     return std::ranges::count(world->reports(), kind, &mission::progress_report::kind);
@@ -238,7 +237,7 @@ TEST_P(come_home, a_pilot_who_takes_it_on_the_way_has_it) {
   ASSERT_TRUE(world->say(verb::come_home).is_taken);
   ASSERT_TRUE(run_until_phase(phase::landing, 6)) << world->story();
   run_for(2);
-  world->switch_mode(manual(GetParam()));
+  world->switch_mode(tests::pilot_mode(GetParam()));
   ASSERT_TRUE(run_until([&] { return world->durable().standing.cause == pause_cause::taken_over; }, 6))
       << world->story();
   const auto orders = world->orders();

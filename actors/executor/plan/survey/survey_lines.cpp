@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "actors/domain/geo/local_projection.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/survey/best_heading.hpp"
 #include "actors/executor/plan/survey/line_order.hpp"
 #include "actors/executor/plan/survey/scan_lines.hpp"
@@ -32,8 +33,6 @@ private:
   double east_;
   double north_;
 };
-
-geo::point point_of(const mission::vertex& corner) { return {corner.latitude, corner.longitude}; }
 
 } // namespace
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "programs/godwit-sim/vehicle/autopilot/units.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::sim {
@@ -20,7 +21,6 @@ constexpr std::int16_t no_temperature = 32767;
 
 std::uint32_t ms(std::int64_t ns) { return static_cast<std::uint32_t>(ns / ns_per_ms); }
 std::uint64_t us(std::int64_t ns) { return static_cast<std::uint64_t>(ns / 1'000); }
-std::int32_t e7(double degrees) { return static_cast<std::int32_t>(std::lround(degrees * 1e7)); }
 std::int32_t mm(double metres) { return static_cast<std::int32_t>(std::lround(metres * 1e3)); }
 std::int16_t cm(double metres) { return static_cast<std::int16_t>(std::lround(metres * 1e2)); }
 std::uint16_t centidegrees(double degrees) {

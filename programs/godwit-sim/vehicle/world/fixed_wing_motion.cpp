@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
+#include "programs/godwit-sim/vehicle/world/motion_step.hpp"
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim {
 namespace {
 
-constexpr double gravity_mps2 = 9.80665;
 constexpr double vertical_acceleration_mps2 = 3;
 constexpr double roll_rate_deg_s = 60;
 // An error of its course is turned off in this time, as far as the bank allows.
@@ -19,8 +19,6 @@ constexpr double glide_descent_mps = 2.5;
 constexpr double circle_gain = 3;
 constexpr double cruise_throttle = 0.45;
 constexpr double throttle_for_each_mps = 0.1; // of climb
-
-double towards(double value, double wanted, double most) { return value + std::clamp(wanted - value, -most, most); }
 
 void advance_over_ground(body& it, double wanted_mps, const fixed_wing_limits& limits, double step_s) {
   const double before_mps = it.ground_speed_mps;
@@ -38,9 +36,7 @@ void bank(body& it, double wanted_rad, double step_s) {
 }
 
 void rise(body& it, double wanted_mps, double step_s) {
-  const double before_mps = it.climb_mps;
-  it.climb_mps = towards(before_mps, wanted_mps, vertical_acceleration_mps2 * step_s);
-  it.where.altitude_m += (before_mps + it.climb_mps) / 2 * step_s;
+  climb_towards(it, wanted_mps, vertical_acceleration_mps2, step_s);
   it.pitch_rad = std::atan2(it.climb_mps, std::max(it.ground_speed_mps, 1.0));
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
+#include "programs/godwit-sim/vehicle/world/motion_step.hpp"
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim {
 namespace {
 
-constexpr double gravity_mps2 = 9.80665;
 constexpr double vertical_acceleration_mps2 = 2;
 // Less than what it can do, so that it stops before the place and not behind it.
 constexpr double braking_margin = 0.8;
@@ -32,8 +32,6 @@ struct over_ground {
 over_ground along(double bearing_deg, double length) {
   return {length * std::cos(bearing_deg * degree), length * std::sin(bearing_deg * degree)};
 }
-
-double towards(double value, double wanted, double most) { return value + std::clamp(wanted - value, -most, most); }
 
 void lean(body& it, const over_ground& acceleration, double step_s) {
   const auto nose = along(it.heading_deg, 1);
@@ -70,9 +68,7 @@ void glide(body& it, const over_ground& wanted, const multirotor_limits& limits,
 }
 
 void rise(body& it, double wanted_mps, double step_s) {
-  const double before_mps = it.climb_mps;
-  it.climb_mps = towards(before_mps, wanted_mps, vertical_acceleration_mps2 * step_s);
-  it.where.altitude_m += (before_mps + it.climb_mps) / 2 * step_s;
+  climb_towards(it, wanted_mps, vertical_acceleration_mps2, step_s);
   it.throttle = std::clamp(hover_throttle + throttle_for_each_mps * it.climb_mps, 0.0, 1.0);
 }
 

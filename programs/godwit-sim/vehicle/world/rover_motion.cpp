@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
+#include "programs/godwit-sim/vehicle/world/motion_step.hpp"
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim {
@@ -17,8 +18,6 @@ constexpr double braking_margin = 0.8;
 constexpr double stop_within_m = 0.1;
 // At which the motor has nothing left.
 constexpr double full_throttle_mps = 10;
-
-double towards(double value, double wanted, double most) { return value + std::clamp(wanted - value, -most, most); }
 
 double fit_speed(const rover_limits& limits, const drive_order& order, double error_deg) {
   double speed_mps = order.speed_mps;

@@ -4,12 +4,6 @@ namespace godwit::tests {
 
 using executor::phase;
 
-std::uint32_t pilot_mode(sim::personality who) {
-  constexpr std::uint32_t px4_position_control = 0x0003'0000;
-  constexpr std::uint32_t ardupilot_by_hand = 0; // STABILIZE of a copter, MANUAL of a rover and a plane
-  return who == sim::personality::px4 ? px4_position_control : ardupilot_by_hand;
-}
-
 namespace {
 
 // The last word about the mission is at the service.

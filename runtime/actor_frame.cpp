@@ -185,8 +185,8 @@ void actor_frame::end_handled(const delivery& d, const envelope& m) {
   handler_has_ended();
   confirm_effect(d);
   if (d.is_mail) {
-    if (!has_submitted_) // else it is settled when that is on the disk
-      address().settled(current_.id);
+    if (!has_submitted_) // else it is resolved when that is on the disk
+      address().resolved(current_.id);
     address().count_handled();
   }
   in_handler_ = false;

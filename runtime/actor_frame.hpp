@@ -182,7 +182,7 @@ private:
   const envelope* handling_ = nullptr;
   std::vector<held_message> held_;
   std::vector<std::function<void()>> ends_;
-  std::vector<kept_mail> put_back_; // by a crash, for the next incarnation
+  std::vector<kept_mail> requeued_; // by a crash, for the next incarnation
   std::vector<kept_mail> kept_;     // not taken yet, because the journal takes nothing
   std::optional<condition> shown_;
   std::optional<std::int64_t> deadline_ns_; // that is under way

@@ -54,7 +54,7 @@ void actor_frame::end_crashed(const delivery& d, const envelope& m) {
   if (committed_) { // the journal has it: the message did its work, only the incarnation is lost
     if (d.is_mail) {
       if (!has_submitted_)
-        address().settled(current_.id);
+        address().resolved(current_.id);
       address().count_handled();
       confirm_effect(d);
     }
@@ -74,7 +74,7 @@ void actor_frame::end_crashed(const delivery& d, const envelope& m) {
   if (not_its_fault || address().may_retry(current_.id, crashes) ||
       !write_dead_letter(m, crashes, current_exception_text())) {
     // The sender goes along: what is put back is confirmed to it in the end.
-    put_back_.push_back({make_mail(d.requester.who ? d.requester.who : d.effect_sender, d.requester.mid, m)});
+    requeued_.push_back({make_mail(d.requester.who ? d.requester.who : d.effect_sender, d.requester.mid, m)});
     return;
   }
   confirm_effect(d);
@@ -133,7 +133,7 @@ void actor_frame::end_for_failed_write(const write_failed& why) {
     current_ = m.head;
     int crashes = 0;
     if (i > 0 || address().may_retry(m.head.id, crashes) || !write_dead_letter(m, crashes, why.what)) {
-      put_back_.push_back({make_mail(std::move(each.sender), each.mid, m)});
+      requeued_.push_back({make_mail(std::move(each.sender), each.mid, m)});
       continue;
     }
     delivery d;
@@ -173,14 +173,14 @@ void actor_frame::leave() {
         mail.push_back(make_mail(std::move(each.sender), each.mid, std::move(each.content)));
   };
   auto lost = address().take_unwritten(context_.number, is_broken_ ? 0 : submitted_upto());
-  if (!is_broken_) { // else put_back_ has what is older
+  if (!is_broken_) { // else requeued_ has what is older
     put_back_all(address().take_returned());
     put_back_all(std::exchange(lost, {}));
   }
-  for (auto& each : put_back_)
+  for (auto& each : requeued_)
     mail.push_back(std::move(each.element));
   put_back_all(std::move(lost));
-  const auto put_back = mail.size();
+  const auto requeued = mail.size();
   for (auto& each : kept_)
     mail.push_back(std::move(each.element));
   std::size_t runtime_messages = 0;
@@ -196,7 +196,7 @@ void actor_frame::leave() {
   take_all(host.get_urgent_queue());
   take_all(host.get_normal_queue());
   address().count_runtime_messages(runtime_messages);
-  address().give_back(std::move(mail), put_back);
+  address().give_back(std::move(mail), requeued);
   address().give_up_answers(durable_answers(), context_.number);
 }
 

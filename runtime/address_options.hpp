@@ -42,7 +42,7 @@ struct address_counters {
   std::uint64_t accepted = 0;      // taken by the address
   std::uint64_t handled = 0;       // the handler returned
   std::uint64_t crashes = 0;       // incarnations that ended by an exception or a kill
-  std::uint64_t put_back = 0;      // messages put back after crashing their handler
+  std::uint64_t requeued = 0;      // messages put back after crashing their handler
   std::uint64_t dead_lettered = 0; // messages given up after max_crashes
   std::uint64_t repeated = 0;      // durable effects that were seen before
   std::uint64_t lost = 0;          // given up by policy lose, or handled by an incarnation that had been replaced

@@ -1,4 +1,4 @@
-// The handlers of an actor, one for each word of its mailbox: looked up at run time by the address of the message's
+// The handlers of an actor, one for each message of its mailbox: looked up at run time by the address of the message's
 // type, checked for completeness when they are compiled. Thread: the actor's.
 #pragma once
 
@@ -18,7 +18,7 @@ struct handler_row {
 };
 
 // A handler for WORD; made by actor_base::on and on_deferred.
-template <class Word>
+template <class Signature>
 struct handler {
   handler_row row;
 };
@@ -42,23 +42,23 @@ private:
 
 namespace detail {
 
-template <class Word, class... Words>
-inline constexpr int count_of = (0 + ... + (std::same_as<Word, Words> ? 1 : 0));
+template <class Signature, class... Signatures>
+inline constexpr int count_of = (0 + ... + (std::same_as<Signature, Signatures> ? 1 : 0));
 
 } // namespace detail
 
 template <class Mailbox>
 class handlers_of;
 
-template <class... Words>
-class handlers_of<mailbox<Words...>> : public handler_table {
+template <class... Signatures>
+class handlers_of<mailbox<Signatures...>> : public handler_table {
 public:
   template <class... Given>
   // NOLINTNEXTLINE(google-explicit-constructor): `return {on<a>(...), on<b>(...)};`
   handlers_of(handler<Given>... given) : handler_table(std::vector<handler_row>{std::move(given.row)...}) {
-    static_assert(((detail::count_of<Words, Given...> == 1) && ...),
-                  "each word of the mailbox has exactly one handler");
-    static_assert(sizeof...(Words) == sizeof...(Given), "a handler answers to no word of the mailbox");
+    static_assert(((detail::count_of<Signatures, Given...> == 1) && ...),
+                  "each message of the mailbox has exactly one handler");
+    static_assert(sizeof...(Signatures) == sizeof...(Given), "a handler answers to no message of the mailbox");
   }
 };
 

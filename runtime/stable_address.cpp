@@ -111,7 +111,7 @@ bool stable_address::may_retry(std::uint64_t message_id, int& crashes_so_far) {
   trouble_.store(true, std::memory_order_relaxed);
   if (crashes_so_far >= max_crashes)
     return false;
-  ++counters_.put_back;
+  ++counters_.requeued;
   return true;
 }
 
@@ -123,10 +123,10 @@ void stable_address::given_up(std::uint64_t message_id) {
 
 void stable_address::put_back_all_the_same() {
   const std::unique_lock guard(mutex_);
-  ++counters_.put_back;
+  ++counters_.requeued;
 }
 
-void stable_address::settled(std::uint64_t message_id) {
+void stable_address::resolved(std::uint64_t message_id) {
   if (!trouble_.load(std::memory_order_relaxed))
     return;
   const std::unique_lock guard(mutex_);
@@ -308,11 +308,11 @@ void stable_address::park_from_now(const caf::actor_control_block* dying, std::u
   std::erase(stranded_, nullptr);
 }
 
-void stable_address::give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t put_back) {
+void stable_address::give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t requeued) {
   {
     const std::unique_lock guard(mutex_);
-    taken_.fetch_add(mail.size() - put_back, std::memory_order_relaxed);
-    unhandled_ += mail.size() - put_back;
+    taken_.fetch_add(mail.size() - requeued, std::memory_order_relaxed);
+    unhandled_ += mail.size() - requeued;
     if (options_.policy == on_crash::redeliver && !closed_) {
       if (target_) // the incarnation had been left behind, and has a successor
         forward_again(mail);

@@ -67,7 +67,7 @@ public:
   // Then one of these: its dead letter is with the journal, or the journal took none and it is put back once more.
   void given_up(std::uint64_t message_id);
   void put_back_all_the_same();
-  void settled(std::uint64_t message_id);
+  void resolved(std::uint64_t message_id);
 
   // One message was taken from the incarnation's mailbox; handled, or not and why (null: it crashed and was counted as
   // such).
@@ -112,7 +112,7 @@ public:
   // more; then it empties its mailbox and gives back what it had not handled, oldest first. The first PUT_BACK of it
   // were counted as taken.
   void park_from_now(const caf::actor_control_block* dying, std::uint64_t incarnation);
-  void give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t put_back);
+  void give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t requeued);
   void note_crash(std::string reason);
   void note_beyond_restart() { beyond_restart_.store(true); } // its durable state can not be read
   [[nodiscard]] bool is_beyond_restart() const { return beyond_restart_.load(); }

@@ -11,10 +11,10 @@
 namespace godwit::executor {
 namespace {
 
-runtime::health_colour colour_of(const stood& standing) {
-  if (standing.now != phase::paused)
+runtime::health_colour colour_of(const phase_status& status) {
+  if (status.now != phase::paused)
     return runtime::health_colour::green;
-  const bool is_expected = standing.cause == pause_cause::asked || standing.cause == pause_cause::plan_ended;
+  const bool is_expected = status.cause == pause_cause::asked || status.cause == pause_cause::plan_ended;
   return is_expected ? runtime::health_colour::yellow : runtime::health_colour::red;
 }
 
@@ -25,7 +25,7 @@ auto actor::hears() {
   return on<M>([this](const M& message) { then(core_->on_vehicle(message, now())); });
 }
 
-actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<const neighbours> others,
+actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<const peers> others,
              outside_world world)
     : durable_actor(std::move(context)), settings_(std::move(configured)), others_(std::move(others)),
       world_(std::move(world)) {}
@@ -45,14 +45,14 @@ actor::behavior_type actor::handlers() {
           [this](const mission_client::assignment_arrived& m) { then(core_->on_assignment(m, now())); }),
       on<mission_client::mission_deleted>(
           [this](const mission_client::mission_deleted& m) { then(core_->on_deleted(m, now())); }),
-      on<mission_client::mission_settled>(
-          [this](const mission_client::mission_settled& m) { then(core_->on_delivered(m, now())); }),
-      on<failsafe::stance>([this](const failsafe::stance& m) {
-        core_->on_stance(m);
+      on<mission_client::mission_resolved>(
+          [this](const mission_client::mission_resolved& m) { then(core_->on_delivered(m, now())); }),
+      on<failsafe::failsafe_status>([this](const failsafe::failsafe_status& m) {
+        core_->on_failsafe_status(m);
         after_turn();
       }),
-      on_deferred<operator_words::word, operator_words::answer>(
-          [this](const operator_words::word& m, std::uint64_t request_id) { obey(m, request_id); }),
+      on_deferred<operators::command, operators::answer>(
+          [this](const operators::command& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<get_flight>([this](const get_flight&) { return describe(); }),
       on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),
       on<set_current>([](const set_current&) {
@@ -77,16 +77,16 @@ actor::behavior_type actor::handlers() {
         say_all(supervisor_->on_event(m, now_ns()));
         greet_returned();
         supervise();
-        look_at_house();
+        read_host_status();
         after_turn();
       }),
       on<tick>([this](const tick&) {
         tell_after(tick_period, me(), tick{});
         supervise();
-        look_at_house();
-        vouch();
+        read_host_status();
+        liveness_report();
         look_at_service();
-        ask_for_stance();
+        ask_for_failsafe_status();
         after_turn();
       })};
 }
@@ -94,9 +94,9 @@ actor::behavior_type actor::handlers() {
 void actor::started() {
   core_.emplace(settings_, current_state());
   supervisor_.emplace(world_.process(), incarnation_number(), world_.children());
-  at_end([this] { world_.on_standing(current_state().standing); });
+  at_end([this] { world_.on_phase_status(current_state().status); });
   supervise();
-  look_at_house();
+  read_host_status();
   carry_out(core_->on_start());
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
@@ -104,56 +104,56 @@ void actor::started() {
         then(core_->on_vehicle(vehicle_link::connection_changed{m.phase, m.reason}, now()));
       },
       [](const runtime::ask_error&) {}); // its next change is told
-  ask_for_stance();
+  ask_for_failsafe_status();
   after_turn();
   tell_after(tick_period, me(), tick{});
 }
 
 // A stop is answered while the disk does not write; what else was taken is on the disk by then.
-void actor::obey(const operator_words::word& m, std::uint64_t request_id) {
-  using operator_words::verb;
+void actor::obey(const operators::command& m, std::uint64_t request_id) {
+  using operators::command_kind;
   const auto answer = core_->on_operator(m, now());
   after_turn();
-  if (m.verb == verb::pause || m.verb == verb::come_home)
+  if (m.kind == command_kind::pause || m.kind == command_kind::come_home)
     answer_later(request_id, answer);
   else
     after_commit([this, request_id, answer] { answer_later(request_id, answer); });
 }
 
 // What is told at a change may have been told to the incarnation before.
-void actor::ask_for_stance() {
-  if (!core_->wants_stance() || is_asking_stance_)
+void actor::ask_for_failsafe_status() {
+  if (!core_->wants_failsafe_status() || is_asking_failsafe_status_)
     return;
-  is_asking_stance_ = true;
+  is_asking_failsafe_status_ = true;
   ask(
-      others_->failsafe, stance_patience, failsafe::get_stance{},
-      [this](const failsafe::stance& m) {
-        is_asking_stance_ = false;
-        if (core_->wants_stance())
-          core_->on_stance(m);
+      others_->failsafe, failsafe_status_patience, failsafe::get_failsafe_status{},
+      [this](const failsafe::failsafe_status& m) {
+        is_asking_failsafe_status_ = false;
+        if (core_->wants_failsafe_status())
+          core_->on_failsafe_status(m);
         after_turn();
       },
-      [this](const runtime::ask_error&) { is_asking_stance_ = false; });
+      [this](const runtime::ask_error&) { is_asking_failsafe_status_ = false; });
 }
 
 // -- the other actors ---------------------------------------------------------------------------------
 
-void actor::look_at_house() {
-  auto seen = world_.look_at_house();
+void actor::read_host_status() {
+  auto seen = world_.read_host_status();
   seen.actors = supervisor_->facts();
-  core_->on_house(std::move(seen));
+  core_->on_host_status(std::move(seen));
 }
 
 void actor::supervise() {
   const auto& s = current_state();
-  supervisor_->look(s.supervision, s.standing.in_flight, now_ns());
+  supervisor_->look(s.supervision, s.status.in_flight, now_ns());
   send_table();
   if (!supervisor_->knows_children())
     ask_for_children();
   const bool is_gone = supervisor_->is_failsafe_gone(now_ns());
   core_->on_failsafe_gone(is_gone);
-  if (is_gone && core_->wants_stance())
-    core_->on_stance({}); // there is nobody to ask, and the vehicle still has to be brought home
+  if (is_gone && core_->wants_failsafe_status())
+    core_->on_failsafe_status({}); // there is nobody to ask, and the vehicle still has to be brought home
   if (core_->view().mode() && supervisor_->misses_failsafe(s.supervision, now_ns()))
     miss_failsafe(); // once the vehicle is heard: what is decided then is on the disk with the return
 }
@@ -182,7 +182,7 @@ void actor::ask_for_children() {
       [this](const runtime::children& all) {
         is_asking_children_ = false;
         say_all(supervisor_->on_children(all, now_ns()));
-        look_at_house();
+        read_host_status();
         after_turn();
       },
       [this](const runtime::ask_error&) { is_asking_children_ = false; });
@@ -207,10 +207,10 @@ void actor::miss_failsafe() {
     return;
   if (core_->is_coming_down())
     return carry_out(announce{"the failsafe is gone; the vehicle comes down already, and is left to it", true});
-  operator_words::word word;
-  word.verb = operator_words::verb::come_home;
-  word.by = actor_name();
-  const auto answer = core_->on_operator(word, now());
+  operators::command command;
+  command.kind = operators::command_kind::come_home;
+  command.by = actor_name();
+  const auto answer = core_->on_operator(command, now());
   carry_out(answer.is_taken ? announce{"the vehicle returns because the failsafe is gone", true}
                             : announce{"the vehicle is not told to return: " + answer.reason, true});
 }
@@ -221,11 +221,11 @@ void actor::say_all(const std::vector<announce>& sentences) {
 }
 
 // The vehicle hears our heartbeat only while somebody is here who decides.
-void actor::vouch() {
-  if (now_ns() - vouched_ns_ < vouch_every_ns)
+void actor::liveness_report() {
+  if (now_ns() - liveness_reported_ns_ < liveness_report_every_ns)
     return;
-  vouched_ns_ = now_ns();
-  tell(others_->vehicle, vehicle_link::vouch{actor_name()});
+  liveness_reported_ns_ = now_ns();
+  tell(others_->vehicle, vehicle_link::liveness_report{actor_name()});
 }
 
 void actor::look_at_service() {
@@ -282,10 +282,10 @@ void actor::carry_out(const order& each) {
   if (each.when == goes::at_once)
     send(each);
   else
-    after_commit([this, each] { let_out(each); });
+    after_commit([this, each] { dispatch_effect(each); });
 }
 
-void actor::let_out(const order& each) {
+void actor::dispatch_effect(const order& each) {
   switch (core_->lets_out(each, now())) {
   case core::release::now:
     send(each);
@@ -326,7 +326,7 @@ void actor::send(std::uint64_t number, const vehicle_link::set_current_item& wha
 
 void actor::send(std::uint64_t number, const failsafe::guard_mission& what) {
   ask(
-      others_->failsafe, stance_patience, what,
+      others_->failsafe, failsafe_status_patience, what,
       [this, number](const failsafe::guard_answer& answer) { then(core_->on_guarded(number, answer, true, now())); },
       [this, number](const runtime::ask_error&) {
         then(core_->on_guarded(number, {false, "it does not answer"}, false, now()));
@@ -380,11 +380,11 @@ void actor::show_reached(const mission::progress_report& report) {
     tell(*others_->port, *reached);
 }
 
-void actor::show_standing(const stood& standing) {
+void actor::show_phase_status(const phase_status& status) {
   using io::mavlink::mav_severity;
-  at_end([this, standing] {
-    world_.on_standing(standing);
-    say_to_stations(standing.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
+  at_end([this, status] {
+    world_.on_phase_status(status);
+    say_to_stations(status.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
   });
 }
 
@@ -402,8 +402,8 @@ void actor::dispatch(const durable_core::effect& each) {
         } else if constexpr (std::is_same_v<M, start_answer>) {
           if (others_->port)
             tell(*others_->port, m);
-        } else if constexpr (std::is_same_v<M, stood>) {
-          show_standing(m);
+        } else if constexpr (std::is_same_v<M, phase_status>) {
+          show_phase_status(m);
         } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {
           carry_out(announce{"preflight: " + m.sentence, m.now == preflight::phase::failed});
         } else if constexpr (std::is_same_v<M, preflight::report_opened>) {
@@ -421,7 +421,7 @@ void actor::dispatch(const durable_core::effect& each) {
 // -- what others see --------------------------------------------------------------------------------
 
 void actor::post_health() {
-  runtime::condition how{colour_of(current_state().standing), core_->sentence()};
+  runtime::condition how{colour_of(current_state().status), core_->sentence()};
   if (how.how == runtime::health_colour::green && core_->is_battery_short())
     how = {runtime::health_colour::yellow, how.reason + "; the battery lasts just for the way home"};
   show_health(std::move(how));
@@ -430,10 +430,10 @@ void actor::post_health() {
 flight_status actor::describe() const {
   const auto& s = current_state();
   flight_status result;
-  result.phase = io::name_of(s.standing.now);
-  result.cause = io::name_of(s.standing.cause);
+  result.phase = io::name_of(s.status.now);
+  result.cause = io::name_of(s.status.cause);
   result.sentence = core_->sentence();
-  result.in_flight = s.standing.in_flight;
+  result.in_flight = s.status.in_flight;
   result.generation = s.progress.last_generation;
   result.reports = s.progress.mission ? s.progress.mission->report_no : 0;
   if (s.mission) {

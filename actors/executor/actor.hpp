@@ -27,7 +27,7 @@
 namespace godwit::executor {
 
 // Filled in while the process is composed, before the actors start.
-struct neighbours {
+struct peers {
   vehicle_link::handle vehicle;
   failsafe::handle failsafe;
   std::optional<mission_client::flight_handle> client; // none without a service
@@ -38,10 +38,10 @@ struct neighbours {
 // The world outside of the actors. May be called by any thread and does not block.
 struct outside_world {
   std::function<void(const announce& said)> tell_people;
-  std::function<house()> look_at_house; // all but the actors
+  std::function<host_status()> read_host_status; // all but the actors
   std::function<std::vector<std::string>()> children;
   std::function<supervision::circumstances()> process;
-  std::function<void(const stood& standing)> on_standing; // at each change, and as each incarnation begins
+  std::function<void(const phase_status& status)> on_phase_status; // at each change, and as each incarnation begins
 };
 
 class actor final : public runtime::durable_actor<own_handle, durable_core> {
@@ -49,17 +49,16 @@ public:
   // A command has its outcome by then; vehicle_link answers earlier.
   static constexpr std::chrono::seconds command_patience{15};
   // The failsafe answers within a tick of its own.
-  static constexpr std::chrono::milliseconds stance_patience{1'000};
+  static constexpr std::chrono::milliseconds failsafe_status_patience{1'000};
   // A thousand items over a slow radio with losses.
   static constexpr std::chrono::seconds transfer_patience{600};
   static constexpr std::chrono::milliseconds tick_period{200};
   // The guardian has its turns, or the process ends.
   static constexpr std::chrono::milliseconds guardian_patience{1'000};
-  static constexpr std::int64_t vouch_every_ns = 1'000'000'000;
+  static constexpr std::int64_t liveness_report_every_ns = 1'000'000'000;
   static constexpr int max_decisions_per_turn = 1'000;
 
-  actor(runtime::spawn_context context, settings configured, std::shared_ptr<const neighbours> others,
-        outside_world world);
+  actor(runtime::spawn_context context, settings configured, std::shared_ptr<const peers> others, outside_world world);
   ~actor() override;
 
 protected:
@@ -73,13 +72,13 @@ private:
   template <class M>
   auto hears();
   void then(const effects& wanted);
-  void obey(const operator_words::word& m, std::uint64_t request_id);
+  void obey(const operators::command& m, std::uint64_t request_id);
   void after_turn();
   void carry_out(const effects& wanted);
   void carry_out(const note& each) { commit(each.what); }
   void carry_out(const order& each);
   void hear_news();
-  void let_out(const order& each);
+  void dispatch_effect(const order& each);
   void send(const order& each);
   void carry_out(const give_up_transfer&);
   void carry_out(const say_to_failsafe& each);
@@ -88,7 +87,7 @@ private:
   void carry_out(const announce& each);
   void say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence);
   void show_reached(const mission::progress_report& report);
-  void show_standing(const stood& standing);
+  void show_phase_status(const phase_status& status);
   void send(std::uint64_t number, const vehicle_link::send_command& what);
   void send(std::uint64_t number, const vehicle_link::set_current_item& what);
   void send(std::uint64_t number, const vehicle_link::upload_plan& what) { transfer_plan(number, what); }
@@ -98,10 +97,10 @@ private:
   void command_vehicle(std::uint64_t number, const Q& what);
   template <class Q>
   void transfer_plan(std::uint64_t number, const Q& what);
-  void vouch();
+  void liveness_report();
   void look_at_service();
-  void ask_for_stance();
-  void look_at_house();
+  void ask_for_failsafe_status();
+  void read_host_status();
   void supervise();
   void send_table();
   void ask_for_children();
@@ -112,17 +111,17 @@ private:
   [[nodiscard]] flight_status describe() const;
 
   settings settings_;
-  std::shared_ptr<const neighbours> others_;
+  std::shared_ptr<const peers> others_;
   outside_world world_;
   std::optional<core> core_;
   std::optional<supervision::core> supervisor_;
   // What the notes of this handler have led to, for the core.
-  using news =
-      std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::settle_start, progress::news>;
+  using news = std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::resolve_start,
+                            progress::progress_event>;
   std::deque<news> news_;
-  std::int64_t vouched_ns_ = -vouch_every_ns;
+  std::int64_t liveness_reported_ns_ = -liveness_report_every_ns;
   bool is_asking_service_ = false;
-  bool is_asking_stance_ = false;
+  bool is_asking_failsafe_status_ = false;
   bool is_asking_children_ = false;
   bool is_sending_table_ = false;
   std::uint64_t revoked_ = 0; // orders that waited for the disk and were not meant any more

@@ -23,7 +23,7 @@ const std::array<core::rule, 15> core::rules{
     &core::heed,              // somebody else has it, or may have
     &core::come_home,         // around the fences
     &core::halt,              // hold, come home
-    &core::settle,            // what became of an upload or a start without an answer
+    &core::resolve,           // what became of an upload or a start without an answer
     &core::run_task,          // the one under way
     &core::end_flight,        // the vehicle is down
     &core::stand_by,          // left in its mission mode, disarmed
@@ -49,7 +49,7 @@ effects core::on_client_back() const {
   effects out;
   if (flight_.configured.has_service && !flight_.configured.mission_id.empty())
     out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
-  if (flight_.configured.has_service && s.standing.now == phase::post_flight && s.mission)
+  if (flight_.configured.has_service && s.status.now == phase::post_flight && s.mission)
     out.emplace_back(say_to_client{mission_client::push_map{s.mission->mission_id}});
   return out;
 }
@@ -75,7 +75,7 @@ effects core::advance(instant now) {
 bool core::leave_to_person(effects& out, instant) {
   if (!flight_.has_person())
     return false;
-  start_.refuse(out, flight_.s.standing.reason);
+  start_.refuse(out, flight_.s.status.reason);
   return true;
 }
 
@@ -248,21 +248,21 @@ effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
   return {announce{"the service has deleted mission " + m.mission_id + "; what goes on goes on", true}};
 }
 
-effects core::on_delivered(const mission_client::mission_settled& m, instant) {
+effects core::on_delivered(const mission_client::mission_resolved& m, instant) {
   const auto& s = flight_.s;
   effects out;
-  if (s.standing.now == phase::post_flight && s.mission && s.mission->mission_id == m.mission_id)
-    phases_.go(out, trigger::delivered, s.standing.reason);
+  if (s.status.now == phase::post_flight && s.mission && s.mission->mission_id == m.mission_id)
+    phases_.go(out, trigger::delivered, s.status.reason);
   return out;
 }
 
 // -- people -----------------------------------------------------------------------------------------
 
-operator_words::answer core::on_operator(const operator_words::word& m, instant now) {
-  using operator_words::verb;
-  if (m.verb == verb::acknowledge)
+operators::answer core::on_operator(const operators::command& m, instant now) {
+  using operators::command_kind;
+  if (m.kind == command_kind::acknowledge)
     preparation_.acknowledge({m.report, m.by});
-  else if (m.verb == verb::check)
+  else if (m.kind == command_kind::check)
     preparation_.check_again();
   else
     return operators_.take(m, recovery_.has_looked(), now);
@@ -281,7 +281,7 @@ effects core::on_news(const progress::read_plan_back& m, instant now) {
   return {};
 }
 
-effects core::on_news(const progress::settle_start& m, instant now) {
+effects core::on_news(const progress::resolve_start& m, instant now) {
   recovery_.on_news(m, now);
   return {};
 }
@@ -303,27 +303,27 @@ void core::lose_plan(effects& out, trigger what, instant now) {
     tasks_.begin(out, task_kind::stand_down, {disarm{}});
 }
 
-effects core::on_news(const progress::news& m, instant now) {
-  using progress::news_kind;
+effects core::on_news(const progress::progress_event& m, instant now) {
+  using progress::progress_event_kind;
   effects out;
   switch (m.kind) {
-  case news_kind::not_at_start:
-    flight_.wanted.choose_item = m.generation == flight_.s.progress.last_generation;
+  case progress_event_kind::not_at_start:
+    flight_.wanted.set_current_item = m.generation == flight_.s.progress.last_generation;
     break;
-  case news_kind::foreign_plan:
+  case progress_event_kind::foreign_plan:
     lose_plan(out, trigger::foreign_plan_found, now);
     break;
-  case news_kind::vehicle_restarted:
+  case progress_event_kind::vehicle_restarted:
     lose_plan(out, trigger::autopilot_restarted, now);
     break;
-  case news_kind::plan_done:
-  case news_kind::mission_complete:
-    if (flight_.is_in_flight() && flight_.s.standing.now == phase::flying)
+  case progress_event_kind::plan_done:
+  case progress_event_kind::mission_complete:
+    if (flight_.is_in_flight() && flight_.s.status.now == phase::flying)
       phases_.go(out, trigger::plan_done);
     break;
-  case news_kind::generation_opened:
-  case news_kind::armed:
-  case news_kind::upload_failed:
+  case progress_event_kind::generation_opened:
+  case progress_event_kind::armed:
+  case progress_event_kind::upload_failed:
     break;
   }
   return out;

@@ -13,9 +13,9 @@
 //
 // Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
 // it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight or during a start
-// that no word of ours has caused is a person's or the autopilot's failsafe's: from then on nothing is sent until an
+// that no command of ours has caused is a person's or the autopilot's failsafe's: from then on nothing is sent until an
 // operator hands back, also behind a landing, and neither while a failsafe acts. The one exception is stand_by, which
-// makes a disarmed vehicle safe to arm. A word that holds or returns gives up what is under way. What a step can not
+// makes a disarmed vehicle safe to arm. A command that holds or returns gives up what is under way. What a step can not
 // get done in a few tries ends in a pause with a reason; a hold or a return that is not obeyed leaves the phase as it
 // is.
 //
@@ -90,10 +90,10 @@ public:
 
   // -- the failsafe
   // Told at each change, and asked for by who begins anew: nothing is done before it is known.
-  void on_stance(const failsafe::stance& m) { flight_.stance = m; }
+  void on_failsafe_status(const failsafe::failsafe_status& m) { flight_.failsafe_status = m; }
   // It can not be kept up in this flight: no plan is changed.
   void on_failsafe_gone(bool is_gone) { flight_.is_failsafe_gone = is_gone; }
-  [[nodiscard]] bool wants_stance() const { return !flight_.stance; }
+  [[nodiscard]] bool wants_failsafe_status() const { return !flight_.failsafe_status; }
   [[nodiscard]] effects on_guarded(std::uint64_t number, const failsafe::guard_answer& answer, bool is_answered,
                                    instant now);
 
@@ -111,7 +111,7 @@ public:
   [[nodiscard]] effects on_client_back() const;
   // The same of ground_port.
   void on_port_back() { stations_.forget_told(); }
-  [[nodiscard]] effects on_delivered(const mission_client::mission_settled& m, instant now);
+  [[nodiscard]] effects on_delivered(const mission_client::mission_resolved& m, instant now);
 
   // -- people
   [[nodiscard]] effects on_station(const start_mission& m, instant now) { return stations_.on_start(m, now); }
@@ -119,16 +119,16 @@ public:
   [[nodiscard]] effects on_station(const plan_cleared& m, instant) { return stations_.on_cleared(m); }
   // What stations are to be told, when it has changed and once a second; to be asked after everything else.
   [[nodiscard]] effects tell_stations(instant now) { return stations_.tell(now); }
-  // The answer tells whether the word is taken; what comes of it is told as the flight's standing.
-  [[nodiscard]] operator_words::answer on_operator(const operator_words::word& m, instant now);
+  // The answer tells whether the command is taken; what comes of it is told by the status of the flight.
+  [[nodiscard]] operators::answer on_operator(const operators::command& m, instant now);
 
   // -- what a note has led to
   [[nodiscard]] effects on_news(const progress::look_at_vehicle& m, instant now);
   [[nodiscard]] effects on_news(const progress::read_plan_back& m, instant now);
-  [[nodiscard]] effects on_news(const progress::settle_start& m, instant now);
-  [[nodiscard]] effects on_news(const progress::news& m, instant now);
+  [[nodiscard]] effects on_news(const progress::resolve_start& m, instant now);
+  [[nodiscard]] effects on_news(const progress::progress_event& m, instant now);
 
-  void on_house(house seen) { preparation_.on_house(std::move(seen)); }
+  void on_host_status(host_status seen) { preparation_.on_host_status(std::move(seen)); }
   [[nodiscard]] const vehicle_view& view() const { return flight_.view; }
   [[nodiscard]] bool is_coming_down() const { return flight_.is_coming_down(); }
   [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home
@@ -144,7 +144,7 @@ private:
   [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now); }
   [[nodiscard]] bool come_home(effects& out, instant now) { return homecoming_.advance(out, now); }
   [[nodiscard]] bool halt(effects& out, instant now) { return operators_.halt(out, now); }
-  [[nodiscard]] bool settle(effects& out, instant now) { return recovery_.settle(out, now); }
+  [[nodiscard]] bool resolve(effects& out, instant now) { return recovery_.resolve(out, now); }
   [[nodiscard]] bool run_task(effects& out, instant now) { return tasks_.run(out, now); }
   [[nodiscard]] bool end_flight(effects& out, instant now) { return end_.end_flight(out, now); }
   [[nodiscard]] bool stand_by(effects& out, instant now) { return end_.leave_mission_mode(out, now); }

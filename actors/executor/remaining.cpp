@@ -21,9 +21,9 @@ std::optional<std::string> last_done(const state& s) {
   if (!s.mission || !s.progress.plan || s.progress.plan->map.items.empty())
     return std::nullopt;
   const auto& items = s.progress.plan->map.items;
-  const auto settled = std::min<std::size_t>(s.progress.plan->ever_settled, items.size());
-  if (settled != 0)
-    return items[settled - 1].item_id;
+  const auto resolved = std::min<std::size_t>(s.progress.plan->ever_resolved, items.size());
+  if (resolved != 0)
+    return items[resolved - 1].item_id;
   // What stands before a plan was flown by the one before. The mission may have changed since: the plan's own counts.
   const auto first = items.front().item_index;
   const auto& mission = s.flown ? s.flown->mission : *s.mission;
@@ -59,24 +59,24 @@ std::uint32_t lines_flown(const state& s, const mission::document& mission, std:
   return generation.is_armed ? plan::lines_done_at(*found, generation.current) : found->lines_before;
 }
 
-tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& wish,
+tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& assignment,
                                                const std::optional<std::string>& last_done) {
-  if (wish.base_revision != mission.revision)
-    return tl::make_unexpected("it is meant for revision " + std::to_string(wish.base_revision) +
+  if (assignment.base_revision != mission.revision)
+    return tl::make_unexpected("it is meant for revision " + std::to_string(assignment.base_revision) +
                                " of the mission, and the vehicle flies revision " + std::to_string(mission.revision));
   std::size_t kept = 0;
-  if (wish.replace_after_item_id) {
-    const auto place = place_of(mission, *wish.replace_after_item_id);
+  if (assignment.replace_after_item_id) {
+    const auto place = place_of(mission, *assignment.replace_after_item_id);
     if (!place)
-      return tl::make_unexpected("the mission has no item '" + *wish.replace_after_item_id +
+      return tl::make_unexpected("the mission has no item '" + *assignment.replace_after_item_id +
                                  "' after which items could be replaced");
     kept = *place + 1;
   }
   reassigned result{mission, 0};
-  result.mission.revision = wish.revision;
+  result.mission.revision = assignment.revision;
   auto& items = result.mission.items;
   items.resize(kept);
-  items.insert(items.end(), wish.items.begin(), wish.items.end());
+  items.insert(items.end(), assignment.items.begin(), assignment.items.end());
   if (const auto problems = mission::broken_rules(result.mission); !problems.empty())
     return tl::make_unexpected("the mission would break a rule: " + problems.front().message());
   result.first_item = std::min(first_remaining(mission, last_done), kept);

@@ -39,7 +39,7 @@ struct reassigned {
 // WISH carried out on MISSION, of which all up to LAST_DONE is flown. What was flown stays in the mission, as far as it
 // is not replaced. Errors: a sentence that the service gets as the reason of the refusal.
 [[nodiscard]] tl::expected<reassigned, std::string> reassign(const mission::document& mission,
-                                                             const mission::assignment& wish,
+                                                             const mission::assignment& assignment,
                                                              const std::optional<std::string>& last_done);
 
 } // namespace godwit::executor

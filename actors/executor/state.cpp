@@ -31,7 +31,7 @@ void give(effects& out, const M& other) {
 }
 
 // With the mission back nothing is set aside any more.
-void settle_change(state& s, bool is_done) {
+void resolve_change(state& s, bool is_done) {
   if (!s.change)
     return;
   const bool has_mission_back = is_done == (s.change->kind == change_kind::cancel);
@@ -51,7 +51,7 @@ void settle_deployment(state& s, std::uint32_t generation_before, bool was_assig
     if (s.arrived && s.arrived->mission_id == s.mission->mission_id && s.arrived->revision <= s.mission->revision)
       s.arrived.reset();
     if (s.change && s.mission->revision > s.change->base_revision)
-      settle_change(s, true);
+      resolve_change(s, true);
     s.flown = std::move(s.brings);
   }
   s.brings.reset();
@@ -107,7 +107,7 @@ mission_client::respond_to_assignment turned_down(const state& s, const std::str
 }
 
 effects take(state& s, const assignment_kept& happened, std::int64_t) {
-  s.waiting.push_back(happened.wish);
+  s.waiting.push_back(happened.assignment);
   return {};
 }
 
@@ -176,16 +176,16 @@ effects take(state& s, const change_asked& happened, std::int64_t) {
       id, {what.key, what.base_revision, happened.after_item_id, happened.items, happened.reason}}};
 }
 
-effects take(state& s, const change_settled& happened, std::int64_t) {
+effects take(state& s, const change_resolved& happened, std::int64_t) {
   if (s.change && s.change->key == happened.key)
-    settle_change(s, happened.is_done);
+    resolve_change(s, happened.is_done);
   return {};
 }
 
 effects take(state& s, const arrival_refused& happened, std::int64_t) {
   if (s.arrived && s.arrived->revision == happened.revision)
     s.arrived.reset();
-  settle_change(s, false);
+  resolve_change(s, false);
   return {};
 }
 
@@ -203,13 +203,13 @@ effects take(state& s, const task_ended& happened, std::int64_t) {
   return {};
 }
 
-effects take(state& s, const stood& happened, std::int64_t) {
-  const bool has_landed = s.standing.in_flight && !happened.in_flight;
-  const bool is_resumed = s.standing.now == phase::paused && happened.now == phase::connected;
+effects take(state& s, const phase_status& happened, std::int64_t) {
+  const bool has_landed = s.status.in_flight && !happened.in_flight;
+  const bool is_resumed = s.status.now == phase::paused && happened.now == phase::connected;
   s.awaits_word = s.awaits_word || has_landed || is_resumed;
-  if (s.standing.in_flight != happened.in_flight)
+  if (s.status.in_flight != happened.in_flight)
     supervision::change_in_flight(s.supervision, happened.in_flight);
-  s.standing = happened;
+  s.status = happened;
   return {happened};
 }
 
@@ -218,7 +218,7 @@ effects take(state& s, const supervision::failsafe_missed& happened, std::int64_
   return {};
 }
 
-effects take(state&, const start_settled& happened, std::int64_t) { return {happened.answer}; }
+effects take(state&, const start_resolved& happened, std::int64_t) { return {happened.answer}; }
 
 } // namespace
 

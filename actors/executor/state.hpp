@@ -7,11 +7,11 @@
 //   mission_arrived, _taken       none
 //   assignment_kept, _rejected    the answer that turns it down
 //   station_plan_taken, _dropped, and station_fence_taken: none
-//   change_asked                  what the service is to change; _settled: none
+//   change_asked                  what the service is to change; _resolved: none
 //   task_begun, task_ended        none; a task is on the disk before its first order goes out, but for hold,
 //                                 return and stand down
-//   stood                         the flight's new standing, to whoever watches
-//   start_settled                 start_answer to who asked
+//   phase_status                  the flight's phase and why, to whoever watches
+//   start_resolved                 start_answer to who asked
 //   supervision::failsafe_missed  none
 //
 // A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
@@ -78,7 +78,7 @@ struct task {
                 io::field("goes_on", &task::goes_on), io::field("start_key", &task::start_key));
 };
 
-// The plan that an upload brings, until the upload is settled.
+// The plan that an upload brings, until the upload is resolved.
 struct deployment {
   mission::document mission;
   std::vector<io::mavlink::mission_item_int> items;
@@ -114,8 +114,8 @@ struct mission_taken {
 
 // The service wants other items. It waits until what goes on now is over.
 struct assignment_kept {
-  mission::assignment wish;
-  static constexpr auto fields = io::table("executor.assignment_kept", io::field("wish", &assignment_kept::wish));
+  mission::assignment assignment;
+  static constexpr auto fields = io::table("executor.assignment_kept", io::field("wish", &assignment_kept::assignment));
 };
 
 // It has been turned down.
@@ -158,11 +158,11 @@ struct change_asked {
                 io::field("reason", &change_asked::reason), io::field("set_aside", &change_asked::set_aside));
 };
 
-struct change_settled {
+struct change_resolved {
   std::string key;
   bool is_done = false; // the mission has them now
-  static constexpr auto fields = io::table("executor.change_settled", io::field("key", &change_settled::key),
-                                           io::field("is_done", &change_settled::is_done));
+  static constexpr auto fields = io::table("executor.change_settled", io::field("key", &change_resolved::key),
+                                           io::field("is_done", &change_resolved::is_done));
 };
 
 // The service has another mission, or another revision of this one. It waits until what goes on now is over.
@@ -191,22 +191,22 @@ struct task_ended {
 };
 
 // The flight stands here from now on.
-struct stood {
+struct phase_status {
   static constexpr auto goes_out = runtime::effect_kind::at_once; // a view: also while the disk does not write
   phase now = phase::disconnected;
   pause_cause cause = pause_cause::none;
   std::string reason;     // sentence for people; empty when all is well
   bool in_flight = false; // it was started by us, and has not ended
   static constexpr auto fields =
-      io::table("executor.stood", io::field("now", &stood::now), io::field("cause", &stood::cause),
-                io::field("reason", &stood::reason), io::field("in_flight", &stood::in_flight));
-  friend bool operator==(const stood&, const stood&) = default;
+      io::table("executor.stood", io::field("now", &phase_status::now), io::field("cause", &phase_status::cause),
+                io::field("reason", &phase_status::reason), io::field("in_flight", &phase_status::in_flight));
+  friend bool operator==(const phase_status&, const phase_status&) = default;
 };
 
 // A station's MISSION_START has its answer.
-struct start_settled {
+struct start_resolved {
   start_answer answer;
-  static constexpr auto fields = io::table("executor.start_settled", io::field("answer", &start_settled::answer));
+  static constexpr auto fields = io::table("executor.start_settled", io::field("answer", &start_resolved::answer));
 };
 
 // A ground station has uploaded a plan, and it is the mission that comes next.
@@ -238,7 +238,7 @@ struct state {
   std::vector<mission::assignment> waiting;   // oldest first, bounded by max_waiting
   std::optional<std::string> assigned;        // carried out by the mission, and by no plan yet
   std::optional<std::string> last_assignment; // that was answered, or will be with its upload
-  std::optional<mission_change> change;       // that the service was asked for, and has not settled
+  std::optional<mission_change> change;       // that the service was asked for, and has not resolved
   std::vector<mission::item> set_aside;       // by go_to: what the mission had left
   std::optional<station_plan> station;
   std::vector<mission::geofence> station_fences;
@@ -246,7 +246,7 @@ struct state {
   std::optional<deployment> flown;  // on the vehicle
   std::optional<task> doing;
   std::uint64_t last_task = 0;
-  stood standing;
+  phase_status status;
   bool awaits_word = false; // this mission has flown, or was resumed on the ground: a person starts it, nothing else
   preflight::state preflight;
   progress::state progress;
@@ -260,14 +260,14 @@ struct state {
                 io::field("set_aside", &state::set_aside), io::field("station", &state::station),
                 io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
                 io::field("flown", &state::flown), io::field("doing", &state::doing),
-                io::field("last_task", &state::last_task), io::field("standing", &state::standing),
+                io::field("last_task", &state::last_task), io::field("standing", &state::status),
                 io::field("awaits_word", &state::awaits_word), io::field("preflight", &state::preflight),
                 io::field("progress", &state::progress), io::field("supervision", &state::supervision));
 };
 
 // From the decision to start on.
 [[nodiscard]] inline bool is_flight_begun(const state& s) {
-  return s.standing.in_flight || (s.doing && s.doing->kind == task_kind::start);
+  return s.status.in_flight || (s.doing && s.doing->kind == task_kind::start);
 }
 
 // The durable core: keeps what was decided, and lets the progress decide.
@@ -279,14 +279,14 @@ struct durable_core {
                    progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
                    progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked,
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
-                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_settled,
+                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_resolved,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
-                   task_begun, task_ended, stood, start_settled, supervision::failsafe_missed>;
-  using effect =
-      std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
-                   mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
-                   progress::read_plan_back, progress::settle_start, progress::news, preflight::phase_changed,
-                   preflight::report_opened, preflight::acknowledgement_answered, stood, start_answer>;
+                   task_begun, task_ended, phase_status, start_resolved, supervision::failsafe_missed>;
+  using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
+                              mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
+                              progress::read_plan_back, progress::resolve_start, progress::progress_event,
+                              preflight::phase_changed, preflight::report_opened, preflight::acknowledgement_answered,
+                              phase_status, start_answer>;
 
   [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   // Of earlier versions.

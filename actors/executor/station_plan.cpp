@@ -22,7 +22,7 @@ std::optional<std::uint16_t> shown_at(const state& s, std::uint16_t sequence, bo
 }
 
 mission_state state_shown(const state& s) {
-  const auto& at = s.standing;
+  const auto& at = s.status;
   if (at.in_flight)
     return at.now == phase::paused ? mission_state::paused : mission_state::active;
   const bool is_flown = at.now == phase::post_flight || at.now == phase::done;

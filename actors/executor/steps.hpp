@@ -33,7 +33,7 @@ struct stand_by {
 };
 struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
-struct choose_item {
+struct set_current_item {
   std::uint16_t sequence = 0;
 };
 struct arm {};
@@ -42,7 +42,7 @@ struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, stand_by, guard, bring_plan, choose_item, arm, disarm, start_plan>;
+using step = std::variant<change_mode, stand_by, guard, bring_plan, set_current_item, arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step

@@ -60,7 +60,7 @@ void task_runner::drop(const world& w) {
     w.out.emplace_back(note{progress::start_ended{false}});
   else if (is_open && stage_ == stage::asked)
     w.out.emplace_back(give_up_transfer{});
-  else if (is_open && stage_ != stage::settling)
+  else if (is_open && stage_ != stage::resolving)
     w.out.emplace_back(note{uploads_.end_unsent("it was given up")});
   task_.reset();
 }
@@ -102,8 +102,8 @@ task_runner::verdict task_runner::advance(const world& w) {
       was_not_done(w, last_reason_.empty() ? "the vehicle does not show it" : last_reason_, false);
     else if (stage_ == stage::pausing && w.now_ns >= deadline_ns_)
       enter(stage::begin);
-    else if (stage_ == stage::settling)
-      settle_upload(w);
+    else if (stage_ == stage::resolving)
+      resolve_upload(w);
     if (before == std::pair(at_, stage_))
       break;
   }
@@ -119,7 +119,7 @@ std::int64_t task_runner::next_deadline_ns() const { return task_ ? deadline_ns_
 
 bool task_runner::has_intent() const {
   const auto& what = way_[at_];
-  return std::holds_alternative<bring_plan>(what) || std::holds_alternative<choose_item>(what) ||
+  return std::holds_alternative<bring_plan>(what) || std::holds_alternative<set_current_item>(what) ||
          std::holds_alternative<start_plan>(what);
 }
 
@@ -128,14 +128,14 @@ bool task_runner::is_shown(const vehicle_view& view) const {
   if (const auto* mode = std::get_if<change_mode>(&what))
     return view.obeys(mode->to) && (tries_ == 0 ? !must_ask_ : view.heartbeats() > asked_at_heartbeat_);
   if (std::holds_alternative<stand_by>(what)) {
-    const auto standing = flight::standing_mode(view.owner());
-    return standing && view.is_in_one_of({*standing});
+    const auto status = flight::standing_mode(view.owner());
+    return status && view.is_in_one_of({*status});
   }
   if (std::holds_alternative<arm>(what))
     return view.is_armed();
   if (std::holds_alternative<disarm>(what))
     return !view.is_armed();
-  if (const auto* item = std::get_if<choose_item>(&what))
+  if (const auto* item = std::get_if<set_current_item>(&what))
     return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->seq == item->sequence;
   return std::holds_alternative<start_plan>(what) && is_start_shown(view);
 }
@@ -154,11 +154,11 @@ bool task_runner::is_start_shown(const vehicle_view& view) const {
   return !was_in_mission_before_ || was_accepted_ || says(mission_state::active);
 }
 
-std::string task_runner::wish() const {
+std::string task_runner::what_is_asked() const {
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
     return "to change to " + std::string(io::name_of(mode->to));
-  if (const auto* item = std::get_if<choose_item>(&what))
+  if (const auto* item = std::get_if<set_current_item>(&what))
     return "to go to item " + std::to_string(item->sequence);
   if (std::holds_alternative<stand_by>(what))
     return "to leave its mission mode on the ground";
@@ -173,7 +173,7 @@ std::string task_runner::wish() const {
 
 void task_runner::begin_step(const world& w) {
   const bool begins_anew =
-      std::holds_alternative<start_plan>(way_[at_]) || std::holds_alternative<choose_item>(way_[at_]);
+      std::holds_alternative<start_plan>(way_[at_]) || std::holds_alternative<set_current_item>(way_[at_]);
   if (is_shown(w.view) && (!begins_anew || tries_ > 0))
     return was_obeyed(w);
   if (const auto why = why_not_now(w.view); !why.empty())
@@ -181,7 +181,7 @@ void task_runner::begin_step(const world& w) {
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
     generation_before_ = w.durable.progress.last_generation;
-    if (const auto* item = std::get_if<choose_item>(&way_[at_]))
+    if (const auto* item = std::get_if<set_current_item>(&way_[at_]))
       return note_and_wait(w, progress::start_intended{item->sequence});
     if (const auto* start = std::get_if<start_plan>(&way_[at_]))
       return note_and_wait(w, progress::start_intended{start->sequence});
@@ -194,8 +194,8 @@ void task_runner::begin_step(const world& w) {
 std::string task_runner::why_not_now(const vehicle_view& view) const {
   if (std::holds_alternative<start_plan>(way_[at_]) && !view.is_armed())
     return "the vehicle is disarmed";
-  const auto* standing = std::get_if<stand_by>(&way_[at_]);
-  return standing != nullptr && view.is_armed() && !standing->is_armed ? "it was armed meanwhile" : "";
+  const auto* status = std::get_if<stand_by>(&way_[at_]);
+  return status != nullptr && view.is_armed() && !status->is_armed ? "it was armed meanwhile" : "";
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {
@@ -208,7 +208,7 @@ void task_runner::go_on_behind_note() {
   if (stage_ == stage::noting)
     enter(stage::begin);
   else if (stage_ == stage::closing && std::holds_alternative<bring_plan>(way_[at_]))
-    enter(stage::settling);
+    enter(stage::resolving);
   else if (stage_ == stage::closing && why_failed_.empty())
     next_step();
   else if (stage_ == stage::closing)
@@ -232,7 +232,7 @@ void task_runner::ask(const world& w) {
 void task_runner::ask(const world& w, const change_mode& what) {
   const auto command = flight::mode_command(w.view.owner(), what.to);
   if (!command)
-    return fail("this vehicle has no mode " + wish().substr(std::string("to change to ").size()));
+    return fail("this vehicle has no mode " + what_is_asked().substr(std::string("to change to ").size()));
   expect(w, flight::modes_obeying(w.view.owner(), what.to));
   give_order(w, *command);
 }
@@ -263,7 +263,7 @@ void task_runner::ask(const world& w, const bring_plan&) {
                            vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items}});
 }
 
-void task_runner::ask(const world& w, const choose_item& what) {
+void task_runner::ask(const world& w, const set_current_item& what) {
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
                            vehicle_link::set_current_item{what.sequence}});
 }
@@ -347,7 +347,7 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
     return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));
-  if (outcome.verdict == command_verdict::accepted && std::holds_alternative<choose_item>(way_[at_]))
+  if (outcome.verdict == command_verdict::accepted && std::holds_alternative<set_current_item>(way_[at_]))
     return was_obeyed(w);
   was_accepted_ = outcome.verdict == command_verdict::accepted;
   if (!was_accepted_ && is_stop() && !is_shown(w.view)) {
@@ -389,7 +389,7 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
   const bool was_refused = stage_ == stage::asked;
   if (!is_final && tries_ < (is_stop() || was_lost_ ? max_tries_of_lost : max_tries))
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
-  const auto sentence = "the vehicle was asked " + wish() + ", and did not: " + why;
+  const auto sentence = "the vehicle was asked " + what_is_asked() + ", and did not: " + why;
   if (!has_intent())
     return fail(sentence);
   why_failed_ = sentence;
@@ -398,7 +398,7 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
 }
 
 // The upload's end is applied; where it was not known, progress has it looked at.
-void task_runner::settle_upload(const world& w) {
+void task_runner::resolve_upload(const world& w) {
   if (w.durable.progress.upload)
     return;
   if (w.durable.progress.last_generation != generation_before_)

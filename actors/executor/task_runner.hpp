@@ -79,7 +79,7 @@ public:
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 
 private:
-  enum class stage { begin, noting, asked, showing, pausing, closing, settling };
+  enum class stage { begin, noting, asked, showing, pausing, closing, resolving };
 
   static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
@@ -96,7 +96,7 @@ private:
   void ask(const world& w, const stand_by& what);
   void ask(const world& w, const guard& what);
   void ask(const world& w, const bring_plan& what);
-  void ask(const world& w, const choose_item& what);
+  void ask(const world& w, const set_current_item& what);
   void ask(const world& w, const arm& what);
   void ask(const world& w, const disarm& what);
   void ask(const world& w, const start_plan& what);
@@ -104,14 +104,14 @@ private:
   void give_order(const world& w, vehicle_link::send_command what);
   void was_obeyed(const world& w);
   void was_not_done(const world& w, const std::string& why, bool is_final);
-  void settle_upload(const world& w);
+  void resolve_upload(const world& w);
 
   [[nodiscard]] bool has_intent() const;
   [[nodiscard]] std::string why_not_now(const vehicle_view& view) const;
   [[nodiscard]] bool is_overdue(const world& w) const;
   [[nodiscard]] bool is_shown(const vehicle_view& view) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
-  [[nodiscard]] std::string wish() const;
+  [[nodiscard]] std::string what_is_asked() const;
 
   std::optional<task> task_;
   steps way_;

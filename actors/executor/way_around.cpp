@@ -19,26 +19,25 @@ std::vector<mission::geofence> without_altitudes(std::vector<mission::geofence> 
 
 } // namespace
 
-turns_or_reason turns_between(const way_wish& wish, const std::vector<mission::geofence>& fences) {
+turns_or_reason turns_between(const way_request& trip, const std::vector<mission::geofence>& fences) {
   route::route_request request;
-  request.from = {wish.from.latitude, wish.from.longitude};
-  request.to = {wish.to.latitude, wish.to.longitude};
-  request.altitudes = {wish.lowest_m, wish.highest_m};
-  request.margin_m = wish.margin_m;
-  request.turn_room_m = wish.vehicle == vehicle_class::fixed_wing ? wish.own_loiter_radius_m : turn_room_m;
-  const auto way =
-      route::find_route(request, wish.vehicle == vehicle_class::rover ? without_altitudes(fences) : fences);
+  request.from = {trip.from.latitude, trip.from.longitude};
+  request.to = {trip.to.latitude, trip.to.longitude};
+  request.altitudes = {trip.lowest_m, trip.highest_m};
+  request.margin_m = trip.margin_m;
+  request.turn_room_m = trip.vehicle == vehicle_class::fixed_wing ? trip.own_loiter_radius_m : turn_room_m;
+  const auto way = route::find_route(request, trip.vehicle == vehicle_class::rover ? without_altitudes(fences) : fences);
   if (!way)
     return tl::make_unexpected(way.error().reason);
   return std::vector(way->points.begin() + 1, way->points.end() - 1);
 }
 
-turns_or_reason turns_home(const way_wish& wish, const std::vector<mission::geofence>& fences) {
-  auto narrower = wish;
-  const auto whole = turns_between(wish, fences);
+turns_or_reason turns_home(const way_request& trip, const std::vector<mission::geofence>& fences) {
+  auto narrower = trip;
+  const auto whole = turns_between(trip, fences);
   if (whole)
     return whole;
-  for (const double margin_m : {wish.margin_m / 2, wish.margin_m / 4, route::min_margin_m}) {
+  for (const double margin_m : {trip.margin_m / 2, trip.margin_m / 4, route::min_margin_m}) {
     narrower.margin_m = margin_m;
     if (auto found = turns_between(narrower, fences))
       return found;

@@ -20,7 +20,7 @@ namespace godwit::executor {
 inline constexpr double turn_accept_radius_m = 2;
 inline constexpr double turn_room_m = 5;
 
-struct way_wish {
+struct way_request {
   mission::position from;
   mission::position to;
   double lowest_m = 0; // between which altitudes it flies
@@ -33,10 +33,10 @@ struct way_wish {
 using turns_or_reason = tl::expected<std::vector<geo::point>, std::string>;
 
 // None: the straight way keeps the margin. The error is a sentence for people.
-[[nodiscard]] turns_or_reason turns_between(const way_wish& wish, const std::vector<mission::geofence>& fences);
+[[nodiscard]] turns_or_reason turns_between(const way_request& trip, const std::vector<mission::geofence>& fences);
 
 // The same; where there is no way with the whole margin, one with less of it is better than a way through a fence.
-[[nodiscard]] turns_or_reason turns_home(const way_wish& wish, const std::vector<mission::geofence>& fences);
+[[nodiscard]] turns_or_reason turns_home(const way_request& trip, const std::vector<mission::geofence>& fences);
 
 [[nodiscard]] mission::waypoint turn_at(const geo::point& place, double altitude_m, std::string id,
                                         flight::vehicle_class vehicle);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "actors/failsafe/senses.hpp"
-#include "actors/failsafe/vehicle_words.hpp"
+#include "actors/failsafe/vehicle_texts.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 #include "runtime/assert.hpp"
@@ -50,7 +50,7 @@ auto actor::is_told() {
 }
 
 actor::actor(runtime::spawn_context context, const settings& configured, vehicle_handle vehicle,
-             std::shared_ptr<const neighbours> others)
+             std::shared_ptr<const peers> others)
     : durable_actor(std::move(context)), settings_(configured), vehicle_(std::move(vehicle)),
       others_(std::move(others)) {}
 
@@ -69,7 +69,7 @@ actor::behavior_type actor::handlers() {
             core_->take(asked_override{request_id, what}, now());
             turn();
           }),
-          on<get_stance>([this](const get_stance&) { return core_->told(); }),
+          on<get_failsafe_status>([this](const get_failsafe_status&) { return core_->told(); }),
           hears<mavlink::heartbeat>(),
           hears<mavlink::extended_sys_state>(),
           hears<mavlink::global_position_int>(),
@@ -93,13 +93,13 @@ void actor::started() {
   core_.emplace(settings_, current_state(), now());
   look_.begin();
   post_health();
-  tell_stance(); // also to those who were told before the crash, or have crashed as well
+  tell_failsafe_status(); // also to those who were told before the crash, or have crashed as well
   plan_tick(std::chrono::milliseconds::zero());
 }
 
 void actor::on_tick() {
   plan_tick(std::chrono::milliseconds(tick_ms));
-  vouch();
+  liveness_report();
   look_further();
   turn();
 }
@@ -113,11 +113,11 @@ void actor::judge_position() {
   turn();
 }
 
-void actor::vouch() {
-  if (vouched_ns_ && now_ns() - *vouched_ns_ < vouch_every_ms * ns_per_ms)
+void actor::liveness_report() {
+  if (liveness_reported_ns_ && now_ns() - *liveness_reported_ns_ < liveness_report_every_ms * ns_per_ms)
     return;
-  vouched_ns_ = now_ns();
-  tell(vehicle_, vehicle_link::vouch{actor_name()});
+  liveness_reported_ns_ = now_ns();
+  tell(vehicle_, vehicle_link::liveness_report{actor_name()});
 }
 
 // -- what is done ---------------------------------------------------------------------------------
@@ -131,8 +131,8 @@ void actor::carry_out(const effects& wanted) {
   GODWIT_ASSERT(!due_.command || due_.record, "failsafe: each command comes with a record");
   if (due_.command)
     send_at_once([this] { command(*due_.command); });
-  else if (due_.stance_is_new)
-    tell_stance();
+  else if (due_.failsafe_status_is_new)
+    tell_failsafe_status();
   if (due_.record)
     commit(*due_.record);
   if (due_.command)
@@ -148,7 +148,7 @@ void actor::carry_out(const warning& what) {
 
 void actor::carry_out(const remember& what) { due_.record = what.what; }
 
-void actor::tell_stance() {
+void actor::tell_failsafe_status() {
   for (const auto& ear : others_->ears)
     tell(ear, core_->told());
 }
@@ -162,22 +162,22 @@ void actor::command(const command_vehicle& command) {
   auto words = words_for(command, owner_);
   GODWIT_ASSERT(words, "failsafe: of a vehicle only that is wanted which its kind can do");
   words->only_while = seen_;
-  tell_stance();
+  tell_failsafe_status();
   ask(
       vehicle_, answer_patience, *words,
-      [this, command](const command_outcome& outcome) { settle(command, outcome.verdict); },
-      [this, command](const runtime::ask_error& why) { settle(command, verdict_of(why.code)); });
+      [this, command](const command_outcome& outcome) { resolve(command, outcome.verdict); },
+      [this, command](const runtime::ask_error& why) { resolve(command, verdict_of(why.code)); });
 }
 
 // Another's change of mode is under way, and the failsafe's does not wait for that. Whether SET_MODE was obeyed is what
 // a later heartbeat says, as after a command without an answer.
-void actor::settle(const command_vehicle& command, command_verdict verdict) {
+void actor::resolve(const command_vehicle& command, command_verdict verdict) {
   if (verdict == command_verdict::already_running)
     if (const auto words = mode_words_for(command, owner_)) {
       tell(vehicle_, *words);
       verdict = command_verdict::timed_out;
     }
-  core_->take(command_settled{command.number, verdict}, now());
+  core_->take(command_resolved{command.number, verdict}, now());
 }
 
 // -- the first look at the vehicle ------------------------------------------------------------------
@@ -197,7 +197,7 @@ void actor::look_further() {
 
 // The next one at once; what was not answered again at a tick.
 void actor::end_look(bool is_answered) {
-  look_.settled();
+  look_.resolved();
   if (is_answered)
     look_further();
 }

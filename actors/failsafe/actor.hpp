@@ -2,9 +2,9 @@
 //
 // The decisions are in core.hpp. This shell hands what it hears to the core, ticks every tick_ms, and at once for a new
 // position and for what others say. It waits for nobody: not for the executor, not for an answer, not for the disk. A
-// command goes out in the turn in which it was decided, behind the stance that says whose it is, and before the record
-// of it is handed to the journal. Where the journal takes nothing it goes on acting, and says so: a disk that is full
-// must not keep a vehicle from coming home. Thread: as actor_base.
+// command goes out in the turn in which it was decided, behind the failsafe_status that says whose it is, and before
+// the record of it is handed to the journal. Where the journal takes nothing it goes on acting, and says so: a disk
+// that is full must not keep a vehicle from coming home. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
@@ -25,13 +25,13 @@ namespace godwit::failsafe {
 inline constexpr std::chrono::milliseconds answer_patience{command_answer_ms - 500};
 // Each position is judged as it comes; of a stream that is faster than this, one so often, and the rest at the ticks.
 inline constexpr std::int64_t min_judged_gap_ms = 50;
-inline constexpr std::int64_t vouch_every_ms = 1'000;
+inline constexpr std::int64_t liveness_report_every_ms = 1'000;
 
 // Whom the failsafe speaks to besides the vehicle. Filled in while the process is composed, when the addresses of all
 // actors exist, and not changed after the actors were started. LOG is called on the failsafe's thread, and waits for
 // nobody.
-struct neighbours {
-  std::vector<stance_ear> ears;                                    // the executor, and whoever else has to know
+struct peers {
+  std::vector<failsafe_status_ear> ears;                           // the executor, and whoever else has to know
   std::vector<people_handle> people;                               // hear its warnings
   std::function<void(const warning&)> log = [](const warning&) {}; // so does whoever reads what the program says
 };
@@ -40,7 +40,7 @@ class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   // CONFIGURED has no objection_to.
   actor(runtime::spawn_context context, const settings& configured, vehicle_handle vehicle,
-        std::shared_ptr<const neighbours> others);
+        std::shared_ptr<const peers> others);
   ~actor() override;
 
 protected:
@@ -59,40 +59,40 @@ private:
   void plan_tick(std::chrono::milliseconds delay);
   void take_heartbeat(const io::mavlink::heartbeat& m);
   void judge_position();
-  void vouch();
+  void liveness_report();
   void turn();
   void carry_out(const effects& wanted);
   void carry_out(const command_vehicle& what) { due_.command = what; }
-  void carry_out(const stance_changed&) { due_.stance_is_new = true; }
-  void carry_out(const override_settled& what) { answer_later(what.request_id, what.answer); }
-  void carry_out(const guard_settled& what) { answer_later(what.request_id, what.answer); }
+  void carry_out(const failsafe_status_changed&) { due_.failsafe_status_is_new = true; }
+  void carry_out(const override_resolved& what) { answer_later(what.request_id, what.answer); }
+  void carry_out(const guard_resolved& what) { answer_later(what.request_id, what.answer); }
   void carry_out(const warning& what);
   void carry_out(const runtime::condition&) {} // posted at the end of the turn
   void carry_out(const remember& what);
-  void tell_stance();
+  void tell_failsafe_status();
   void command(const command_vehicle& what);
   void post_health();
-  void settle(const command_vehicle& command, vehicle_link::command_verdict verdict);
+  void resolve(const command_vehicle& command, vehicle_link::command_verdict verdict);
   void look_further();
   void end_look(bool is_answered);
 
   // What goes out together, at the end of a turn.
   struct due_things {
     std::optional<command_vehicle> command = {};
-    bool stance_is_new = false;
+    bool failsafe_status_is_new = false;
     std::optional<remembered> record = {};
   };
 
   settings settings_;
   vehicle_handle vehicle_;
-  std::shared_ptr<const neighbours> others_;
+  std::shared_ptr<const peers> others_;
   std::optional<core> core_;
   flight::mode_owner owner_;                     // of the newest heartbeat
   std::optional<vehicle_link::seen_state> seen_; // the same
   first_look look_;
   std::uint64_t tick_number_ = 0;
   std::optional<std::int64_t> position_judged_ns_;
-  std::optional<std::int64_t> vouched_ns_;
+  std::optional<std::int64_t> liveness_reported_ns_;
   due_things due_;
 };
 

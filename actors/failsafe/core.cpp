@@ -8,7 +8,7 @@
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/failsafe/sentences.hpp"
-#include "actors/failsafe/vehicle_words.hpp"
+#include "actors/failsafe/vehicle_texts.hpp"
 
 namespace godwit::failsafe {
 
@@ -37,7 +37,7 @@ core::core(const settings& configured, const state& restored, instant now)
     limits_refused_ = true;
   if (restored.now.reacts && restored.now.reacts->tries > 0)
     pilot_.forget_the_plan();
-  stance_ = stand(restored.now.in_flight);
+  failsafe_status_ = stand(restored.now.in_flight);
 }
 
 // -- what is heard --------------------------------------------------------------------------------
@@ -74,7 +74,7 @@ void core::take_one(const autopilot_text& what, instant now) {
     failsafe_text_ = {what.what, now};
 }
 
-void core::take_one(const command_settled& what, instant) { reaction_.on_settled(what); }
+void core::take_one(const command_resolved& what, instant) { reaction_.on_resolved(what); }
 
 void core::take_one(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
 
@@ -106,7 +106,7 @@ effects core::tick(instant now) {
   drive(seen, now, out);
   warn_of_link(seen, out);
   warn_of_fence(seen, now, out);
-  tell_stance(seen.flight.in_flight, out);
+  tell_failsafe_status(seen.flight.in_flight, out);
   tell_health(seen, out);
   keep(seen.flight.in_flight, out);
   return out;
@@ -126,9 +126,9 @@ void core::take_limits(effects& out) {
     place_.reset(); // it may be that of the plan before
     sequence_.reset();
     sequence_ns_ = 0;
-    out.emplace_back(guard_settled{wanted->request_id, {true, {}}});
+    out.emplace_back(guard_resolved{wanted->request_id, {true, {}}});
   } else {
-    out.emplace_back(guard_settled{wanted->request_id, {false, fences.error()}});
+    out.emplace_back(guard_resolved{wanted->request_id, {false, fences.error()}});
   }
 }
 
@@ -171,7 +171,7 @@ void core::hear_words(instant now, effects& out) {
   });
   for (const auto& each : wanted) {
     const auto done = overrides_.take(each.what, now);
-    out.emplace_back(override_settled{each.request_id, {done.has_value(), done ? std::string() : done.error()}});
+    out.emplace_back(override_resolved{each.request_id, {done.has_value(), done ? std::string() : done.error()}});
     if (done)
       lift(each.what.scope);
   }
@@ -304,8 +304,8 @@ void core::warn_of_fence(const view& seen, instant now, effects& out) {
     out.emplace_back(warning{mav_severity::warning, "a fence is near: in 2 s " + seen.fences.ahead->sentence()});
 }
 
-stance core::stand(bool in_flight) const {
-  stance result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all()};
+failsafe_status core::stand(bool in_flight) const {
+  failsafe_status result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all()};
   if (const auto& current = reaction_.current())
     result.reacts = told_reaction{current->why, current->what, reaction_.stage()};
   for (const auto each : rules)
@@ -314,17 +314,17 @@ stance core::stand(bool in_flight) const {
   return result;
 }
 
-void core::tell_stance(bool in_flight, effects& out) {
+void core::tell_failsafe_status(bool in_flight, effects& out) {
   auto now = stand(in_flight);
-  if (now == stance_)
+  if (now == failsafe_status_)
     return;
-  stance_ = std::move(now);
-  out.emplace_back(stance_changed{stance_});
+  failsafe_status_ = std::move(now);
+  out.emplace_back(failsafe_status_changed{failsafe_status_});
 }
 
 void core::tell_health(const view& seen, effects& out) {
   auto how = judge_health({seen.flight, newest_.what, seen.battery, seen.fences.finding, seen.link,
-                           pilot_.is_taken_over(), limits_refused_, stance_.reacts});
+                           pilot_.is_taken_over(), limits_refused_, failsafe_status_.reacts});
   if (how == health_)
     return;
   health_ = std::move(how);

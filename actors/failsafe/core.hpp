@@ -1,7 +1,7 @@
 // Every decision of the failsafes, at a tick of 100 ms.
 //
 //   heartbeat, landed, position ──> flight_watch: is it in the air? ──┐
-//   heartbeat, expect_mode ───────> pilot_watch: who flies? ──────────┤
+//   heartbeat, expect_mode ───────> takeover_detector: who flies? ──────────┤
 //   position, asked_guard ────────> fence_watch ──────────┐           │
 //   battery ──────────────────────> battery_filter ───────┼─> rules ──┼─> latch_table ─> reaction_driver ─> command
 //   operator_heard, following ────> link_ladder ──────────┘           │
@@ -35,10 +35,10 @@
 #include "actors/failsafe/latch_table.hpp"
 #include "actors/failsafe/link_ladder.hpp"
 #include "actors/failsafe/overrides.hpp"
-#include "actors/failsafe/pilot_watch.hpp"
 #include "actors/failsafe/reaction_driver.hpp"
 #include "actors/failsafe/settings.hpp"
 #include "actors/failsafe/state.hpp"
+#include "actors/failsafe/takeover_detector.hpp"
 
 namespace godwit::failsafe {
 
@@ -57,7 +57,7 @@ public:
 
   [[nodiscard]] const runtime::condition& health() const { return health_; }
   // As it was told last, and as the record has it before the first tick.
-  [[nodiscard]] const stance& told() const { return stance_; }
+  [[nodiscard]] const failsafe_status& told() const { return failsafe_status_; }
 
 private:
   // What the senses say at this tick.
@@ -74,7 +74,7 @@ private:
   void take_one(const battery& what, instant now);
   void take_one(const mission_current& what, instant now);
   void take_one(const autopilot_text& what, instant now);
-  void take_one(const command_settled& what, instant now);
+  void take_one(const command_resolved& what, instant now);
   void take_one(const operator_heard& what, instant now);
   void take_one(const asked_override& what, instant now);
   void take_one(const hand_back& what, instant now);
@@ -83,7 +83,7 @@ private:
   void take_one(const taken_over& what, instant now);
   void take_one(const following& what, instant now);
 
-  [[nodiscard]] stance stand(bool in_flight) const;
+  [[nodiscard]] failsafe_status stand(bool in_flight) const;
   [[nodiscard]] view look(instant now);
   void take_limits(effects& out);
   void follow_flight(const view& seen);
@@ -99,13 +99,13 @@ private:
   void drive(const view& seen, instant now, effects& out);
   void warn_of_link(const view& seen, effects& out);
   void warn_of_fence(const view& seen, instant now, effects& out);
-  void tell_stance(bool in_flight, effects& out);
+  void tell_failsafe_status(bool in_flight, effects& out);
   void tell_health(const view& seen, effects& out);
   void keep(bool in_flight, effects& out);
 
   settings settings_;
   flight_watch flight_;
-  pilot_watch pilot_;
+  takeover_detector pilot_;
   fence_watch fences_;
   battery_filter battery_;
   link_ladder link_;
@@ -141,7 +141,7 @@ private:
   link_phase said_link_ = link_phase::off;
   std::optional<std::int64_t> fence_ahead_ns_; // when a fence was last seen to be near
   runtime::condition health_{runtime::health_colour::yellow, "nothing has been heard yet"};
-  stance stance_;
+  failsafe_status failsafe_status_;
   bool has_new_limits_ = false; // not kept yet
   standing kept_;
 };

@@ -16,16 +16,16 @@
 namespace godwit::failsafe {
 
 // To the executor and all who listen, at each change.
-struct stance_changed {
-  stance now;
+struct failsafe_status_changed {
+  failsafe_status now;
 };
 
-struct override_settled {
+struct override_resolved {
   std::uint64_t request_id = 0;
   override_answer answer;
 };
 
-struct guard_settled {
+struct guard_resolved {
   std::uint64_t request_id = 0;
   guard_answer answer;
 };
@@ -44,7 +44,7 @@ struct remember {
   remembered what;
 };
 
-using effect = std::variant<command_vehicle, stance_changed, override_settled, guard_settled, warning,
+using effect = std::variant<command_vehicle, failsafe_status_changed, override_resolved, guard_resolved, warning,
                             runtime::condition, remember>;
 using effects = std::vector<effect>;
 

@@ -52,7 +52,7 @@ struct autopilot_text {
 };
 
 // What became of a command that the failsafe sent.
-struct command_settled {
+struct command_resolved {
   std::uint64_t number = 0; // of the command
   vehicle_link::command_verdict verdict = vehicle_link::command_verdict::not_sent;
 };
@@ -78,7 +78,7 @@ struct asked_guard {
   guard_mission what;
 };
 
-using event = std::variant<heartbeat, landed, position, battery, mission_current, autopilot_text, command_settled,
+using event = std::variant<heartbeat, landed, position, battery, mission_current, autopilot_text, command_resolved,
                            operator_heard, asked_override, hand_back, asked_guard, expect_mode, taken_over, following>;
 
 } // namespace godwit::failsafe

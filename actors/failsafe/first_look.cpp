@@ -13,7 +13,8 @@ void first_look::heard(std::uint32_t message_id) {
 std::optional<std::uint32_t> first_look::next() {
   if (asking_)
     return std::nullopt;
-  const auto found = std::find_if(wanted_.begin(), wanted_.end(), [](const wish& each) { return each.tries_left > 0; });
+  const auto found =
+      std::find_if(wanted_.begin(), wanted_.end(), [](const wanted_message& each) { return each.tries_left > 0; });
   if (found == wanted_.end())
     return std::nullopt;
   --found->tries_left;

@@ -28,20 +28,20 @@ public:
   // Which message to ask for now. None: one is being asked for, or all have been heard or given up.
   [[nodiscard]] std::optional<std::uint32_t> next();
   // What was asked for has an answer, or has none.
-  void settled() { asking_ = false; }
+  void resolved() { asking_ = false; }
 
 private:
-  struct wish {
+  struct wanted_message {
     std::uint32_t message_id = 0;
     int tries_left = 0;
   };
-  static constexpr std::array all{wish{io::mavlink::heartbeat::message_id, max_look_tries},
-                                  wish{io::mavlink::extended_sys_state::message_id, max_look_tries},
-                                  wish{io::mavlink::global_position_int::message_id, max_look_tries},
-                                  wish{io::mavlink::sys_status::message_id, max_look_tries},
-                                  wish{io::mavlink::home_position::message_id, max_look_tries}};
+  static constexpr std::array all{wanted_message{io::mavlink::heartbeat::message_id, max_look_tries},
+                                  wanted_message{io::mavlink::extended_sys_state::message_id, max_look_tries},
+                                  wanted_message{io::mavlink::global_position_int::message_id, max_look_tries},
+                                  wanted_message{io::mavlink::sys_status::message_id, max_look_tries},
+                                  wanted_message{io::mavlink::home_position::message_id, max_look_tries}};
 
-  std::array<wish, all.size()> wanted_{};
+  std::array<wanted_message, all.size()> wanted_{};
   bool asking_ = false;
 };
 

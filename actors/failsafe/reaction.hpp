@@ -11,7 +11,7 @@
 //
 // Whether a command without an answer was obeyed is not known; it goes out again only when a heartbeat that came after
 // it was given up shows that it was not. Nothing goes out against a pilot: a mode that is nobody's of ours ends it all
-// before (pilot_watch). What else leads out of a return is a command of the executor that was on its way already.
+// before (takeover_detector). What else leads out of a return is a command of the executor that was on its way already.
 // Thread: plain values.
 #pragma once
 

@@ -28,7 +28,7 @@ void reaction_driver::raise(rule why) {
     current_->why = why;
 }
 
-void reaction_driver::on_settled(const command_settled& what) {
+void reaction_driver::on_resolved(const command_resolved& what) {
   if (what.number == last_number_ && current_ && current_->phase == reaction_phase::in_flight)
     verdict_ = what.verdict;
 }
@@ -73,7 +73,7 @@ void reaction_driver::take_verdict(command_verdict verdict, std::int64_t now_ns)
   enter(reaction_phase::to_send, now_ns);
 }
 
-void reaction_driver::settle(const look& seen, std::int64_t now_ns) {
+void reaction_driver::resolve(const look& seen, std::int64_t now_ns) {
   const auto verdict = std::exchange(verdict_, std::nullopt);
   if (is_done(seen)) {
     if (current_->phase != reaction_phase::done)
@@ -126,7 +126,7 @@ reaction_driver::step reaction_driver::drive(const look& seen, std::int64_t now_
   if (!current_)
     return result;
   const auto before = current_->phase;
-  settle(seen, now_ns);
+  resolve(seen, now_ns);
   result.was_left = before == reaction_phase::done && current_->phase == reaction_phase::to_send;
   const bool has_failed =
       current_->phase == reaction_phase::unsure || (current_->phase == reaction_phase::to_send && current_->tries > 0);

@@ -31,7 +31,7 @@ public:
   void raise(rule why);
   void drop() { current_.reset(); }
 
-  void on_settled(const command_settled& what);
+  void on_resolved(const command_resolved& what);
 
   struct look {
     mode_kind mode = mode_kind::unknown;
@@ -56,7 +56,7 @@ public:
   [[nodiscard]] reaction_stage stage() const;
 
 private:
-  void settle(const look& seen, std::int64_t now_ns);
+  void resolve(const look& seen, std::int64_t now_ns);
   [[nodiscard]] bool is_done(const look& seen) const;
   [[nodiscard]] bool is_left(const look& seen) const;
   [[nodiscard]] bool is_disobeyed(const look& seen, std::int64_t now_ns) const;

@@ -32,7 +32,7 @@ auto actor::hears() {
 }
 
 actor::actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
-             std::shared_ptr<const neighbours> others)
+             std::shared_ptr<const peers> others)
     : durable_actor(std::move(context)), settings_(std::move(configured)), signing_(std::move(signing)),
       line_(std::move(line)), others_(std::move(others)) {}
 
@@ -112,7 +112,7 @@ void actor::carry_out(const effects& wanted) {
     std::visit([this](const auto& what) { carry_out(what); }, each);
 }
 
-void actor::carry_out(const wish_to_go& each) {
+void actor::carry_out(const start_request_to_executor& each) {
   const auto then = [this](const effects& wanted) {
     carry_out(wanted);
     after_turn();
@@ -134,7 +134,7 @@ void actor::carry_out(const word_to_say& each) {
   };
   ask(
       *others_->executor, current_patience, each.what,
-      [this, then, request = each.request](const operator_words::answer& answer) {
+      [this, then, request = each.request](const operators::answer& answer) {
         then(core_->on_word_answer(request, answer, now()));
       },
       [this, then, request = each.request](const runtime::ask_error& why) {

@@ -23,12 +23,12 @@ using io::link::wire;
 
 // So much of what came in is handled in one turn, before other mail has its own.
 inline constexpr int max_chunks_per_turn = 32;
-// The executor has answered a wish or a word by then, also where the vehicle changes its mode first.
+// The executor has answered a request or a command by then, also where the vehicle changes its mode first.
 inline constexpr std::chrono::seconds current_patience{3};
 
 // Whom the port speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not
 // changed after the actors were started.
-struct neighbours {
+struct peers {
   std::optional<executor::station_handle> executor; // none: missions are taken and shown, and not started
   std::vector<operator_ear> operator_ears;
 };
@@ -37,7 +37,7 @@ class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   // CONFIGURED has no objection_to.
   actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
-        std::shared_ptr<const neighbours> others);
+        std::shared_ptr<const peers> others);
   ~actor() override;
 
 protected:
@@ -56,7 +56,7 @@ private:
   void carry_out(const effects& wanted);
   void carry_out(const transmission& each) { outgoing_.push_back(each); }
   void carry_out(const durable_event& each) { commit(each); }
-  void carry_out(const wish_to_go& each);
+  void carry_out(const start_request_to_executor& each);
   void carry_out(const word_to_say& each);
   void carry_out(const operator_link& each);
   void after_turn();
@@ -67,7 +67,7 @@ private:
   settings settings_;
   signing_settings signing_;
   std::shared_ptr<wire> line_;
-  std::shared_ptr<const neighbours> others_;
+  std::shared_ptr<const peers> others_;
   std::optional<core> core_;
   std::vector<transmission> outgoing_; // of this turn
   std::uint64_t dropped_out_ = 0;

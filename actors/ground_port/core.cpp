@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "actors/ground_port/about.hpp"
-#include "actors/ground_port/turn.hpp"
+#include "actors/ground_port/decision_context.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 
 namespace godwit::ground_port {
@@ -51,7 +51,7 @@ bool core::is_for_us(std::uint8_t target_system, std::uint8_t target_component) 
 // -- the link -------------------------------------------------------------------------------------
 
 effects core::on_link(const io::link::link_status& status, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   link_is_up_ = status.phase == io::link::link_phase::up;
   link_reason_ = status.reason;
   finish(t);
@@ -59,7 +59,7 @@ effects core::on_link(const io::link::link_status& status, instant now) {
 }
 
 effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_view bytes, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   channel_.unpack(peer, is_datagram, bytes, now, [&](const auto& frame) { take_frame(t, peer, frame); });
   if (channel_.rejected() != alerted_rejections_) {
     alerted_rejections_ = channel_.rejected();
@@ -69,7 +69,7 @@ effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_v
   return std::move(t.done);
 }
 
-void core::take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
+void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
   if (frame.id() == mavlink::radio_status::message_id) { // a radio's word, taken unsigned: says nothing of who is there
     ++counts_.not_accepted;
     return;
@@ -97,7 +97,7 @@ void core::take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view
 // Components of the vehicle are no stations: an autopilot sends commands to all components of its system, and none of
 // them is answered here. That the autopilot is on this line at all ends standing in for it, for as long as we live:
 // stations would meet two autopilots with one address.
-void core::take_own_system(turn& t, mavlink::sender from) {
+void core::take_own_system(decision_context& t, mavlink::sender from) {
   ++counts_.from_own_system;
   if (from.component != autopilot_component)
     return;
@@ -115,32 +115,32 @@ void core::take_own_system(turn& t, mavlink::sender from) {
   t.say(mavlink::mav_severity::critical, "The autopilot itself is on this port: godwit is component 191 now");
 }
 
-void core::take(turn& t, station& from, const mavlink::heartbeat& m) {
+void core::take(decision_context& t, station& from, const mavlink::heartbeat& m) {
   stations_.note_heartbeat(from, m, t.now.monotonic_ns);
 }
 
-void core::take(turn& t, station&, const mavlink::param_request_list& m) {
+void core::take(decision_context& t, station&, const mavlink::param_request_list& m) {
   if (is_for_us(m.target_system, m.target_component))
     params_.on(m, t.now.monotonic_ns);
   else
     ++counts_.not_for_us;
 }
 
-void core::take(turn& t, station&, const mavlink::param_request_read& m) {
+void core::take(decision_context& t, station&, const mavlink::param_request_read& m) {
   if (!is_for_us(m.target_system, m.target_component))
     ++counts_.not_for_us;
   else if (const auto value = params_.on(m))
     t.send(io::link::every_peer, *value);
 }
 
-void core::take(turn& t, station&, const mavlink::param_set& m) {
+void core::take(decision_context& t, station&, const mavlink::param_set& m) {
   if (!is_for_us(m.target_system, m.target_component))
     ++counts_.not_for_us;
   else if (const auto value = params_.on(m))
     t.send(io::link::every_peer, *value);
 }
 
-void core::take(turn& t, station& from, const mavlink::timesync& m) {
+void core::take(decision_context& t, station& from, const mavlink::timesync& m) {
   if (m.tc1 == 0 && is_for_us(m.target_system, m.target_component))
     t.send(from.who, mavlink::timesync{.tc1 = t.now.monotonic_ns,
                                        .ts1 = m.ts1,
@@ -148,7 +148,7 @@ void core::take(turn& t, station& from, const mavlink::timesync& m) {
                                        .target_component = from.who.component});
 }
 
-void core::take(turn& t, station& from, const mavlink::ping& m) {
+void core::take(decision_context& t, station& from, const mavlink::ping& m) {
   if (m.target_system == 0 && m.target_component == 0) // a question; an answer names whom it is for
     t.send(from.who, mavlink::ping{.time_usec = m.time_usec,
                                    .seq = m.seq,
@@ -159,7 +159,7 @@ void core::take(turn& t, station& from, const mavlink::ping& m) {
 // -- the vehicle and the executor -----------------------------------------------------------------
 
 effects core::on_telemetry(const telemetry& m, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (const auto* beat = std::get_if<mavlink::heartbeat>(&m))
     is_armed_ = io::mavlink::is_armed(*beat);
   // In the autopilot's place we say how the mission goes: ours, and not the one that the vehicle flies by.
@@ -175,7 +175,7 @@ effects core::on_telemetry(const telemetry& m, instant now) {
 }
 
 effects core::on_progress(const mission_progress& m, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   progress_ = m;
   // The start item is used up, whoever started the mission.
   if (is_running() && noted_start_item_ && !starts_.is_asked() && !is_busy_with_disk()) {
@@ -188,14 +188,14 @@ effects core::on_progress(const mission_progress& m, instant now) {
 }
 
 effects core::on_item_reached(const item_reached& m, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   t.send(io::link::every_peer, mavlink::mission_item_reached{.seq = m.sequence});
   finish(t);
   return std::move(t.done);
 }
 
 effects core::on_status_text(const status_text& m, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   t.say(m.severity, m.text);
   finish(t);
   return std::move(t.done);
@@ -204,7 +204,7 @@ effects core::on_status_text(const status_text& m, instant now) {
 // -- time -----------------------------------------------------------------------------------------
 
 effects core::on_time(instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   channel_.on_silence(now, [&](const auto& frame) { take_frame(t, io::link::every_peer, frame); });
   go_on(t, server_->on_time(now.monotonic_ns));
   if (const auto record = starts_.on_time(now))
@@ -217,7 +217,7 @@ effects core::on_time(instant now) {
 
 // Once a second: who we are, and how the operator's link is. In the autopilot's place the vehicle's own heartbeat is
 // the only one: a vehicle that is silent must not seem alive.
-void core::beat(turn& t) {
+void core::beat(decision_context& t) {
   const auto period = settings_.heartbeat_ms * ns_per_ms;
   next_beat_ns_ = std::max(next_beat_ns_ + period, t.now.monotonic_ns + period / 2);
   t.done.emplace_back(stations_.operator_now(t.now.monotonic_ns));
@@ -228,7 +228,7 @@ void core::beat(turn& t) {
 }
 
 // What every event may have made due.
-void core::finish(turn& t) {
+void core::finish(decision_context& t) {
   // As long as the executor has not said that it does not, it may be flying the mission.
   const bool may_be_flown = progress_ ? progress_->state == mavlink::mission_state::active : has_executor_;
   server_->lock(is_armed_ && may_be_flown);

@@ -2,7 +2,7 @@
 //
 //   bytes ──> channel ──frames of stations──> station_table (who is there, is the operator)
 //                          ├────> mission_server (plans up and down)
-//                          ├────> commands: start_ledger, word_ledger, start item, messages and their rates
+//                          ├────> commands: start_dedup, command_dedup, start item, messages and their rates
 //                          └────> parameters, TIMESYNC, PING
 //   what the vehicle says ──> forward_gate ──> stations
 //   what the executor says ──> MISSION_CURRENT, MISSION_ITEM_REACHED, STATUSTEXT
@@ -21,19 +21,19 @@
 #include <string>
 #include <vector>
 
+#include "actors/ground_port/command_dedup.hpp"
 #include "actors/ground_port/effects.hpp"
 #include "actors/ground_port/forward_gate.hpp"
+#include "actors/ground_port/message_allowlist.hpp"
 #include "actors/ground_port/mission_server/server.hpp"
 #include "actors/ground_port/settings.hpp"
-#include "actors/ground_port/start_ledger.hpp"
+#include "actors/ground_port/start_dedup.hpp"
 #include "actors/ground_port/state.hpp"
 #include "actors/ground_port/station_table.hpp"
-#include "actors/ground_port/surface.hpp"
 #include "actors/ground_port/text_queue.hpp"
 #include "actors/ground_port/vehicle_role/current_report.hpp"
 #include "actors/ground_port/vehicle_role/order.hpp"
 #include "actors/ground_port/vehicle_role/param_table.hpp"
-#include "actors/ground_port/word_ledger.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
@@ -75,13 +75,13 @@ public:
   [[nodiscard]] effects on_current_answer(std::uint64_t request, const executor::current_answer& m, instant now);
   // The executor did not answer. REASON is a sentence for people.
   [[nodiscard]] effects on_current_failed(std::uint64_t request, const std::string& reason, instant now);
-  [[nodiscard]] effects on_word_answer(std::uint64_t request, const operator_words::answer& m, instant now);
+  [[nodiscard]] effects on_word_answer(std::uint64_t request, const operators::answer& m, instant now);
   [[nodiscard]] effects on_word_failed(std::uint64_t request, const std::string& reason, instant now);
 
   // On the disk now, in this life or an earlier one.
-  [[nodiscard]] effects on_durable(const plan_settled& m, instant now);
-  [[nodiscard]] effects on_durable(const start_settled& m, instant now);
-  [[nodiscard]] effects on_durable(const start_item_settled& m, instant now);
+  [[nodiscard]] effects on_durable(const plan_resolved& m, instant now);
+  [[nodiscard]] effects on_durable(const start_resolved& m, instant now);
+  [[nodiscard]] effects on_durable(const start_item_resolved& m, instant now);
   void on_reserved(mavlink::signing_time ceiling) { channel_.reserved(ceiling); }
   [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
     return channel_.wanted_reservation(now.wall_ns);
@@ -92,7 +92,7 @@ public:
   [[nodiscard]] runtime::condition health(instant now);
 
 private:
-  class turn; // what one event leads to, while it is handled
+  class decision_context; // what one event leads to, while it is handled
 
   // As whom we speak, and as whom the vehicle's messages go on.
   [[nodiscard]] mavlink::sender ourselves() const;
@@ -101,47 +101,50 @@ private:
   [[nodiscard]] bool is_autopilot_here(std::int64_t now_ns) const;
   [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
 
-  void take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame);
-  void take_own_system(turn& t, mavlink::sender from);
-  void take(turn& t, station& from, const mavlink::heartbeat& m);
-  void take(turn& t, station& from, const mavlink::mission_set_current& m);
-  void take(turn& t, station& from, const mavlink::command_long& m);
-  void take(turn& t, station& from, const mavlink::command_int& m);
-  void take(turn& t, station& from, const mavlink::param_request_list& m);
-  void take(turn& t, station& from, const mavlink::param_request_read& m);
-  void take(turn& t, station& from, const mavlink::param_set& m);
-  void take(turn& t, station& from, const mavlink::timesync& m);
-  void take(turn& t, station& from, const mavlink::ping& m);
+  void take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame);
+  void take_own_system(decision_context& t, mavlink::sender from);
+  void take(decision_context& t, station& from, const mavlink::heartbeat& m);
+  void take(decision_context& t, station& from, const mavlink::mission_set_current& m);
+  void take(decision_context& t, station& from, const mavlink::command_long& m);
+  void take(decision_context& t, station& from, const mavlink::command_int& m);
+  void take(decision_context& t, station& from, const mavlink::param_request_list& m);
+  void take(decision_context& t, station& from, const mavlink::param_request_read& m);
+  void take(decision_context& t, station& from, const mavlink::param_set& m);
+  void take(decision_context& t, station& from, const mavlink::timesync& m);
+  void take(decision_context& t, station& from, const mavlink::ping& m);
 
   // core_commands.cpp
   template <class M>
-  void take_command(turn& t, station& from, const M& m);
-  void obey(turn& t, const vehicle_role::order& what, bool is_for_all_systems);
-  void answer(turn& t, const vehicle_role::order& what, mavlink::mav_result result);
-  void refuse(turn& t, const vehicle_role::order& what, mavlink::mav_result result, const std::string& text);
-  void start(turn& t, const vehicle_role::order& what);
-  void give_message(turn& t, const vehicle_role::order& what, std::optional<std::uint32_t> id);
-  [[nodiscard]] bool send_message(turn& t, io::link::peer_id to, std::uint32_t id);
+  void take_command(decision_context& t, station& from, const M& m);
+  void obey(decision_context& t, const vehicle_role::order& what, bool is_for_all_systems);
+  void answer(decision_context& t, const vehicle_role::order& what, mavlink::mav_result result);
+  void refuse(decision_context& t, const vehicle_role::order& what, mavlink::mav_result result,
+              const std::string& text);
+  void start(decision_context& t, const vehicle_role::order& what);
+  void give_message(decision_context& t, const vehicle_role::order& what, std::optional<std::uint32_t> id);
+  [[nodiscard]] bool send_message(decision_context& t, io::link::peer_id to, std::uint32_t id);
   [[nodiscard]] bool set_interval(std::uint32_t id, float interval_us, std::int64_t now_ns);
-  void note_foreign_command(turn& t, station& from);
+  void note_foreign_command(decision_context& t, station& from);
 
   // core_words.cpp
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
-  void say_word(turn& t, const vehicle_role::order& what);
-  void end_word(turn& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
+  void say_word(decision_context& t, const vehicle_role::order& what);
+  void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 
   // core_mission.cpp
-  struct current_wish {
+  struct set_current_request {
     std::optional<vehicle_role::order> by_command; // none: by MISSION_SET_CURRENT
     mavlink::sender from;
     std::uint16_t index = 0;
   };
-  void go_on(turn& t, mission_server::reaction next);
-  void note_change(turn& t, const mission_server::plan_change& change, std::optional<mavlink::mission_ack> ack);
-  void tell(turn& t, const mission_server::reaction& what);
-  void choose_current(turn& t, const current_wish& wish);
-  void refuse_current(turn& t, const current_wish& wish, mavlink::mav_result result, const std::string& text);
-  void end_wish(turn& t, mavlink::mav_result result, const std::string& text);
+  void go_on(decision_context& t, mission_server::reaction next);
+  void note_change(decision_context& t, const mission_server::plan_change& change,
+                   std::optional<mavlink::mission_ack> ack);
+  void tell(decision_context& t, const mission_server::reaction& what);
+  void choose_current(decision_context& t, const set_current_request& set_current);
+  void refuse_current(decision_context& t, const set_current_request& set_current, mavlink::mav_result result,
+                      const std::string& text);
+  void end_set_current(decision_context& t, mavlink::mav_result result, const std::string& text);
   [[nodiscard]] bool is_running() const;
   [[nodiscard]] mavlink::mission_current current() const;
   void show_plans();
@@ -152,8 +155,8 @@ private:
   }
   [[nodiscard]] bool is_busy_with_disk() const { return waiting_for_disk_ >= max_waiting_for_disk; }
 
-  void beat(turn& t);
-  void finish(turn& t);
+  void beat(decision_context& t);
+  void finish(decision_context& t);
 
   settings settings_;
   bool has_executor_;
@@ -162,8 +165,8 @@ private:
   station_table stations_;
   forward_gate gate_;
   text_queue texts_;
-  start_ledger starts_;
-  word_ledger words_;
+  start_dedup starts_;
+  command_dedup words_;
   vehicle_role::current_report report_;
   vehicle_role::param_table params_;
 
@@ -183,10 +186,10 @@ private:
   std::size_t waiting_for_disk_ = 0;
 
   std::optional<mission_progress> progress_;
-  std::optional<std::uint16_t> start_item_;       // as shown
-  std::optional<std::uint16_t> noted_start_item_; // as it will be when nothing waits for the disk any more
-  std::optional<current_wish> wish_;              // the executor was asked
-  std::uint64_t wish_request_ = 0;
+  std::optional<std::uint16_t> start_item_;        // as shown
+  std::optional<std::uint16_t> noted_start_item_;  // as it will be when nothing waits for the disk any more
+  std::optional<set_current_request> set_current_; // the executor was asked
+  std::uint64_t set_current_id_ = 0;
 
   bool link_is_up_ = false;
   std::string link_reason_ = "not opened";

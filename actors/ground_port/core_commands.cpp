@@ -1,7 +1,7 @@
 // The part of the core that is about commands of stations.
 //
-//   MISSION_START                    see vehicle_role/mission_start.hpp and start_ledger.hpp
-//   DO_REPOSITION, _PAUSE_CONTINUE   see word_reading.hpp and word_ledger.hpp
+//   MISSION_START                    see vehicle_role/mission_start.hpp and start_dedup.hpp
+//   DO_REPOSITION, _PAUSE_CONTINUE   see word_reading.hpp and command_dedup.hpp
 //   DO_SET_MISSION_CURRENT           out of range DENIED; not running: the start item; running: the executor's
 //   REQUEST_MESSAGE, 410, 519, 520   ACCEPTED and the message; DENIED: not one of ours; FAILED: nothing heard yet
 //   SET_MESSAGE_INTERVAL             ACCEPTED, or DENIED for what is not forwarded
@@ -14,7 +14,7 @@
 
 #include "actors/ground_port/about.hpp"
 #include "actors/ground_port/core.hpp"
-#include "actors/ground_port/turn.hpp"
+#include "actors/ground_port/decision_context.hpp"
 
 namespace godwit::ground_port {
 
@@ -43,11 +43,11 @@ std::optional<std::uint32_t> message_id_in(float value) {
 
 } // namespace
 
-void core::take(turn& t, station& from, const mavlink::command_long& m) { take_command(t, from, m); }
-void core::take(turn& t, station& from, const mavlink::command_int& m) { take_command(t, from, m); }
+void core::take(decision_context& t, station& from, const mavlink::command_long& m) { take_command(t, from, m); }
+void core::take(decision_context& t, station& from, const mavlink::command_int& m) { take_command(t, from, m); }
 
 template <class M>
-void core::take_command(turn& t, station& from, const M& m) {
+void core::take_command(decision_context& t, station& from, const M& m) {
   if (is_for_us(m.target_system, m.target_component))
     obey(t, vehicle_role::read_order(from.who, m), m.target_system == 0);
   else if (m.target_system == autopilot().system && m.target_component == autopilot().component)
@@ -56,7 +56,7 @@ void core::take_command(turn& t, station& from, const M& m) {
     ++counts_.not_for_us;
 }
 
-void core::note_foreign_command(turn& t, station& from) {
+void core::note_foreign_command(decision_context& t, station& from) {
   ++counts_.commands_for_autopilot;
   const auto now = t.now.monotonic_ns;
   if (from.told_about_commands_ns && now - *from.told_about_commands_ns < command_notice_period_ns)
@@ -65,7 +65,7 @@ void core::note_foreign_command(turn& t, station& from) {
   t.say(mav_severity::notice, "This port passes no commands to the autopilot", from.peer);
 }
 
-void core::obey(turn& t, const vehicle_role::order& what, bool is_for_all_systems) {
+void core::obey(decision_context& t, const vehicle_role::order& what, bool is_for_all_systems) {
   switch (what.command) {
   case mavlink::number(mav_cmd::mission_start):
     return start(t, what);
@@ -100,11 +100,11 @@ void core::obey(turn& t, const vehicle_role::order& what, bool is_for_all_system
   }
 }
 
-void core::answer(turn& t, const vehicle_role::order& what, mav_result result) {
+void core::answer(decision_context& t, const vehicle_role::order& what, mav_result result) {
   t.send(what.from, vehicle_role::answer_to(what, result));
 }
 
-void core::refuse(turn& t, const vehicle_role::order& what, mav_result result, const std::string& text) {
+void core::refuse(decision_context& t, const vehicle_role::order& what, mav_result result, const std::string& text) {
   ++counts_.commands_refused;
   answer(t, what, result);
   t.say(mav_severity::warning, text);
@@ -112,12 +112,12 @@ void core::refuse(turn& t, const vehicle_role::order& what, mav_result result, c
 
 // -- MISSION_START --------------------------------------------------------------------------------
 
-void core::start(turn& t, const vehicle_role::order& what) {
+void core::start(decision_context& t, const vehicle_role::order& what) {
   const auto plan_id = server_->plan(mavlink::mav_mission_type::mission).id;
   const auto repetition = starts_.judge(what, plan_id, t.now);
-  if (repetition == start_ledger::kind::repeated_while_asked)
+  if (repetition == start_dedup::kind::repeated_while_asked)
     return answer(t, what, mav_result::in_progress);
-  if (repetition == start_ledger::kind::repeated_after)
+  if (repetition == start_dedup::kind::repeated_after)
     return answer(t, what, static_cast<mav_result>(starts_.record()->result));
   vehicle_role::start_situation now;
   now.item_count = static_cast<int>(server_->plan(mavlink::mav_mission_type::mission).items.size());
@@ -126,7 +126,7 @@ void core::start(turn& t, const vehicle_role::order& what) {
   auto decided = vehicle_role::decide_start({what.param1, what.param2}, now);
   if (decided.result != mav_result::accepted)
     return refuse(t, what, decided.result, decided.text);
-  if (repetition == start_ledger::kind::busy)
+  if (repetition == start_dedup::kind::busy)
     return refuse(t, what, mav_result::temporarily_rejected, "Mission start: another start is under way");
   if (!has_executor_)
     return refuse(t, what, mav_result::temporarily_rejected, "Mission start: no executor is there");
@@ -137,15 +137,15 @@ void core::start(turn& t, const vehicle_role::order& what) {
 }
 
 effects core::on_start_answer(const executor::start_answer& m, instant now) {
-  turn t(*this, now);
-  if (const auto record = starts_.settle(m, now))
+  decision_context t(*this, now);
+  if (const auto record = starts_.resolve(m, now))
     t.note(start_noted{*record});
   finish(t);
   return std::move(t.done);
 }
 
-effects core::on_durable(const start_settled& m, instant now) {
-  turn t(*this, now);
+effects core::on_durable(const start_resolved& m, instant now) {
+  decision_context t(*this, now);
   const auto& record = m.record;
   const auto result = static_cast<mav_result>(record.result);
   if (result == mav_result::accepted) {
@@ -155,7 +155,7 @@ effects core::on_durable(const start_settled& m, instant now) {
     ++counts_.commands_refused;
   }
   const mavlink::sender to{record.asked.asked_by.system, record.asked.asked_by.component};
-  if (!record.is_correction && now.wall_ns - record.settled_at_ns < answer_is_worth_ns)
+  if (!record.is_correction && now.wall_ns - record.resolved_at_ns < answer_is_worth_ns)
     t.send(to, vehicle_role::answer_to({.from = to, .command = mavlink::number(mav_cmd::mission_start)}, result));
   t.say(result == mav_result::accepted ? mav_severity::info : mav_severity::warning, record.text);
   finish(t);
@@ -164,7 +164,7 @@ effects core::on_durable(const start_settled& m, instant now) {
 
 // -- messages and their rates ---------------------------------------------------------------------
 
-void core::give_message(turn& t, const vehicle_role::order& what, std::optional<std::uint32_t> id) {
+void core::give_message(decision_context& t, const vehicle_role::order& what, std::optional<std::uint32_t> id) {
   const bool is_ours = id && (*id == mavlink::protocol_version::message_id || forwarded_messages::contains(*id));
   if (!is_ours)
     return answer(t, what, mav_result::denied);
@@ -175,7 +175,7 @@ void core::give_message(turn& t, const vehicle_role::order& what, std::optional<
     std::swap(t.done[place], t.done[place + 1]);
 }
 
-bool core::send_message(turn& t, io::link::peer_id to, std::uint32_t id) {
+bool core::send_message(decision_context& t, io::link::peer_id to, std::uint32_t id) {
   if (id == mavlink::protocol_version::message_id) {
     t.send(to, protocol_to_show());
     return true;

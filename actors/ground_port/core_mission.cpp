@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "actors/ground_port/core.hpp"
-#include "actors/ground_port/turn.hpp"
+#include "actors/ground_port/decision_context.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::ground_port {
@@ -48,15 +48,15 @@ std::optional<mavlink::mission_ack> ack_in(const mission_server::reaction& of) {
 } // namespace
 
 void core::make_server() {
-  auto habits = mission_server::plain_habits();
-  habits.capacity = settings_.max_items;
-  habits.listens = mission_server::hears::component_0_too;
-  server_.emplace(habits, ourselves());
+  auto autopilot_quirks = mission_server::plain_quirks();
+  autopilot_quirks.capacity = settings_.max_items;
+  autopilot_quirks.listens = mission_server::hears::component_0_too;
+  server_.emplace(autopilot_quirks, ourselves());
 }
 
 // -- plans ----------------------------------------------------------------------------------------
 
-void core::go_on(turn& t, mission_server::reaction next) {
+void core::go_on(decision_context& t, mission_server::reaction next) {
   // To clear what is not there changes nothing that has to be written.
   std::erase_if(next.changes, [&](const mission_server::plan_change& each) {
     return each.kind == mission_server::plan_change_kind::begun_replacing ||
@@ -84,7 +84,8 @@ void core::go_on(turn& t, mission_server::reaction next) {
   waiting.texts.insert(waiting.texts.end(), next.texts.begin(), next.texts.end());
 }
 
-void core::note_change(turn& t, const mission_server::plan_change& change, std::optional<mavlink::mission_ack> ack) {
+void core::note_change(decision_context& t, const mission_server::plan_change& change,
+                       std::optional<mavlink::mission_ack> ack) {
   plan_noted event;
   event.ticket = next_ticket_++;
   event.type = change.type;
@@ -101,15 +102,15 @@ void core::note_change(turn& t, const mission_server::plan_change& change, std::
   t.note(std::move(event));
 }
 
-void core::tell(turn& t, const mission_server::reaction& what) {
+void core::tell(decision_context& t, const mission_server::reaction& what) {
   for (const auto& each : what.messages)
     std::visit([&](const auto& m) { t.send(mavlink::sender{m.target_system, m.target_component}, m); }, each);
   for (const auto& each : what.texts)
     t.say(static_cast<mav_severity>(each.severity), each.text);
 }
 
-effects core::on_durable(const plan_settled& m, instant now) {
-  turn t(*this, now);
+effects core::on_durable(const plan_resolved& m, instant now) {
+  decision_context t(*this, now);
   if (!is_of_this_life(m.ticket)) {
     // The station has not been answered, unless it was between the answer and the crash.
     if (m.ack && now.wall_ns - m.at_ns < answer_is_worth_ns)
@@ -145,7 +146,7 @@ void core::show_plans() {
 }
 
 effects core::on_set_mission(const set_mission& m, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (m.items.size() > static_cast<std::size_t>(settings_.max_items)) {
     t.say(mav_severity::error, "The mission is too long for this port to show it");
   } else {
@@ -198,63 +199,66 @@ mavlink::mission_current core::current() const {
 
 // -- the current item -----------------------------------------------------------------------------
 
-void core::take(turn& t, station& from, const mavlink::mission_set_current& m) {
+void core::take(decision_context& t, station& from, const mavlink::mission_set_current& m) {
   if (is_for_us(m.target_system, m.target_component))
     choose_current(t, {std::nullopt, from.who, m.seq});
   else
     ++counts_.not_for_us;
 }
 
-void core::refuse_current(turn& t, const current_wish& wish, mav_result result, const std::string& text) {
+void core::refuse_current(decision_context& t, const set_current_request& set_current, mav_result result,
+                          const std::string& text) {
   ++counts_.commands_refused;
-  if (wish.by_command)
-    answer(t, *wish.by_command, result);
+  if (set_current.by_command)
+    answer(t, *set_current.by_command, result);
   if (!text.empty())
     t.say(mav_severity::warning, text);
 }
 
-void core::choose_current(turn& t, const current_wish& wish) {
+void core::choose_current(decision_context& t, const set_current_request& set_current) {
   const auto& mission = shown_[place_of(mav_mission_type::mission)];
-  if (wish.index >= mission.items) {
-    refuse_current(t, wish, mav_result::denied, "Set current: there is no item " + std::to_string(wish.index));
+  if (set_current.index >= mission.items) {
+    refuse_current(t, set_current, mav_result::denied,
+                   "Set current: there is no item " + std::to_string(set_current.index));
     return;
   }
   if (!held_.empty() || is_busy_with_disk()) {
-    refuse_current(t, wish, mav_result::temporarily_rejected, "Set current: a plan is being stored");
+    refuse_current(t, set_current, mav_result::temporarily_rejected, "Set current: a plan is being stored");
     return;
   }
-  if (wish_) {
-    const bool is_same = wish_->from == wish.from && wish_->index == wish.index;
-    refuse_current(t, wish, is_same ? mav_result::in_progress : mav_result::temporarily_rejected,
+  if (set_current_) {
+    const bool is_same = set_current_->from == set_current.from && set_current_->index == set_current.index;
+    refuse_current(t, set_current, is_same ? mav_result::in_progress : mav_result::temporarily_rejected,
                    is_same ? "" : "Set current: another item was just asked for");
     return;
   }
   const auto state = static_cast<mission_state>(current().mission_state);
   if (state != mission_state::active && state != mission_state::paused) {
-    if (start_item_ == wish.index) { // nothing to write
-      if (wish.by_command)
-        answer(t, *wish.by_command, mav_result::accepted);
+    if (start_item_ == set_current.index) { // nothing to write
+      if (set_current.by_command)
+        answer(t, *set_current.by_command, mav_result::accepted);
       t.send(io::link::every_peer, current());
       return;
     }
-    noted_start_item_ = wish.index;
+    noted_start_item_ = set_current.index;
     ++waiting_for_disk_;
-    start_item_noted event{next_ticket_++, wish.index, std::nullopt};
-    if (wish.by_command)
-      event.ack = vehicle_role::answer_to(*wish.by_command, mav_result::accepted);
+    start_item_noted event{next_ticket_++, set_current.index, std::nullopt};
+    if (set_current.by_command)
+      event.ack = vehicle_role::answer_to(*set_current.by_command, mav_result::accepted);
     t.note(std::move(event));
     return;
   }
   if (!has_executor_) {
-    refuse_current(t, wish, mav_result::temporarily_rejected, "Set current: no executor is there");
+    refuse_current(t, set_current, mav_result::temporarily_rejected, "Set current: no executor is there");
     return;
   }
-  wish_ = wish;
-  t.done.emplace_back(wish_to_go{++wish_request_, {wish.index, mission.id, {wish.from.system, wish.from.component}}});
+  set_current_ = set_current;
+  t.done.emplace_back(start_request_to_executor{
+      ++set_current_id_, {set_current.index, mission.id, {set_current.from.system, set_current.from.component}}});
 }
 
-effects core::on_durable(const start_item_settled& m, instant now) {
-  turn t(*this, now);
+effects core::on_durable(const start_item_resolved& m, instant now) {
+  decision_context t(*this, now);
   if (is_of_this_life(m.ticket))
     note_on_disk();
   if (m.ack && now.wall_ns - m.at_ns < answer_is_worth_ns)
@@ -264,30 +268,31 @@ effects core::on_durable(const start_item_settled& m, instant now) {
 }
 
 effects core::on_current_answer(std::uint64_t request, const executor::current_answer& m, instant now) {
-  turn t(*this, now);
-  if (request == wish_request_ && wish_)
-    end_wish(t, result_for(m.verdict),
-             m.verdict == current_verdict::going ? "" : "Set current: " + (m.reason.empty() ? "refused" : m.reason));
+  decision_context t(*this, now);
+  if (request == set_current_id_ && set_current_)
+    end_set_current(t, result_for(m.verdict),
+                    m.verdict == current_verdict::going ? ""
+                                                        : "Set current: " + (m.reason.empty() ? "refused" : m.reason));
   finish(t);
   return std::move(t.done);
 }
 
 effects core::on_current_failed(std::uint64_t request, const std::string& reason, instant now) {
-  turn t(*this, now);
-  if (request == wish_request_ && wish_)
-    end_wish(t, mav_result::temporarily_rejected, "Set current: " + reason);
+  decision_context t(*this, now);
+  if (request == set_current_id_ && set_current_)
+    end_set_current(t, mav_result::temporarily_rejected, "Set current: " + reason);
   finish(t);
   return std::move(t.done);
 }
 
-void core::end_wish(turn& t, mav_result result, const std::string& text) {
-  const auto wish = *std::exchange(wish_, std::nullopt);
+void core::end_set_current(decision_context& t, mav_result result, const std::string& text) {
+  const auto set_current = *std::exchange(set_current_, std::nullopt);
   if (result != mav_result::accepted) {
-    refuse_current(t, wish, result, text);
+    refuse_current(t, set_current, result, text);
     return;
   }
-  if (wish.by_command)
-    answer(t, *wish.by_command, result);
+  if (set_current.by_command)
+    answer(t, *set_current.by_command, result);
 }
 
 } // namespace godwit::ground_port

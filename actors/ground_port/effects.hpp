@@ -20,7 +20,7 @@ struct transmission {
 };
 
 // The executor is asked; its answer comes back with the request's number.
-struct wish_to_go {
+struct start_request_to_executor {
   std::uint64_t request = 0;
   executor::set_current what;
 };
@@ -28,13 +28,13 @@ struct wish_to_go {
 // The same of an operator's word.
 struct word_to_say {
   std::uint64_t request = 0;
-  operator_words::word what;
+  operators::command what;
 };
 
 // To be made durable. What comes of it is given to on_durable.
 using durable_event = durable_core::event;
 
-using effect = std::variant<transmission, wish_to_go, word_to_say, durable_event, operator_link>;
+using effect = std::variant<transmission, start_request_to_executor, word_to_say, durable_event, operator_link>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::ground_port

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "actors/ground_port/forward_gate.hpp"
-#include "actors/ground_port/mission_server/habits.hpp"
+#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::ground_port {

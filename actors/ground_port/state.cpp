@@ -26,23 +26,23 @@ effects decide(state& s, const plan_noted& what, std::int64_t now_ns) {
     result.emplace_back(executor::plan_cleared{what.type, what.by});
   else if (!what.from_executor)
     result.emplace_back(executor::plan_taken{what.type, what.plan_id, restore(what.items), what.by});
-  result.emplace_back(plan_settled{what.ticket, what.ack, now_ns});
+  result.emplace_back(plan_resolved{what.ticket, what.ack, now_ns});
   return result;
 }
 
 effects decide(state& s, const start_noted& what, std::int64_t) {
   s.last_start = what.record;
-  if (what.record.is_settled) {
+  if (what.record.is_resolved) {
     if (what.record.result == io::mavlink::number(io::mavlink::mav_result::accepted))
       s.start_item.reset(); // it is used up
-    return {start_settled{what.record}};
+    return {start_resolved{what.record}};
   }
   return {what.record.asked};
 }
 
 effects decide(state& s, const start_item_noted& what, std::int64_t now_ns) {
   s.start_item = what.index;
-  return {start_item_settled{what.ticket, what.index, what.ack, now_ns}};
+  return {start_item_resolved{what.ticket, what.index, what.ack, now_ns}};
 }
 
 } // namespace

@@ -2,10 +2,10 @@
 // answer, the start item, and how far signing time is used up.
 //
 //   event                    effects, once it is on the disk
-//   plan_noted               plan_taken or plan_cleared to the executor, then plan_settled: the ACK may go out
+//   plan_noted               plan_taken or plan_cleared to the executor, then plan_resolved: the ACK may go out
 //   start_noted, asked       start_mission to the executor
-//   start_noted, settled     start_settled: the COMMAND_ACK and the text go out
-//   start_item_noted         start_item_settled: the answer goes out
+//   start_noted, resolved     start_resolved: the COMMAND_ACK and the text go out
+//   start_item_noted         start_item_resolved: the answer goes out
 //   signing_time_reserved    itself: the permission to use it
 //
 // So a station hears of nothing that a crash could take back, and the executor is asked once in effect for each start
@@ -38,7 +38,7 @@ struct signing_time_reserved {
 
 // The plan of this type is this one now; without items: none.
 struct plan_noted {
-  std::uint64_t ticket = 0; // tells which plan_settled belongs to it
+  std::uint64_t ticket = 0; // tells which plan_resolved belongs to it
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
   std::uint32_t plan_id = 0;
   std::vector<kept_item> items;
@@ -53,13 +53,13 @@ struct plan_noted {
       io::field("by", &plan_noted::by), io::field("ack", &plan_noted::ack));
 };
 
-struct plan_settled {
+struct plan_resolved {
   std::uint64_t ticket = 0;
   std::optional<io::mavlink::mission_ack> ack;
   std::int64_t at_ns = 0; // ns since 1970 (UTC)
   static constexpr auto fields =
-      io::table("ground_port.plan_settled", io::field("ticket", &plan_settled::ticket),
-                io::field("ack", &plan_settled::ack), io::field("at_ns", &plan_settled::at_ns));
+      io::table("ground_port.plan_settled", io::field("ticket", &plan_resolved::ticket),
+                io::field("ack", &plan_resolved::ack), io::field("at_ns", &plan_resolved::at_ns));
 };
 
 // A MISSION_START that was given to the executor, and what became of it.
@@ -68,19 +68,19 @@ struct start_record {
   float first_item = 0;          // as the station sent them
   float last_item = 0;
   std::int64_t asked_at_ns = 0; // ns since 1970 (UTC)
-  bool is_settled = false;
-  bool is_answered = false;       // settled by the executor, and not because it was silent
-  bool is_correction = false;     // it answered after its silence had settled it
-  std::uint8_t result = 0;        // MAV_RESULT, when settled
-  std::string text;               // for STATUSTEXT, when settled
-  std::int64_t settled_at_ns = 0; // ns since 1970 (UTC)
+  bool is_resolved = false;
+  bool is_answered = false;        // resolved by the executor, and not because it was silent
+  bool is_correction = false;      // it answered after its silence had resolved it
+  std::uint8_t result = 0;         // MAV_RESULT, when resolved
+  std::string text;                // for STATUSTEXT, when resolved
+  std::int64_t resolved_at_ns = 0; // ns since 1970 (UTC)
   static constexpr auto fields = io::table(
       "ground_port.start_record", io::field("asked", &start_record::asked),
       io::field("first_item", &start_record::first_item), io::field("last_item", &start_record::last_item),
-      io::field("asked_at_ns", &start_record::asked_at_ns), io::field("is_settled", &start_record::is_settled),
+      io::field("asked_at_ns", &start_record::asked_at_ns), io::field("is_settled", &start_record::is_resolved),
       io::field("is_answered", &start_record::is_answered), io::field("is_correction", &start_record::is_correction),
       io::field("result", &start_record::result), io::field("text", &start_record::text),
-      io::field("settled_at_ns", &start_record::settled_at_ns));
+      io::field("settled_at_ns", &start_record::resolved_at_ns));
 };
 
 struct start_noted {
@@ -88,14 +88,14 @@ struct start_noted {
   static constexpr auto fields = io::table("ground_port.start_noted", io::field("record", &start_noted::record));
 };
 
-struct start_settled {
+struct start_resolved {
   start_record record;
-  static constexpr auto fields = io::table("ground_port.start_settled", io::field("record", &start_settled::record));
+  static constexpr auto fields = io::table("ground_port.start_settled", io::field("record", &start_resolved::record));
 };
 
 // The mission is not running, and will begin here. Without an index: the choice is used up.
 struct start_item_noted {
-  std::uint64_t ticket = 0; // tells which start_item_settled belongs to it
+  std::uint64_t ticket = 0; // tells which start_item_resolved belongs to it
   std::optional<std::uint16_t> index;
   std::optional<io::mavlink::command_ack> ack; // none: it was asked for without a command
   static constexpr auto fields =
@@ -103,15 +103,15 @@ struct start_item_noted {
                 io::field("index", &start_item_noted::index), io::field("ack", &start_item_noted::ack));
 };
 
-struct start_item_settled {
+struct start_item_resolved {
   std::uint64_t ticket = 0;
   std::optional<std::uint16_t> index;
   std::optional<io::mavlink::command_ack> ack;
   std::int64_t at_ns = 0; // ns since 1970 (UTC)
   static constexpr auto fields =
-      io::table("ground_port.start_item_settled", io::field("ticket", &start_item_settled::ticket),
-                io::field("index", &start_item_settled::index), io::field("ack", &start_item_settled::ack),
-                io::field("at_ns", &start_item_settled::at_ns));
+      io::table("ground_port.start_item_settled", io::field("ticket", &start_item_resolved::ticket),
+                io::field("index", &start_item_resolved::index), io::field("ack", &start_item_resolved::ack),
+                io::field("at_ns", &start_item_resolved::at_ns));
 };
 
 struct kept_plan {
@@ -137,8 +137,8 @@ struct state {
 struct durable_core {
   using state = ground_port::state;
   using event = std::variant<signing_time_reserved, plan_noted, start_noted, start_item_noted>;
-  using effect = std::variant<signing_time_reserved, executor::plan_taken, executor::plan_cleared, plan_settled,
-                              executor::start_mission, start_settled, start_item_settled>;
+  using effect = std::variant<signing_time_reserved, executor::plan_taken, executor::plan_cleared, plan_resolved,
+                              executor::start_mission, start_resolved, start_item_resolved>;
 
   [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   // What is owed is in the journal.

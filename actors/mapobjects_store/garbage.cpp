@@ -36,9 +36,9 @@ map_result<garbage_rows> look(sql& q, const char* select, const Values&... value
 
 } // namespace
 
-map_result<bool> garbage_collection::stage(map_tables& t, turn& now) {
+map_result<bool> garbage_collection::stage(map_tables& t, decision_context& now) {
   staged_ = next_;
-  using step = map_result<bool> (garbage_collection::*)(map_tables&, turn&);
+  using step = map_result<bool> (garbage_collection::*)(map_tables&, decision_context&);
   static constexpr step steps[] = {&garbage_collection::loaded_objects, &garbage_collection::loaded_places,
                                    &garbage_collection::seen_objects, &garbage_collection::ignored_items,
                                    &garbage_collection::observations};
@@ -52,7 +52,7 @@ map_result<bool> garbage_collection::stage(map_tables& t, turn& now) {
 
 // Rows in front of the shown ones and between them and the load under way. A copy for another mission than the chosen
 // one is hidden and kept.
-map_result<bool> garbage_collection::loaded_objects(map_tables& t, turn&) {
+map_result<bool> garbage_collection::loaded_objects(map_tables& t, decision_context&) {
   const bool has_map = !t.map.pulled_mission_id.empty();
   const auto loading = t.load.generation == 0 ? std::numeric_limits<std::int64_t>::max() : t.load.first_object;
   const auto removed = t.q.run("DELETE FROM loaded_object WHERE number IN (SELECT number FROM loaded_object WHERE "
@@ -70,7 +70,7 @@ map_result<bool> garbage_collection::loaded_objects(map_tables& t, turn&) {
   return t.q.changes() < rows_deleted;
 }
 
-map_result<bool> garbage_collection::loaded_places(map_tables& t, turn&) {
+map_result<bool> garbage_collection::loaded_places(map_tables& t, decision_context&) {
   auto done = clear_tree(t.q, other_tree(t.map.tree));
   if (done && t.map.pulled_mission_id.empty())
     done = clear_tree(t.q, t.map.tree);
@@ -79,7 +79,8 @@ map_result<bool> garbage_collection::loaded_places(map_tables& t, turn&) {
 
 // Deletes in order until the turn is over; true when the whole table is clean.
 template <class Delete>
-map_result<bool> garbage_collection::go_on(const map_result<garbage_rows>& found, turn& now, const Delete& remove) {
+map_result<bool> garbage_collection::go_on(const map_result<garbage_rows>& found, decision_context& now,
+                                           const Delete& remove) {
   if (!found)
     return tl::unexpected(found.error());
   if (found->last == 0)
@@ -96,7 +97,7 @@ map_result<bool> garbage_collection::go_on(const map_result<garbage_rows>& found
   return false;
 }
 
-map_result<bool> garbage_collection::seen_objects(map_tables& t, turn& now) {
+map_result<bool> garbage_collection::seen_objects(map_tables& t, decision_context& now) {
   const auto found = look(t.q,
                           "SELECT number, 1 FROM seen_object WHERE number > ?1 AND number <= ?2 ORDER BY number "
                           "LIMIT ?3",
@@ -104,7 +105,7 @@ map_result<bool> garbage_collection::seen_objects(map_tables& t, turn& now) {
   return go_on(found, now, [&](std::int64_t number) { return remove_seen(t.q, number); });
 }
 
-map_result<bool> garbage_collection::ignored_items(map_tables& t, turn& now) {
+map_result<bool> garbage_collection::ignored_items(map_tables& t, decision_context& now) {
   const auto found =
       look(t.q,
            "SELECT number, NOT (generation = ?2 OR generation = ?3 OR generation = 0 AND (number > ?4 OR "
@@ -115,7 +116,7 @@ map_result<bool> garbage_collection::ignored_items(map_tables& t, turn& now) {
                [&](std::int64_t number) { return t.q.run("DELETE FROM ignored_item WHERE number = ?", number); });
 }
 
-map_result<bool> garbage_collection::observations(map_tables& t, turn& now) {
+map_result<bool> garbage_collection::observations(map_tables& t, decision_context& now) {
   const auto found = look(t.q,
                           "SELECT number, delivery = 'delivered' FROM observation WHERE number > ?1 AND number <= "
                           "(SELECT max(number) FROM observation) - ?2 ORDER BY number LIMIT ?3",

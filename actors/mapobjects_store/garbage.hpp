@@ -26,7 +26,7 @@ public:
   explicit garbage_collection(std::int64_t keep_delivered = max_delivered_observations)
       : keep_delivered_(keep_delivered) {}
 
-  [[nodiscard]] map_result<bool> stage(map_tables& t, turn& now) override;
+  [[nodiscard]] map_result<bool> stage(map_tables& t, decision_context& now) override;
   void committed() override { next_ = staged_; }
   [[nodiscard]] bool must_be_synced() const override { return false; }
   void finish(const map_result<void>&) override {} // what is left is found by the next one
@@ -37,13 +37,13 @@ private:
     std::int64_t number = 0; // looked through up to here
   };
 
-  map_result<bool> loaded_objects(map_tables& t, turn& now);
-  map_result<bool> loaded_places(map_tables& t, turn& now);
-  map_result<bool> seen_objects(map_tables& t, turn& now);
-  map_result<bool> ignored_items(map_tables& t, turn& now);
-  map_result<bool> observations(map_tables& t, turn& now);
+  map_result<bool> loaded_objects(map_tables& t, decision_context& now);
+  map_result<bool> loaded_places(map_tables& t, decision_context& now);
+  map_result<bool> seen_objects(map_tables& t, decision_context& now);
+  map_result<bool> ignored_items(map_tables& t, decision_context& now);
+  map_result<bool> observations(map_tables& t, decision_context& now);
   template <class Delete>
-  map_result<bool> go_on(const map_result<garbage_rows>& found, turn& now, const Delete& remove);
+  map_result<bool> go_on(const map_result<garbage_rows>& found, decision_context& now, const Delete& remove);
 
   std::int64_t keep_delivered_;
   place next_;

@@ -31,7 +31,7 @@ map_result<void> load_finish::prepare(map_tables& t) {
   return {};
 }
 
-map_result<bool> load_finish::stage(map_tables& t, turn& now) {
+map_result<bool> load_finish::stage(map_tables& t, decision_context& now) {
   if (asked_.load == t.map.generation && asked_.load != 0)
     return true; // it has been done
   auto ready =

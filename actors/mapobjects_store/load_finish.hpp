@@ -18,7 +18,7 @@ public:
   load_finish(const finish_load& asked, callback done) : asked_(asked), done_(std::move(done)) {}
 
   // An object that comes twice ends the load; a wrong number of rows is refused.
-  [[nodiscard]] map_result<bool> stage(map_tables& t, turn& now) override;
+  [[nodiscard]] map_result<bool> stage(map_tables& t, decision_context& now) override;
   void committed() override;
   [[nodiscard]] bool must_be_synced() const override; // only the last turn
   void finish(const map_result<void>& result) override;

@@ -121,7 +121,7 @@ map_result<void> page_stage::put(map_tables& t, std::size_t row) {
   return row < objects ? put_object(t, page_.objects[row]) : put_ignored(t, page_.ignored[row - objects]);
 }
 
-map_result<bool> page_stage::stage(map_tables& t, turn& now) {
+map_result<bool> page_stage::stage(map_tables& t, decision_context& now) {
   if (auto under_way = check_under_way(t, page_.load); !under_way)
     return tl::unexpected(std::move(under_way.error()));
   if (page_.number < t.load.next_page && load_ == nullptr)

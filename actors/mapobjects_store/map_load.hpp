@@ -30,7 +30,7 @@ public:
 
   page_stage(load_page page, callback done) : page_(std::move(page)), done_(std::move(done)) {}
 
-  [[nodiscard]] map_result<bool> stage(map_tables& t, turn& now) override;
+  [[nodiscard]] map_result<bool> stage(map_tables& t, decision_context& now) override;
   void committed() override { next_row_ = staged_row_; }
   [[nodiscard]] bool must_be_synced() const override { return false; } // a load does not outlive the process
   void finish(const map_result<void>& result) override;

@@ -17,8 +17,8 @@
 #include <optional>
 #include <utility>
 
-#include "actors/mapobjects_store/answer_box.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
+#include "actors/mapobjects_store/response_queue.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "runtime/gateway.hpp"
 
@@ -59,7 +59,7 @@ private:
   map_result<std::shared_ptr<map_access>> map_ =
       tl::unexpected(map_error{map_errc::full, "the map is not open yet", "Ask again"});
   std::function<void()> wake_;
-  answer_box box_;
+  response_queue box_;
 };
 
 template <class Answer, class Value, class Start, class Fill>
@@ -68,8 +68,9 @@ std::optional<Answer> map_port::ask(std::uint64_t request_id, Answer empty, cons
   if (!there)
     return refusal(std::move(empty), there.error());
   if (!box_.reserve())
-    return refusal(std::move(empty),
-                   {map_errc::full, "more than " + std::to_string(answer_box::max_asks) + " asks wait", "Ask again"});
+    return refusal(
+        std::move(empty),
+        {map_errc::full, "more than " + std::to_string(response_queue::max_asks) + " asks wait", "Ask again"});
   const auto done = [this, request_id, empty, fill = std::move(fill)](const map_result<Value>& result) {
     put({request_id, answer_from(empty, result, fill)});
   };

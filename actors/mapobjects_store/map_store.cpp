@@ -68,7 +68,7 @@ map_result<void> map_store::apply(const change& work) {
   return done;
 }
 
-map_result<bool> map_store::apply(staged_work& work, turn& now) {
+map_result<bool> map_store::apply(staged_work& work, decision_context& now) {
   bool finished = false;
   auto done = apply([&](map_tables& t) -> map_result<void> {
     auto staged = work.stage(t, now);
@@ -105,7 +105,7 @@ void map_store::roll_back() {
 
 map_result<void> map_store::run(staged_work& work) {
   for (;;) {
-    turn now;
+    decision_context now;
     bool finished = false;
     auto done = begin(commit_of(work)).and_then([&] { return apply(work, now); }).and_then([&](bool last) {
       finished = last;

@@ -42,7 +42,7 @@ public:
   [[nodiscard]] map_result<void> begin(commit_is how = commit_is::synced);
   // Within a transaction. After an error that left something written the transaction is spoilt: roll back.
   [[nodiscard]] map_result<void> apply(const change& work);
-  [[nodiscard]] map_result<bool> apply(staged_work& work, turn& now);
+  [[nodiscard]] map_result<bool> apply(staged_work& work, decision_context& now);
   [[nodiscard]] bool is_spoilt() const { return spoilt_; }
   [[nodiscard]] map_result<void> commit();
   void roll_back();

@@ -69,7 +69,7 @@ bool map_target::has_turn() {
 }
 
 store_result<bool> map_target::take_turn(const std::function<bool()>& urgent) {
-  turn now(urgent, clock_);
+  decision_context now(urgent, clock_);
   bool finished = false;
   staged_work& job = jobs_.empty() ? static_cast<staged_work&>(*garbage_) : *jobs_.front();
   auto done = store_->begin(commit_of(job)).and_then([&] { return store_->apply(job, now); }).and_then([&](bool last) {

@@ -12,7 +12,7 @@ pass_review::pass_review(pass_end pass, view_cursor in_view, callback done)
   counts_.id = pass_.id;
 }
 
-map_result<bool> pass_review::stage(map_tables& t, turn& now) {
+map_result<bool> pass_review::stage(map_tables& t, decision_context& now) {
   staged_ = counts_;
   for (const auto& each : uncommitted_)
     if (auto done = look_at(t, each); !done)

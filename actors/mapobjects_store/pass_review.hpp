@@ -24,7 +24,7 @@ public:
   // A pass that was checked.
   pass_review(pass_end pass, view_cursor in_view, callback done);
 
-  [[nodiscard]] map_result<bool> stage(map_tables& t, turn& now) override;
+  [[nodiscard]] map_result<bool> stage(map_tables& t, decision_context& now) override;
   void committed() override;
   [[nodiscard]] bool must_be_synced() const override { return true; }
   void finish(const map_result<void>& result) override;

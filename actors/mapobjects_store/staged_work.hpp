@@ -4,8 +4,8 @@
 // again, so that a disk error costs nothing but time. Thread: the writer's.
 #pragma once
 
+#include "actors/mapobjects_store/decision_context.hpp"
 #include "actors/mapobjects_store/map_tables.hpp"
-#include "actors/mapobjects_store/turn.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -17,7 +17,7 @@ public:
   virtual ~staged_work() = default;
 
   // True when nothing is left to be done after this one.
-  [[nodiscard]] virtual map_result<bool> stage(map_tables& t, turn& now) = 0;
+  [[nodiscard]] virtual map_result<bool> stage(map_tables& t, decision_context& now) = 0;
   virtual void committed() = 0;
 
   // Whether the next turn has to be on the disk when it is committed. Otherwise that waits for the next one that has

@@ -56,12 +56,12 @@ template <class M>
 auto actor::hears() {
   return on<M>([this](const M& message) {
     commit(durable_core::event(message));
-    turn();
+    decision_context();
   });
 }
 
 actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<service_port> service,
-             std::shared_ptr<const neighbours> others, std::uint64_t seed)
+             std::shared_ptr<const peers> others, std::uint64_t seed)
     : durable_actor(std::move(context)), settings_(configured), service_(std::move(service)),
       others_(std::move(others)), seed_(seed) {}
 
@@ -77,10 +77,10 @@ actor::behavior_type actor::handlers() {
           hears<replace_tail>(),
           on<get_service>([this](const get_service&) { return status(); }),
           on_request<retry_outbox, retry_answer>(),
-          on<wake>([this](const wake&) { turn(); })};
+          on<wake>([this](const wake&) { decision_context(); })};
 }
 
-void actor::on_deadline() { turn(); }
+void actor::on_deadline() { decision_context(); }
 
 void actor::started() {
   const auto& s = current_state();
@@ -93,7 +93,7 @@ void actor::started() {
 
 // -- a turn: what came in, then what is to be done ------------------------------------------------
 
-void actor::turn() {
+void actor::decision_context() {
   if (const auto by_ns = clock_.jump(now()))
     commit(clock_jumped{*by_ns});
   take_answers();
@@ -128,7 +128,7 @@ void actor::plan() {
   }
 }
 
-void actor::carry_out(wishes wanted) {
+void actor::carry_out(requests wanted) {
   for (const auto number : wanted.cancelled) {
     const auto call = std::ranges::find_if(calls_, [&](const auto& each) { return each.second == number; });
     if (call == calls_.end()) // a question to the store: its answer will find nobody
@@ -147,7 +147,7 @@ void actor::carry_out(wishes wanted) {
 void actor::ask_store(ticket number, const store_question& asked) {
   const auto then = [this, number](const store_answer& answer) {
     carry_out(planner_->on_store(current_state(), now(), number, answer));
-    turn();
+    decision_context();
   };
   std::visit(
       [&](const auto& question) {
@@ -170,7 +170,7 @@ bool actor::stage(const durable_core::effect& each, runtime::journal_write& writ
     return true;
   }
   if (std::holds_alternative<table_pruned>(each)) {
-    write.rows.push_back({prune_table, {actor_name(), max_settled_rows_shown}});
+    write.rows.push_back({prune_table, {actor_name(), max_resolved_rows_shown}});
     return true;
   }
   return false;

@@ -1,7 +1,7 @@
 // mission_client as an actor: everything between godwit and the missions service.
 //
 // The durable decisions are in core.hpp, what is to be done next in planner.hpp. This shell takes what others say and
-// the answers of the service, commits the events that come of it, and carries out the planner's wishes: calls to the
+// the answers of the service, commits the events that come of it, and carries out the planner's requests: calls to the
 // service through its port, questions to the map store. Calls of an incarnation that died are forgotten; the next one
 // makes them again under the same keys. Thread: as actor_base.
 #pragma once
@@ -26,11 +26,11 @@ namespace godwit::mission_client {
 // The map store writes 100,000 objects within this; later the same is asked again.
 inline constexpr std::chrono::seconds store_patience{30};
 // Rows in the journal's table of deliveries that are there only to be looked at.
-inline constexpr std::int64_t max_settled_rows_shown = 1'000;
+inline constexpr std::int64_t max_resolved_rows_shown = 1'000;
 
 // Whom it speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not changed
 // after the actors were started.
-struct neighbours {
+struct peers {
   listener_handle listener; // the one who flies
   mapobjects_store::client_handle map;
 };
@@ -41,7 +41,7 @@ public:
 
   // CONFIGURED has no objection_to. SEED: another one for each process, for keys that nobody else makes.
   actor(runtime::spawn_context context, settings configured, std::shared_ptr<service_port> service,
-        std::shared_ptr<const neighbours> others, std::uint64_t seed);
+        std::shared_ptr<const peers> others, std::uint64_t seed);
   ~actor() override;
 
 protected:
@@ -55,17 +55,17 @@ private:
   [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
   template <class M>
   auto hears();
-  void turn();
+  void decision_context();
   void take_answers();
   void plan();
-  void carry_out(wishes wanted);
+  void carry_out(requests wanted);
   void ask_store(ticket number, const store_question& asked);
   void post_health();
   [[nodiscard]] service_status status() const;
 
   settings settings_;
   std::shared_ptr<service_port> service_;
-  std::shared_ptr<const neighbours> others_;
+  std::shared_ptr<const peers> others_;
   std::uint64_t seed_;
   std::optional<planner> planner_;
   clock_watch clock_;

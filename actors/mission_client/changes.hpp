@@ -2,9 +2,9 @@
 // the other; a change whose fate is not known is looked up (fetching.hpp). Thread: pure.
 #pragma once
 
-#include "actors/mission_client/answer_box.hpp"
 #include "actors/mission_client/events.hpp"
 #include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/response_queue.hpp"
 
 namespace godwit::mission_client {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "actors/mission_client/desk.hpp"
+#include "actors/mission_client/planning_context.hpp"
 
 namespace godwit::mission_client {
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "actors/mission_client/turn.hpp"
+#include "actors/mission_client/decision_context.hpp"
 
 namespace godwit::mission_client {
 
 namespace {
 
-void take(turn& t, const begin_mission& m) {
+void take(decision_context& t, const begin_mission& m) {
   auto& s = t.s;
   if (s.mission_id == m.mission_id && s.now != phase::idle && s.now != phase::refused)
     return;
@@ -24,12 +24,12 @@ void take(turn& t, const begin_mission& m) {
       each.next_try_ns = t.now_ns; // somebody waits for it now
 }
 
-void take(turn& t, const earlier_delivered&) {
+void take(decision_context& t, const earlier_delivered&) {
   if (t.s.now == phase::delivering_earlier)
     t.s.now = phase::fetching;
 }
 
-void take(turn& t, const mission_fetched& m) {
+void take(decision_context& t, const mission_fetched& m) {
   auto& s = t.s;
   if (s.now != phase::fetching || s.mission_id != m.document.mission_id)
     return;
@@ -42,7 +42,7 @@ void take(turn& t, const mission_fetched& m) {
   t.tell(mission_loaded{load_cause::fetched, m.document});
 }
 
-void take(turn& t, const fetch_failed& m) {
+void take(decision_context& t, const fetch_failed& m) {
   auto& s = t.s;
   if (s.now != phase::fetching || s.mission_id != m.refusal.mission_id)
     return;
@@ -50,7 +50,7 @@ void take(turn& t, const fetch_failed& m) {
   t.tell(m.refusal);
 }
 
-void take(turn& t, const pull_map& m) {
+void take(decision_context& t, const pull_map& m) {
   auto& s = t.s;
   const bool has_failed = s.pull == pull_state::failed || s.pull == pull_state::cached_fallback;
   if (s.now != phase::ready || s.mission_id != m.mission_id || !has_failed)
@@ -59,7 +59,7 @@ void take(turn& t, const pull_map& m) {
   s.pull = pull_state::in_flight;
 }
 
-void take(turn& t, const pull_ended& m) {
+void take(decision_context& t, const pull_ended& m) {
   auto& s = t.s;
   if (s.now != phase::pulling || s.mission_id != m.result.mission_id)
     return;
@@ -76,21 +76,21 @@ void begin_push(mission_note& note) {
 }
 
 // Said again it looks again: something may have been seen since.
-void take(turn& t, const push_map& m) {
+void take(decision_context& t, const push_map& m) {
   auto& note = note_of(t.s, m.mission_id);
   begin_push(note);
   note.was_asked = true;
   if (note.is_deleted) // what was seen since is kept aside, too
-    add_errand(t.s, errand_kind::orphan_mission, m.mission_id, std::string(mission_is_deleted));
+    add_store_operation(t.s, store_operation_kind::orphan_mission, m.mission_id, std::string(mission_is_deleted));
 }
 
-void take(turn& t, const owed_found& m) {
+void take(decision_context& t, const owed_found& m) {
   for (const auto& each : m.mission_ids)
     if (auto& note = note_of(t.s, each); !note.is_pushing)
       begin_push(note);
 }
 
-void take(turn& t, const mission_looked_up& m) {
+void take(decision_context& t, const mission_looked_up& m) {
   auto& s = t.s;
   if (s.mission_id != m.mission_id)
     return;
@@ -105,7 +105,7 @@ void take(turn& t, const mission_looked_up& m) {
   t.tell(mission_loaded{load_cause::looked_up, *m.document});
 }
 
-void take(turn& t, const assignments_seen& m) {
+void take(decision_context& t, const assignments_seen& m) {
   auto& s = t.s;
   if (s.mission_id != m.mission_id)
     return;
@@ -115,10 +115,10 @@ void take(turn& t, const assignments_seen& m) {
     if (is_known)
       continue;
     if (s.assignments.size() >= max_open_assignments) {
-      const auto settled = std::ranges::find_if(s.assignments, &open_assignment::is_responded);
-      if (settled == s.assignments.end())
+      const auto resolved = std::ranges::find_if(s.assignments, &open_assignment::is_responded);
+      if (resolved == s.assignments.end())
         return;
-      s.assignments.erase(settled);
+      s.assignments.erase(resolved);
     }
     s.assignments.push_back({each, false});
     t.tell(assignment_arrived{m.mission_id, each});
@@ -126,7 +126,7 @@ void take(turn& t, const assignments_seen& m) {
 }
 
 // What waits for this mission is kept; the vehicle flies on with what it has.
-void take(turn& t, const mission_gone& m) {
+void take(decision_context& t, const mission_gone& m) {
   auto& s = t.s;
   const std::string reason(mission_is_deleted);
   const bool was_known = is_deleted(s, m.mission_id);
@@ -151,30 +151,30 @@ void take(turn& t, const mission_gone& m) {
   }
   if (was_known)
     return;
-  add_errand(s, errand_kind::delete_mission, m.mission_id, reason);
+  add_store_operation(s, store_operation_kind::delete_mission, m.mission_id, reason);
   t.tell(mission_deleted{m.mission_id});
 }
 
-void take(turn& t, const errand_done& m) {
-  const auto found = std::ranges::find_if(t.s.errands, [&](const errand& each) {
+void take(decision_context& t, const store_operation_done& m) {
+  const auto found = std::ranges::find_if(t.s.store_operations, [&](const store_operation& each) {
     return each.kind == m.what.kind && each.mission_id == m.what.mission_id;
   });
-  if (found != t.s.errands.end())
-    t.s.errands.erase(found);
+  if (found != t.s.store_operations.end())
+    t.s.store_operations.erase(found);
 }
 
 } // namespace
 
 std::vector<effect> durable_core::apply(state& s, const event& happened, std::int64_t now_ns) {
-  turn t{s, now_ns};
+  decision_context t{s, now_ns};
   const auto first_order = s.next_order;
-  const auto settled_before = s.settled_rows;
+  const auto settled_before = s.resolved_rows;
   std::visit([&](const auto& m) { take(t, m); }, happened);
-  settle(t);
+  resolve(t);
   const bool frees_lanes = std::holds_alternative<retry_outbox>(happened);
   if (s.next_order != first_order || frees_lanes)
     t.tell(on_disk{s.next_order, frees_lanes});
-  if (s.settled_rows / settled_rows_per_pruning != settled_before / settled_rows_per_pruning)
+  if (s.resolved_rows / resolved_rows_per_pruning != settled_before / resolved_rows_per_pruning)
     t.tell(table_pruned{});
   return std::move(t.done);
 }

@@ -13,7 +13,7 @@
 namespace godwit::mission_client {
 
 // The table of deliveries is shortened each time that so many rows have left the outbox.
-inline constexpr std::uint64_t settled_rows_per_pruning = 100;
+inline constexpr std::uint64_t resolved_rows_per_pruning = 100;
 
 struct durable_core {
   using state = mission_client::state;

@@ -1,7 +1,7 @@
 // What is known about missions, and what the map store has to be told.
 #include <algorithm>
 
-#include "actors/mission_client/turn.hpp"
+#include "actors/mission_client/decision_context.hpp"
 
 namespace godwit::mission_client {
 
@@ -32,17 +32,20 @@ mission_note& note_of(state& s, const std::string& mission_id) {
   return s.missions.back();
 }
 
-void add_errand(state& s, errand_kind kind, const std::string& mission_id, const std::string& reason) {
-  const bool is_known = std::ranges::any_of(
-      s.errands, [&](const errand& each) { return each.kind == kind && each.mission_id == mission_id; });
+void add_store_operation(state& s, store_operation_kind kind, const std::string& mission_id,
+                         const std::string& reason) {
+  const bool is_known = std::ranges::any_of(s.store_operations, [&](const store_operation& each) {
+    return each.kind == kind && each.mission_id == mission_id;
+  });
   if (is_known)
     return;
-  if (s.errands.size() >= max_errands) // the store has been silent for as many missions; the newest matter most
-    s.errands.erase(s.errands.begin());
-  s.errands.push_back({kind, mission_id, reason});
+  if (s.store_operations.size() >=
+      max_store_operations) // the store has been silent for as many missions; the newest matter most
+    s.store_operations.erase(s.store_operations.begin());
+  s.store_operations.push_back({kind, mission_id, reason});
 }
 
-void settle(turn& t) {
+void resolve(decision_context& t) {
   for (auto& note : t.s.missions) {
     if (!note.is_pushing || !note.seen_done || !note.ignored_done)
       continue;
@@ -51,7 +54,7 @@ void settle(turn& t) {
       continue;
     note.is_pushing = false;
     if (std::exchange(note.was_asked, false))
-      t.tell(mission_settled{note.mission_id, counts.orphaned, counts.expired});
+      t.tell(mission_resolved{note.mission_id, counts.orphaned, counts.expired});
   }
 }
 

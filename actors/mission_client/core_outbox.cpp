@@ -4,17 +4,17 @@
 #include <utility>
 
 #include "actors/domain/mission/write.hpp"
+#include "actors/mission_client/decision_context.hpp"
 #include "actors/mission_client/retry_policy.hpp"
-#include "actors/mission_client/turn.hpp"
 
 namespace godwit::mission_client {
 
 namespace {
 
 void remember(state& s, const std::string& key) {
-  if (s.settled_keys.size() >= max_settled_keys)
-    s.settled_keys.erase(s.settled_keys.begin());
-  s.settled_keys.push_back(key);
+  if (s.resolved_keys.size() >= max_resolved_keys)
+    s.resolved_keys.erase(s.resolved_keys.begin());
+  s.resolved_keys.push_back(key);
 }
 
 // The service has the outcome: the assignment is not open any more.
@@ -24,12 +24,12 @@ void close_assignment(state& s, const outbox_row& row) {
 }
 
 // ROWS leave the outbox; what is removed at once moves what stays only once.
-void remove_rows(turn& t, const std::vector<std::string>& keys, noted_as how) {
+void remove_rows(decision_context& t, const std::vector<std::string>& keys, noted_as how) {
   const std::unordered_set<std::string_view> leaving(keys.begin(), keys.end());
   std::erase_if(t.s.rows, [&](const outbox_row& each) {
     if (!leaving.contains(each.key))
       return false;
-    ++t.s.settled_rows;
+    ++t.s.resolved_rows;
     if (each.to != destination::progress) // a report is known by its number
       remember(t.s, each.key);
     close_assignment(t.s, each);
@@ -38,7 +38,7 @@ void remove_rows(turn& t, const std::vector<std::string>& keys, noted_as how) {
   });
 }
 
-void expire_or_wait(turn& t, const std::vector<outbox_row*>& failed, std::int64_t retry_after_ns) {
+void expire_or_wait(decision_context& t, const std::vector<outbox_row*>& failed, std::int64_t retry_after_ns) {
   const auto& head = *failed.front();
   const auto pause = is_change(head.to) ? change_pause_ns(head.tries, head.key, retry_after_ns)
                                         : pause_ns(head.tries, head.key, retry_after_ns);
@@ -64,7 +64,8 @@ void expire_or_wait(turn& t, const std::vector<outbox_row*>& failed, std::int64_
               row_state::expired, reason);
 }
 
-void take_change(turn& t, const std::string& mission_id, destination to, const std::string& key, std::string body) {
+void take_change(decision_context& t, const std::string& mission_id, destination to, const std::string& key,
+                 std::string body) {
   if (is_repetition(t.s, key))
     return;
   if (is_deleted(t.s, mission_id)) {
@@ -79,10 +80,10 @@ void take_change(turn& t, const std::string& mission_id, destination to, const s
 } // namespace
 
 bool is_repetition(const state& s, const std::string& key) {
-  return find_row(s.rows, key) != nullptr || std::ranges::find(s.settled_keys, key) != s.settled_keys.end();
+  return find_row(s.rows, key) != nullptr || std::ranges::find(s.resolved_keys, key) != s.resolved_keys.end();
 }
 
-bool add_row(turn& t, outbox_row row, std::size_t reserve) {
+bool add_row(decision_context& t, outbox_row row, std::size_t reserve) {
   auto& s = t.s;
   if (s.rows.size() >= max_outbox_rows + reserve) {
     ++s.refused_rows;
@@ -96,9 +97,9 @@ bool add_row(turn& t, outbox_row row, std::size_t reserve) {
   return true;
 }
 
-void remove_row(turn& t, const std::string& key, noted_as how) { remove_rows(t, {key}, how); }
+void remove_row(decision_context& t, const std::string& key, noted_as how) { remove_rows(t, {key}, how); }
 
-void give_up_all(turn& t, const std::vector<std::string>& keys, row_state as, const std::string& reason) {
+void give_up_all(decision_context& t, const std::vector<std::string>& keys, row_state as, const std::string& reason) {
   const std::unordered_set<std::string_view> given_up(keys.begin(), keys.end());
   std::vector<std::string> changes;
   for (auto& each : t.s.rows) {
@@ -117,11 +118,11 @@ void give_up_all(turn& t, const std::vector<std::string>& keys, row_state as, co
     remove_rows(t, changes, noted_as::dropped);
 }
 
-void give_up(turn& t, const std::string& key, row_state as, const std::string& reason) {
+void give_up(decision_context& t, const std::string& key, row_state as, const std::string& reason) {
   give_up_all(t, {key}, as, reason);
 }
 
-void take(turn& t, const report_progress& m) {
+void take(decision_context& t, const report_progress& m) {
   auto& note = note_of(t.s, m.report.mission_id);
   if (m.report.report_no <= note.last_report_no || find_row(t.s.rows, m.key) != nullptr)
     return;
@@ -137,7 +138,7 @@ void take(turn& t, const report_progress& m) {
     give_up(t, m.key, row_state::orphaned, std::string(mission_is_deleted));
 }
 
-void take(turn& t, const respond_to_assignment& m) {
+void take(decision_context& t, const respond_to_assignment& m) {
   auto& s = t.s;
   const auto& key = m.response.idempotency_key;
   if (is_repetition(s, key) || !add_row(t,
@@ -159,29 +160,29 @@ void take(turn& t, const respond_to_assignment& m) {
     give_up(t, key, row_state::orphaned, std::string(mission_is_deleted));
 }
 
-void take(turn& t, const insert_waypoint& m) {
+void take(decision_context& t, const insert_waypoint& m) {
   take_change(t, m.mission_id, destination::waypoint, m.insert.idempotency_key, mission::to_text(m.insert));
 }
 
-void take(turn& t, const replace_tail& m) {
+void take(decision_context& t, const replace_tail& m) {
   take_change(t, m.mission_id, destination::tail, m.tail.idempotency_key, mission::to_text(m.tail));
 }
 
-void take(turn& t, const batch_planned& m) {
+void take(decision_context& t, const batch_planned& m) {
   if (!is_repetition(t.s, m.key))
     (void)add_row(t, {.key = m.key, .to = m.to, .mission_id = m.mission_id}, outbox_reserve);
 }
 
-void take(turn& t, const batch_empty& m) {
+void take(decision_context& t, const batch_empty& m) {
   if (const auto* row = find_row(t.s.rows, m.key); row != nullptr) {
     note_of(t.s, row->mission_id).set_done(row->to, true);
     remove_row(t, m.key, noted_as::delivered);
   }
 }
 
-void take(turn& t, const rows_delivered& m) { remove_rows(t, m.keys, noted_as::delivered); }
+void take(decision_context& t, const rows_delivered& m) { remove_rows(t, m.keys, noted_as::delivered); }
 
-void take(turn& t, const rows_failed& m) {
+void take(decision_context& t, const rows_failed& m) {
   std::vector<outbox_row*> failed;
   for (const auto& key : m.keys) {
     auto* row = find_row(t.s.rows, key);
@@ -197,7 +198,7 @@ void take(turn& t, const rows_failed& m) {
     expire_or_wait(t, failed, m.retry_after_ns);
 }
 
-void take(turn& t, const rows_refused& m) {
+void take(decision_context& t, const rows_refused& m) {
   const auto* head = m.keys.empty() ? nullptr : find_row(t.s.rows, m.keys.front());
   if (head == nullptr)
     return;
@@ -212,10 +213,10 @@ void take(turn& t, const rows_refused& m) {
   if (!m.ends_lane && refused < max_refused_batches)
     return;
   note_of(t.s, mission_id).set_done(to, true);
-  add_errand(t.s, errand_kind::orphan_mission, mission_id, m.reason);
+  add_store_operation(t.s, store_operation_kind::orphan_mission, mission_id, m.reason);
 }
 
-void take(turn& t, const change_done& m) {
+void take(decision_context& t, const change_done& m) {
   auto& s = t.s;
   if (find_row(s.rows, m.key) == nullptr)
     return;
@@ -228,7 +229,7 @@ void take(turn& t, const change_done& m) {
   t.tell(change_outcome{m.key, change_verdict::done, {}});
 }
 
-void take(turn& t, const change_failed& m) {
+void take(decision_context& t, const change_failed& m) {
   auto* row = find_row(t.s.rows, m.key);
   if (row == nullptr)
     return;
@@ -239,10 +240,10 @@ void take(turn& t, const change_failed& m) {
   t.tell(change_outcome{m.key, m.verdict, m.reason});
 }
 
-void take(turn& t, const retry_outbox& m) {
+void take(decision_context& t, const retry_outbox& m) {
   retry_answer answer;
   if (m.key.empty()) {
-    add_errand(t.s, errand_kind::requeue_mission, {}, {});
+    add_store_operation(t.s, store_operation_kind::requeue_mission, {}, {});
     for (auto& note : t.s.missions)
       note.is_deleted = false; // whether it still is, the service will say
   }
@@ -261,7 +262,7 @@ void take(turn& t, const retry_outbox& m) {
       if (is_map(each.to)) {
         note.is_pushing = true;
         note.set_done(each.to, false);
-        add_errand(t.s, errand_kind::requeue_mission, each.mission_id, {});
+        add_store_operation(t.s, store_operation_kind::requeue_mission, each.mission_id, {});
       }
     }
     t.tell(row_noted{each, noted_as::waiting});
@@ -271,7 +272,7 @@ void take(turn& t, const retry_outbox& m) {
   t.tell(answer);
 }
 
-void take(turn& t, const clock_jumped& m) {
+void take(decision_context& t, const clock_jumped& m) {
   for (auto& each : t.s.rows) {
     each.next_try_ns += m.by_ns;
     if (each.first_failure_ns != 0)

@@ -44,7 +44,7 @@ deliveries::heads deliveries::heads_of(const state& s) {
   return result;
 }
 
-void deliveries::plan(desk& d) {
+void deliveries::plan(planning_context& d) {
   const auto known = heads_of(d.s);
   for (const auto& [id, head] : known)
     plan_lane(d, lanes_[id], *head);
@@ -56,7 +56,7 @@ void deliveries::plan(desk& d) {
       d.went_well(kind_of(to));
 }
 
-void deliveries::plan_lane(desk& d, lane& l, const outbox_row& head) {
+void deliveries::plan_lane(planning_context& d, lane& l, const outbox_row& head) {
   if (is_change(head.to) && is_too_late(d, l, head))
     return;
   if (l.waiting != 0 || l.is_blocked || head.order >= on_disk_below_)
@@ -70,7 +70,7 @@ void deliveries::plan_lane(desk& d, lane& l, const outbox_row& head) {
 }
 
 // Its two seconds are over, in this life or an earlier one.
-bool deliveries::is_too_late(desk& d, lane& l, const outbox_row& head) {
+bool deliveries::is_too_late(planning_context& d, lane& l, const outbox_row& head) {
   const auto deadline_ns = head.created_ns + change_window_ns;
   if (d.now.wall_ns < deadline_ns) {
     d.wake_at_wall(deadline_ns);
@@ -83,14 +83,14 @@ bool deliveries::is_too_late(desk& d, lane& l, const outbox_row& head) {
 }
 
 // One batch at a time for each lane: what is behind it stays in the store until then.
-void deliveries::plan_batches(desk& d, const heads& known) {
+void deliveries::plan_batches(planning_context& d, const heads& known) {
   for (const auto& note : d.s.missions)
     for (const auto to : {destination::observations, destination::ignored_items})
       if (note.is_pushing && !note.is_done(to) && !known.contains({to, note.mission_id}) && !is_full(d.s.rows))
         d.happened(batch_planned{fresh_key(d.random), note.mission_id, to});
 }
 
-void deliveries::start(desk& d, lane& l, const outbox_row& head) {
+void deliveries::start(planning_context& d, lane& l, const outbox_row& head) {
   if (is_map(head.to)) {
     const bool same = l.keys.size() == 1 && l.keys.front() == head.key;
     l.is_at_service = l.is_at_service && same;
@@ -115,12 +115,12 @@ void deliveries::start(desk& d, lane& l, const outbox_row& head) {
   post(d, l, std::move(call));
 }
 
-void deliveries::post(desk& d, lane& l, service_call call) {
+void deliveries::post(planning_context& d, lane& l, service_call call) {
   l.waiting = d.call(*this, std::move(call));
   l.is_call = true;
 }
 
-void deliveries::ask(desk& d, lane& l, store_question what) {
+void deliveries::ask(planning_context& d, lane& l, store_question what) {
   l.waiting = d.ask(*this, std::move(what));
   l.is_call = false;
 }
@@ -139,7 +139,7 @@ std::map<deliveries::lane_id, deliveries::lane>::iterator deliveries::end_wait(t
   return found;
 }
 
-void deliveries::on_answer(desk& d, ticket number, const service_answer& answer) {
+void deliveries::on_answer(planning_context& d, ticket number, const service_answer& answer) {
   const auto found = end_wait(number);
   if (found == lanes_.end())
     return;
@@ -150,7 +150,7 @@ void deliveries::on_answer(desk& d, ticket number, const service_answer& answer)
     d.happened(outcome_of_change(*row, answer, d.now.wall_ns));
 }
 
-void deliveries::take_row_answer(desk& d, const lane_id& id, lane& l, const service_answer& answer) {
+void deliveries::take_row_answer(planning_context& d, const lane_id& id, lane& l, const service_answer& answer) {
   const auto why = judge(answer) == judgement::success ? std::string() : sentence_of(answer);
   switch (judge(answer)) {
   case judgement::success:
@@ -173,7 +173,7 @@ void deliveries::take_row_answer(desk& d, const lane_id& id, lane& l, const serv
 }
 
 // A portal on the way can answer 200 as well: only a receipt counts.
-void deliveries::take_receipt(desk& d, const lane_id& id, lane& l, const service_answer& answer) {
+void deliveries::take_receipt(planning_context& d, const lane_id& id, lane& l, const service_answer& answer) {
   if (const auto receipt = mission::read<mission::receipt>(answer.body); !receipt)
     return fail(d, id, l, "what the service sent is no receipt: " + receipt.error().message(), answer);
   l.failed = 0;
@@ -184,7 +184,8 @@ void deliveries::take_receipt(desk& d, const lane_id& id, lane& l, const service
   ask(d, l, store::batch_delivered{l.keys.front()});
 }
 
-void deliveries::fail(desk& d, const lane_id& id, lane& l, const std::string& why, const service_answer& answer) {
+void deliveries::fail(planning_context& d, const lane_id& id, lane& l, const std::string& why,
+                      const service_answer& answer) {
   ++l.failed;
   d.went_wrong(kind_of(id.first), why);
   d.happened(rows_failed{l.keys, cut_error(why), answer.retry_after_ns.value_or(0)});
@@ -192,7 +193,7 @@ void deliveries::fail(desk& d, const lane_id& id, lane& l, const std::string& wh
 
 // -- answers of the map store ---------------------------------------------------------------------
 
-void deliveries::on_store(desk& d, ticket number, const store_answer& answer) {
+void deliveries::on_store(planning_context& d, ticket number, const store_answer& answer) {
   const auto found = end_wait(number);
   if (found == lanes_.end())
     return;
@@ -209,7 +210,7 @@ void deliveries::on_store(desk& d, ticket number, const store_answer& answer) {
   }
 }
 
-void deliveries::take_batch(desk& d, lane& l, const store::batch& rows) {
+void deliveries::take_batch(planning_context& d, lane& l, const store::batch& rows) {
   l.batch_rows = static_cast<std::uint32_t>(rows.observations.size() + rows.ignored_items.size());
   if (l.batch_rows == 0)
     d.happened(batch_empty{l.keys.front()});
@@ -217,7 +218,7 @@ void deliveries::take_batch(desk& d, lane& l, const store::batch& rows) {
     post(d, l, post_batch(d.set, rows));
 }
 
-void deliveries::take_store_failure(desk& d, const lane_id& id, lane& l, const store_answer& answer) {
+void deliveries::take_store_failure(planning_context& d, const lane_id& id, lane& l, const store_answer& answer) {
   switch (failure_of(answer)) {
   case store::map_failure::delivered: // under this key, in an earlier life
     return d.happened(rows_delivered{l.keys});

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "actors/mission_client/desk.hpp"
 #include "actors/mission_client/judgement.hpp"
+#include "actors/mission_client/planning_context.hpp"
 
 namespace godwit::mission_client {
 
@@ -29,9 +29,9 @@ inline constexpr std::size_t max_deliveries_under_way = 4;
 
 class deliveries final : public part {
 public:
-  void plan(desk& d) override;
-  void on_answer(desk& d, ticket number, const service_answer& answer) override;
-  void on_store(desk& d, ticket number, const store_answer& answer) override;
+  void plan(planning_context& d) override;
+  void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
+  void on_store(planning_context& d, ticket number, const store_answer& answer) override;
 
   // Rows below this order are on the disk. What is not there yet is not delivered: with its key it would be forgotten.
   void on_disk(std::uint64_t below_order) { on_disk_below_ = std::max(on_disk_below_, below_order); }
@@ -63,20 +63,20 @@ private:
   using heads = std::map<lane_id, const outbox_row*>;
 
   [[nodiscard]] static heads heads_of(const state& s);
-  void plan_lane(desk& d, lane& l, const outbox_row& head);
-  [[nodiscard]] static bool is_too_late(desk& d, lane& l, const outbox_row& head);
-  void plan_batches(desk& d, const heads& known);
-  void start(desk& d, lane& l, const outbox_row& head);
-  void post(desk& d, lane& l, service_call call);
-  void ask(desk& d, lane& l, store_question what);
+  void plan_lane(planning_context& d, lane& l, const outbox_row& head);
+  [[nodiscard]] static bool is_too_late(planning_context& d, lane& l, const outbox_row& head);
+  void plan_batches(planning_context& d, const heads& known);
+  void start(planning_context& d, lane& l, const outbox_row& head);
+  void post(planning_context& d, lane& l, service_call call);
+  void ask(planning_context& d, lane& l, store_question what);
   [[nodiscard]] std::size_t under_way() const;
   [[nodiscard]] std::map<lane_id, lane>::iterator end_wait(ticket number);
 
-  void take_row_answer(desk& d, const lane_id& id, lane& l, const service_answer& answer);
-  void take_receipt(desk& d, const lane_id& id, lane& l, const service_answer& answer);
-  void fail(desk& d, const lane_id& id, lane& l, const std::string& why, const service_answer& answer);
-  void take_batch(desk& d, lane& l, const store::batch& rows);
-  void take_store_failure(desk& d, const lane_id& id, lane& l, const store_answer& answer);
+  void take_row_answer(planning_context& d, const lane_id& id, lane& l, const service_answer& answer);
+  void take_receipt(planning_context& d, const lane_id& id, lane& l, const service_answer& answer);
+  void fail(planning_context& d, const lane_id& id, lane& l, const std::string& why, const service_answer& answer);
+  void take_batch(planning_context& d, lane& l, const store::batch& rows);
+  void take_store_failure(planning_context& d, const lane_id& id, lane& l, const store_answer& answer);
 
   std::map<lane_id, lane> lanes_;
   std::uint64_t on_disk_below_ = 0;

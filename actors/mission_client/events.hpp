@@ -130,10 +130,11 @@ struct change_failed {
                 io::field("verdict", &change_failed::verdict), io::field("reason", &change_failed::reason));
 };
 
-// The store has done the oldest errand.
-struct errand_done {
-  errand what;
-  static constexpr auto fields = io::table("mission_client.errand_done", io::field("what", &errand_done::what));
+// The store has done the oldest store_operation.
+struct store_operation_done {
+  store_operation what;
+  static constexpr auto fields =
+      io::table("mission_client.errand_done", io::field("what", &store_operation_done::what));
 };
 
 // The wall clock was set; what was noted under it moves along.
@@ -146,7 +147,7 @@ using event =
     std::variant<begin_mission, pull_map, push_map, report_progress, respond_to_assignment, insert_waypoint,
                  replace_tail, retry_outbox, earlier_delivered, owed_found, mission_fetched, fetch_failed, pull_ended,
                  mission_looked_up, assignments_seen, rows_delivered, rows_failed, rows_refused, mission_gone,
-                 batch_planned, batch_empty, change_done, change_failed, errand_done, clock_jumped>;
+                 batch_planned, batch_empty, change_done, change_failed, store_operation_done, clock_jumped>;
 
 // -- effects, beside what the listener is told ----------------------------------------------------
 
@@ -180,6 +181,6 @@ struct on_disk {
 };
 
 using effect = std::variant<mission_loaded, mission_refused, map_pulled, change_outcome, assignment_arrived,
-                            mission_deleted, mission_settled, retry_answer, row_noted, table_pruned, on_disk>;
+                            mission_deleted, mission_resolved, retry_answer, row_noted, table_pruned, on_disk>;
 
 } // namespace godwit::mission_client

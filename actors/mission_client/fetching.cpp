@@ -26,7 +26,7 @@ tl::expected<mission::document, unusable_mission> mission_in(const service_answe
 
 // -- at the begin ---------------------------------------------------------------------------------
 
-void fetching::plan(desk& d) {
+void fetching::plan(planning_context& d) {
   if (d.s.now != phase::fetching || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
     mission_id_ = d.s.mission_id;
@@ -35,7 +35,7 @@ void fetching::plan(desk& d) {
     attempt_.waiting = d.call(*this, get_mission(d.set, mission_id_));
 }
 
-void fetching::on_answer(desk& d, ticket number, const service_answer& answer) {
+void fetching::on_answer(planning_context& d, ticket number, const service_answer& answer) {
   if (!attempt_.ends_with(number))
     return;
   if (d.s.now != phase::fetching || mission_id_ != d.s.mission_id) // another mission was begun meanwhile
@@ -71,7 +71,7 @@ void fetching::on_answer(desk& d, ticket number, const service_answer& answer) {
   d.went_wrong(fetch_kind, why);
 }
 
-void fetching::refuse(desk& d, refusal why, std::string reason, std::string sample) {
+void fetching::refuse(planning_context& d, refusal why, std::string reason, std::string sample) {
   d.count_fetch_error();
   d.went_wrong(fetch_kind, reason);
   d.happened(fetch_failed{{d.s.mission_id, why, std::move(reason), std::move(sample)}});
@@ -79,7 +79,7 @@ void fetching::refuse(desk& d, refusal why, std::string reason, std::string samp
 
 // -- after a change -------------------------------------------------------------------------------
 
-void looking_up::plan(desk& d) {
+void looking_up::plan(planning_context& d) {
   if (!d.s.looks_up || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
     d.went_well(look_up_kind);
@@ -90,7 +90,7 @@ void looking_up::plan(desk& d) {
     attempt_.waiting = d.call(*this, get_mission(d.set, mission_id_));
 }
 
-void looking_up::on_answer(desk& d, ticket number, const service_answer& answer) {
+void looking_up::on_answer(planning_context& d, ticket number, const service_answer& answer) {
   if (!attempt_.ends_with(number))
     return;
   switch (judge(answer)) {

@@ -9,7 +9,7 @@
 
 #include <tl/expected.hpp>
 
-#include "actors/mission_client/desk.hpp"
+#include "actors/mission_client/planning_context.hpp"
 
 namespace godwit::mission_client {
 
@@ -24,11 +24,11 @@ struct unusable_mission {
 
 class fetching final : public part {
 public:
-  void plan(desk& d) override;
-  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+  void plan(planning_context& d) override;
+  void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
 
 private:
-  void refuse(desk& d, refusal why, std::string reason, std::string sample = {});
+  void refuse(planning_context& d, refusal why, std::string reason, std::string sample = {});
 
   attempt attempt_;
   std::string mission_id_; // that was asked for
@@ -36,8 +36,8 @@ private:
 
 class looking_up final : public part {
 public:
-  void plan(desk& d) override;
-  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+  void plan(planning_context& d) override;
+  void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
   void free() { is_blocked_ = false; }
   [[nodiscard]] bool is_blocked() const { return is_blocked_; }
 

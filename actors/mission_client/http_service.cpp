@@ -49,7 +49,7 @@ service_answer answered(std::uint64_t number, http::response got) {
 
 http::request request_of(service_call call) {
   http::request result;
-  result.verb = call.is_post ? http::verb::post : http::verb::get;
+  result.method = call.is_post ? http::method::post : http::method::get;
   result.target = std::move(call.target);
   result.body = std::move(call.body);
   result.content_type = call.is_post ? json : "";

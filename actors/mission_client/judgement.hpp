@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "actors/mission_client/answer_box.hpp"
+#include "actors/mission_client/response_queue.hpp"
 
 namespace godwit::mission_client {
 

@@ -4,10 +4,10 @@
 
 namespace godwit::mission_client {
 
-wishes planner::plan(const state& s, instant now) {
-  desk d(s, now, settings_, book_, random_);
-  for (part* each :
-       std::initializer_list<part*>{&deliveries_, &errands_, &earlier_, &fetching_, &looking_up_, &pulling_, &polling_})
+requests planner::plan(const state& s, instant now) {
+  planning_context d(s, now, settings_, book_, random_);
+  for (part* each : std::initializer_list<part*>{&deliveries_, &store_operations_, &backlog_, &fetching_, &looking_up_,
+                                                 &pulling_, &polling_})
     each->plan(d);
   wake_ns_ = d.wake_ns;
   return std::move(d.out);
@@ -22,8 +22,8 @@ part* planner::take_waiting(ticket number) {
   return result;
 }
 
-wishes planner::on_answer(const state& s, instant now, ticket number, const service_answer& answer) {
-  desk d(s, now, settings_, book_, random_);
+requests planner::on_answer(const state& s, instant now, ticket number, const service_answer& answer) {
+  planning_context d(s, now, settings_, book_, random_);
   const bool was_there = answer.how == ending::answered || answer.how == ending::bad_answer;
   connection_ = was_there ? connection_state::reachable : connection_state::unreachable;
   if (auto* to = take_waiting(number))
@@ -31,8 +31,8 @@ wishes planner::on_answer(const state& s, instant now, ticket number, const serv
   return std::move(d.out);
 }
 
-wishes planner::on_store(const state& s, instant now, ticket number, const store_answer& answer) {
-  desk d(s, now, settings_, book_, random_);
+requests planner::on_store(const state& s, instant now, ticket number, const store_answer& answer) {
+  planning_context d(s, now, settings_, book_, random_);
   if (auto* to = take_waiting(number))
     to->on_store(d, number, answer);
   return std::move(d.out);

@@ -12,10 +12,10 @@
 #include <string>
 #include <string_view>
 
+#include "actors/mission_client/backlog.hpp"
 #include "actors/mission_client/deliveries.hpp"
-#include "actors/mission_client/desk.hpp"
-#include "actors/mission_client/earlier.hpp"
 #include "actors/mission_client/fetching.hpp"
+#include "actors/mission_client/planning_context.hpp"
 #include "actors/mission_client/polling.hpp"
 #include "actors/mission_client/pulling.hpp"
 #include "runtime/condition.hpp"
@@ -27,9 +27,9 @@ public:
   // SEED: another one in each life, so that no key is made twice.
   planner(settings configured, std::uint64_t seed) : settings_(configured), random_(seed) {}
 
-  [[nodiscard]] wishes plan(const state& s, instant now);
-  [[nodiscard]] wishes on_answer(const state& s, instant now, ticket number, const service_answer& answer);
-  [[nodiscard]] wishes on_store(const state& s, instant now, ticket number, const store_answer& answer);
+  [[nodiscard]] requests plan(const state& s, instant now);
+  [[nodiscard]] requests on_answer(const state& s, instant now, ticket number, const service_answer& answer);
+  [[nodiscard]] requests on_store(const state& s, instant now, ticket number, const store_answer& answer);
   void on_disk(const mission_client::on_disk& news);
 
   // Monotonic; of the last plan().
@@ -46,8 +46,8 @@ private:
   runtime::random_source random_;
   ledger book_;
   deliveries deliveries_;
-  earlier earlier_{deliveries_};
-  errands errands_{earlier_};
+  backlog backlog_{deliveries_};
+  store_operations store_operations_{backlog_};
   fetching fetching_;
   looking_up looking_up_;
   pulling pulling_;

@@ -33,7 +33,7 @@ bool has_no_room(const state& s) {
 
 } // namespace
 
-void polling::plan(desk& d) {
+void polling::plan(planning_context& d) {
   if (d.s.now != phase::ready || is_deleted(d.s, d.s.mission_id) || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
     d.went_well(kind);
@@ -47,7 +47,7 @@ void polling::plan(desk& d) {
   attempt_.waiting = d.call(*this, get_assignments(d.set, mission_id_, newest_known(d.s)));
 }
 
-void polling::on_answer(desk& d, ticket number, const service_answer& answer) {
+void polling::on_answer(planning_context& d, ticket number, const service_answer& answer) {
   if (!attempt_.ends_with(number))
     return;
   const auto verdict = judge(answer);

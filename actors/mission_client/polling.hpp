@@ -1,10 +1,10 @@
 // Asks for assignments, one long poll after the other, while a mission is loaded.
 //
-// What has been told to the one who flies is not asked for again until it is settled; after a rejection the service
+// What has been told to the one who flies is not asked for again until it is resolved; after a rejection the service
 // makes a new assignment, which has a higher revision. Thread: one at a time.
 #pragma once
 
-#include "actors/mission_client/desk.hpp"
+#include "actors/mission_client/planning_context.hpp"
 
 namespace godwit::mission_client {
 
@@ -13,8 +13,8 @@ inline constexpr std::int64_t least_poll_period_ns = second_ns;
 
 class polling final : public part {
 public:
-  void plan(desk& d) override;
-  void on_answer(desk& d, ticket number, const service_answer& answer) override;
+  void plan(planning_context& d) override;
+  void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
   void free() { is_blocked_ = false; }
   [[nodiscard]] bool is_blocked() const { return is_blocked_; }
 

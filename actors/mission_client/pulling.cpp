@@ -19,7 +19,7 @@ std::string with_sample(const std::string& what, const std::string& sample) {
 
 } // namespace
 
-void pulling::plan(desk& d) {
+void pulling::plan(planning_context& d) {
   if (d.s.now != phase::pulling || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
     mission_id_ = d.s.mission_id;
@@ -34,7 +34,7 @@ void pulling::plan(desk& d) {
       stage_ == stage::asking ? d.call(*this, get_page(d.set, mission_id_, what_, next_)) : d.ask(*this, question(d));
 }
 
-store_question pulling::question(const desk& d) const {
+store_question pulling::question(const planning_context& d) const {
   switch (stage_) {
   case stage::choosing:
     return store::choose_mission{mission_id_};
@@ -53,7 +53,7 @@ store_question pulling::question(const desk& d) const {
 
 // -- the service ----------------------------------------------------------------------------------
 
-void pulling::on_answer(desk& d, ticket number, const service_answer& answer) {
+void pulling::on_answer(planning_context& d, ticket number, const service_answer& answer) {
   if (!attempt_.ends_with(number))
     return;
   const auto verdict = judge(answer);
@@ -99,7 +99,7 @@ tl::expected<store::load_page, std::string> pulling::page_in(const service_answe
   return result;
 }
 
-void pulling::take_page(desk& d, const service_answer& answer) {
+void pulling::take_page(planning_context& d, const service_answer& answer) {
   auto page = page_in(answer, next_after_page_);
   if (!page || pages_ >= max_pages) {
     d.count_fetch_error();
@@ -111,7 +111,7 @@ void pulling::take_page(desk& d, const service_answer& answer) {
 
 // -- the store ------------------------------------------------------------------------------------
 
-void pulling::on_store(desk& d, ticket number, const store_answer& answer) {
+void pulling::on_store(planning_context& d, ticket number, const store_answer& answer) {
   if (!attempt_.ends_with(number))
     return;
   switch (failure_of(answer)) {
@@ -139,7 +139,7 @@ void pulling::on_store(desk& d, ticket number, const store_answer& answer) {
   go_on(d);
 }
 
-void pulling::go_on(desk& d) {
+void pulling::go_on(planning_context& d) {
   switch (stage_) {
   case stage::choosing:
     return go_to(stage::beginning);
@@ -184,7 +184,7 @@ void pulling::give_up(std::string why) {
   go_to(stage::failing);
 }
 
-void pulling::end(desk& d, pull_state result) {
+void pulling::end(planning_context& d, pull_state result) {
   const auto mission_id = std::exchange(mission_id_, {}); // the next pull begins at the beginning
   if (result == pull_state::synced)
     d.went_well(kind);

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "actors/mission_client/desk.hpp"
+#include "actors/mission_client/planning_context.hpp"
 
 namespace godwit::mission_client {
 
@@ -24,22 +24,22 @@ inline constexpr std::int64_t max_pages = 10'000;
 
 class pulling final : public part {
 public:
-  void plan(desk& d) override;
-  void on_answer(desk& d, ticket number, const service_answer& answer) override;
-  void on_store(desk& d, ticket number, const store_answer& answer) override;
+  void plan(planning_context& d) override;
+  void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
+  void on_store(planning_context& d, ticket number, const store_answer& answer) override;
 
 private:
   enum class stage { choosing, beginning, asking, storing, finishing, failing, looking };
 
-  [[nodiscard]] store_question question(const desk& d) const;
-  void take_page(desk& d, const service_answer& answer);
+  [[nodiscard]] store_question question(const planning_context& d) const;
+  void take_page(planning_context& d, const service_answer& answer);
   [[nodiscard]] tl::expected<store::load_page, std::string> page_in(const service_answer& answer,
                                                                     std::optional<std::string>& next) const;
   void go_to(stage next);
   void begin_anew(const std::string& why);
   void give_up(std::string why);
-  void go_on(desk& d);
-  void end(desk& d, pull_state result);
+  void go_on(planning_context& d);
+  void end(planning_context& d, pull_state result);
 
   attempt attempt_;
   stage stage_ = stage::choosing;

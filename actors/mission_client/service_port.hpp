@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "actors/mission_client/answer_box.hpp"
+#include "actors/mission_client/response_queue.hpp"
 
 namespace godwit::mission_client {
 
@@ -38,10 +38,10 @@ public:
   // The same for all calls: they are of an incarnation that has died.
   virtual void cancel_all() = 0;
 
-  [[nodiscard]] answer_box& answers() { return answers_; }
+  [[nodiscard]] response_queue& answers() { return answers_; }
 
 private:
-  answer_box answers_;
+  response_queue answers_;
 };
 
 } // namespace godwit::mission_client

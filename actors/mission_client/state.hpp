@@ -34,18 +34,18 @@ constexpr auto enum_names(phase) {
 
 // Missions of which something is known; the oldest with nothing owed is forgotten.
 inline constexpr std::size_t max_mission_notes = 64;
-// Assignments that nobody has responded to. The service gives further ones again when these are settled.
+// Assignments that nobody has responded to. The service gives further ones again when these are resolved.
 inline constexpr std::size_t max_open_assignments = 16;
-// Keys of what was settled last, so that a repetition is known as such.
-inline constexpr std::size_t max_settled_keys = 256;
+// Keys of what was resolved last, so that a repetition is known as such.
+inline constexpr std::size_t max_resolved_keys = 256;
 // One for each mission and kind.
-inline constexpr std::size_t max_errands = 2 * max_mission_notes;
+inline constexpr std::size_t max_store_operations = 2 * max_mission_notes;
 
 struct mission_note {
   std::string mission_id;
   bool is_deleted = false;
   bool is_pushing = false;   // what the map store owes for it is being delivered
-  bool was_asked = false;    // by push_map: somebody waits for mission_settled
+  bool was_asked = false;    // by push_map: somebody waits for mission_resolved
   bool seen_done = false;    // of its observations the store has no more, or they can not be delivered
   bool ignored_done = false; // the same of its ignored items
   std::uint32_t last_report_no = 0;
@@ -70,21 +70,21 @@ struct open_assignment {
 };
 
 // What the map store has to be told, until it has confirmed it.
-enum class errand_kind { delete_mission, orphan_mission, requeue_mission };
+enum class store_operation_kind { delete_mission, orphan_mission, requeue_mission };
 
-constexpr auto enum_names(errand_kind) {
-  return io::names<errand_kind>({{errand_kind::delete_mission, "delete_mission"},
-                                 {errand_kind::orphan_mission, "orphan_mission"},
-                                 {errand_kind::requeue_mission, "requeue_mission"}});
+constexpr auto enum_names(store_operation_kind) {
+  return io::names<store_operation_kind>({{store_operation_kind::delete_mission, "delete_mission"},
+                                          {store_operation_kind::orphan_mission, "orphan_mission"},
+                                          {store_operation_kind::requeue_mission, "requeue_mission"}});
 }
 
-struct errand {
-  errand_kind kind = errand_kind::delete_mission;
+struct store_operation {
+  store_operation_kind kind = store_operation_kind::delete_mission;
   std::string mission_id; // empty, to queue again: all
   std::string reason;
   static constexpr auto fields =
-      io::table("mission_client.errand", io::field("kind", &errand::kind), io::field("mission_id", &errand::mission_id),
-                io::field("reason", &errand::reason));
+      io::table("mission_client.errand", io::field("kind", &store_operation::kind),
+                io::field("mission_id", &store_operation::mission_id), io::field("reason", &store_operation::reason));
 };
 
 struct state {
@@ -96,12 +96,12 @@ struct state {
   pull_state pull = pull_state::not_started;
   bool looks_up = false; // the fate of a change is not known: the mission has to be fetched
   std::vector<mission_note> missions;
-  std::vector<outbox_row> rows;             // in the order in which they came
-  std::vector<open_assignment> assignments; // of mission_id, oldest first
-  std::vector<errand> errands;              // oldest first
-  std::vector<std::string> settled_keys;    // oldest first
+  std::vector<outbox_row> rows;                  // in the order in which they came
+  std::vector<open_assignment> assignments;      // of mission_id, oldest first
+  std::vector<store_operation> store_operations; // oldest first
+  std::vector<std::string> resolved_keys;        // oldest first
   std::uint64_t next_order = 1;
-  std::uint64_t settled_rows = 0;
+  std::uint64_t resolved_rows = 0;
   std::uint64_t refused_rows = 0; // for which there was no room
   static constexpr int version = 1;
   static constexpr auto fields = io::table(
@@ -109,9 +109,9 @@ struct state {
       io::field("revision", &state::revision), io::field("schema_version", &state::schema_version),
       io::field("last_fetch_ns", &state::last_fetch_ns), io::field("pull", &state::pull),
       io::field("looks_up", &state::looks_up), io::field("missions", &state::missions), io::field("rows", &state::rows),
-      io::field("assignments", &state::assignments), io::field("errands", &state::errands),
-      io::field("settled_keys", &state::settled_keys), io::field("next_order", &state::next_order),
-      io::field("settled_rows", &state::settled_rows), io::field("refused_rows", &state::refused_rows));
+      io::field("assignments", &state::assignments), io::field("errands", &state::store_operations),
+      io::field("settled_keys", &state::resolved_keys), io::field("next_order", &state::next_order),
+      io::field("settled_rows", &state::resolved_rows), io::field("refused_rows", &state::refused_rows));
 };
 
 [[nodiscard]] const mission_note* find_note(const state& s, std::string_view mission_id);

@@ -10,7 +10,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_done);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_failed);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::clock_jumped);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::earlier_delivered);
-GODWIT_DEFINE_MESSAGE(godwit::mission_client::errand_done);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::store_operation_done);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::fetch_failed);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_fetched);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_gone);

@@ -40,8 +40,8 @@ actor::behavior_type actor::handlers() {
         then(core_->on_clear(request_id, what, now()));
       }),
       on<cancel_transfer>([this, then](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
-      on<vouch>([this](const vouch& what) {
-        core_->on_vouch(what, now());
+      on<liveness_report>([this](const liveness_report& what) {
+        core_->on_liveness_report(what, now());
         wake_at(core_->next_deadline_ns());
       }),
       on<get_connection>([this](const get_connection&) {
@@ -94,9 +94,9 @@ void actor::carry_out(const effects& wanted) {
 
 void actor::carry_out(const transmission& each) { outgoing_.push_back(each); }
 
-void actor::carry_out(const settled_command& each) { answer_later(each.asked_by.request_id, each.outcome); }
+void actor::carry_out(const resolved_command& each) { answer_later(each.asked_by.request_id, each.outcome); }
 
-void actor::carry_out(const settled_transfer& each) { answer_later(each.request_id, each.outcome); }
+void actor::carry_out(const resolved_transfer& each) { answer_later(each.request_id, each.outcome); }
 
 void actor::carry_out(const observation& each) {
   std::visit([this]<class M>(const M& message) { ears_->for_each<M>([&](const auto& who) { tell(who, message); }); },

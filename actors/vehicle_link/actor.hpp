@@ -44,8 +44,8 @@ private:
   void take(const io::link::arrival& what);
   void carry_out(const effects& wanted);
   void carry_out(const transmission& each);
-  void carry_out(const settled_command& each);
-  void carry_out(const settled_transfer& each);
+  void carry_out(const resolved_command& each);
+  void carry_out(const resolved_transfer& each);
   void carry_out(const observation& each);
   void carry_out(const announcement& each);
   void after_turn();

@@ -74,9 +74,9 @@ mavlink::command_int as_int(const send_command& c, std::uint8_t system) {
 } // namespace
 
 // Collects the effects of one event. Frames go to the vehicle, as soon as it is known where that is.
-class core::turn {
+class core::decision_context {
 public:
-  turn(core& owner, instant when) : core_(owner), now(when) {}
+  decision_context(core& owner, instant when) : core_(owner), now(when) {}
 
   template <sent M>
   void send(const M& message) {
@@ -95,7 +95,7 @@ public:
 
 core::core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling)
     : settings_(std::move(configured)), channel_(signing, ceiling), watch_(settings_.watch),
-      streams_(settings_.streams), gate_(settings_.vouchers, settings_.vouch_lasts_ms) {}
+      streams_(settings_.streams), gate_(settings_.liveness_reporters, settings_.liveness_report_lasts_ms) {}
 
 mavlink::sender core::ourselves() const {
   if (settings_.as.system != 0)
@@ -112,7 +112,7 @@ bool core::is_for_us(std::uint8_t target_system, std::uint8_t target_component) 
 // -- the link -------------------------------------------------------------------------------------
 
 effects core::on_link(const io::link::link_status& status, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   const bool up = status.phase == io::link::link_phase::up;
   reconnects_ = status.reconnects;
   link_reason_ = status.reason;
@@ -128,7 +128,7 @@ effects core::on_link(const io::link::link_status& status, instant now) {
 }
 
 effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_view bytes, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   channel_.unpack(peer, is_datagram, bytes, now, [&](const auto& frame) { take_frame(t, peer, frame); });
   if (channel_.v1_frames() != 0 && !first_v1_ns_)
     first_v1_ns_ = now.monotonic_ns;
@@ -136,7 +136,7 @@ effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_v
   return std::move(t.done);
 }
 
-void core::take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
+void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
   const auto from = frame.from();
   if (frame.id() == mavlink::heartbeat::message_id) {
     change_phase(t, watch_.on_heartbeat(mavlink::decode<mavlink::heartbeat>(frame), from.system, from.component,
@@ -173,41 +173,41 @@ bool core::is_late_heartbeat(const mavlink::frame_view& frame, instant now) {
 
 template <mavlink::message M>
 requires transfer_messages<M>
-void core::take(turn& t, const M& message) {
+void core::take(decision_context& t, const M& message) {
   if (transfers_)
     go_on(t, transfers_->on(message, t.now.monotonic_ns));
 }
 
 template <mavlink::message M>
-void core::take(turn& t, const M& message) {
+void core::take(decision_context& t, const M& message) {
   if constexpr (requires { message.time_boot_ms; })
     note_boot_time(t, message.time_boot_ms);
   if constexpr (told_messages::contains(M::message_id))
     t.done.emplace_back(observation(message));
 }
 
-void core::take(turn& t, const mavlink::heartbeat& m) {
+void core::take(decision_context& t, const mavlink::heartbeat& m) {
   seen_ = {m.custom_mode, io::mavlink::is_armed(m)};
   t.done.emplace_back(observation(m));
 }
 
-void core::take(turn& t, const mavlink::command_ack& m) {
+void core::take(decision_context& t, const mavlink::command_ack& m) {
   // An older sender leaves the target at 0; what is meant for another station is none of our business.
   if (!is_for_us(m.target_system, m.target_component))
     return;
   if (const auto done = commands_.acknowledge(m, watch_.vehicle()->component, t.now.monotonic_ns))
-    settle(t, *done);
+    resolve(t, *done);
 }
 
-void core::take(turn& t, const mavlink::mission_current& m) {
+void core::take(decision_context& t, const mavlink::mission_current& m) {
   if (const auto outcome = current_.on_mission_current(m.seq))
-    t.done.emplace_back(settled_command{{asker_kind::outside, current_.request_id()}, *outcome});
+    t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
   t.done.emplace_back(observation(m));
   if (transfers_)
     go_on(t, transfers_->on(m, t.now.monotonic_ns));
 }
 
-void core::take(turn& t, const mavlink::timesync& m) {
+void core::take(decision_context& t, const mavlink::timesync& m) {
   if (m.tc1 == 0 && is_for_us(m.target_system, m.target_component))
     t.send(mavlink::timesync{.tc1 = t.now.monotonic_ns,
                              .ts1 = m.ts1,
@@ -215,7 +215,7 @@ void core::take(turn& t, const mavlink::timesync& m) {
                              .target_component = watch_.vehicle()->component});
 }
 
-void core::take(turn& t, const mavlink::ping& m) {
+void core::take(decision_context& t, const mavlink::ping& m) {
   if (m.target_system == 0 && m.target_component == 0) // a question; an answer names whom it is for
     t.send(mavlink::ping{.time_usec = m.time_usec,
                          .seq = m.seq,
@@ -223,19 +223,19 @@ void core::take(turn& t, const mavlink::ping& m) {
                          .target_component = watch_.vehicle()->component});
 }
 
-void core::note_boot_time(turn& t, std::uint32_t boot_ms) {
+void core::note_boot_time(decision_context& t, std::uint32_t boot_ms) {
   const auto restarted = watch_.on_boot_time(boot_ms, t.now.monotonic_ns);
   if (!restarted)
     return;
   for (const auto& each :
        commands_.end_all(command_verdict::vehicle_restarted,
                          "the autopilot restarted before it answered; whether it acted is not known"))
-    settle(t, each);
+    resolve(t, each);
   t.announce(*restarted);
   restart_conversation(t);
 }
 
-void core::change_phase(turn& t, const std::optional<connection_changed>& change) {
+void core::change_phase(decision_context& t, const std::optional<connection_changed>& change) {
   if (!change)
     return;
   t.announce(*change);
@@ -252,14 +252,14 @@ void core::change_phase(turn& t, const std::optional<connection_changed>& change
 }
 
 // With a lost vehicle it begins when that is heard again: its streams would be overdue until then.
-void core::restart_conversation(turn& t) {
+void core::restart_conversation(decision_context& t) {
   if (watch_.phase() != connection_phase::connected)
     return;
   streams_.begin(t.now.monotonic_ns, static_cast<mavlink::mav_autopilot>(watch_.vehicle()->autopilot));
   ask_for_streams(t);
 }
 
-void core::raise_alert(turn& t) {
+void core::raise_alert(decision_context& t) {
   const bool is_due = !last_alert_ns_ || t.now.monotonic_ns - *last_alert_ns_ >= alert_period_ms * ns_per_ms;
   if (channel_.rejected() == alerted_rejections_ || !is_due)
     return;
@@ -271,13 +271,13 @@ void core::raise_alert(turn& t) {
 // -- time -----------------------------------------------------------------------------------------
 
 effects core::on_time(instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   channel_.on_silence(now, [&](const auto& frame) { take_frame(t, vehicle_peer_, frame); });
   change_phase(t, watch_.on_time(now.monotonic_ns));
   for (const auto& each : commands_.expire(now.monotonic_ns))
-    settle(t, each);
+    resolve(t, each);
   if (const auto outcome = current_.on_time(now.monotonic_ns))
-    t.done.emplace_back(settled_command{{asker_kind::outside, current_.request_id()}, *outcome});
+    t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
   if (current_.wants_repetition(now.monotonic_ns) && watch_.vehicle())
     t.send(mavlink::mission_set_current{.target_system = watch_.vehicle()->system,
                                         .target_component = watch_.vehicle()->component,
@@ -308,9 +308,9 @@ effects core::on_time(instant now) {
   return std::move(t.done);
 }
 
-// What was held back for want of a voucher does not wait for its next turn.
-void core::on_vouch(const vouch& what, instant now) {
-  gate_.on_vouch(what.who, now.monotonic_ns);
+// What was held back for want of a liveness_reporter does not wait for its next turn.
+void core::on_liveness_report(const liveness_report& what, instant now) {
+  gate_.on_liveness_report(what.who, now.monotonic_ns);
   if (heartbeat_held_back_ && !gate_.missing(now.monotonic_ns))
     next_beat_ns_ = now.monotonic_ns;
 }
@@ -342,9 +342,9 @@ std::optional<command_outcome> core::refusal(const send_command& what) const {
   return std::nullopt;
 }
 
-void core::give(turn& t, asker who, const send_command& what) {
+void core::give(decision_context& t, asker who, const send_command& what) {
   if (auto refused = refusal(what)) {
-    settle(t, {who, std::move(*refused)});
+    resolve(t, {who, std::move(*refused)});
     return;
   }
   const auto timeout_ms = what.timeout_ms > 0 ? what.timeout_ms : settings_.command_timeout_ms;
@@ -352,13 +352,13 @@ void core::give(turn& t, asker who, const send_command& what) {
     const auto* const sentence = *why == command_verdict::already_running
                                      ? "the same command waits for its answer already"
                                      : "too many commands wait for their answers";
-    settle(t, {who, unsent(what.command, *why, sentence)});
+    resolve(t, {who, unsent(what.command, *why, sentence)});
     return;
   }
   send_out(t, what);
 }
 
-void core::send_out(turn& t, const send_command& what) {
+void core::send_out(decision_context& t, const send_command& what) {
   const auto system = watch_.vehicle()->system;
   if (what.form == command_form::in_integers)
     t.send(as_int(what, system));
@@ -366,7 +366,7 @@ void core::send_out(turn& t, const send_command& what) {
     t.send(as_long(what, system));
 }
 
-void core::settle(turn& t, const settled_command& done) {
+void core::resolve(decision_context& t, const resolved_command& done) {
   switch (done.asked_by.kind) {
   case asker_kind::outside:
     t.done.emplace_back(done);
@@ -377,7 +377,7 @@ void core::settle(turn& t, const settled_command& done) {
     return;
   case asker_kind::current_item:
     if (const auto outcome = current_.on_outcome(done.outcome, t.now.monotonic_ns))
-      t.done.emplace_back(settled_command{{asker_kind::outside, current_.request_id()}, *outcome});
+      t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
     else
       t.send(mavlink::mission_set_current{.target_system = watch_.vehicle()->system,
                                           .target_component = watch_.vehicle()->component,
@@ -386,7 +386,7 @@ void core::settle(turn& t, const settled_command& done) {
   }
 }
 
-void core::ask_for_streams(turn& t) {
+void core::ask_for_streams(decision_context& t) {
   if (watch_.phase() != connection_phase::connected)
     return;
   while (const auto next = streams_.next_request(t.now.monotonic_ns)) {
@@ -402,13 +402,13 @@ void core::ask_for_streams(turn& t) {
 }
 
 effects core::on_command(std::uint64_t request_id, const send_command& what, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   give(t, {asker_kind::outside, request_id}, what);
   return std::move(t.done);
 }
 
 effects core::on_cancel(const cancel_command& what, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (commands_.is_waiting(what.command, what.target_component))
     t.send(mavlink::command_cancel{
         .target_system = watch_.vehicle()->system, .target_component = what.target_component, .command = what.command});
@@ -416,7 +416,7 @@ effects core::on_cancel(const cancel_command& what, instant now) {
 }
 
 effects core::on_set_mode(const set_mode& what, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (watch_.vehicle())
     t.send(mavlink::set_mode{
         .target_system = watch_.vehicle()->system, .base_mode = what.base_mode, .custom_mode = what.custom_mode});
@@ -424,11 +424,11 @@ effects core::on_set_mode(const set_mode& what, instant now) {
 }
 
 effects core::on_set_current(std::uint64_t request_id, const set_current_item& what, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (current_.is_busy()) {
-    settle(t, {{asker_kind::outside, request_id},
-               unsent(mavlink::number(mavlink::mav_cmd::do_set_mission_current), command_verdict::already_running,
-                      "another item is being made the current one")});
+    resolve(t, {{asker_kind::outside, request_id},
+                unsent(mavlink::number(mavlink::mav_cmd::do_set_mission_current), command_verdict::already_running,
+                       "another item is being made the current one")});
     return std::move(t.done);
   }
   give(t, {asker_kind::current_item, request_id}, current_.begin(request_id, what.sequence));
@@ -436,7 +436,7 @@ effects core::on_set_current(std::uint64_t request_id, const set_current_item& w
 }
 
 effects core::on_set_up_signing(const set_up_signing& what, instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (!channel_.may_send_key() || !watch_.vehicle())
     return std::move(t.done);
   mavlink::setup_signing message{.target_system = watch_.vehicle()->system,
@@ -452,25 +452,25 @@ effects core::on_set_up_signing(const set_up_signing& what, instant now) {
 
 // -- transfers ------------------------------------------------------------------------------------
 
-void core::go_on(turn& t, transfer::step next) {
+void core::go_on(decision_context& t, transfer::step next) {
   for (const auto& each : next.messages)
     std::visit([&](const auto& message) { t.send(message); }, each);
   if (next.advanced)
     t.announce(*next.advanced);
   if (next.finished)
-    t.done.emplace_back(settled_transfer{transfer_request_, std::move(*next.finished)});
+    t.done.emplace_back(resolved_transfer{transfer_request_, std::move(*next.finished)});
 }
 
 template <class Begin>
 effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type, instant now, Begin begin) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   const auto refuse = [&](std::string why) {
     transfer::outcome outcome;
     outcome.verdict = transfer::verdict::not_begun;
     outcome.mission_type = type;
     outcome.holding = transfer::holding::unchanged;
     outcome.reason = std::move(why);
-    t.done.emplace_back(settled_transfer{request_id, std::move(outcome)});
+    t.done.emplace_back(resolved_transfer{request_id, std::move(outcome)});
   };
   if (watch_.phase() == connection_phase::down)
     refuse("the link to the vehicle is down: " + watch_.reason());
@@ -502,7 +502,7 @@ effects core::on_clear(std::uint64_t request_id, const clear_plan& what, instant
 }
 
 effects core::on_cancel_transfer(instant now) {
-  turn t(*this, now);
+  decision_context t(*this, now);
   if (transfers_)
     go_on(t, transfers_->cancel(now.monotonic_ns));
   return std::move(t.done);

@@ -1,7 +1,7 @@
 // Every decision of vehicle_link: what to send, whom to answer, what to tell, when to look again.
 //
 //   bytes ──> channel ──frames──> vehicle_watch (which vehicle, is it alive, did it restart)
-//                          ├────> command_ledger, current_setter (answers to whoever asked)
+//                          ├────> command_dedup, current_setter (answers to whoever asked)
 //                          ├────> transfer::client (plan up and down)
 //                          ├────> stream_keeper (does what we need come?)
 //                          └────> observations for listeners, answers to TIMESYNC and PING
@@ -16,15 +16,15 @@
 #include <optional>
 #include <string>
 
-#include "actors/vehicle_link/command_ledger.hpp"
+#include "actors/vehicle_link/command_dedup.hpp"
 #include "actors/vehicle_link/current_setter.hpp"
 #include "actors/vehicle_link/effects.hpp"
 #include "actors/vehicle_link/first_call.hpp"
+#include "actors/vehicle_link/heartbeat_gate.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
 #include "actors/vehicle_link/transfer/client.hpp"
 #include "actors/vehicle_link/vehicle_watch.hpp"
-#include "actors/vehicle_link/voucher_gate.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "runtime/condition.hpp"
 
@@ -62,7 +62,7 @@ public:
   [[nodiscard]] effects on_download(std::uint64_t request_id, const download_plan& what, instant now);
   [[nodiscard]] effects on_clear(std::uint64_t request_id, const clear_plan& what, instant now);
   [[nodiscard]] effects on_cancel_transfer(instant now);
-  void on_vouch(const vouch& what, instant now);
+  void on_liveness_report(const liveness_report& what, instant now);
 
   [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
     return channel_.wanted_reservation(now.wall_ns);
@@ -74,46 +74,46 @@ public:
   [[nodiscard]] runtime::condition health(instant now);
 
 private:
-  class turn; // what one event leads to, while it is handled
+  class decision_context; // what one event leads to, while it is handled
 
   [[nodiscard]] mavlink::sender ourselves() const;
   [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
 
   [[nodiscard]] bool is_late_heartbeat(const mavlink::frame_view& frame, instant now);
-  void take_frame(turn& t, io::link::peer_id peer, const mavlink::frame_view& frame);
-  void take(turn& t, const mavlink::heartbeat& m);
-  void take(turn& t, const mavlink::command_ack& m);
-  void take(turn& t, const mavlink::mission_current& m);
-  void take(turn& t, const mavlink::timesync& m);
-  void take(turn& t, const mavlink::ping& m);
+  void take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame);
+  void take(decision_context& t, const mavlink::heartbeat& m);
+  void take(decision_context& t, const mavlink::command_ack& m);
+  void take(decision_context& t, const mavlink::mission_current& m);
+  void take(decision_context& t, const mavlink::timesync& m);
+  void take(decision_context& t, const mavlink::ping& m);
   template <mavlink::message M>
   requires transfer_messages<M>
-  void take(turn& t, const M& message);
+  void take(decision_context& t, const M& message);
   template <mavlink::message M>
-  void take(turn& t, const M& message);
-  void note_boot_time(turn& t, std::uint32_t boot_ms);
+  void take(decision_context& t, const M& message);
+  void note_boot_time(decision_context& t, std::uint32_t boot_ms);
 
-  void change_phase(turn& t, const std::optional<connection_changed>& change);
-  void restart_conversation(turn& t);
-  void give(turn& t, asker who, const send_command& what);
-  void send_out(turn& t, const send_command& what);
-  void settle(turn& t, const settled_command& done);
-  void ask_for_streams(turn& t);
-  void raise_alert(turn& t);
+  void change_phase(decision_context& t, const std::optional<connection_changed>& change);
+  void restart_conversation(decision_context& t);
+  void give(decision_context& t, asker who, const send_command& what);
+  void send_out(decision_context& t, const send_command& what);
+  void resolve(decision_context& t, const resolved_command& done);
+  void ask_for_streams(decision_context& t);
+  void raise_alert(decision_context& t);
   [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what) const;
   template <class Begin>
   [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type, instant now,
                                        Begin begin);
-  void go_on(turn& t, transfer::step next);
+  void go_on(decision_context& t, transfer::step next);
   [[nodiscard]] bool speaks_v1_only(std::int64_t now_ns) const;
 
   settings settings_;
   mavlink::channel channel_;
   vehicle_watch watch_;
-  command_ledger commands_;
+  command_dedup commands_;
   current_setter current_;
   stream_keeper streams_;
-  voucher_gate gate_;
+  heartbeat_gate gate_;
   first_call call_;
   std::optional<transfer::client> transfers_; // with the vehicle, once it is known
   std::uint64_t transfer_request_ = 0;        // who asked for the one under way

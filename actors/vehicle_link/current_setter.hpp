@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "actors/vehicle_link/command_ledger.hpp"
+#include "actors/vehicle_link/command_dedup.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::vehicle_link {

@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "actors/vehicle_link/command_ledger.hpp"
-#include "actors/vehicle_link/surface.hpp"
+#include "actors/vehicle_link/command_dedup.hpp"
+#include "actors/vehicle_link/message_allowlist.hpp"
 #include "io/link/status.hpp"
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/signing/channel.hpp"
@@ -22,7 +22,7 @@ struct transmission {
 };
 
 // The transfer that an actor asked for is over.
-struct settled_transfer {
+struct resolved_transfer {
   std::uint64_t request_id = 0;
   transfer::outcome outcome;
 };
@@ -30,7 +30,7 @@ struct settled_transfer {
 // For whoever listens to the vehicle.
 using announcement = std::variant<connection_changed, vehicle_restarted, signing_alert, transfer::progress>;
 
-using effect = std::variant<transmission, settled_command, settled_transfer, observation, announcement>;
+using effect = std::variant<transmission, resolved_command, resolved_transfer, observation, announcement>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::vehicle_link

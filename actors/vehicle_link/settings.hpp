@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "actors/vehicle_link/message_allowlist.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
-#include "actors/vehicle_link/surface.hpp"
 #include "actors/vehicle_link/vehicle_watch.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -30,8 +30,9 @@ struct settings {
   std::vector<wanted_stream> streams = default_streams();
   std::int64_t heartbeat_ms = 1'000;
   std::int64_t command_timeout_ms = 1'000;
-  std::vector<std::string> vouchers; // who must vouch for this process; none: the heartbeat always goes out
-  std::int64_t vouch_lasts_ms = 3'000;
+  std::vector<std::string>
+      liveness_reporters; // who must liveness_report for this process; none: the heartbeat always goes out
+  std::int64_t liveness_report_lasts_ms = 3'000;
 };
 
 } // namespace godwit::vehicle_link

@@ -19,15 +19,15 @@ std::string_view find_header(const std::vector<header>& all, std::string_view na
   return found == all.end() ? std::string_view{} : std::string_view(found->value);
 }
 
-bool may_repeat(const request& asked) { return asked.verb != verb::post || !asked.idempotency_key.empty(); }
+bool may_repeat(const request& asked) { return asked.method != method::post || !asked.idempotency_key.empty(); }
 
-std::string_view verb_text(verb value) {
+std::string_view method_text(method value) {
   switch (value) {
-  case verb::post:
+  case method::post:
     return "POST";
-  case verb::put:
+  case method::put:
     return "PUT";
-  case verb::remove:
+  case method::remove:
     return "DELETE";
   default:
     return "GET";

@@ -15,7 +15,7 @@
 
 namespace godwit::io::http {
 
-enum class verb { get, post, put, remove }; // remove: DELETE, which is a macro on some systems
+enum class method { get, post, put, remove }; // remove: DELETE, which is a macro on some systems
 
 struct header {
   std::string name;
@@ -35,7 +35,7 @@ enum class body_flow { more, pause, cancel };
 using body_sink = std::function<body_flow(std::span<const std::byte> bytes)>;
 
 struct request {
-  http::verb verb = http::verb::get;
+  http::method method = http::method::get;
   std::string target = "/"; // path and query, below the path of the base URL; percent-encoded by the caller
   std::string body;
   std::string content_type = "application/json"; // of the body; not sent without one
@@ -72,7 +72,7 @@ struct response {
 
 // Twice is as good as once: RFC 9110, 9.2.2, and what carries an idempotency key.
 [[nodiscard]] bool may_repeat(const request& asked);
-[[nodiscard]] std::string_view verb_text(verb value);
+[[nodiscard]] std::string_view method_text(method value);
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
 
 } // namespace godwit::io::http

@@ -28,7 +28,7 @@ void write_head(const request& asked, const destination& to, std::string_view to
     append(value);
     append("\r\n");
   };
-  append(verb_text(asked.verb));
+  append(method_text(asked.method));
   append(" ");
   if (to.has_proxy && !to.base.is_tls)
     append(to.base.origin());
@@ -48,7 +48,7 @@ void write_head(const request& asked, const destination& to, std::string_view to
     line("Idempotency-Key", asked.idempotency_key);
   if (!asked.body.empty() && !asked.content_type.empty())
     line("Content-Type", asked.content_type);
-  if (!asked.body.empty() || asked.verb == verb::post || asked.verb == verb::put)
+  if (!asked.body.empty() || asked.method == method::post || asked.method == method::put)
     line("Content-Length", std::to_string(asked.body.size()));
   for (const auto& each : asked.headers)
     line(each.name, each.value);

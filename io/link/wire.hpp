@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <span>
 
-#include "io/link/arrivals.hpp"
 #include "io/link/link.hpp"
+#include "io/link/rx_queue.hpp"
 
 namespace godwit::io::link {
 
@@ -20,10 +20,10 @@ public:
   // False: dropped and counted by the link.
   virtual bool send(std::span<const std::byte> frame, peer_id to) = 0;
 
-  [[nodiscard]] arrivals& incoming() { return incoming_; }
+  [[nodiscard]] rx_queue& incoming() { return incoming_; }
 
 private:
-  arrivals incoming_;
+  rx_queue incoming_;
 };
 
 } // namespace godwit::io::link

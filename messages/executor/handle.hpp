@@ -23,11 +23,11 @@ namespace godwit::executor {
 // What a ground station can cause.
 using station_handle = runtime::mailbox<runtime::tells<start_mission>, runtime::asks<set_current, current_answer>,
                                         runtime::tells<plan_taken>, runtime::tells<plan_cleared>,
-                                        runtime::asks<operator_words::word, operator_words::answer>>;
+                                        runtime::asks<operators::command, operators::answer>>;
 
 // What an operator can cause, and see.
-using operator_handle = runtime::mailbox<runtime::asks<operator_words::word, operator_words::answer>,
-                                         runtime::asks<get_flight, flight_status>>;
+using operator_handle =
+    runtime::mailbox<runtime::asks<operators::command, operators::answer>, runtime::asks<get_flight, flight_status>>;
 
 // What the vehicle says, as far as the executor listens. vehicle_link tells its listeners.
 using telemetry_handle =
@@ -40,8 +40,8 @@ using telemetry_handle =
                      runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
-using own_handle = runtime::combine<
-    mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
-    runtime::mailbox<runtime::tells<failsafe::stance>, runtime::tells<runtime::child_event>, runtime::tells<tick>>>;
+using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
+                                    runtime::mailbox<runtime::tells<failsafe::failsafe_status>,
+                                                     runtime::tells<runtime::child_event>, runtime::tells<tick>>>;
 
 } // namespace godwit::executor

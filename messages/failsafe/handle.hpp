@@ -15,7 +15,8 @@ namespace godwit::failsafe {
 // The executor, and whoever speaks for an authenticated operator.
 using handle = runtime::mailbox<runtime::asks<guard_mission, guard_answer>, runtime::tells<expect_mode>,
                                 runtime::tells<taken_over>, runtime::tells<following>, runtime::tells<hand_back>,
-                                runtime::asks<override_rule, override_answer>, runtime::asks<get_stance, stance>>;
+                                runtime::asks<override_rule, override_answer>,
+                                runtime::asks<get_failsafe_status, failsafe_status>>;
 
 // What the vehicle says. vehicle_link tells its listeners.
 using telemetry_handle =
@@ -28,7 +29,7 @@ using telemetry_handle =
 using own_handle =
     runtime::mailbox<runtime::asks<guard_mission, guard_answer>, runtime::tells<expect_mode>,
                      runtime::tells<taken_over>, runtime::tells<following>, runtime::tells<hand_back>,
-                     runtime::asks<override_rule, override_answer>, runtime::asks<get_stance, stance>,
+                     runtime::asks<override_rule, override_answer>, runtime::asks<get_failsafe_status, failsafe_status>,
                      runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
                      runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::sys_status>,
                      runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::statustext>,
@@ -36,11 +37,12 @@ using own_handle =
                      runtime::tells<tick>>;
 
 // What the failsafe needs of the link to the vehicle.
-using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,
-                                        runtime::tells<vehicle_link::set_mode>, runtime::tells<vehicle_link::vouch>>;
+using vehicle_handle =
+    runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,
+                     runtime::tells<vehicle_link::set_mode>, runtime::tells<vehicle_link::liveness_report>>;
 
 // Who hears how the failsafe stands.
-using stance_ear = runtime::mailbox<runtime::tells<stance>>;
+using failsafe_status_ear = runtime::mailbox<runtime::tells<failsafe_status>>;
 
 // Who passes its warnings on to people.
 using people_handle = runtime::mailbox<runtime::tells<ground_port::status_text>>;

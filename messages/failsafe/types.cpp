@@ -4,12 +4,12 @@
 
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::expect_mode);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::following);
-GODWIT_DEFINE_MESSAGE(godwit::failsafe::get_stance);
+GODWIT_DEFINE_MESSAGE(godwit::failsafe::get_failsafe_status);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::guard_answer);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::guard_mission);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::hand_back);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::override_answer);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::override_rule);
-GODWIT_DEFINE_MESSAGE(godwit::failsafe::stance);
+GODWIT_DEFINE_MESSAGE(godwit::failsafe::failsafe_status);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::taken_over);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::tick);

@@ -151,7 +151,7 @@ struct standing_override {
 // How the failsafe stands. Told as a whole at each change and at each start, so that hearing it twice, or not hearing
 // one of two, does no harm. A change that comes with a command is told before the command goes out: who hears it knows
 // whose the next mode is.
-struct stance {
+struct failsafe_status {
   bool in_flight = false;
   bool taken_over = false;             // a pilot has the vehicle: the failsafe warns and sends nothing
   std::optional<told_reaction> reacts; // the flight goes on by this, and the mission ends
@@ -159,13 +159,13 @@ struct stance {
   std::vector<standing_override> overridden;
 
   static constexpr auto fields =
-      io::table("failsafe.stance", io::field("in_flight", &stance::in_flight),
-                io::field("taken_over", &stance::taken_over), io::field("reacts", &stance::reacts),
-                io::field("latched", &stance::latched), io::field("overridden", &stance::overridden));
-  friend bool operator==(const stance&, const stance&) = default;
+      io::table("failsafe.stance", io::field("in_flight", &failsafe_status::in_flight),
+                io::field("taken_over", &failsafe_status::taken_over), io::field("reacts", &failsafe_status::reacts),
+                io::field("latched", &failsafe_status::latched), io::field("overridden", &failsafe_status::overridden));
+  friend bool operator==(const failsafe_status&, const failsafe_status&) = default;
 };
 
-struct get_stance {
+struct get_failsafe_status {
   static constexpr auto fields = io::table("failsafe.get_stance");
 };
 

@@ -23,7 +23,7 @@ using operator_handle =
 using listener_handle =
     runtime::mailbox<runtime::tells<mission_loaded>, runtime::tells<mission_refused>, runtime::tells<map_pulled>,
                      runtime::tells<change_outcome>, runtime::tells<assignment_arrived>,
-                     runtime::tells<mission_deleted>, runtime::tells<mission_settled>>;
+                     runtime::tells<mission_deleted>, runtime::tells<mission_resolved>>;
 
 // The thread of the connection to the service.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;

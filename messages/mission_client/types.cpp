@@ -12,7 +12,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mission_client::map_pulled);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_deleted);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_loaded);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_refused);
-GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_settled);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_resolved);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::pull_map);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::push_map);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::replace_tail);

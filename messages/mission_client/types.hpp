@@ -35,7 +35,7 @@ struct pull_map {
 };
 
 // The flight is over: deliver what the map store owes for it. Said again, it looks again. Answered by
-// mission_settled.
+// mission_resolved.
 struct push_map {
   std::string mission_id;
   static constexpr auto fields = io::table("mission_client.push_map", io::field("mission_id", &push_map::mission_id));
@@ -242,13 +242,13 @@ struct mission_deleted {
 };
 
 // After push_map: nothing is pending for this mission any more.
-struct mission_settled {
+struct mission_resolved {
   std::string mission_id;
   std::uint32_t orphaned = 0; // rows of the outbox that are kept and not tried any more
   std::uint32_t expired = 0;
   static constexpr auto fields =
-      io::table("mission_client.mission_settled", io::field("mission_id", &mission_settled::mission_id),
-                io::field("orphaned", &mission_settled::orphaned), io::field("expired", &mission_settled::expired));
+      io::table("mission_client.mission_settled", io::field("mission_id", &mission_resolved::mission_id),
+                io::field("orphaned", &mission_resolved::orphaned), io::field("expired", &mission_resolved::expired));
 };
 
 } // namespace godwit::mission_client

@@ -2,5 +2,5 @@
 #include "messages/operator/types.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::operator_words::answer);
-GODWIT_DEFINE_MESSAGE(godwit::operator_words::word);
+GODWIT_DEFINE_MESSAGE(godwit::operators::answer);
+GODWIT_DEFINE_MESSAGE(godwit::operators::command);

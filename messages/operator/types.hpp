@@ -1,7 +1,7 @@
 // What an operator can say about a flight, over whatever way: the control socket, a ground station, a page.
 //
-// Whoever passes it on has authenticated the operator. The answer says whether the word is taken; what comes of it is
-// seen in the standing of the flight. Thread: plain values.
+// Whoever passes it on has authenticated the operator. The answer says whether the command is taken; what comes of it
+// is seen in the status of the flight. Thread: plain values.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 #include "io/fields/field_table.hpp"
 #include "messages/mission/place.hpp"
 
-namespace godwit::operator_words {
+namespace godwit::operators {
 
-enum class verb {
+enum class command_kind {
   start,       // fly the plan that is ready
   pause,       // hold where it is
   resume,      // go on with the mission
@@ -26,28 +26,28 @@ enum class verb {
   insert       // a waypoint at `place`, behind item `after`
 };
 
-constexpr auto enum_names(verb) {
-  return io::names<verb>({{verb::start, "start"},
-                          {verb::pause, "pause"},
-                          {verb::resume, "resume"},
-                          {verb::come_home, "come_home"},
-                          {verb::hand_back, "hand_back"},
-                          {verb::acknowledge, "acknowledge"},
-                          {verb::check, "check"},
-                          {verb::go_to, "go_to"},
-                          {verb::cancel, "cancel"},
-                          {verb::insert, "insert"}});
+constexpr auto enum_names(command_kind) {
+  return io::names<command_kind>({{command_kind::start, "start"},
+                                  {command_kind::pause, "pause"},
+                                  {command_kind::resume, "resume"},
+                                  {command_kind::come_home, "come_home"},
+                                  {command_kind::hand_back, "hand_back"},
+                                  {command_kind::acknowledge, "acknowledge"},
+                                  {command_kind::check, "check"},
+                                  {command_kind::go_to, "go_to"},
+                                  {command_kind::cancel, "cancel"},
+                                  {command_kind::insert, "insert"}});
 }
 
-struct word {
-  operator_words::verb verb = operator_words::verb::pause;
+struct command {
+  operators::command_kind kind = operators::command_kind::pause;
   std::uint32_t report = 0;               // acknowledge
   std::string by;                         // who says it
   std::optional<mission::position> place; // go_to, insert; metres above the place that the mission counts from
   std::string after;                      // insert: the id of an item; empty: the last one that is done
-  static constexpr auto fields =
-      io::table("operator.word", io::field("verb", &word::verb), io::field("report", &word::report),
-                io::field("by", &word::by), io::field("place", &word::place), io::field("after", &word::after));
+  static constexpr auto fields = io::table("operator.word", io::field("verb", &command::kind),
+                                           io::field("report", &command::report), io::field("by", &command::by),
+                                           io::field("place", &command::place), io::field("after", &command::after));
 };
 
 struct answer {
@@ -57,4 +57,4 @@ struct answer {
       io::table("operator.answer", io::field("is_taken", &answer::is_taken), io::field("reason", &answer::reason));
 };
 
-} // namespace godwit::operator_words
+} // namespace godwit::operators

@@ -18,7 +18,8 @@ using handle =
                      runtime::tells<set_mode>, runtime::asks<set_current_item, command_outcome>,
                      runtime::asks<upload_plan, transfer::outcome>, runtime::asks<download_plan, transfer::outcome>,
                      runtime::asks<clear_plan, transfer::outcome>, runtime::tells<cancel_transfer>,
-                     runtime::tells<set_up_signing>, runtime::tells<vouch>, runtime::asks<get_connection, connection>>;
+                     runtime::tells<set_up_signing>, runtime::tells<liveness_report>,
+                     runtime::asks<get_connection, connection>>;
 
 // The link's thread.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;

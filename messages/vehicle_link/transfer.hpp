@@ -36,7 +36,7 @@ constexpr auto enum_names(verdict) {
 enum class phase {
   announcing, // MISSION_COUNT waits for the first request
   sending,    // items go up
-  settling,   // all was sent, and the vehicle is asked what it holds
+  resolving,  // all was sent, and the vehicle is asked what it holds
   listing,    // MISSION_REQUEST_LIST waits for the count
   reading,    // items come down
   clearing    // MISSION_CLEAR_ALL waits for its answer
@@ -45,7 +45,7 @@ enum class phase {
 constexpr auto enum_names(phase) {
   return io::names<phase>({{phase::announcing, "announcing"},
                            {phase::sending, "sending"},
-                           {phase::settling, "settling"},
+                           {phase::resolving, "settling"},
                            {phase::listing, "listing"},
                            {phase::reading, "reading"},
                            {phase::clearing, "clearing"}});

@@ -21,23 +21,23 @@ constexpr const char* examples =
   godwit-sim missions --token-file token --mission m.json --db missions.db --map-objects 100000 --around 47.4,8.5)";
 
 exit_code run(const missions_arguments& given) {
-  auto wish = read(given);
-  if (!wish) {
-    say(wish.error());
+  auto wanted = read(given);
+  if (!wanted) {
+    say(wanted.error());
     return exit_code::usage;
   }
-  wish->settings.ends_on_signals = true;
+  wanted->settings.ends_on_signals = true;
   programs::line_printer printer(STDOUT_FILENO);
   missions::mission_service_host::teller teller;
   if (!given.is_quiet)
     teller = [&printer](std::string_view line) { printer.push(line); };
-  auto host = missions::mission_service_host::open(std::move(wish->settings), teller);
+  auto host = missions::mission_service_host::open(std::move(wanted->settings), teller);
   if (!host) {
     say(host.error());
     return exit_code::failed;
   }
   printer.push("listening on " + (*host)->url());
-  for (const auto& each : wish->notes)
+  for (const auto& each : wanted->notes)
     printer.push(each);
   if (const auto control = (*host)->control(); !control.empty())
     printer.push("control port " + control);

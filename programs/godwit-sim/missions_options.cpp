@@ -59,7 +59,7 @@ done read_token(const char* option, const std::string& file, std::string& to) {
   return {};
 }
 
-done read_mission(const std::string& file, bool allow_partial, missions_wish& to) {
+done read_mission(const std::string& file, bool allow_partial, missions_request& to) {
   const auto format = mission::format_of_name(file);
   if (!format)
     return in_option("--mission", file + " is no file of a mission: .json (ours), .plan (QGroundControl), .waypoints");
@@ -114,7 +114,7 @@ done read_faults(const missions_arguments& given, missions::service_settings& to
   return {};
 }
 
-done read_missions(const missions_arguments& given, missions_wish& to) {
+done read_missions(const missions_arguments& given, missions_request& to) {
   if (given.missions.empty())
     return in_option("--mission", "name at least one file of a mission");
   for (const auto& each : given.missions)
@@ -125,9 +125,9 @@ done read_missions(const missions_arguments& given, missions_wish& to) {
 
 } // namespace
 
-tl::expected<missions_wish, std::string> read(const missions_arguments& given) {
-  missions_wish wish;
-  auto& settings = wish.settings;
+tl::expected<missions_request, std::string> read(const missions_arguments& given) {
+  missions_request wanted;
+  auto& settings = wanted.settings;
   settings.database = given.database;
   settings.seed = given.seed;
   const auto steps =
@@ -140,11 +140,11 @@ tl::expected<missions_wish, std::string> read(const missions_arguments& given) {
                        ? done()
                        : read_token("--foreign-token-file", given.foreign_token_file, settings.foreign_token);
           })
-          .and_then([&] { return read_missions(given, wish); })
+          .and_then([&] { return read_missions(given, wanted); })
           .and_then([&] { return read_faults(given, settings); });
   if (!steps)
     return tl::unexpected(steps.error());
-  return wish;
+  return wanted;
 }
 
 } // namespace godwit::sim

@@ -31,11 +31,11 @@ struct missions_arguments {
   bool is_quiet = false;
 };
 
-struct missions_wish {
+struct missions_request {
   missions::service_settings settings;
   std::vector<std::string> notes; // for people: what is served, and what could not be carried over
 };
 
-[[nodiscard]] tl::expected<missions_wish, std::string> read(const missions_arguments& given);
+[[nodiscard]] tl::expected<missions_request, std::string> read(const missions_arguments& given);
 
 } // namespace godwit::sim

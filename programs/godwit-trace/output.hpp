@@ -22,10 +22,10 @@ public:
   output& operator=(const output&) = delete;
   ~output() { flush(); }
 
-  // Lines are appended here; then comes a call of `settle` or `flush`.
+  // Lines are appended here; then comes a call of `resolve` or `flush`.
   [[nodiscard]] std::string& text() { return text_; }
   // Hands the text on if there is much of it. False: nobody takes any more.
-  bool settle() { return text_.size() < buffer_bytes ? is_taken() : flush(); }
+  bool resolve() { return text_.size() < buffer_bytes ? is_taken() : flush(); }
   bool flush();
 
   [[nodiscard]] bool is_taken() const { return error_ == 0; }

@@ -68,7 +68,7 @@ outcome transfer(vehicle_session& session, const plan_transfer_options& options,
   auto told = session.carry_out(begin(session.core(), options.what));
   for (;;) {
     for (auto& each : told) {
-      if (auto* over = std::get_if<vehicle_link::settled_transfer>(&each)) {
+      if (auto* over = std::get_if<vehicle_link::resolved_transfer>(&each)) {
         bar.finish();
         return std::move(over->outcome);
       }

@@ -127,7 +127,7 @@ exit_code run_tlog(const tlog_options& options, console& to) {
     return fail(to, options.file, opened.error().what);
   mavlink::tlog_reader reader(source);
   tlog_run run(options, to);
-  while (to.out.settle()) {
+  while (to.out.resolve()) {
     const auto record = reader.next();
     if (!record)
       return fail(to, options.file, record.error().what);

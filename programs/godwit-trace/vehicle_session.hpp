@@ -15,8 +15,8 @@
 #include <tl/expected.hpp>
 
 #include "actors/vehicle_link/core.hpp"
-#include "io/link/arrivals.hpp"
 #include "io/link/link.hpp"
+#include "io/link/rx_queue.hpp"
 
 namespace godwit::trace_tool {
 
@@ -48,7 +48,7 @@ private:
   [[nodiscard]] vehicle_link::effects take(const io::link::arrival& what);
 
   vehicle_link::core core_;
-  io::link::arrivals incoming_;
+  io::link::rx_queue incoming_;
   io::link::link_status status_;
   int descriptor_; // readable when something has come in
   std::unique_ptr<io::link::link> link_;

@@ -74,23 +74,23 @@ void add_options(CLI::App& app, invocation& to) {
 }
 
 struct verb_row {
-  operator_words::verb verb;
+  operators::command_kind kind;
   const char* name;
   const char* help;
 };
 
 constexpr verb_row verbs[] = {
-    {operator_words::verb::start, "start", "Flies the plan that is ready."},
-    {operator_words::verb::pause, "pause", "Holds where it is."},
-    {operator_words::verb::resume, "resume", "Goes on with the mission; on the ground: prepares the rest of it."},
-    {operator_words::verb::come_home, "come-home", "Returns, and ends the mission."},
-    {operator_words::verb::hand_back, "hand-back", "After a pilot or a failsafe: godwit has the vehicle again."},
-    {operator_words::verb::check, "check", "Looks at the preflight checks anew."},
-    {operator_words::verb::acknowledge, "ack", "Flies although this preflight report is degraded."},
-    {operator_words::verb::go_to, "goto",
+    {operators::command_kind::start, "start", "Flies the plan that is ready."},
+    {operators::command_kind::pause, "pause", "Holds where it is."},
+    {operators::command_kind::resume, "resume", "Goes on with the mission; on the ground: prepares the rest of it."},
+    {operators::command_kind::come_home, "come-home", "Returns, and ends the mission."},
+    {operators::command_kind::hand_back, "hand-back", "After a pilot or a failsafe: godwit has the vehicle again."},
+    {operators::command_kind::check, "check", "Looks at the preflight checks anew."},
+    {operators::command_kind::acknowledge, "ack", "Flies although this preflight report is degraded."},
+    {operators::command_kind::go_to, "goto",
      "Flies there, clear of the fences, and stays; `cancel` goes on with the mission."},
-    {operator_words::verb::cancel, "cancel", "Of the last goto: goes on with the first item that is not done."},
-    {operator_words::verb::insert, "insert", "Inserts a waypoint into the mission."}};
+    {operators::command_kind::cancel, "cancel", "Of the last goto: goes on with the first item that is not done."},
+    {operators::command_kind::insert, "insert", "Inserts a waypoint into the mission."}};
 
 // "47.398,8.546,40"; nothing: it is no place.
 std::optional<mission::position> place_of(const std::string& text) {
@@ -104,8 +104,9 @@ std::optional<mission::position> place_of(const std::string& text) {
   return result;
 }
 
-void add_place(CLI::App& word, invocation& to) {
-  word.add_option_function<std::string>(
+void add_place(CLI::App& command, invocation& to) {
+  command
+      .add_option_function<std::string>(
           "PLACE",
           [&to](const std::string& text) {
             to.said.place = place_of(text);
@@ -119,27 +120,27 @@ void add_place(CLI::App& word, invocation& to) {
 }
 
 void add_override(CLI::App& ctl, invocation& to) {
-  auto* const word = ctl.add_subcommand("override", "Keeps a failsafe from acting for a while.");
-  word->fallthrough();
-  word->add_option("RULE", to.overridden.rule, "operator_link, battery_low or fence")->required();
-  word->add_option("SECONDS", to.overridden.seconds, "For how long; an hour at most")->required();
-  word->add_option("REASON", to.overridden.reason, "Why, for the record")->required();
-  word->callback([&to] { to.what = task::override_failsafe; });
+  auto* const command = ctl.add_subcommand("override", "Keeps a failsafe from acting for a while.");
+  command->fallthrough();
+  command->add_option("RULE", to.overridden.rule, "operator_link, battery_low or fence")->required();
+  command->add_option("SECONDS", to.overridden.seconds, "For how long; an hour at most")->required();
+  command->add_option("REASON", to.overridden.reason, "Why, for the record")->required();
+  command->callback([&to] { to.what = task::override_failsafe; });
 }
 
 void add_words(CLI::App& ctl, invocation& to) {
   for (const auto& row : verbs) {
-    auto* const word = ctl.add_subcommand(row.name, row.help);
-    word->fallthrough();
-    if (row.verb == operator_words::verb::acknowledge)
-      word->add_option("REPORT", to.said.report, "Its number, as `ctl status` shows it")->required();
-    if (row.verb == operator_words::verb::go_to || row.verb == operator_words::verb::insert)
-      add_place(*word, to);
-    if (row.verb == operator_words::verb::insert)
-      word->add_option("--after", to.said.after, "The id of an item (the last one that is done)");
-    word->callback([&to, verb = row.verb] {
+    auto* const command = ctl.add_subcommand(row.name, row.help);
+    command->fallthrough();
+    if (row.kind == operators::command_kind::acknowledge)
+      command->add_option("REPORT", to.said.report, "Its number, as `ctl status` shows it")->required();
+    if (row.kind == operators::command_kind::go_to || row.kind == operators::command_kind::insert)
+      add_place(*command, to);
+    if (row.kind == operators::command_kind::insert)
+      command->add_option("--after", to.said.after, "The id of an item (the last one that is done)");
+    command->callback([&to, kind = row.kind] {
       to.what = task::say_word;
-      to.said.verb = verb;
+      to.said.kind = kind;
     });
   }
   add_override(ctl, to);

@@ -39,7 +39,7 @@ struct invocation {
   bool json = false;          // answers for programs
   convert_arguments files;    // convert
   std::string outbox_key;     // retry_outbox; empty: all
-  operator_words::word said;  // say_word; by is left empty
+  operators::command said;    // say_word; by is left empty
   wanted_override overridden; // override_failsafe
   std::string actor;          // crash_actor
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }

@@ -74,7 +74,7 @@ checked composition::open_files() {
   io::link::descriptor readable(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!readable.is_open())
     return tl::make_unexpected(std::string("no descriptor is left: ") + std::strerror(errno));
-  control_answers_ = std::make_shared<control::answer_box>(std::move(readable));
+  control_answers_ = std::make_shared<control::response_queue>(std::move(readable));
   wanted_.process.seed = fresh_seed();
   auto host = runtime::process::open(wanted_.process);
   if (!host)
@@ -117,7 +117,7 @@ void composition::surround_actors() {
   outside_.say = [this](std::string_view part, const std::string& sentence, bool is_warning) {
     announce({sentence, is_warning}, part);
   };
-  outside_.on_standing = [this](const executor::stood& now) {
+  outside_.on_phase_status = [this](const executor::phase_status& now) {
     if (feed_)
       feed_->set_gate(now.in_flight);
   };
@@ -126,7 +126,7 @@ void composition::surround_actors() {
 void composition::add_actors() {
   auto& actors = host_->actors();
   base_ = add_base(actors, wanted_, outside_);
-  control::neighbours of_desk;
+  control::peers of_desk;
   of_desk.guardian = actors.guardian();
   of_desk.store = base_.store;
   of_desk.vehicle = base_.vehicle;
@@ -138,14 +138,15 @@ void composition::add_actors() {
     add_ground_run(of_desk);
   if (wanted_.allow_crash)
     of_desk.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
-  desk_ = actors.add<control::desk>({.name = "control_desk"}, replaceable, of_desk, control_answers_);
+  request_handler_ =
+      actors.add<control::request_handler>({.name = "control_desk"}, replaceable, of_desk, control_answers_);
 }
 
-void composition::add_ground_run(control::neighbours& of_desk) {
-  const auto of_run = std::make_shared<ground_run::neighbours>();
-  run_ = host_->actors().add<ground_run::actor>({.name = "ground_run"}, essential, settings_of_run(),
-                                                std::shared_ptr<const ground_run::neighbours>(of_run), feed_,
-                                                world_of_run());
+void composition::add_ground_run(control::peers& of_desk) {
+  const auto of_run = std::make_shared<ground_run::peers>();
+  run_ =
+      host_->actors().add<ground_run::actor>({.name = "ground_run"}, essential, settings_of_run(),
+                                             std::shared_ptr<const ground_run::peers>(of_run), feed_, world_of_run());
   of_run->store = base_.store;
   of_run->vehicle = base_.vehicle;
   if (service_)
@@ -155,7 +156,7 @@ void composition::add_ground_run(control::neighbours& of_desk) {
   base_.of_vehicle->add(run_);
 }
 
-void composition::add_flight(control::neighbours& of_desk) {
+void composition::add_flight(control::peers& of_desk) {
   auto& actors = host_->actors();
   flight_ = daemon::add_flight(actors, wanted_, outside_, base_);
   feeder_ = actors.add<sightings::feeder>(
@@ -209,9 +210,10 @@ checked composition::open_map() {
 
 checked composition::open_control() {
   const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("control_socket"));
-  auto opened = control::server::open(
-      wanted_.control_path, control_answers_,
-      [way_in, desk = desk_](control::control_request asked) { way_in->tell(desk, std::move(asked)); });
+  auto opened = control::server::open(wanted_.control_path, control_answers_,
+                                      [way_in, request_handler = request_handler_](control::control_request asked) {
+                                        way_in->tell(request_handler, std::move(asked));
+                                      });
   if (!opened)
     return tl::make_unexpected(std::move(opened.error()));
   control_ = *std::move(opened);

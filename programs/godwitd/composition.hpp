@@ -15,7 +15,7 @@
 #include "actors/vehicle_link/link_port.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
-#include "programs/godwitd/control/desk.hpp"
+#include "programs/godwitd/control/request_handler.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/flight_actors.hpp"
 #include "programs/godwitd/ground_run/actor.hpp"
@@ -60,8 +60,8 @@ private:
   [[nodiscard]] bool reads_in_flight();
   void surround_actors();
   void add_actors();
-  void add_flight(control::neighbours& of_desk);
-  void add_ground_run(control::neighbours& of_desk);
+  void add_flight(control::peers& of_desk);
+  void add_ground_run(control::peers& of_desk);
   void open_vehicle();
   void open_ground();
   void open_feed();
@@ -84,7 +84,7 @@ private:
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();
-  std::shared_ptr<control::answer_box> control_answers_;
+  std::shared_ptr<control::response_queue> control_answers_;
 
   std::unique_ptr<host_facts> facts_;
   actor_surroundings outside_;
@@ -93,7 +93,7 @@ private:
   ground_run::own_handle run_; // of a run on the ground
   flight_actors flight_;       // else
   sightings::feeder_handle feeder_;
-  control::desk_handle desk_;
+  control::request_handle request_handler_;
 
   std::unique_ptr<control::server> control_;
 };

@@ -7,11 +7,11 @@
 #include <unistd.h>
 
 #include "programs/godwitd/console.hpp"
-#include "programs/godwitd/pulse.hpp"
+#include "programs/godwitd/crash_loop_guard.hpp"
 #include "programs/godwitd/service_manager.hpp"
 #include "programs/godwitd/signal_handler.hpp"
-#include "programs/godwitd/start_ledger.hpp"
 #include "programs/godwitd/state_check.hpp"
+#include "programs/godwitd/watchdog_notifier.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -64,7 +64,7 @@ void leave_by_force_soon(exit_code code) {
 }
 
 // Until the end is asked for: by a signal, the run itself or the guardian.
-exit_code wait_for_end(composition& made, program_log& log, start_ledger& ledger) {
+exit_code wait_for_end(composition& made, program_log& log, crash_loop_guard& ledger) {
   const auto why = made.host().actors().wait_for_exit_request();
   auto code = runtime::exit_code_for(why.cause);
   if (why.cause == runtime::exit_cause::given_up_in_flight) {
@@ -82,10 +82,10 @@ exit_code wait_for_end(composition& made, program_log& log, start_ledger& ledger
 }
 
 // From all parts made to all parts closed.
-exit_code run_made(composition& made, program_log& log, signal_handler& signals, start_ledger& ledger) {
+exit_code run_made(composition& made, program_log& log, signal_handler& signals, crash_loop_guard& ledger) {
   const auto manager = manager_of(log);
-  pulse beats(manager, view_of(made.host(), log),
-              made.mission_id().empty() ? std::string() : "mission " + made.mission_id() + ": ");
+  watchdog_notifier beats(manager, view_of(made.host(), log),
+                          made.mission_id().empty() ? std::string() : "mission " + made.mission_id() + ": ");
   const struct before_they_go { // also a signal in the last moment must find them
     signal_handler& signals;
     ~before_they_go() { signals.end(); }
@@ -120,7 +120,7 @@ exit_code run_daemon(daemon_settings wanted, const add_more& more) {
   }
   const auto journal = wanted.process.journal.path;
   const auto map = wanted.map.store.file.path;
-  start_ledger ledger(std::filesystem::path(journal).replace_extension(".starts").string(), wanted.restarts);
+  crash_loop_guard ledger(std::filesystem::path(journal).replace_extension(".starts").string(), wanted.restarts);
   const auto is_beyond_us = [&] { return objection_to_journal(journal) || objection_to_map(map); };
   const auto made = composition::make(std::move(wanted), **log);
   if (!made) {

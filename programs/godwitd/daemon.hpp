@@ -5,7 +5,7 @@
 //   mapobjects_store  map_port: the map's file      no
 //   mission_client    http_service: io/http         no        (not there when the mission comes from a file)
 //   ground_run        sighting_feed, program_log    yes       (in the place of the executor)
-//   control_desk      control::server               no
+//   control_requests      control::server               no
 //
 // Opened: log, journal, trace, actors, then the ports; then the service manager hears that godwitd is ready. Closed:
 // the ports, then the actors, trace, journal, log. Thread: the main one; it waits until the run has ended, a signal has

@@ -17,8 +17,8 @@ namespace {
 constexpr const char* executor_name = "executor";
 constexpr const char* failsafe_name = "failsafe";
 
-executor::house look_at_house(const actor_surroundings& outside) {
-  executor::house result;
+executor::host_status read_host_status(const actor_surroundings& outside) {
+  executor::host_status result;
   result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
   result.journal.is_writable = !outside.journal->status().failing;
   result.journal.free_bytes = outside.host->free_bytes();
@@ -27,14 +27,14 @@ executor::house look_at_house(const actor_surroundings& outside) {
 
 executor::outside_world world_of(const runtime::system& actors, const actor_surroundings& outside) {
   return {[&outside](const executor::announce& said) { outside.say(executor_name, said.sentence, said.is_warning); },
-          [&outside] { return look_at_house(outside); }, [&actors] { return actors.names(); },
+          [&outside] { return read_host_status(outside); }, [&actors] { return actors.names(); },
           [&outside] { return outside.process; },
-          [&outside](const executor::stood& standing) {
-            outside.on_standing(standing);
+          [&outside](const executor::phase_status& status) {
+            outside.on_phase_status(status);
             outside.say(executor_name,
-                        "flight: " + std::string(io::name_of(standing.now)) +
-                            (standing.reason.empty() ? "" : " (" + standing.reason + ")"),
-                        standing.now == executor::phase::paused);
+                        "flight: " + std::string(io::name_of(status.now)) +
+                            (status.reason.empty() ? "" : " (" + status.reason + ")"),
+                        status.now == executor::phase::paused);
           }};
 }
 
@@ -59,23 +59,23 @@ void begin_supervision(runtime::system& actors, const executor::supervision::cir
 base_actors add_base(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside) {
   base_actors made;
   made.of_vehicle = std::make_shared<vehicle_link::listeners>();
-  made.of_client = std::make_shared<mission_client::neighbours>();
-  made.of_failsafe = std::make_shared<failsafe::neighbours>();
+  made.of_client = std::make_shared<mission_client::peers>();
+  made.of_failsafe = std::make_shared<failsafe::peers>();
   vehicle_link::settings link;
   link.watch.system = settings.vehicle_system;
   if (settings.flies)
-    link.vouchers = {executor_name, failsafe_name};
+    link.liveness_reporters = {executor_name, failsafe_name};
   made.vehicle =
       actors.add<vehicle_link::actor>({.name = "vehicle_link"}, essential, link, outside.vehicle_signing,
                                       outside.vehicle, std::shared_ptr<const vehicle_link::listeners>(made.of_vehicle));
   if (settings.flies)
     made.failsafe = actors.add<failsafe::actor>({.name = failsafe_name}, essential, settings.failsafe, made.vehicle,
-                                                std::shared_ptr<const failsafe::neighbours>(made.of_failsafe));
+                                                std::shared_ptr<const failsafe::peers>(made.of_failsafe));
   made.store = actors.add<mapobjects_store::actor>({.name = "mapobjects_store"}, replaceable, outside.map);
   if (outside.service)
-    made.client = actors.add<mission_client::actor>(
-        {.name = "mission_client"}, replaceable, settings.client, outside.service,
-        std::shared_ptr<const mission_client::neighbours>(made.of_client), outside.seed);
+    made.client =
+        actors.add<mission_client::actor>({.name = "mission_client"}, replaceable, settings.client, outside.service,
+                                          std::shared_ptr<const mission_client::peers>(made.of_client), outside.seed);
   made.of_client->map = made.store;
   return made;
 }
@@ -83,15 +83,15 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
 flight_actors add_flight(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,
                          const base_actors& base) {
   flight_actors made;
-  const auto of_executor = std::make_shared<executor::neighbours>();
+  const auto of_executor = std::make_shared<executor::peers>();
   made.executor =
       actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
-                                  std::shared_ptr<const executor::neighbours>(of_executor), world_of(actors, outside));
+                                  std::shared_ptr<const executor::peers>(of_executor), world_of(actors, outside));
   if (outside.ground) {
-    const auto of_ground = std::make_shared<ground_port::neighbours>();
+    const auto of_ground = std::make_shared<ground_port::peers>();
     made.ground = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings_of_ground(settings),
                                                  outside.ground_signing, outside.ground,
-                                                 std::shared_ptr<const ground_port::neighbours>(of_ground));
+                                                 std::shared_ptr<const ground_port::peers>(of_ground));
     of_executor->port = made.ground;
     of_ground->executor = made.executor;
     of_ground->operator_ears.emplace_back(base.failsafe);

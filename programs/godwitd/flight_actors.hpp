@@ -39,15 +39,15 @@
 #include "runtime/system.hpp"
 
 namespace godwit::executor {
-struct stood;
+struct phase_status;
 }
 
 namespace godwit::failsafe {
-struct neighbours;
+struct peers;
 }
 
 namespace godwit::mission_client {
-struct neighbours;
+struct peers;
 }
 
 namespace godwit::daemon {
@@ -71,7 +71,7 @@ struct actor_surroundings {
   // A sentence for people. PART: of whom it is said.
   std::function<void(std::string_view part, const std::string& sentence, bool is_warning)> say;
   // How the flight stands: at each change, and as each incarnation of the executor begins.
-  std::function<void(const executor::stood& now)> on_standing;
+  std::function<void(const executor::phase_status& now)> on_phase_status;
 };
 
 // What a flight and a run on the ground have in common.
@@ -83,8 +83,8 @@ struct base_actors {
 
   // Whom each actor speaks with; filled in before the actors start.
   std::shared_ptr<vehicle_link::listeners> of_vehicle;
-  std::shared_ptr<mission_client::neighbours> of_client;
-  std::shared_ptr<failsafe::neighbours> of_failsafe;
+  std::shared_ptr<mission_client::peers> of_client;
+  std::shared_ptr<failsafe::peers> of_failsafe;
 };
 
 struct flight_actors {

@@ -10,14 +10,15 @@ namespace godwit::daemon {
 
 bool is_in_flight(const runtime::recovered& executor) {
   using executor::durable_core;
-  using executor::stood;
+  using executor::phase_status;
   try {
     bool result =
-        executor.snapshot && runtime::read_state<durable_core>("executor", *executor.snapshot).standing.in_flight;
+        executor.snapshot && runtime::read_state<durable_core>("executor", *executor.snapshot).status.in_flight;
     for (const auto& each : executor.events)
-      if (each.type == stood::fields.type_name)
+      if (each.type == phase_status::fields.type_name)
         result =
-            std::get<stood>(runtime::read_alternative<durable_core::event>("executor", each.type, each.body)).in_flight;
+            std::get<phase_status>(runtime::read_alternative<durable_core::event>("executor", each.type, each.body))
+                .in_flight;
     return result;
   } catch (const std::exception&) {
     return false;

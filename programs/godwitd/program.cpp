@@ -77,9 +77,9 @@ std::string speaker() {
   return "the operator";
 }
 
-json question_of(const operator_words::word& said) {
-  json result{{"do", io::name_of(said.verb)}, {"by", speaker()}};
-  if (said.verb == operator_words::verb::acknowledge)
+json question_of(const operators::command& said) {
+  json result{{"do", io::name_of(said.kind)}, {"by", speaker()}};
+  if (said.kind == operators::command_kind::acknowledge)
     result["report"] = said.report;
   if (said.place)
     result["place"] = json::parse(io::to_json(*said.place));

@@ -16,8 +16,8 @@
 #include "actors/mission_client/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
+#include "programs/godwitd/crash_loop_guard.hpp"
 #include "programs/godwitd/log/log_settings.hpp"
-#include "programs/godwitd/start_ledger.hpp"
 #include "runtime/process.hpp"
 
 namespace godwit::daemon {

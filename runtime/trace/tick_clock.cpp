@@ -24,9 +24,9 @@ bool tick_clock::is_processors_own() noexcept {
 #endif
 }
 
-tick_scale::tick_scale(std::chrono::microseconds settle)
+tick_scale::tick_scale(std::chrono::microseconds resolve)
     : first_ticks_(tick_clock::now()), first_ns_(tick_clock::monotonic_ns()) {
-  std::this_thread::sleep_for(settle);
+  std::this_thread::sleep_for(resolve);
   adjust();
 }
 

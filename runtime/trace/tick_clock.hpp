@@ -42,7 +42,7 @@ namespace godwit::runtime {
 class tick_scale {
 public:
   // Watches both clocks for SETTLE; longer is more exact until the first adjust().
-  explicit tick_scale(std::chrono::microseconds settle = std::chrono::milliseconds(2));
+  explicit tick_scale(std::chrono::microseconds resolve = std::chrono::milliseconds(2));
 
   // Measures again over all the time since the start.
   void adjust() noexcept;

@@ -68,9 +68,9 @@ private:
   std::span<const std::uint8_t> left_;
 };
 
-inline habits habits_for(int which) {
-  const std::array all{plain_habits(), px4_habits(), ardupilot_copter_habits(), ardupilot_plane_habits(),
-                       ardupilot_rover_habits()};
+inline autopilot_quirks quirks_for(int which) {
+  const std::array all{plain_quirks(), px4_quirks(), ardupilot_copter_quirks(), ardupilot_plane_quirks(),
+                       ardupilot_rover_quirks()};
   auto result = all.at(static_cast<std::size_t>(which) % all.size());
   result.capacity = room;
   return result;
@@ -80,7 +80,7 @@ template <class Server = server>
 class run {
 public:
   explicit run(std::span<const std::uint8_t> bytes)
-      : input_(bytes), vehicle_(habits_for(input_.byte())), server_(vehicle_, vehicle_id) {}
+      : input_(bytes), vehicle_(quirks_for(input_.byte())), server_(vehicle_, vehicle_id) {}
 
   // What was found; nothing: all holds.
   [[nodiscard]] std::optional<std::string> play() {
@@ -303,7 +303,7 @@ private:
   }
 
   input input_;
-  habits vehicle_;
+  autopilot_quirks vehicle_;
   Server server_;
   std::int64_t now_ns_ = 1'000 * ms;
   std::size_t from_ = 0;

@@ -42,8 +42,8 @@ static_assert(!accepts<adder_handle, sum>);
 static_assert(std::is_same_v<answer_t<adder_handle, get_sum>, sum>);
 static_assert(std::is_convertible_v<adder_handle, mailbox<tells<add>>>, "a handle narrows");
 static_assert(!std::is_convertible_v<mailbox<tells<add>>, adder_handle>, "and does not widen");
-static_assert(!std::is_convertible_v<adder_handle, mistaken_handle>, "the answer is part of the word");
-static_assert(std::is_same_v<combine<mailbox<tells<add>>, adder_handle>, adder_handle>, "each word once");
+static_assert(!std::is_convertible_v<adder_handle, mistaken_handle>, "the answer is part of the message");
+static_assert(std::is_same_v<combine<mailbox<tells<add>>, adder_handle>, adder_handle>, "each message once");
 
 class adder final : public actor_base<adder_handle> {
 public:
@@ -61,7 +61,7 @@ private:
 struct world_of_adder {
   world_of_adder() : world(disk, 1), handle(world.actors().add<adder>({.name = "adder"}, {})) {
     world.start();
-    world.settle();
+    world.resolve();
   }
   [[nodiscard]] health_colour colour() const {
     for (const auto& each : world.health().entries())
@@ -93,12 +93,12 @@ TEST(envelope, a_type_of_the_same_name_from_another_shared_object_is_refused_and
   EXPECT_FALSE(foreign.is<add>());
   strong(w.handle.ref())->enqueue(make_mail(nullptr, caf::make_message_id(), foreign), nullptr);
   w.world.tell(w.handle, add{2});
-  w.world.settle();
+  w.world.resolve();
   EXPECT_EQ(w.world.counters("adder").not_accepted, 1U);
   EXPECT_EQ(w.world.counters("adder").crashes, 0U);
   EXPECT_EQ(w.colour(), health_colour::yellow);
   const auto asked = w.world.ask(w.handle, 1s, get_sum{});
-  w.world.settle();
+  w.world.resolve();
   EXPECT_EQ(asked->answer.value, 2);
 }
 

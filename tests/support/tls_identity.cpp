@@ -51,18 +51,18 @@ std::string joined(const std::vector<std::string>& hosts) {
   return all;
 }
 
-void describe(X509* made, EVP_PKEY* key, const certificate_wish& wish) {
+void describe(X509* made, EVP_PKEY* key, const certificate_request& wanted) {
   unsigned char serial = 0;
   require(::RAND_bytes(&serial, 1) == 1 && ::X509_set_version(made, 2) == 1);
   ::ASN1_INTEGER_set(::X509_get_serialNumber(made), serial + 1L);
-  ::X509_gmtime_adj(::X509_getm_notBefore(made), wish.begins_s);
-  ::X509_gmtime_adj(::X509_getm_notAfter(made), wish.ends_s);
+  ::X509_gmtime_adj(::X509_getm_notBefore(made), wanted.begins_s);
+  ::X509_gmtime_adj(::X509_getm_notAfter(made), wanted.ends_s);
   require(::X509_set_pubkey(made, key) == 1);
-  const auto* name = reinterpret_cast<const unsigned char*>(wish.common_name.c_str());
+  const auto* name = reinterpret_cast<const unsigned char*>(wanted.common_name.c_str());
   ::X509_NAME_add_entry_by_txt(::X509_get_subject_name(made), "CN", MBSTRING_UTF8, name, -1, -1, 0);
-  add_extension(made, NID_basic_constraints, wish.is_issuer ? "critical,CA:TRUE" : "critical,CA:FALSE");
-  if (!wish.hosts.empty())
-    add_extension(made, NID_subject_alt_name, joined(wish.hosts));
+  add_extension(made, NID_basic_constraints, wanted.is_issuer ? "critical,CA:TRUE" : "critical,CA:FALSE");
+  if (!wanted.hosts.empty())
+    add_extension(made, NID_subject_alt_name, joined(wanted.hosts));
 }
 
 tls_identity to_pem(X509* certificate, EVP_PKEY* key) {
@@ -75,11 +75,11 @@ tls_identity to_pem(X509* certificate, EVP_PKEY* key) {
 
 } // namespace
 
-tls_identity make_tls_identity(const certificate_wish& wish, const tls_identity* issuer) {
+tls_identity make_tls_identity(const certificate_request& wanted, const tls_identity* issuer) {
   const key_handle key(EVP_EC_gen("P-256"));
   const certificate_handle made(::X509_new());
   require(key && made);
-  describe(made.get(), key.get(), wish);
+  describe(made.get(), key.get(), wanted);
   if (issuer == nullptr) {
     require(::X509_set_issuer_name(made.get(), ::X509_get_subject_name(made.get())) == 1);
     require(::X509_sign(made.get(), key.get(), ::EVP_sha256()) != 0);

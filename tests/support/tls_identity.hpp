@@ -15,7 +15,7 @@ struct tls_identity {
   std::string key;
 };
 
-struct certificate_wish {
+struct certificate_request {
   std::string common_name = "godwit test";
   std::vector<std::string> hosts = {}; // "DNS:localhost", "IP:127.0.0.1"
   bool is_issuer = false;
@@ -24,6 +24,6 @@ struct certificate_wish {
 };
 
 // Signed by itself where ISSUER is null.
-[[nodiscard]] tls_identity make_tls_identity(const certificate_wish& wish, const tls_identity* issuer = nullptr);
+[[nodiscard]] tls_identity make_tls_identity(const certificate_request& wanted, const tls_identity* issuer = nullptr);
 
 } // namespace godwit::test

@@ -12,7 +12,7 @@ namespace godwit::tests {
 
 struct upload_peer {
   const char* name;
-  mission_server::habits habits;
+  mission_server::autopilot_quirks autopilot_quirks;
   transfer::peer_profile profile;
 };
 
@@ -20,21 +20,21 @@ struct upload_peer {
 inline constexpr int roomy = 2'000;
 
 [[nodiscard]] inline upload_peer px4_peer() {
-  auto habits = mission_server::px4_habits();
-  habits.capacity = roomy;
-  return {"px4", habits, transfer::profile_for(io::mavlink::mav_autopilot::px4)};
+  auto autopilot_quirks = mission_server::px4_quirks();
+  autopilot_quirks.capacity = roomy;
+  return {"px4", autopilot_quirks, transfer::profile_for(io::mavlink::mav_autopilot::px4)};
 }
 
 [[nodiscard]] inline upload_peer copter_peer() {
-  auto habits = mission_server::ardupilot_copter_habits();
-  habits.capacity = roomy;
-  return {"copter", habits, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
+  auto autopilot_quirks = mission_server::ardupilot_copter_quirks();
+  autopilot_quirks.capacity = roomy;
+  return {"copter", autopilot_quirks, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
 }
 
 [[nodiscard]] inline upload_peer rover_peer() {
-  auto habits = mission_server::ardupilot_rover_habits();
-  habits.capacity = roomy;
-  return {"rover", habits, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
+  auto autopilot_quirks = mission_server::ardupilot_rover_quirks();
+  autopilot_quirks.capacity = roomy;
+  return {"rover", autopilot_quirks, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
 }
 
 struct upload_figures {
@@ -52,7 +52,7 @@ struct upload_figures {
   std::vector<double> seconds;
   std::vector<double> bytes;
   for (int seed = 1; seed <= seeds; ++seed) {
-    transfer_world world(peer.habits, peer.profile, line, static_cast<std::uint64_t>(seed));
+    transfer_world world(peer.autopilot_quirks, peer.profile, line, static_cast<std::uint64_t>(seed));
     const auto plan = mission_of(items, static_cast<std::uint64_t>(seed));
     const auto outcome = world.upload(plan);
     const bool is_accepted = outcome.verdict == transfer::verdict::accepted;

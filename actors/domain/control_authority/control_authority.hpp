@@ -44,7 +44,7 @@ inline constexpr std::int64_t end_is_told_within_ns = 4'000'000'000;
 // A MISSION_CURRENT that comes right behind the mode may have been sent before it.
 inline constexpr std::int64_t end_is_denied_after_ns = 500'000'000;
 
-// Between the words of a failsafe and the mode that it changes, either way.
+// Between the texts of a failsafe and the mode that it changes, either way.
 inline constexpr std::int64_t failsafe_is_told_within_ns = 3'000'000'000;
 
 class control_authority {

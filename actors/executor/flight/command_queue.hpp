@@ -4,7 +4,7 @@
 //   hand_back      an operator gives the vehicle back to godwit
 //   finish_replan  an incarnation before has held the vehicle to replace its plan, and died
 //   guard_again    the failsafe may not know the limits of the plan that is flown
-//   choose_item    the vehicle holds the plan, and is elsewhere in it
+//   set_current_item    the vehicle holds the plan, and is elsewhere in it
 //   change         go to, cancel, insert
 //   go_on          resume
 //   start          a ground station's, or an operator's
@@ -42,7 +42,7 @@ struct command_queue {
   bool hand_back = false;
   bool finish_replan = false;
   bool guard_again = false;
-  bool choose_item = false;
+  bool set_current_item = false;
   std::optional<plan_change> change;
   bool go_on = false;
   std::optional<start_flight> start;

@@ -11,7 +11,7 @@ namespace godwit::executor {
 void control_watch::on_mode(instant now) {
   if (flight_.view.is_armed())
     was_armed_ = true;
-  const bool is_failsafes = flight_.stance && flight_.stance->reacts;
+  const bool is_failsafes = flight_.failsafe_status && flight_.failsafe_status->reacts;
   if (is_failsafes || !(flight_.is_starting() || flight_.is_in_flight()))
     return;
   know_plan_end();
@@ -49,8 +49,9 @@ void control_watch::know_plan_end() {
 void control_watch::begin_start(effects& out) {
   flight_.authority.begin(*flight_.view.mode());
   was_armed_ = flight_.view.is_armed();
-  if (flight_.stance && flight_.stance->taken_over) { // of a flight before; whoever starts this one hands it over
-    flight_.stance->taken_over = false;
+  if (flight_.failsafe_status &&
+      flight_.failsafe_status->taken_over) { // of a flight before; whoever starts this one hands it over
+    flight_.failsafe_status->taken_over = false;
     out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
   }
 }
@@ -71,12 +72,13 @@ void control_watch::end_flight() {
 
 bool control_watch::heed(effects& out, instant now) {
   const bool is_ours_to_lose = flight_.is_in_flight() || flight_.is_starting();
-  const auto& stance = flight_.stance;
-  if (!is_ours_to_lose && flight_.has_person() && stance && stance->in_flight && !stance->taken_over) {
+  const auto& failsafe_status = flight_.failsafe_status;
+  if (!is_ours_to_lose && flight_.has_person() && failsafe_status && failsafe_status->in_flight &&
+      !failsafe_status->taken_over) {
     say_taken_over(out); // a flight that nobody has handed to us
     return true;
   }
-  if (flight_.s.standing.cause == pause_cause::taken_over &&
+  if (flight_.s.status.cause == pause_cause::taken_over &&
       flight_.authority.who() == flight::holder::autopilot_failsafe) { // its words came behind its mode
     phases_.go(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + in_its_mode());
     return true;
@@ -96,7 +98,7 @@ std::string control_watch::in_its_mode() const {
 }
 
 bool control_watch::judge_holder(effects& out) {
-  if (const auto& acts = flight_.stance->reacts)
+  if (const auto& acts = flight_.failsafe_status->reacts)
     yield(out, trigger::failsafe_acts,
           "a failsafe acts (" + std::string(io::name_of(acts->why)) + ": " + std::string(io::name_of(acts->what)) +
               "); nothing else is sent until an operator hands the vehicle back");
@@ -106,7 +108,7 @@ bool control_watch::judge_holder(effects& out) {
     yield(out, trigger::person_took_over,
           "the vehicle was disarmed while it was started, and not by godwit; nothing is sent until an operator hands "
           "it back");
-  else if (!flight_.authority.is_ours() || flight_.stance->taken_over)
+  else if (!flight_.authority.is_ours() || flight_.failsafe_status->taken_over)
     yield(out, trigger::person_took_over, "a pilot has the vehicle" + in_its_mode());
   else
     return flight_.authority.is_unclear();
@@ -117,13 +119,13 @@ void control_watch::yield(effects& out, trigger to, const std::string& why) {
   flight_.runner.drop(flight_.world({}, out));
   tasks_.end(out, why);
   flight_.wanted.drop_all_behind_takeover();
-  if (to != trigger::failsafe_acts && !flight_.stance->taken_over)
+  if (to != trigger::failsafe_acts && !flight_.failsafe_status->taken_over)
     say_taken_over(out);
   phases_.go(out, to, why);
 }
 
 void control_watch::say_taken_over(effects& out) {
-  flight_.stance->taken_over = true;
+  flight_.failsafe_status->taken_over = true;
   out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
 }
 
@@ -131,9 +133,9 @@ bool control_watch::take_back(effects& out) {
   if (!std::exchange(flight_.wanted.hand_back, false) || !flight_.has_person())
     return false;
   out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
-  if (flight_.stance) { // what still holds then is told anew
-    flight_.stance->taken_over = false;
-    flight_.stance->reacts.reset();
+  if (flight_.failsafe_status) { // what still holds then is told anew
+    flight_.failsafe_status->taken_over = false;
+    flight_.failsafe_status->reacts.reset();
   }
   if (flight_.is_in_flight() && flight_.view.mode())
     flight_.authority.begin(*flight_.view.mode());

@@ -28,7 +28,7 @@ void flight_context::adopt_flight() {
 }
 
 std::string flight_context::sentence() const {
-  const auto& at = s.standing;
+  const auto& at = s.status;
   std::string result(io::name_of(at.now));
   if (!at.reason.empty())
     result += ": " + at.reason;
@@ -48,7 +48,7 @@ bool flight_context::is_mission_finished() const {
 }
 
 bool flight_context::may_change_plan() const {
-  const auto& at = s.standing;
+  const auto& at = s.status;
   return at.in_flight && !is_failsafe_gone &&
          (at.now == phase::flying || is_held() || (at.now == phase::paused && at.cause == pause_cause::plan_ended) ||
           (at.now == phase::landing && hovers()));
@@ -89,7 +89,7 @@ bool flight_context::is_at_end_of_plan() const {
 }
 
 bool flight_context::is_coming_down() const {
-  return s.standing.now == phase::landing || (ends_on_ground() && is_at_end_of_plan());
+  return s.status.now == phase::landing || (ends_on_ground() && is_at_end_of_plan());
 }
 
 bool flight_context::came_down_as_planned(instant now) const {
@@ -163,7 +163,7 @@ tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(cons
   return std::move(plans->front());
 }
 
-way_wish flight_context::way_between(const mission::position& from, const mission::position& to) const {
+way_request flight_context::way_between(const mission::position& from, const mission::position& to) const {
   const auto [low, high] = std::minmax(from.altitude_m, to.altitude_m);
   return {from, to, low, high, view.owner().vehicle, configured.fence_margin_m, configured.own_loiter_radius_m};
 }

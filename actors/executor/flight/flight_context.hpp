@@ -46,8 +46,8 @@ struct flight_context {
   vehicle_view view;
   flight::control_authority authority;
   task_runner runner;
-  std::optional<failsafe::stance> stance; // none: not told to this incarnation yet
-  bool is_failsafe_gone = false;          // in this flight: no plan is changed
+  std::optional<failsafe::failsafe_status> failsafe_status; // none: not told to this incarnation yet
+  bool is_failsafe_gone = false;                            // in this flight: no plan is changed
   command_queue wanted;
   homing_state homing;
   bool was_up = false; // it has been in the air, as far as this incarnation knows
@@ -58,14 +58,12 @@ struct flight_context {
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
 
   // -- the flight
-  [[nodiscard]] bool is_in_flight() const { return s.standing.in_flight; }
+  [[nodiscard]] bool is_in_flight() const { return s.status.in_flight; }
   [[nodiscard]] bool is_starting() const { return s.doing && s.doing->kind == task_kind::start; }
   // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
-  [[nodiscard]] bool has_person() const { return needs_hand_back(s.standing.cause); }
-  // By a word: what is brought to it meanwhile is not begun.
-  [[nodiscard]] bool is_held() const {
-    return s.standing.now == phase::paused && s.standing.cause == pause_cause::asked;
-  }
+  [[nodiscard]] bool has_person() const { return needs_hand_back(s.status.cause); }
+  // By a command: what is brought to it meanwhile is not begun.
+  [[nodiscard]] bool is_held() const { return s.status.now == phase::paused && s.status.cause == pause_cause::asked; }
   // Of an upload or a start: what became of it is not known yet.
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;
@@ -109,7 +107,7 @@ struct flight_context {
   [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
                                                                             instant now) const;
   // What an operator sends it around the fences by.
-  [[nodiscard]] way_wish way_between(const mission::position& from, const mission::position& to) const;
+  [[nodiscard]] way_request way_between(const mission::position& from, const mission::position& to) const;
 };
 
 } // namespace godwit::executor

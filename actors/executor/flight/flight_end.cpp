@@ -31,7 +31,7 @@ bool flight_end::is_down(instant now) const {
     return flight_.is_plan_finished() && flight_.was_up && !view.is_under_way();
   if (view.is_in(mode_kind::returning)) // ArduPilot's rover stays in that mode
     return (flight_.was_called_home() || flight_.is_plan_finished()) && view.stands_at_home(now.now_ns);
-  const bool holds_on_the_way = flight_.s.standing.now == phase::paused || flight_.homing.at != homing_stage::none;
+  const bool holds_on_the_way = flight_.s.status.now == phase::paused || flight_.homing.at != homing_stage::none;
   return flight_.is_plan_finished() || (flight_.was_called_home() && view.is_in(mode_kind::hold) && !holds_on_the_way);
 }
 
@@ -61,10 +61,10 @@ bool flight_end::end_flight(effects& out, instant now) {
   return true;
 }
 
-// Its last word came behind the end of the flight.
+// Its last message came behind the end of the flight.
 bool flight_end::end_late(effects& out) {
   const auto& s = flight_.s;
-  if (!is_open(s.standing.now) || s.doing || !flight_.is_mission_finished() || !s.mission ||
+  if (!is_open(s.status.now) || s.doing || !flight_.is_mission_finished() || !s.mission ||
       !flight_.has_nothing_left(*s.mission))
     return false;
   end_mission(out);

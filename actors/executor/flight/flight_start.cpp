@@ -14,7 +14,7 @@ void flight_start::begin(effects& out, std::optional<std::uint64_t> key) {
 
 // The sentence says why not; empty: it may.
 std::string flight_start::why_not(effects& out, instant now) {
-  if (flight_.s.standing.now != phase::ready || !flight_.s.progress.plan || !flight_.s.mission)
+  if (flight_.s.status.now != phase::ready || !flight_.s.progress.plan || !flight_.s.mission)
     return flight_.sentence();
   if (auto why = preparation_.why_not_start(out, now); !why.empty())
     return why;
@@ -67,9 +67,9 @@ bool flight_start::begin_by_itself(effects& out) {
 }
 
 bool flight_start::follow(effects& out) {
-  const auto& standing = flight_.s.standing;
+  const auto& status = flight_.s.status;
   const bool waits =
-      standing.now == phase::ready || (standing.now == phase::paused && standing.cause == pause_cause::restarted);
+      status.now == phase::ready || (status.now == phase::paused && status.cause == pause_cause::restarted);
   const bool flies = flight_.view.is_under_way() && flight_.view.is_in_begun_mission();
   if (flight_.is_in_flight() || !waits || !flies || !flight_.s.progress.plan || !flight_.s.flown)
     return false;

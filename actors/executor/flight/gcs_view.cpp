@@ -102,7 +102,7 @@ effects gcs_view::take_plan(const plan_taken& m, instant now) {
   station_plan plan{taken->mission.mission_id, taken->mission.revision, m.plan_id,
                     static_cast<std::uint16_t>(m.items.size()), std::move(taken->places)};
   out.emplace_back(note{station_plan_taken{std::move(plan), std::move(taken->mission)}});
-  if (flight_.s.standing.now == phase::paused)
+  if (flight_.s.status.now == phase::paused)
     phases_.go(out, trigger::mission_changed);
   return out;
 }
@@ -157,7 +157,7 @@ std::string gcs_view::why_not_meant(const start_mission& m) {
 // A station's plan that was flown is flown again as another mission.
 bool gcs_view::fly_again(effects& out, instant now) {
   const auto* uploaded = uploaded_mission(flight_.s);
-  if (!is_at_rest(flight_.s.standing.now) || uploaded == nullptr || flight_.s.arrived)
+  if (!is_at_rest(flight_.s.status.now) || uploaded == nullptr || flight_.s.arrived)
     return false;
   auto plan = *flight_.s.station;
   auto mission = *uploaded;

@@ -17,7 +17,7 @@ bool names_battery(failsafe::rule each) {
 
 } // namespace
 
-// -- the word ---------------------------------------------------------------------------------------
+// -- the command ---------------------------------------------------------------------------------------
 
 void homecoming::begin(effects& out, instant now) {
   const auto way = turns(now);
@@ -66,7 +66,7 @@ homecoming::turns_or_why homecoming::turns(instant now) const {
 // Also while an operator has told the failsafe to wait: a longer way is nothing for this battery.
 bool homecoming::is_battery_low() const {
   const auto percent = flight_.view.battery_percent().value_or(-1);
-  const bool is_told = flight_.stance && std::ranges::any_of(flight_.stance->latched, names_battery);
+  const bool is_told = flight_.failsafe_status && std::ranges::any_of(flight_.failsafe_status->latched, names_battery);
   return is_told || (percent >= 0 && percent <= flight_.configured.checks.battery_return_percent);
 }
 
@@ -79,7 +79,7 @@ std::int64_t homecoming::next_deadline_ns() const {
 
 bool homecoming::is_coming_home() const {
   const bool flies_it =
-      flight_.is_on_way_home() && flight_.s.standing.now == phase::landing && flight_.view.is_in(mode_kind::mission);
+      flight_.is_on_way_home() && flight_.s.status.now == phase::landing && flight_.view.is_in(mode_kind::mission);
   return flight_.homing.at != homing_stage::none || flies_it;
 }
 

@@ -5,13 +5,13 @@
 //       └────────────┴──────────┴──────────┴──> the autopilot's return, which is straight
 //
 //   at once      no fence lies in the way, or there is no way around it
-//   from there   a step failed, or it is not flown 5 s behind the word
+//   from there   a step failed, or it is not flown 5 s behind the command
 //   both         the battery is low, or it is not known where the vehicle is
 //
-// It holds in the turn in which the word is said. The way begins where the vehicle holds, at the altitude that it has
+// It holds in the turn in which the command is given. The way begins where the vehicle holds, at the altitude that it has
 // or at that of a return, and ends with the autopilot's own return, which lands; a rover is told to hold at home. The
 // plan is a generation of its own, and no item of the mission belongs to it: what is reached on it is no progress, and
-// the mission is over. A word that comes later takes its place; come-home said again changes nothing. Pure. Thread: one
+// the mission is over. A command that comes later takes its place; come-home said again changes nothing. Pure. Thread: one
 // at a time.
 #pragma once
 
@@ -33,7 +33,7 @@ public:
   homecoming(flight_context& flight, phase_machine& phases, task_control& tasks)
       : flight_(flight), phases_(phases), tasks_(tasks) {}
 
-  // The word.
+  // The command.
   void begin(effects& out, instant now);
   // To be asked before any other word. True: it is seen to, and the rest waits.
   [[nodiscard]] bool advance(effects& out, instant now);

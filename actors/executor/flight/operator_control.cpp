@@ -8,7 +8,7 @@ namespace godwit::executor {
 namespace {
 
 using flight::mode_kind;
-using operator_words::verb;
+using operators::command_kind;
 
 bool holds_our_plan(pause_cause cause) {
   return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
@@ -18,33 +18,33 @@ bool can_be_stopped(task_kind kind) {
   return brings_plan(kind) || kind == task_kind::start || kind == task_kind::resume;
 }
 
-bool needs_vehicle(verb what) { return what != verb::hand_back && what != verb::start; }
+bool needs_vehicle(command_kind what) { return what != command_kind::hand_back && what != command_kind::start; }
 
 } // namespace
 
-// -- a word -----------------------------------------------------------------------------------------
+// -- a command -----------------------------------------------------------------------------------------
 
-operator_words::answer operator_control::take(const operator_words::word& m, bool has_looked, instant now) {
+operators::answer operator_control::take(const operators::command& m, bool has_looked, instant now) {
   if (auto why = why_not(m, has_looked); !why.empty())
     return {false, std::move(why)};
-  if (needs_vehicle(m.verb) && flight_.has_person())
-    return {false, "the vehicle has to be handed back first: " + flight_.s.standing.reason};
+  if (needs_vehicle(m.kind) && flight_.has_person())
+    return {false, "the vehicle has to be handed back first: " + flight_.s.status.reason};
   auto& wanted = flight_.wanted;
-  switch (m.verb) {
-  case verb::hand_back:
+  switch (m.kind) {
+  case command_kind::hand_back:
     wanted.hand_back = true;
     break;
-  case verb::start:
+  case command_kind::start:
     if (!wanted.start)
       wanted.start.emplace();
     break;
-  case verb::resume:
+  case command_kind::resume:
     wanted.put_go_on();
     break;
-  case verb::pause:
+  case command_kind::pause:
     wanted.put_halt(task_kind::hold);
     break;
-  case verb::come_home:
+  case command_kind::come_home:
     wanted.put_halt(task_kind::come_home);
     break;
   default:
@@ -53,24 +53,24 @@ operator_words::answer operator_control::take(const operator_words::word& m, boo
   return {true, {}};
 }
 
-// Empty: as far as the word alone goes, it may be said now.
-std::string operator_control::why_not(const operator_words::word& m, bool has_looked) const {
+// Empty: as far as the command alone goes, it may be said now.
+std::string operator_control::why_not(const operators::command& m, bool has_looked) const {
   const auto& view = flight_.view;
-  const auto at = flight_.s.standing.now;
+  const auto at = flight_.s.status.now;
   const bool drives_plan = view.is_under_way() && view.is_in(mode_kind::mission);
-  switch (m.verb) {
-  case verb::hand_back:
+  switch (m.kind) {
+  case command_kind::hand_back:
     if (!flight_.has_person())
       return "nobody has taken the vehicle from godwit";
     if (!has_looked || !view.is_connected() || !view.mode())
       return "the vehicle is not heard, so nobody knows who has it; say it again when it is";
     return {};
-  case verb::start:
+  case command_kind::start:
     return at == phase::ready ? std::string() : "the flight is not ready: " + flight_.sentence();
-  case verb::resume:
+  case command_kind::resume:
     return why_not_resume();
-  case verb::pause:
-  case verb::come_home:
+  case command_kind::pause:
+  case command_kind::come_home:
     if (!flight_.is_in_flight() && !drives_plan && !flight_.is_starting())
       return "no flight is under way: " + flight_.sentence();
     return {};
@@ -80,7 +80,7 @@ std::string operator_control::why_not(const operator_words::word& m, bool has_lo
 }
 
 std::string operator_control::why_not_resume() const {
-  if (flight_.s.standing.now != phase::paused)
+  if (flight_.s.status.now != phase::paused)
     return "the flight is not paused: " + flight_.sentence();
   if (flight_.is_in_flight() && !flight_.view.is_under_way())
     return "the vehicle stands on the ground; say it again when its flight has ended, in a few seconds";
@@ -135,7 +135,7 @@ void operator_control::begin_halt(effects& out, instant now) {
   drop_change(out);
   if (what == task_kind::come_home)
     return returns_.begin(out, now);
-  const auto at = flight_.s.standing.now;
+  const auto at = flight_.s.status.now;
   if (at == phase::flying || at == phase::landing)
     phases_.go(out, trigger::told_to_hold);
   tasks_.begin(out, what, {change_mode{mode_kind::hold}});
@@ -144,7 +144,7 @@ void operator_control::begin_halt(effects& out, instant now) {
 // An operator who says something else waits for the service no longer.
 void operator_control::drop_change(effects& out) {
   if (flight_.s.change && !flight_.s.arrived)
-    out.emplace_back(note{change_settled{flight_.s.change->key, false}});
+    out.emplace_back(note{change_resolved{flight_.s.change->key, false}});
 }
 
 // -- resume -----------------------------------------------------------------------------------------
@@ -154,7 +154,7 @@ bool operator_control::go_on(effects& out, instant now) {
     return false;
   flight_.wanted.go_on = false;
   if (!flight_.is_in_flight()) {
-    if (flight_.s.standing.now != phase::paused)
+    if (flight_.s.status.now != phase::paused)
       return false;
     phases_.go(out, trigger::prepare_again);
     return true;
@@ -162,7 +162,7 @@ bool operator_control::go_on(effects& out, instant now) {
   drop_change(out);
   if (flight_.was_called_home()) // since it was said
     out.emplace_back(announce{"not resumed: " + why_not_resume(), true});
-  else if (!holds_our_plan(flight_.s.standing.cause))
+  else if (!holds_our_plan(flight_.s.status.cause))
     changes_.deploy_again(out, now);
   else
     tasks_.begin(out, task_kind::resume, tasks_.guarded(going_on_steps(flight_)));

@@ -13,16 +13,16 @@ public:
                    homecoming& returns)
       : flight_(flight), phases_(phases), tasks_(tasks), changes_(changes), returns_(returns) {}
 
-  // HAS_LOOKED: at the vehicle, since this incarnation began. The answer tells whether the word is taken; what comes of
-  // it is told as the flight's status.
-  [[nodiscard]] operator_words::answer take(const operator_words::word& m, bool has_looked, instant now);
+  // HAS_LOOKED: at the vehicle, since this incarnation began. The answer tells whether the command is taken; what comes
+  // of it is told as the flight's status.
+  [[nodiscard]] operators::answer take(const operators::command& m, bool has_looked, instant now);
   // The halt that is wanted. Before the vehicle has moved there is nothing to hold, and the start ends.
   [[nodiscard]] bool halt(effects& out, instant now);
   // The resume that is wanted.
   [[nodiscard]] bool go_on(effects& out, instant now);
 
 private:
-  [[nodiscard]] std::string why_not(const operator_words::word& m, bool has_looked) const;
+  [[nodiscard]] std::string why_not(const operators::command& m, bool has_looked) const;
   [[nodiscard]] std::string why_not_resume() const;
   [[nodiscard]] bool interrupt(effects& out, instant now);
   [[nodiscard]] bool flies_our_plan() const;

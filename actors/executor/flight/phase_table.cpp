@@ -181,7 +181,7 @@ constexpr std::array table{
     with(row(trigger::delivered, of(post_flight), no_guard, done), cause_rule::kept),
 };
 
-pause_cause cause_behind(const transition& taken, const stood& before) {
+pause_cause cause_behind(const transition& taken, const phase_status& before) {
   switch (taken.rule) {
   case cause_rule::kept:
     return before.cause;
@@ -216,14 +216,14 @@ std::span<const transition> phase_table() { return table; }
 phase_machine::phase_machine(const flight_context& flight) : flight_(flight), taken_(table.size()) {}
 
 void phase_machine::go(effects& out, trigger what, const std::string& reason) {
-  const auto& before = flight_.s.standing;
+  const auto& before = flight_.s.status;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto& each = table[i];
     if (each.on != what || !has(each.from, before.now) || (each.holds != nullptr && !each.holds(flight_)))
       continue;
     ++taken_[i][static_cast<std::size_t>(before.now)];
-    const stood next{each.next.value_or(before.now), cause_behind(each, before),
-                     reason.empty() ? std::string(each.reason) : reason, flies_behind(each, flight_)};
+    const phase_status next{each.next.value_or(before.now), cause_behind(each, before),
+                            reason.empty() ? std::string(each.reason) : reason, flies_behind(each, flight_)};
     if (next != before)
       out.emplace_back(note{next});
     return;

@@ -33,7 +33,7 @@ enum class trigger {
   start_begun,
   start_refused, // for now: it is tried again
   start_failed,
-  start_stopped, // by a word, before the vehicle moved
+  start_stopped, // by a command, before the vehicle moved
   started,
   found_started, // our plan is flown, and this incarnation has not started it
   // in flight
@@ -135,7 +135,7 @@ class phase_machine {
 public:
   explicit phase_machine(const flight_context& flight);
 
-  // Notes where the flight stands from now on, when that is another standing. REASON: sentence for people; empty: that
+  // Notes where the flight stands from now on, when that is another status. REASON: sentence for people; empty: that
   // of the row. Throws std::logic_error where the table has no row.
   void go(effects& out, trigger what, const std::string& reason = {});
 

@@ -14,7 +14,7 @@ namespace godwit::executor {
 namespace {
 
 using flight::mode_kind;
-using operator_words::verb;
+using operators::command_kind;
 
 constexpr std::uint64_t changes = 0x6368616e6765; // keeps their keys apart from whatever else follows from a mission
 
@@ -25,7 +25,7 @@ constexpr double stay_s = 3'600;
 
 constexpr double lowest_m = 1; // what flies is sent above home
 
-operator_words::answer refused(std::string why) { return {false, std::move(why)}; }
+operators::answer refused(std::string why) { return {false, std::move(why)}; }
 
 std::string_view reason_for(change_kind kind) {
   switch (kind) {
@@ -41,17 +41,17 @@ std::string_view reason_for(change_kind kind) {
 
 } // namespace
 
-// -- a word -----------------------------------------------------------------------------------------
+// -- a command -----------------------------------------------------------------------------------------
 
-operator_words::answer plan_changes::take(const operator_words::word& m, instant now) {
+operators::answer plan_changes::take(const operators::command& m, instant now) {
   if (!flight_.may_change_plan() || !flight_.s.mission)
     return refused("the mission can not be changed now: " + flight_.sentence());
   const auto& s = flight_.s;
   if (s.change || flight_.wanted.change || flight_.runner.is_busy() || !s.waiting.empty() || s.arrived)
     return refused("another change is under way; say it again when it is over");
-  if (m.verb != verb::cancel && !m.place)
-    return refused("the word has no place");
-  if (m.verb != verb::cancel)
+  if (m.kind != command_kind::cancel && !m.place)
+    return refused("the command has no place");
+  if (m.kind != command_kind::cancel)
     if (auto why = why_not_there(*m.place); !why.empty())
       return refused(std::move(why));
   auto what = change_of(m, now);
@@ -63,10 +63,10 @@ operator_words::answer plan_changes::take(const operator_words::word& m, instant
   return {true, {}};
 }
 
-plan_changes::change_or_reason plan_changes::change_of(const operator_words::word& m, instant now) const {
-  if (m.verb == verb::go_to)
+plan_changes::change_or_reason plan_changes::change_of(const operators::command& m, instant now) const {
+  if (m.kind == command_kind::go_to)
     return go_there(*m.place, now);
-  return m.verb == verb::cancel ? cancel(now) : insert(m);
+  return m.kind == command_kind::cancel ? cancel(now) : insert(m);
 }
 
 // Empty: a place like those of a mission, within the limits that are set.
@@ -159,7 +159,7 @@ plan_changes::change_or_reason plan_changes::cancel(instant now) const {
   return result;
 }
 
-plan_changes::change_or_reason plan_changes::insert(const operator_words::word& m) const {
+plan_changes::change_or_reason plan_changes::insert(const operators::command& m) const {
   auto after = last_done(flight_.s);
   if (!m.after.empty()) {
     const auto& items = flight_.s.mission->items;
@@ -287,7 +287,7 @@ effects plan_changes::on_change(const mission_client::change_outcome& m) {
   // it.
   if (m.verdict == change_verdict::unknown && flight_.s.change->kind == change_kind::go_to)
     return out;
-  out.emplace_back(note{change_settled{m.key, false}});
+  out.emplace_back(note{change_resolved{m.key, false}});
   const bool comes_home = flight_.configured.refused_inserts == refusal_policy::come_home;
   if (is_insert && ++refused_inserts_ >= max_refused_inserts && comes_home)
     flight_.wanted.put_halt(task_kind::come_home);
@@ -311,7 +311,7 @@ bool plan_changes::answer_assignment(effects& out, instant now) {
   const auto& s = flight_.s;
   if (s.waiting.empty() || !s.mission || flight_.has_open_intent()) // of a task that was given up: its end is coming
     return false;
-  const auto at = s.standing.now;
+  const auto at = s.status.now;
   const bool may_change = flight_.may_change_plan();
   const bool waits_on_ground = !flight_.is_in_flight() && (at == phase::disconnected || at == phase::connected ||
                                                            at == phase::preflight || at == phase::ready);
@@ -338,7 +338,7 @@ bool plan_changes::take_on_ground(effects& out, const mission::assignment& asked
     return false; // its answer goes out with the upload
   out.emplace_back(note{mission_taken{mission, asked.assignment_id}});
   out.emplace_back(note{preflight::mission_changed{flight_.s.mission->mission_id, asked.revision}});
-  if (flight_.s.standing.now != phase::disconnected)
+  if (flight_.s.status.now != phase::disconnected)
     phases_.go(out, trigger::mission_changed); // and from there through the checks again
   return true;
 }

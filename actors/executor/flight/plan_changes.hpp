@@ -19,8 +19,8 @@ public:
   plan_changes(flight_context& flight, phase_machine& phases, task_control& tasks)
       : flight_(flight), phases_(phases), tasks_(tasks) {}
 
-  // A word of an operator.
-  [[nodiscard]] operator_words::answer take(const operator_words::word& m, instant now);
+  // A command of an operator.
+  [[nodiscard]] operators::answer take(const operators::command& m, instant now);
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
   [[nodiscard]] effects on_change(const mission_client::change_outcome& m);
   [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m);
@@ -36,7 +36,7 @@ private:
   static constexpr int max_refused_inserts = 3;
 
   using change_or_reason = tl::expected<plan_change, std::string>;
-  [[nodiscard]] change_or_reason change_of(const operator_words::word& m, instant now) const;
+  [[nodiscard]] change_or_reason change_of(const operators::command& m, instant now) const;
   [[nodiscard]] change_or_reason go_there(const mission::position& to, instant now) const;
   [[nodiscard]] change_or_reason cancel(instant now) const;
   [[nodiscard]] std::vector<mission::item> items_of(const std::vector<geo::point>& turns, double altitude_m,
@@ -44,7 +44,7 @@ private:
   [[nodiscard]] std::optional<mission::position> first_place(const plan_change& what, instant now) const;
   [[nodiscard]] bool stands_for_change(effects& out, instant now);
   void begin_from_here(effects& out, instant now);
-  [[nodiscard]] change_or_reason insert(const operator_words::word& m) const;
+  [[nodiscard]] change_or_reason insert(const operators::command& m) const;
   [[nodiscard]] tl::expected<mission::document, std::string> changed(const plan_change& what) const;
   [[nodiscard]] std::string why_not_there(const mission::position& to) const;
   [[nodiscard]] std::string why_not_changed(const plan_change& what, instant now) const;

@@ -32,7 +32,7 @@ void preparation::on_service(const mission_client::service_status& m) {
 
 bool preparation::wants_service() const {
   return flight_.configured.has_service && !flight_.is_in_flight() && flight_.s.mission && map_ != pull_state::synced &&
-         !is_over(flight_.s.standing.now);
+         !is_over(flight_.s.status.now);
 }
 
 preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
@@ -81,10 +81,10 @@ preflight::report preparation::look_at_all(instant now) {
       seen.mission.spare_percent = energy_.spare_behind((*plans_)->front());
     }
   }
-  seen.journal = house_.journal;
-  seen.actors = house_.actors;
+  seen.journal = host_status_.journal;
+  seen.actors = host_status_.actors;
   seen.wall_ns = now.wall_ns;
-  seen.is_operator_session_alive = house_.is_operator_session_alive;
+  seen.is_operator_session_alive = host_status_.is_operator_session_alive;
   seen.camera = preflight::camera_state::off;
   return preflight::run_checks(seen, flight_.configured.checks);
 }
@@ -100,7 +100,7 @@ std::string preparation::why_not_start(effects& out, instant now) {
 // -- the way to a plan that is ready ----------------------------------------------------------------
 
 preparation::result preparation::advance(effects& out, instant now) {
-  const auto at = flight_.s.standing.now;
+  const auto at = flight_.s.status.now;
   const bool is_prepared =
       at == phase::disconnected || at == phase::connected || at == phase::preflight || at == phase::ready;
   const bool has_next = is_at_rest(at) && flight_.s.arrived;
@@ -137,7 +137,7 @@ bool preparation::take_arrived(effects& out) {
   if (!flight_.s.arrived)
     return false;
   const auto& next = *flight_.s.arrived;
-  const bool is_over = is_at_rest(flight_.s.standing.now);
+  const bool is_over = is_at_rest(flight_.s.status.now);
   if (flight_.has_nothing_left(next) || (is_over && flight_.is_same_mission(next))) {
     out.emplace_back(announce{"revision " + std::to_string(next.revision) + " came when the mission was over", true});
     out.emplace_back(note{arrival_refused{next.revision}});
@@ -156,7 +156,7 @@ void preparation::warn_of_straight_return(effects& out) const {
 }
 
 preparation::result preparation::check(effects& out, instant now) {
-  const auto at = flight_.s.standing.now;
+  const auto at = flight_.s.status.now;
   if (checked_ns_ != 0 && now.now_ns - checked_ns_ < check_period_ns)
     return result::nothing;
   checked_ns_ = now.now_ns;

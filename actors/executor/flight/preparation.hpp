@@ -17,7 +17,7 @@
 namespace godwit::executor {
 
 // What of this process the preflight checks look at; asked for by the shell.
-struct house {
+struct host_status {
   preflight::journal_facts journal;
   std::vector<preflight::actor_fact> actors;
   bool is_operator_session_alive = false;
@@ -37,7 +37,7 @@ public:
   // The sentence says why the flight may not be started now; empty: it may.
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
 
-  void on_house(house seen) { house_ = std::move(seen); }
+  void on_host_status(host_status seen) { host_status_ = std::move(seen); }
   void on_mission() { refusal_.clear(); }
   void on_refused(const std::string& reason) { refusal_ = reason; }
   void on_map(const mission_client::map_pulled& m);
@@ -65,7 +65,7 @@ private:
   std::optional<preflight::plan_result> plans_;  // of the mission, from its first remaining item on
   std::vector<plan::return_crossing> crossings_; // of these plans, by a straight return
   std::int64_t checked_ns_ = 0;
-  house house_;
+  host_status host_status_;
 };
 
 } // namespace godwit::executor

@@ -31,8 +31,8 @@ void recovery::begin() {
   const auto& s = flight_.s;
   last_task_before_ = s.last_task;
   if (const auto& plan = s.progress.plan) // what was to be done about it died with the incarnation that was told
-    flight_.wanted.choose_item = plan->generation.is_not_at_start_told && !plan->generation.is_armed;
-  const auto at = s.standing.now;
+    flight_.wanted.set_current_item = plan->generation.is_not_at_start_told && !plan->generation.is_armed;
+  const auto at = s.status.now;
   const bool is_fresh = !s.doing && !flight_.is_in_flight() && !flight_.has_open_intent();
   has_looked_ = is_fresh && (at == phase::disconnected || at == phase::connected || is_over(at));
 }
@@ -42,7 +42,7 @@ void recovery::begin() {
 bool recovery::look(effects& out, instant now) {
   if (has_looked_)
     return false;
-  if (!flight_.view.is_seen() || !flight_.stance)
+  if (!flight_.view.is_seen() || !flight_.failsafe_status)
     return true;
   has_looked_ = true;
   flight_.was_up = flight_.view.is_under_way();
@@ -52,7 +52,7 @@ bool recovery::look(effects& out, instant now) {
       may_upload_go_on_ = true;
     } else if (std::holds_alternative<progress::read_plan_back>(each))
       on_news(progress::read_plan_back{}, now);
-    else if (const auto* start = std::get_if<progress::settle_start>(&each))
+    else if (const auto* start = std::get_if<progress::resolve_start>(&each))
       on_news(*start, now);
   if (flight_.view.is_under_way())
     recover_in_flight(out, now);
@@ -71,9 +71,9 @@ void recovery::recover_on_ground(effects& out, instant now) {
     watch_.resume(std::move(modes), now);
   }
   tasks_.end(out, "godwit was restarted before the vehicle moved");
-  if (flight_.is_in_flight() || flight_.has_person() || is_over(s.standing.now))
+  if (flight_.is_in_flight() || flight_.has_person() || is_over(s.status.now))
     return; // the end of the flight sees to it; who has the vehicle keeps it, and what is over stays so
-  if (!s.doing && !was_prepared(s.standing.now))
+  if (!s.doing && !was_prepared(s.status.now))
     return;
   phases_.go(out, trigger::restarted_on_ground);
 }
@@ -81,8 +81,8 @@ void recovery::recover_on_ground(effects& out, instant now) {
 std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) const {
   const auto& whose = flight_.view.owner();
   const auto holds = flight::modes_obeying(whose, mode_kind::hold);
-  const auto at = flight_.s.standing.now;
-  const bool is_at_end = at == phase::landing || flight_.s.standing.cause == pause_cause::plan_ended;
+  const auto at = flight_.s.status.now;
+  const bool is_at_end = at == phase::landing || flight_.s.status.cause == pause_cause::plan_ended;
   const bool returns = doing && doing->kind == task_kind::come_home;
   if (flight_.is_held() && !doing)
     return holds;
@@ -107,7 +107,7 @@ void recovery::recover_in_flight(effects& out, instant now) {
   if (!(flight_.is_in_flight() || was_starting) || flight_.has_person())
     return;
   flight_.wanted.guard_again = doing && doing->kind == task_kind::deploy;
-  if (flight_.stance->reacts || flight_.stance->taken_over)
+  if (flight_.failsafe_status->reacts || flight_.failsafe_status->taken_over)
     return phases_.go(out, trigger::found_on_its_way); // the watch says the rest
   watch_.resume(left_in(doing), now);
   find_in_flight(out, doing, now);
@@ -124,10 +124,10 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
     flight_.wanted.finish_replan = true;
     return phases_.go(out, trigger::found_on_its_way);
   }
-  if (is_held && (flight_.s.standing.cause == pause_cause::asked || is(task_kind::hold)))
+  if (is_held && (flight_.s.status.cause == pause_cause::asked || is(task_kind::hold)))
     return phases_.go(out, trigger::found_held);
   const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();
-  if (is_ours && flight_.s.standing.now != phase::landing && flight_.view.is_in(mode_kind::mission) &&
+  if (is_ours && flight_.s.status.now != phase::landing && flight_.view.is_in(mode_kind::mission) &&
       (is(task_kind::hold) || is(task_kind::come_home)))
     flight_.wanted.put_halt(doing->kind); // an operator's word, which the vehicle has not heard or not shown yet
   phases_.go(out, trigger::found_in_flight);
@@ -165,7 +165,7 @@ void recovery::on_news(const progress::read_plan_back&, instant now) {
   read_again_ns_ = now.now_ns;
 }
 
-void recovery::on_news(const progress::settle_start&, instant now) {
+void recovery::on_news(const progress::resolve_start&, instant now) {
   looking_ = question::start;
   looking_since_ns_ = now.now_ns;
 }
@@ -178,7 +178,7 @@ void recovery::read_back(effects& out, instant now) {
   out.emplace_back(order{goes::after_notes, reading_back_, now.now_ns, {}, vehicle_link::download_plan{}});
 }
 
-bool recovery::settle(effects& out, instant now) {
+bool recovery::resolve(effects& out, instant now) {
   if (looking_ == question::none || (flight_.is_in_flight() && flight_.has_person()))
     return false;
   if (!flight_.view.is_connected())
@@ -186,13 +186,13 @@ bool recovery::settle(effects& out, instant now) {
   const bool is_news = flight_.view.current() && flight_.view.current_heard_ns() > looking_since_ns_;
   switch (looking_) {
   case question::plan_id:
-    settle_plan_id(out, now, is_news);
+    resolve_plan_id(out, now, is_news);
     break;
   case question::read_back:
     read_back(out, now);
     break;
   case question::start:
-    settle_start(out, is_news);
+    resolve_start(out, is_news);
     break;
   case question::none:
     break;
@@ -200,7 +200,7 @@ bool recovery::settle(effects& out, instant now) {
   return true;
 }
 
-void recovery::settle_plan_id(effects& out, instant now, bool is_news) {
+void recovery::resolve_plan_id(effects& out, instant now, bool is_news) {
   if (may_upload_go_on_)
     return read_back(out, now);
   const auto& view = flight_.view;
@@ -211,7 +211,7 @@ void recovery::settle_plan_id(effects& out, instant now, bool is_news) {
       progress::vehicle_looked_at{view.keeps_plan_ids() ? std::optional(view.current()->mission_id) : std::nullopt}});
 }
 
-void recovery::settle_start(effects& out, bool is_news) {
+void recovery::resolve_start(effects& out, bool is_news) {
   if (!is_news || !flight_.view.mode())
     return;
   looking_ = question::none;
@@ -252,12 +252,12 @@ bool recovery::finish(effects& out) {
     begin_going_on(out);
     return true;
   }
-  if (wanted.guard_again && !flight_.is_failsafe_gone && flight_.s.standing.now != phase::paused && flight_.s.flown) {
+  if (wanted.guard_again && !flight_.is_failsafe_gone && flight_.s.status.now != phase::paused && flight_.s.flown) {
     tasks_.begin(out, task_kind::resume, tasks_.guarded({}));
     return true;
   }
-  if (wanted.choose_item && flight_.s.standing.now == phase::flying && flight_.s.progress.plan) {
-    wanted.choose_item = false;
+  if (wanted.set_current_item && flight_.s.status.now == phase::flying && flight_.s.progress.plan) {
+    wanted.set_current_item = false;
     begin_at_start(out);
     return true;
   }
@@ -275,7 +275,7 @@ void recovery::begin_going_on(effects& out) {
   auto way = going_on_steps(flight_);
   if (std::holds_alternative<start_plan>(way.front())) // a start, which nothing but a person's word may cause
     return phases_.go(out, trigger::replan_left_open);
-  if (flight_.is_ardupilot() && flight_.s.progress.plan && !std::holds_alternative<choose_item>(way.front()))
+  if (flight_.is_ardupilot() && flight_.s.progress.plan && !std::holds_alternative<set_current_item>(way.front()))
     way = at_start_steps(flight_, false);
   tasks_.begin(out, task_kind::resume, tasks_.guarded(std::move(way)));
 }

@@ -1,8 +1,8 @@
-// What a new incarnation of the executor does first, and how it settles what the one before left open.
+// What a new incarnation of the executor does first, and how it resolves what the one before left open.
 //
 // It knows what it meant to do, and not what the vehicle does. So it looks before anything; on the ground nothing
 // begins by itself; in flight what was meant is finished by a mode change, and only out of a hold that godwit has
-// commanded. Uploads and starts without an answer are settled by what the vehicle holds and says. Pure. Thread: one at
+// commanded. Uploads and starts without an answer are resolved by what the vehicle holds and says. Pure. Thread: one at
 // a time.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace godwit::executor {
 
-// Downloads that settle an upload have numbers of their own, above all those of the runner.
+// Downloads that resolve an upload have numbers of their own, above all those of the runner.
 inline constexpr std::uint64_t first_reading_back = 1ULL << 32U;
 
 class recovery {
@@ -26,14 +26,14 @@ public:
   [[nodiscard]] bool has_looked() const { return has_looked_; }
   // True: the rest waits for it.
   [[nodiscard]] bool look(effects& out, instant now);
-  [[nodiscard]] bool settle(effects& out, instant now);
+  [[nodiscard]] bool resolve(effects& out, instant now);
   // What was begun in flight and is meant to be finished.
   [[nodiscard]] bool finish(effects& out);
 
   // What the progress wants looked at.
   void on_news(const progress::look_at_vehicle&, instant now);
   void on_news(const progress::read_plan_back&, instant now);
-  void on_news(const progress::settle_start&, instant now);
+  void on_news(const progress::resolve_start&, instant now);
 
   [[nodiscard]] bool awaits(std::uint64_t number) const { return number == reading_back_; }
   void take_read_back(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
@@ -47,8 +47,8 @@ private:
   void find_in_flight(effects& out, const std::optional<task>& doing, instant now);
   void find_called_home(effects& out, instant now);
   void read_back(effects& out, instant now);
-  void settle_plan_id(effects& out, instant now, bool is_news);
-  void settle_start(effects& out, bool is_news);
+  void resolve_plan_id(effects& out, instant now, bool is_news);
+  void resolve_start(effects& out, bool is_news);
   // Where the vehicle may be, when nobody else has touched it since.
   [[nodiscard]] std::vector<std::uint32_t> left_in(const std::optional<task>& doing) const;
   void begin_at_start(effects& out);

@@ -10,7 +10,7 @@ namespace godwit::executor {
 using flight::mode_kind;
 
 void task_control::answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason) {
-  out.emplace_back(note{start_settled{{key, verdict, reason}}});
+  out.emplace_back(note{start_resolved{{key, verdict, reason}}});
 }
 
 // -- the beginning ----------------------------------------------------------------------------------
@@ -40,7 +40,7 @@ void task_control::begin_plan(effects& out, const task& doing, const mission::do
   if (assignment)
     intent.assignment = progress::assignment_key{*assignment, ids::derived_uuid(*assignment, mission.mission_id)};
   out.emplace_back(note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys}}});
-  flight_.wanted.choose_item = false;
+  flight_.wanted.set_current_item = false;
   deploying_over_ = flight_.s.progress.last_generation;
   deploys_behind_end_ = flight_.is_plan_finished();
   flight_.runner.begin(doing, deploy_steps(flight_, what.map, doing.goes_on), std::move(intent));
@@ -178,7 +178,7 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
   case task_kind::hold:
   case task_kind::come_home:
     warn("not obeyed: ");
-    if (flight_.s.standing.now != phase::paused)
+    if (flight_.s.status.now != phase::paused)
       phases_.go(out, trigger::not_obeyed, "the vehicle has not obeyed: " + why);
     return;
   case task_kind::come_home_by_plan:

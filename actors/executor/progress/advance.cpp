@@ -13,25 +13,25 @@ using mission::progress_kind;
 
 bool is_waiting(const generation_state& g) { return g.moved_to || g.complete_upto; }
 
-// The item where the vehicle was last is not settled, and a REACHED of it may still come.
+// The item where the vehicle was last is not resolved, and a REACHED of it may still come.
 bool awaits_reached(const followed_plan& plan) {
   const auto& g = plan.generation;
   const auto position = position_at(plan.map, g.current);
-  return position && *position >= g.settled && done_sequence(plan.map.items[*position]) == g.current;
+  return position && *position >= g.resolved && done_sequence(plan.map.items[*position]) == g.current;
 }
 
-void note_settled(followed_plan& plan) { plan.ever_settled = std::max(plan.ever_settled, plan.generation.settled); }
+void note_resolved(followed_plan& plan) { plan.ever_resolved = std::max(plan.ever_resolved, plan.generation.resolved); }
 
 // The next item, as KIND. One without vehicle items is skipped whatever happens, and that is worth saying once.
-void settle_next(turn& t, progress_kind kind, bool is_inferred) {
+void resolve_next(decision_context& t, progress_kind kind, bool is_inferred) {
   auto& plan = *t.s.plan;
-  const auto& item = plan.map.items[plan.generation.settled];
+  const auto& item = plan.map.items[plan.generation.resolved];
   if (item.sequence_count > 0)
     report_item(t, kind, item, is_inferred);
-  else if (plan.generation.settled >= plan.ever_settled)
+  else if (plan.generation.resolved >= plan.ever_resolved)
     report_item(t, progress_kind::skipped, item, false);
-  ++plan.generation.settled;
-  note_settled(plan);
+  ++plan.generation.resolved;
+  note_resolved(plan);
 }
 
 // By a vehicle that begins at START. What has no vehicle items stands at its beginning, and is not behind it.
@@ -39,61 +39,61 @@ bool is_jumped_over(const mapped_item& item, std::uint16_t start) {
   return item.sequence_count == 0 ? item.first_sequence < start : is_passed(item, start);
 }
 
-void settle_passed(turn& t, std::uint16_t sequence) {
+void resolve_passed(decision_context& t, std::uint16_t sequence) {
   const auto& plan = *t.s.plan;
-  while (plan.generation.settled < plan.map.items.size() &&
-         is_passed(plan.map.items[plan.generation.settled], sequence))
-    settle_next(t, progress_kind::reached, true);
+  while (plan.generation.resolved < plan.map.items.size() &&
+         is_passed(plan.map.items[plan.generation.resolved], sequence))
+    resolve_next(t, progress_kind::reached, true);
 }
 
-void report_completion(turn& t, bool is_inferred) {
+void report_completion(decision_context& t, bool is_inferred) {
   auto& open = *t.s.mission;
   if (!t.s.plan->map.ends_mission || open.completed_revision == open.revision)
     return;
   open.completed_revision = open.revision;
   report_mission(t, progress_kind::complete, is_inferred);
-  tell(t, news_kind::mission_complete);
+  tell(t, progress_event_kind::mission_complete);
 }
 
 // What stands behind the last movement takes no time.
-void finish_if_done(turn& t, bool is_inferred) {
+void finish_if_done(decision_context& t, bool is_inferred) {
   auto& plan = *t.s.plan;
-  if (plan.generation.is_finished || plan.generation.settled < items_to_finish(plan.map))
+  if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
     return;
-  while (plan.generation.settled < plan.map.items.size())
-    settle_next(t, progress_kind::reached, true);
+  while (plan.generation.resolved < plan.map.items.size())
+    resolve_next(t, progress_kind::reached, true);
   plan.generation.is_finished = true;
-  tell(t, news_kind::plan_done);
+  tell(t, progress_event_kind::plan_done);
   report_completion(t, is_inferred);
 }
 
-void adopt_move(turn& t) {
+void adopt_move(decision_context& t) {
   auto& g = t.s.plan->generation;
   g.current = *std::exchange(g.moved_to, std::nullopt);
-  settle_passed(t, g.current);
+  resolve_passed(t, g.current);
   finish_if_done(t, true);
   begin(t);
 }
 
 // Items behind UPTO were not flown: the vehicle was told to end earlier.
-void adopt_complete(turn& t) {
+void adopt_complete(decision_context& t) {
   auto& plan = *t.s.plan;
   const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);
-  settle_passed(t, static_cast<std::uint16_t>(upto + 1));
+  resolve_passed(t, static_cast<std::uint16_t>(upto + 1));
   finish_if_done(t, true);
-  while (plan.generation.settled < plan.map.items.size())
-    settle_next(t, progress_kind::skipped, true);
+  while (plan.generation.resolved < plan.map.items.size())
+    resolve_next(t, progress_kind::skipped, true);
   finish_if_done(t, true);
 }
 
-void wait_if_new(turn& t, bool was_waiting) {
+void wait_if_new(decision_context& t, bool was_waiting) {
   if (!was_waiting)
     t.s.plan->generation.waiting_since_ns = t.now_ns;
 }
 
 } // namespace
 
-void move_on(turn& t, std::uint16_t sequence) {
+void move_on(decision_context& t, std::uint16_t sequence) {
   auto& g = t.s.plan->generation;
   if (g.moved_to)
     adopt_move(t);
@@ -106,13 +106,13 @@ void move_on(turn& t, std::uint16_t sequence) {
     adopt_move(t);
 }
 
-void arrive(turn& t, std::uint16_t sequence) {
+void arrive(decision_context& t, std::uint16_t sequence) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
-  settle_passed(t, sequence);
+  resolve_passed(t, sequence);
   const auto position = position_at(plan.map, sequence);
-  if (position && *position == g.settled && done_sequence(plan.map.items[*position]) == sequence) {
-    settle_next(t, progress_kind::reached, false);
+  if (position && *position == g.resolved && done_sequence(plan.map.items[*position]) == sequence) {
+    resolve_next(t, progress_kind::reached, false);
     finish_if_done(t, false);
   }
   if (g.moved_to)
@@ -121,7 +121,7 @@ void arrive(turn& t, std::uint16_t sequence) {
     adopt_complete(t);
 }
 
-void note_complete(turn& t, std::uint16_t sequence) {
+void note_complete(decision_context& t, std::uint16_t sequence) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
   if (g.is_finished || g.complete_upto)
@@ -138,7 +138,7 @@ void note_complete(turn& t, std::uint16_t sequence) {
     adopt_complete(t);
 }
 
-void catch_up(turn& t) {
+void catch_up(decision_context& t) {
   if (!t.s.plan)
     return;
   if (t.s.plan->generation.moved_to)
@@ -147,37 +147,38 @@ void catch_up(turn& t) {
     adopt_complete(t);
 }
 
-void begin(turn& t) {
+void begin(decision_context& t) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
   const auto position = position_at(plan.map, g.current);
   if (!g.is_active || !position)
     return;
-  settle_passed(t, g.current);
-  if (*position < g.settled || g.started_position == position || !plan.map.items[*position].first_nav_sequence)
+  resolve_passed(t, g.current);
+  if (*position < g.resolved || g.started_position == position || !plan.map.items[*position].first_nav_sequence)
     return;
   g.started_position = position;
   report_item(t, progress_kind::started, plan.map.items[*position], false);
 }
 
-void open_generation(turn& t, generation_origin origin, std::uint16_t start, const std::vector<mapped_item>& left_out) {
+void open_generation(decision_context& t, generation_origin origin, std::uint16_t start,
+                     const std::vector<mapped_item>& left_out) {
   auto& plan = *t.s.plan;
   plan.generation = {.number = ++t.s.last_generation,
                      .origin = origin,
                      .start_sequence = start,
-                     .settling_since_ns = t.now_ns,
+                     .resolving_since_ns = t.now_ns,
                      .moved_to = {},
                      .complete_upto = {},
                      .stale_reached = plan.vehicle_plan_id ? plan.last_reached : std::nullopt,
                      .started_position = {}};
   for (const auto& each : left_out)
     report_item(t, progress_kind::skipped, each, false);
-  auto& settled = plan.generation.settled;
-  for (; settled < plan.map.items.size() && is_jumped_over(plan.map.items[settled], start); ++settled)
-    if (settled >= plan.ever_settled)
-      report_item(t, progress_kind::skipped, plan.map.items[settled], false);
-  note_settled(plan);
-  tell(t, news_kind::generation_opened);
+  auto& resolved = plan.generation.resolved;
+  for (; resolved < plan.map.items.size() && is_jumped_over(plan.map.items[resolved], start); ++resolved)
+    if (resolved >= plan.ever_resolved)
+      report_item(t, progress_kind::skipped, plan.map.items[resolved], false);
+  note_resolved(plan);
+  tell(t, progress_event_kind::generation_opened);
 }
 
 } // namespace godwit::executor::progress

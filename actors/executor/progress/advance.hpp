@@ -7,36 +7,36 @@
 //   CURRENT(s + 3)                    s .. s + 2       reached, inferred, the same way
 //   state complete, and no REACHED    all up to there  reached, inferred, the same way
 //
-// Items are settled in the order of the mission, each once in a generation, so an index never goes back. What waits for
-// a REACHED is settled by the next message behind its time, and at the latest when the generation ends. Thread: one at
-// a time.
+// Items are resolved in the order of the mission, each once in a generation, so an index never goes back. What waits
+// for a REACHED is resolved by the next message behind its time, and at the latest when the generation ends. Thread:
+// one at a time.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "actors/executor/progress/turn.hpp"
+#include "actors/executor/progress/decision_context.hpp"
 
 namespace godwit::executor::progress {
 
 // The vehicle is seen at SEQUENCE, ahead of where it was.
-void move_on(turn& t, std::uint16_t sequence);
+void move_on(decision_context& t, std::uint16_t sequence);
 
 // It has reached SEQUENCE: the one where it is, or one that it has just left.
-void arrive(turn& t, std::uint16_t sequence);
+void arrive(decision_context& t, std::uint16_t sequence);
 
 // It says at SEQUENCE that the mission is complete.
-void note_complete(turn& t, std::uint16_t sequence);
+void note_complete(decision_context& t, std::uint16_t sequence);
 
 // Settles what waits for a REACHED without it.
-void catch_up(turn& t);
+void catch_up(decision_context& t);
 
 // The item where the vehicle is has started, if the vehicle flies it.
-void begin(turn& t);
+void begin(decision_context& t);
 
 // A new generation of the plan that is there, numbered next, from START on. Items in front of it that no generation of
-// this plan has settled are skipped, and so are those that the plan leaves out.
-void open_generation(turn& t, generation_origin origin, std::uint16_t start,
+// this plan has resolved are skipped, and so are those that the plan leaves out.
+void open_generation(decision_context& t, generation_origin origin, std::uint16_t start,
                      const std::vector<mapped_item>& left_out = {});
 
 } // namespace godwit::executor::progress

@@ -1,16 +1,16 @@
 #include "actors/executor/progress/core.hpp"
 
+#include "actors/executor/progress/decision_context.hpp"
 #include "actors/executor/progress/follow.hpp"
 #include "actors/executor/progress/open_mission.hpp"
 #include "actors/executor/progress/start.hpp"
-#include "actors/executor/progress/turn.hpp"
 #include "actors/executor/progress/upload.hpp"
 
 namespace godwit::executor::progress {
 
 effects apply(state& s, const event& happened, std::int64_t now_ns) {
   effects result;
-  turn t{s, result, now_ns};
+  decision_context t{s, result, now_ns};
   std::visit([&](const auto& each) { take(t, each); }, happened);
   return result;
 }
@@ -20,7 +20,7 @@ effects resume(const state& s) {
   if (s.upload)
     result.emplace_back(look_at_vehicle{});
   if (s.start)
-    result.emplace_back(settle_start{s.start->sequence});
+    result.emplace_back(resolve_start{s.start->sequence});
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace godwit::executor::progress {
 
 namespace {
 
-void answer_accepted(turn& t, const pending_upload& upload) {
+void answer_accepted(decision_context& t, const pending_upload& upload) {
   if (!upload.intent.assignment)
     return;
   t.out.emplace_back(assignment_answered{.mission_id = t.s.mission->mission_id,
@@ -31,20 +31,20 @@ std::vector<mapped_item> left_out(const state& s, const pending_upload& upload) 
     return result;
   const auto& old = *s.plan;
   const auto goes_on_at = upload.intent.map.items.front().item_index;
-  for (auto i = old.ever_settled; i < old.map.items.size() && old.map.items[i].item_index < goes_on_at; ++i)
+  for (auto i = old.ever_resolved; i < old.map.items.size() && old.map.items[i].item_index < goes_on_at; ++i)
     result.push_back(old.map.items[i]);
   return result;
 }
 
 // Nothing that is told behind a way home is progress of the mission.
-void end_mission(turn& t) {
+void end_mission(decision_context& t) {
   take(t, mission_aborted{});
   t.s.paused = pause_reason::aborted;
 }
 
 } // namespace
 
-void cut_over(turn& t, std::optional<std::uint32_t> plan_id) {
+void cut_over(decision_context& t, std::optional<std::uint32_t> plan_id) {
   GODWIT_ASSERT(t.s.upload && t.s.mission, "only a pending upload of an open mission is cut over to");
   catch_up(t);
   auto upload = *std::exchange(t.s.upload, std::nullopt);

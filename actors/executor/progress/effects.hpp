@@ -31,21 +31,21 @@ struct look_at_vehicle {
   static constexpr auto fields = io::table("executor.progress_look_at_vehicle");
 };
 
-// The plan id does not settle it: read the plan back, compare it by meaning, and tell plan_read_back.
+// The plan id does not resolve it: read the plan back, compare it by meaning, and tell plan_read_back.
 struct read_plan_back {
   static constexpr auto goes_out = runtime::effect_kind::at_once;
   static constexpr auto fields = io::table("executor.progress_read_plan_back");
 };
 
 // A command may or may not have come to the vehicle: look where it is, and tell start_ended.
-struct settle_start {
+struct resolve_start {
   static constexpr auto goes_out = runtime::effect_kind::at_once;
   std::uint16_t sequence = 0;
   static constexpr auto fields =
-      io::table("executor.progress_settle_start", io::field("sequence", &settle_start::sequence));
+      io::table("executor.progress_settle_start", io::field("sequence", &resolve_start::sequence));
 };
 
-enum class news_kind {
+enum class progress_event_kind {
   generation_opened, // a plan or a start was accepted; nothing counts yet
   armed,             // the vehicle is seen at the start: from now on it counts
   not_at_start,      // the vehicle has our plan and is elsewhere in it: nothing counts, a set-current is needed
@@ -56,29 +56,29 @@ enum class news_kind {
   vehicle_restarted  // paused: what the vehicle flew is lost
 };
 
-constexpr auto enum_names(news_kind) {
-  return io::names<news_kind>({{news_kind::generation_opened, "generation_opened"},
-                               {news_kind::armed, "armed"},
-                               {news_kind::not_at_start, "not_at_start"},
-                               {news_kind::plan_done, "plan_done"},
-                               {news_kind::mission_complete, "mission_complete"},
-                               {news_kind::upload_failed, "upload_failed"},
-                               {news_kind::foreign_plan, "foreign_plan"},
-                               {news_kind::vehicle_restarted, "vehicle_restarted"}});
+constexpr auto enum_names(progress_event_kind) {
+  return io::names<progress_event_kind>({{progress_event_kind::generation_opened, "generation_opened"},
+                                         {progress_event_kind::armed, "armed"},
+                                         {progress_event_kind::not_at_start, "not_at_start"},
+                                         {progress_event_kind::plan_done, "plan_done"},
+                                         {progress_event_kind::mission_complete, "mission_complete"},
+                                         {progress_event_kind::upload_failed, "upload_failed"},
+                                         {progress_event_kind::foreign_plan, "foreign_plan"},
+                                         {progress_event_kind::vehicle_restarted, "vehicle_restarted"}});
 }
 
-struct news {
+struct progress_event {
   static constexpr auto goes_out = runtime::effect_kind::at_once;
-  news_kind kind = news_kind::generation_opened;
+  progress_event_kind kind = progress_event_kind::generation_opened;
   std::uint32_t generation = 0;
   std::string reason; // sentence for people; empty when all is well
   static constexpr auto fields =
-      io::table("executor.progress_news", io::field("kind", &news::kind), io::field("generation", &news::generation),
-                io::field("reason", &news::reason));
+      io::table("executor.progress_news", io::field("kind", &progress_event::kind),
+                io::field("generation", &progress_event::generation), io::field("reason", &progress_event::reason));
 };
 
-using effect =
-    std::variant<mission::progress_report, assignment_answered, look_at_vehicle, read_plan_back, settle_start, news>;
+using effect = std::variant<mission::progress_report, assignment_answered, look_at_vehicle, read_plan_back,
+                            resolve_start, progress_event>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::executor::progress

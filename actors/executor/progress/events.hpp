@@ -1,6 +1,6 @@
 // All that changes the progress of a mission: what the executor decides and learns, and what the vehicle says.
 //
-// The intents are told before the vehicle is: an intent that is on the disk is what a restart has to settle. At most
+// The intents are told before the vehicle is: an intent that is on the disk is what a restart has to resolve. At most
 // one intent is under way at a time. Events from the vehicle are told as they come, late and repeated ones too. Thread:
 // plain values. Source: MISSION_CURRENT (42), MISSION_ITEM_REACHED (46), MISSION_ACK (47).
 #pragma once

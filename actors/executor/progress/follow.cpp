@@ -6,7 +6,7 @@
 #include "actors/executor/progress/advance.hpp"
 #include "actors/executor/progress/core.hpp"
 #include "actors/executor/progress/patience.hpp"
-#include "actors/executor/progress/standing.hpp"
+#include "actors/executor/progress/plan_match.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor::progress {
@@ -15,9 +15,11 @@ namespace {
 
 using io::mavlink::mission_current;
 
-bool is_settling(const turn& t) { return !is_over(t.s.plan->generation.settling_since_ns, t.now_ns, settling_ns); }
+bool is_resolving(const decision_context& t) {
+  return !is_over(t.s.plan->generation.resolving_since_ns, t.now_ns, settling_ns);
+}
 
-void hold(turn& t, const mission_current& message) {
+void hold(decision_context& t, const mission_current& message) {
   auto& held = t.s.held;
   if (std::any_of(held.begin(), held.end(), [&](const auto& each) { return io::equal(each, message); }))
     return;
@@ -34,32 +36,32 @@ bool says_complete(const mission_current& message) {
 // Where commands stand in front, a vehicle is seen behind them, but not when it may have come there otherwise: it goes
 // on in a plan with the same content, says with its old sequence that the old plan is complete, or says in a late
 // message without an id where it was in the old plan.
-bool is_at_start(const turn& t, const mission_current& message) {
+bool is_at_start(const decision_context& t, const mission_current& message) {
   const auto& plan = *t.s.plan;
   const auto& g = plan.generation;
   if (g.origin == generation_origin::same_plan)
-    return message.seq == g.start_sequence && !is_settling(t);
+    return message.seq == g.start_sequence && !is_resolving(t);
   if (message.seq == g.start_sequence)
     return true;
-  const bool may_be_older = g.origin == generation_origin::new_plan && !plan.vehicle_plan_id && is_settling(t);
+  const bool may_be_older = g.origin == generation_origin::new_plan && !plan.vehicle_plan_id && is_resolving(t);
   return is_start(plan.map, g.start_sequence, message.seq) && !says_complete(message) && !may_be_older;
 }
 
 // Armed from now on, if this is the start.
-void try_to_arm(turn& t, const mission_current& message) {
+void try_to_arm(decision_context& t, const mission_current& message) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
   if (is_at_start(t, message)) {
-    if (!is_settling(t))
-      g.settling_since_ns = t.now_ns; // it has just come there from elsewhere
+    if (!is_resolving(t))
+      g.resolving_since_ns = t.now_ns; // it has just come there from elsewhere
     g.is_armed = true;
     g.current = message.seq;
     if (!plan.vehicle_plan_id && message.mission_id != 0)
       plan.vehicle_plan_id = message.mission_id;
-    tell(t, news_kind::armed);
-  } else if (!g.is_not_at_start_told && !is_settling(t) && !t.s.start && has_sequence(plan.map, message.seq)) {
+    tell(t, progress_event_kind::armed);
+  } else if (!g.is_not_at_start_told && !is_resolving(t) && !t.s.start && has_sequence(plan.map, message.seq)) {
     g.is_not_at_start_told = true;
-    tell(t, news_kind::not_at_start,
+    tell(t, progress_event_kind::not_at_start,
          "the vehicle is at item " + std::to_string(message.seq) + " of the plan and not at its start, item " +
              std::to_string(g.start_sequence));
   }
@@ -72,9 +74,9 @@ void note_mission_state(generation_state& g, const mission_current& message) {
   g.was_active = g.was_active || g.is_active;
 }
 
-// While it settles: whether it is seen at its start, or nearer to it than it was when it was armed, which was by the
+// While it resolves: whether it is seen at its start, or nearer to it than it was when it was armed, which was by the
 // sequence of the plan before then.
-bool is_still_at_start(turn& t, const mission_current& message) {
+bool is_still_at_start(decision_context& t, const mission_current& message) {
   auto& g = t.s.plan->generation;
   if (!is_start(t.s.plan->map, g.start_sequence, message.seq) || message.seq > g.current)
     return false;
@@ -83,37 +85,37 @@ bool is_still_at_start(turn& t, const mission_current& message) {
   return message.seq == g.current;
 }
 
-void follow_armed(turn& t, const mission_current& message) {
+void follow_armed(decision_context& t, const mission_current& message) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
   const bool is_in_plan = has_sequence(plan.map, message.seq);
-  if (is_settling(t) && !is_still_at_start(t, message))
+  if (is_resolving(t) && !is_still_at_start(t, message))
     return;
   note_mission_state(g, message);
   if (is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
     catch_up(t);
   if (is_in_plan && message.seq > g.moved_to.value_or(g.current))
     move_on(t, message.seq);
-  if (g.was_active && !is_settling(t) && g.is_complete)
+  if (g.was_active && !is_resolving(t) && g.is_complete)
     note_complete(t, message.seq);
   if (!g.moved_to)
     begin(t);
 }
 
 // Whose plan the vehicle holds.
-standing look_for_foreign(turn& t, const mission_current& message) {
-  const auto whose = standing_of(message, *t.s.plan);
-  if (whose == standing::other && !is_settling(t))
+plan_match look_for_foreign(decision_context& t, const mission_current& message) {
+  const auto whose = match_of(message, *t.s.plan);
+  if (whose == plan_match::other && !is_resolving(t))
     pause(t, pause_reason::foreign_plan);
   return whose;
 }
 
-void follow(turn& t, const mission_current& message) {
+void follow(decision_context& t, const mission_current& message) {
   if (!t.s.plan || t.s.paused)
     return;
   const auto& plan = *t.s.plan;
   const auto whose = look_for_foreign(t, message);
-  if (whose != standing::ours || message.seq >= end_sequence(plan.map))
+  if (whose != plan_match::ours || message.seq >= end_sequence(plan.map))
     return;
   if (!plan.generation.is_armed)
     try_to_arm(t, message);
@@ -122,13 +124,13 @@ void follow(turn& t, const mission_current& message) {
 }
 
 // Just after a new plan came it may be of the one before.
-void note_reached(turn& t, std::uint16_t sequence) {
+void note_reached(decision_context& t, std::uint16_t sequence) {
   if (!t.s.plan)
     return;
   auto& g = t.s.plan->generation;
-  if (g.origin != generation_origin::new_plan || !is_settling(t))
+  if (g.origin != generation_origin::new_plan || !is_resolving(t))
     t.s.plan->last_reached = sequence;
-  if (g.stale_reached != sequence && !is_settling(t))
+  if (g.stale_reached != sequence && !is_resolving(t))
     g.stale_reached.reset();
 }
 
@@ -137,19 +139,19 @@ bool may_be_older(const generation_state& g, std::uint16_t sequence) {
   return sequence == g.stale_reached || (g.origin != generation_origin::new_plan && g.is_complete && !g.was_active);
 }
 
-bool counts(const turn& t, std::uint16_t sequence) {
-  if (!t.s.plan || t.s.paused || !t.s.plan->generation.is_armed || is_settling(t))
+bool counts(const decision_context& t, std::uint16_t sequence) {
+  if (!t.s.plan || t.s.paused || !t.s.plan->generation.is_armed || is_resolving(t))
     return false;
   const auto& g = t.s.plan->generation;
   return !may_be_older(g, sequence) && sequence >= g.current && sequence <= g.moved_to.value_or(g.current);
 }
 
-void arrive_if_it_counts(turn& t, std::uint16_t sequence) {
+void arrive_if_it_counts(decision_context& t, std::uint16_t sequence) {
   if (counts(t, sequence))
     arrive(t, sequence);
 }
 
-void follow_during_upload(turn& t, const mission_current& message) {
+void follow_during_upload(decision_context& t, const mission_current& message) {
   if (may_be_uploaded(message, *t.s.upload)) {
     t.s.upload->unconfirmed_reached.reset();
     hold(t, message);
@@ -163,14 +165,14 @@ void follow_during_upload(turn& t, const mission_current& message) {
 }
 
 // What may be seen of a start before its answer comes: all but what can only be the progress before it.
-bool may_be_started(const turn& t, const mission_current& message) {
+bool may_be_started(const decision_context& t, const mission_current& message) {
   return t.s.start && t.s.plan && (!t.s.plan->generation.is_armed || message.seq >= t.s.start->sequence);
 }
 
 } // namespace
 
 // A vehicle that stands begins nothing: what it says then counts for a plan that it has flown.
-void take(turn& t, const current_told& what) {
+void take(decision_context& t, const current_told& what) {
   const bool has_begun = t.s.plan && t.s.plan->generation.is_armed;
   if (!what.is_ours || (what.is_disarmed && !has_begun)) {
     if (t.s.plan && !t.s.paused && !t.s.upload && !t.s.start)
@@ -183,7 +185,7 @@ void take(turn& t, const current_told& what) {
     follow(t, what.message);
 }
 
-void take(turn& t, const reached_told& what) {
+void take(decision_context& t, const reached_told& what) {
   note_reached(t, what.sequence);
   if (t.s.start && !t.s.held.empty() && what.sequence >= t.s.start->sequence)
     return; // the vehicle seems to have begun there already
@@ -194,14 +196,14 @@ void take(turn& t, const reached_told& what) {
     t.s.upload->unconfirmed_reached = what.sequence;
 }
 
-void take(turn& t, const came_down&) {
+void take(decision_context& t, const came_down&) {
   if (!is_at_last_movement(t.s) || t.s.upload || t.s.start)
     return;
   note_complete(t, static_cast<std::uint16_t>(end_sequence(t.s.plan->map) - 1));
   catch_up(t);
 }
 
-void take(turn& t, const vehicle_rebooted&) {
+void take(decision_context& t, const vehicle_rebooted&) {
   t.s.held.clear();
   if (t.s.upload)
     t.s.upload->unconfirmed_reached.reset();
@@ -211,20 +213,21 @@ void take(turn& t, const vehicle_rebooted&) {
     pause(t, pause_reason::vehicle_restarted);
 }
 
-void release_held(turn& t) {
+void release_held(decision_context& t) {
   for (const auto& each : std::exchange(t.s.held, {}))
     follow(t, each);
 }
 
-void pause(turn& t, pause_reason why) {
+void pause(decision_context& t, pause_reason why) {
   catch_up(t);
   if (t.s.plan)
     t.s.plan->generation.is_armed = false;
   t.s.paused = why;
   if (why == pause_reason::foreign_plan)
-    tell(t, news_kind::foreign_plan, "the vehicle holds a plan that was not uploaded by this computer");
+    tell(t, progress_event_kind::foreign_plan, "the vehicle holds a plan that was not uploaded by this computer");
   else if (why == pause_reason::vehicle_restarted)
-    tell(t, news_kind::vehicle_restarted, "the autopilot has started again: the mission has to be started anew");
+    tell(t, progress_event_kind::vehicle_restarted,
+         "the autopilot has started again: the mission has to be started anew");
 }
 
 } // namespace godwit::executor::progress

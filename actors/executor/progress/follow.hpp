@@ -15,24 +15,24 @@
 // next MISSION_CURRENT tells of that plan.
 //
 // While an upload is under way, a vehicle with plan ids goes on with the old plan: MISSION_CURRENT with another id is
-// held until the upload is settled, and a REACHED waits until the old id is seen again. A vehicle without them is held
+// held until the upload is resolved, and a REACHED waits until the old id is seen again. A vehicle without them is held
 // in place: its MISSION_CURRENT means nothing then, a REACHED is of what it flew before. While a start is under way,
 // MISSION_CURRENT that may come of it is held, and a REACHED behind it counts nothing. Thread: one at a time.
 #pragma once
 
-#include "actors/executor/progress/turn.hpp"
+#include "actors/executor/progress/decision_context.hpp"
 
 namespace godwit::executor::progress {
 
-void take(turn& t, const current_told& what);
-void take(turn& t, const reached_told& what);
-void take(turn& t, const came_down& what);
-void take(turn& t, const vehicle_rebooted& what);
+void take(decision_context& t, const current_told& what);
+void take(decision_context& t, const reached_told& what);
+void take(decision_context& t, const came_down& what);
+void take(decision_context& t, const vehicle_rebooted& what);
 
 // No intent is under way any more: what was held is looked at.
-void release_held(turn& t);
+void release_held(decision_context& t);
 
 // Nothing counts until the next generation.
-void pause(turn& t, pause_reason why);
+void pause(decision_context& t, pause_reason why);
 
 } // namespace godwit::executor::progress

@@ -30,7 +30,7 @@ mission_record take_out(state& s, const mission_opened& what) {
 
 } // namespace
 
-void take(turn& t, const mission_opened& what) {
+void take(decision_context& t, const mission_opened& what) {
   GODWIT_ASSERT(!t.s.upload && !t.s.start, "a mission is opened when no intent is under way");
   if (t.s.mission && t.s.mission->mission_id == what.mission_id)
     return;
@@ -43,7 +43,7 @@ void take(turn& t, const mission_opened& what) {
   t.s.paused.reset();
 }
 
-void take(turn& t, const mission_aborted&) {
+void take(decision_context& t, const mission_aborted&) {
   catch_up(t);
   if (!t.s.mission || t.s.paused == pause_reason::aborted || t.s.mission->completed_revision == t.s.mission->revision)
     return;

@@ -2,13 +2,13 @@
 // numbers when it is opened again. Thread: one at a time.
 #pragma once
 
-#include "actors/executor/progress/turn.hpp"
+#include "actors/executor/progress/decision_context.hpp"
 
 namespace godwit::executor::progress {
 
-void take(turn& t, const mission_opened& what);
+void take(decision_context& t, const mission_opened& what);
 
 // Reported once until the mission is started anew, and not at all when it is complete.
-void take(turn& t, const mission_aborted& what);
+void take(decision_context& t, const mission_aborted& what);
 
 } // namespace godwit::executor::progress

@@ -8,14 +8,14 @@
 
 namespace godwit::executor::progress {
 
-void take(turn& t, const start_intended& what) {
+void take(decision_context& t, const start_intended& what) {
   GODWIT_ASSERT(t.s.plan && has_sequence(t.s.plan->map, what.sequence), "a start is at an item of the plan");
   GODWIT_ASSERT(!t.s.upload && !t.s.start, "one intent at a time");
   t.s.held.clear();
   t.s.start = what;
 }
 
-void take(turn& t, const start_ended& what) {
+void take(decision_context& t, const start_ended& what) {
   if (!t.s.start)
     return;
   const auto start = *std::exchange(t.s.start, std::nullopt);

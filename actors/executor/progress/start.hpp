@@ -3,11 +3,11 @@
 // foreign plan does not become ours by it. Thread: one at a time.
 #pragma once
 
-#include "actors/executor/progress/turn.hpp"
+#include "actors/executor/progress/decision_context.hpp"
 
 namespace godwit::executor::progress {
 
-void take(turn& t, const start_intended& what);
-void take(turn& t, const start_ended& what);
+void take(decision_context& t, const start_intended& what);
+void take(decision_context& t, const start_ended& what);
 
 } // namespace godwit::executor::progress

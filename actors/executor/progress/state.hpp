@@ -59,7 +59,7 @@ struct generation_state {
   std::uint32_t number = 0;
   generation_origin origin = generation_origin::new_plan;
   std::uint16_t start_sequence = 0;
-  std::int64_t settling_since_ns = 0; // its opening, or when it was armed if that came later than settling_ns
+  std::int64_t resolving_since_ns = 0; // its opening, or when it was armed if that came later than settling_ns
   bool is_armed = false;
   bool is_active = false;            // the vehicle said last that it flies it
   bool is_complete = false;          // the vehicle said last that it has completed the mission
@@ -75,12 +75,12 @@ struct generation_state {
   // A vehicle with plan ids (PX4) repeats the last MISSION_ITEM_REACHED, and goes on with that behind a start which
   // changes nothing for it: this one is no news until another one was told.
   std::optional<std::uint16_t> stale_reached;
-  std::uint32_t settled = 0;                     // so many items from the front are done or skipped
+  std::uint32_t resolved = 0;                    // so many items from the front are done or skipped
   std::optional<std::uint32_t> started_position; // the last item that was reported as started
   static constexpr auto fields = io::table(
       "executor.progress_generation_state", io::field("number", &generation_state::number),
       io::field("start_sequence", &generation_state::start_sequence), io::field("origin", &generation_state::origin),
-      io::field("settling_since_ns", &generation_state::settling_since_ns),
+      io::field("settling_since_ns", &generation_state::resolving_since_ns),
       io::field("is_armed", &generation_state::is_armed), io::field("is_active", &generation_state::is_active),
       io::field("is_complete", &generation_state::is_complete), io::field("was_active", &generation_state::was_active),
       io::field("is_finished", &generation_state::is_finished),
@@ -88,7 +88,7 @@ struct generation_state {
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
       io::field("complete_upto", &generation_state::complete_upto),
       io::field("waiting_since_ns", &generation_state::waiting_since_ns),
-      io::field("stale_reached", &generation_state::stale_reached), io::field("settled", &generation_state::settled),
+      io::field("stale_reached", &generation_state::stale_reached), io::field("settled", &generation_state::resolved),
       io::field("started_position", &generation_state::started_position));
 };
 
@@ -97,19 +97,19 @@ struct followed_plan {
   std::optional<std::uint32_t> vehicle_plan_id; // absent: the vehicle keeps none, or has not told it yet
   std::optional<std::uint32_t> id_before;       // of the plan that was replaced
   std::optional<std::uint16_t> last_reached;    // as told last, whether it counted or not
-  std::uint32_t ever_settled = 0;               // the most that any generation of this plan has settled
+  std::uint32_t ever_resolved = 0;              // the most that any generation of this plan has resolved
   generation_state generation;
   static constexpr auto fields = io::table(
       "executor.progress_followed_plan", io::field("map", &followed_plan::map),
       io::field("vehicle_plan_id", &followed_plan::vehicle_plan_id), io::field("id_before", &followed_plan::id_before),
-      io::field("last_reached", &followed_plan::last_reached), io::field("ever_settled", &followed_plan::ever_settled),
+      io::field("last_reached", &followed_plan::last_reached), io::field("ever_settled", &followed_plan::ever_resolved),
       io::field("generation", &followed_plan::generation));
 };
 
 struct pending_upload {
   std::uint32_t generation = 0; // the one that it will open
   upload_intended intent;
-  std::optional<std::uint32_t> id_seen; // by the look that was to settle it
+  std::optional<std::uint32_t> id_seen; // by the look that was to resolve it
   // REACHED does not say of which plan. It counts when the next MISSION_CURRENT still has the old id.
   std::optional<std::uint16_t> unconfirmed_reached;
   static constexpr auto fields =
@@ -136,7 +136,7 @@ struct state {
   std::optional<followed_plan> plan;
   std::optional<pending_upload> upload;
   std::optional<start_intended> start;
-  // MISSION_CURRENT that may be of the plan or start under way, and is looked at when that is settled. None twice.
+  // MISSION_CURRENT that may be of the plan or start under way, and is looked at when that is resolved. None twice.
   std::vector<io::mavlink::mission_current> held;
   std::uint64_t dropped_held = 0; // for which there was no room
   std::optional<pause_reason> paused;

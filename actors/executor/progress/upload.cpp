@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* another_plan = "the vehicle holds another plan";
 
-void answer_rejected(turn& t, const assignment_key& key, const std::string& reason) {
+void answer_rejected(decision_context& t, const assignment_key& key, const std::string& reason) {
   t.out.emplace_back(assignment_answered{.mission_id = t.s.mission->mission_id,
                                          .assignment_id = key.assignment_id,
                                          .response = {.idempotency_key = key.idempotency_key,
@@ -24,17 +24,17 @@ void answer_rejected(turn& t, const assignment_key& key, const std::string& reas
 
 // The vehicle has never left the old plan, so what it said meanwhile was of that one; a MISSION_CURRENT with another id
 // comes again if it is true.
-void fail(turn& t, const std::string& reason) {
+void fail(decision_context& t, const std::string& reason) {
   const auto upload = *std::exchange(t.s.upload, std::nullopt);
   t.s.held.clear();
   if (upload.unconfirmed_reached)
     take(t, reached_told{*upload.unconfirmed_reached});
   if (upload.intent.assignment)
     answer_rejected(t, *upload.intent.assignment, reason);
-  tell(t, news_kind::upload_failed, reason);
+  tell(t, progress_event_kind::upload_failed, reason);
 }
 
-void fail_with_other(turn& t, const std::string& reason) {
+void fail_with_other(decision_context& t, const std::string& reason) {
   t.s.upload->unconfirmed_reached.reset();
   fail(t, reason);
   pause(t, pause_reason::foreign_plan);
@@ -49,7 +49,7 @@ bool is_surely_unchanged(const state& s) {
 
 } // namespace
 
-void take(turn& t, const upload_intended& what) {
+void take(decision_context& t, const upload_intended& what) {
   GODWIT_ASSERT(t.s.mission, "a plan is uploaded for an open mission");
   GODWIT_ASSERT(!t.s.upload && !t.s.start, "one intent at a time");
   GODWIT_ASSERT(is_sound(what.map), "a plan that is uploaded has a sound map");
@@ -60,7 +60,7 @@ void take(turn& t, const upload_intended& what) {
     t.s.upload->intent.id_before.reset();
 }
 
-void take(turn& t, const upload_ended& what) {
+void take(decision_context& t, const upload_ended& what) {
   if (!t.s.upload)
     return;
   switch (what.verdict) {
@@ -75,7 +75,7 @@ void take(turn& t, const upload_ended& what) {
   }
 }
 
-void take(turn& t, const vehicle_looked_at& what) {
+void take(decision_context& t, const vehicle_looked_at& what) {
   if (!t.s.upload)
     return;
   t.s.upload->id_seen = what.plan_id == 0U ? std::nullopt : what.plan_id;
@@ -85,7 +85,7 @@ void take(turn& t, const vehicle_looked_at& what) {
     t.out.emplace_back(read_plan_back{});
 }
 
-void take(turn& t, const plan_read_back& what) {
+void take(decision_context& t, const plan_read_back& what) {
   if (!t.s.upload)
     return;
   switch (what.match) {

@@ -10,19 +10,19 @@
 //                                                                │               │
 //                              foreign plan: paused <── other ───┴───────────────┘
 //
-// A plan with the same content has the same id, so that the old id does not settle it unless the new plan is of another
-// length: while the vehicle holds the plan, nobody is told that the upload failed.
-// Failed: the plan before stays in force, and an assignment is rejected. An answer to a question that is settled, or
-// was never asked, changes nothing. Thread: one at a time.
+// A plan with the same content has the same id, so that the old id does not resolve it unless the new plan is of
+// another length: while the vehicle holds the plan, nobody is told that the upload failed. Failed: the plan before
+// stays in force, and an assignment is rejected. An answer to a question that is resolved, or was never asked, changes
+// nothing. Thread: one at a time.
 #pragma once
 
-#include "actors/executor/progress/turn.hpp"
+#include "actors/executor/progress/decision_context.hpp"
 
 namespace godwit::executor::progress {
 
-void take(turn& t, const upload_intended& what);
-void take(turn& t, const upload_ended& what);
-void take(turn& t, const vehicle_looked_at& what);
-void take(turn& t, const plan_read_back& what);
+void take(decision_context& t, const upload_intended& what);
+void take(decision_context& t, const upload_ended& what);
+void take(decision_context& t, const vehicle_looked_at& what);
+void take(decision_context& t, const plan_read_back& what);
 
 } // namespace godwit::executor::progress

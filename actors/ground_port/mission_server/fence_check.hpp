@@ -6,20 +6,20 @@
 
 #include <cstdint>
 
-#include "actors/ground_port/mission_server/habits.hpp"
+#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 
 namespace godwit::ground_port::mission_server {
 
 class fence_check {
 public:
   // Of COUNT items.
-  fence_check(const fence_habits& vehicle, int count) : vehicle_(vehicle), items_left_(count) {}
+  fence_check(const fence_quirks& vehicle, int count) : vehicle_(vehicle), items_left_(count) {}
 
   // The next item. False: the fence is none, because of it.
   [[nodiscard]] bool takes(const mavlink::mission_item_int& item);
 
 private:
-  fence_habits vehicle_;
+  fence_quirks vehicle_;
   int items_left_;
   int vertices_left_ = 0; // of the polygon that has begun
   std::uint16_t command_ = 0;

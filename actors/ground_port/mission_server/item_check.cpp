@@ -18,7 +18,7 @@ constexpr std::int32_t max_longitude = 1'800'000'000;
 
 } // namespace
 
-mav_mission_result check_item(const mavlink::mission_item_int& item, const habits& vehicle) {
+mav_mission_result check_item(const mavlink::mission_item_int& item, const autopilot_quirks& vehicle) {
   const auto place = place_of(item.command, static_cast<mav_mission_type>(item.mission_type));
   if (!place)
     return mav_mission_result::unsupported;

@@ -10,7 +10,7 @@ using mavlink::mav_mission_type;
 using mavlink::number;
 using mavlink::sender;
 
-server::server(const habits& vehicle, sender ourselves)
+server::server(const autopilot_quirks& vehicle, sender ourselves)
     : vehicle_(vehicle), ourselves_(ourselves), inbox_(vehicle.turn_ns), store_(vehicle) {}
 
 reaction server::on(sender from, const incoming& what, std::int64_t now_ns) {

@@ -7,9 +7,9 @@
 //    └─ REQUEST_LIST ──> giving ──> idle
 //
 // One station at a time: to others it is busy. It asks for each item, asks again when nothing comes, and gives up when
-// the station is silent. What autopilots do otherwise, or where the MAVLink text leaves the choice, is `habits`. COUNT
+// the station is silent. What autopilots do otherwise, or where the MAVLink text leaves the choice, is `autopilot_quirks`. COUNT
 // 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are refused, and an upload is not. Bounds:
-// items of a plan (habits::capacity), messages that wait for their turn (max_waiting_messages). After 10 s in which
+// items of a plan (autopilot_quirks::capacity), messages that wait for their turn (max_waiting_messages). After 10 s in which
 // nothing came in it is idle. Pure: time comes in; call on_time no later than next_deadline_ns. Thread: one at a time.
 // Source: MAVLink mission protocol.
 #pragma once
@@ -19,8 +19,8 @@
 #include <variant>
 #include <vector>
 
+#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 #include "actors/ground_port/mission_server/fence_check.hpp"
-#include "actors/ground_port/mission_server/habits.hpp"
 #include "actors/ground_port/mission_server/inbox.hpp"
 #include "actors/ground_port/mission_server/plan_store.hpp"
 #include "actors/ground_port/mission_server/reaction.hpp"
@@ -29,7 +29,7 @@ namespace godwit::ground_port::mission_server {
 
 class server {
 public:
-  server(const habits& vehicle, mavlink::sender ourselves);
+  server(const autopilot_quirks& vehicle, mavlink::sender ourselves);
 
   [[nodiscard]] reaction on(mavlink::sender from, const incoming& what, std::int64_t now_ns);
   [[nodiscard]] reaction on_time(std::int64_t now_ns);
@@ -136,7 +136,7 @@ private:
     return is_giving() && vehicle_.when_read == while_read::everybody_waits;
   }
 
-  habits vehicle_;
+  autopilot_quirks vehicle_;
   mavlink::sender ourselves_;
   inbox inbox_;
   plan_store store_;

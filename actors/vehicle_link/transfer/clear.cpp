@@ -148,7 +148,7 @@ void clear::finish(step& out, outcome what, std::int64_t now_ns) const {
 outcome clear::failed(verdict how, std::string reason) const {
   outcome result;
   result.verdict = how;
-  result.phase = reader_ ? phase::settling : phase::clearing;
+  result.phase = reader_ ? phase::resolving : phase::clearing;
   result.reason = std::move(reason);
   return result;
 }

@@ -1,10 +1,10 @@
 // Takes the plan from the vehicle, and looks whether it is gone.
 //
 //                      ACK accepted
-//   start ──> clearing ───────────> settling ──no items──> accepted
+//   start ──> clearing ───────────> resolving ──no items──> accepted
 //                │ ^                   └─items left─┐
 //                │ └────────────────────────────────┘ once more, at most max_clear_attempts
-//                └──> refused, timed_out (from settling too), cancelled
+//                └──> refused, timed_out (from resolving too), cancelled
 //
 // The ACK carries nothing to tell it from a late one of another transfer, so it is not believed alone: the vehicle is
 // asked how many items it holds. ArduPilot may count its home. A refusal is believed when nothing else follows it for a
@@ -52,7 +52,7 @@ private:
   parties who_;
   peer_profile peer_;
   round_trip& line_;
-  std::optional<plan_reader> reader_; // while settling
+  std::optional<plan_reader> reader_; // while resolving
   std::int64_t started_ns_ = 0;
   std::int64_t attempted_ns_ = 0;
   std::int64_t asked_ns_ = 0;

@@ -135,7 +135,7 @@ void upload::on_ack(step& out, const mavlink::mission_ack& m, std::int64_t now_n
   else if (phase_ == phase::sending)
     on_ack_sending(out, m, now_ns);
   else
-    on_ack_settling(out, m, now_ns);
+    on_ack_resolving(out, m, now_ns);
 }
 
 void upload::on_ack_announcing(step& out, const mavlink::mission_ack& m, std::int64_t now_ns) {
@@ -181,10 +181,10 @@ void upload::on_ack_sending(step& out, const mavlink::mission_ack& m, std::int64
       accept(out, proof::acknowledged, m.opaque_id, now_ns);
     } else {
       acknowledged_id_ = m.opaque_id;
-      settle(out, plan_reader::depth::count, now_ns);
+      resolve(out, plan_reader::depth::count, now_ns);
     }
     return;
-  case mav_mission_result::denied: // an attempt to settle it, a while ago
+  case mav_mission_result::denied: // an attempt to resolve it, a while ago
     ++effort_.warnings;
     return;
   case mav_mission_result::invalid_sequence:
@@ -210,10 +210,10 @@ void upload::on_error_sending(step& out, std::int64_t now_ns) {
   ++errors_;
   ++effort_.warnings;
   if (flow_.is_all_sent() && flow_.silences() > 0)
-    settle(out, plan_reader::depth::items, now_ns);
+    resolve(out, plan_reader::depth::items, now_ns);
 }
 
-void upload::on_ack_settling(step& out, const mavlink::mission_ack& m, std::int64_t now_ns) {
+void upload::on_ack_resolving(step& out, const mavlink::mission_ack& m, std::int64_t now_ns) {
   if (decided_) {
     reader_->on_ack(m);
   } else if (is(m.type, mav_mission_result::accepted)) {
@@ -231,8 +231,8 @@ void upload::on_ack_settling(step& out, const mavlink::mission_ack& m, std::int6
   }
 }
 
-void upload::settle(step& out, plan_reader::depth how, std::int64_t now_ns) {
-  phase_ = phase::settling;
+void upload::resolve(step& out, plan_reader::depth how, std::int64_t now_ns) {
+  phase_ = phase::resolving;
   depth_ = how;
   reader_.emplace(how, who_, peer_, line_);
   reader_->start(out, now_ns);
@@ -350,8 +350,8 @@ void upload::on_time(step& out, std::int64_t now_ns) {
     const bool is_over = errors_ > 0 && flow_.silences() >= silences_after_error;
     if (is_over && !flow_.is_all_sent())
       restart_or(out, refused(number(mav_mission_result::error)), now_ns);
-    else if (flow_.is_all_sent() && flow_.silences() >= silences_before_settling)
-      settle(out, plan_reader::depth::items, now_ns);
+    else if (flow_.is_all_sent() && flow_.silences() >= silences_before_resolving)
+      resolve(out, plan_reader::depth::items, now_ns);
     else
       send_items(out, now_ns);
   }
@@ -400,7 +400,7 @@ void upload::refuse(step& out, std::uint8_t result, std::int64_t now_ns) {
   }
   // The vehicle replaces item by item: look how much is there now.
   decided_ = std::move(what);
-  settle(out, plan_reader::depth::count, now_ns);
+  resolve(out, plan_reader::depth::count, now_ns);
 }
 
 void upload::finish(step& out, outcome what, std::int64_t now_ns) const {

@@ -3,8 +3,8 @@
 //                       request(0)                    ACK accepted, first and last item asked for
 //   start ──> announcing ────────> sending ─────────────────────────────────────────────────> accepted
 //               │  ^                │   ^ │                                                      ^
-//               │  └────restart─────┘   │ └─ACK accepted, last request not seen ──> settling ────┤ counts
-//               │  ^                    │ └─last item sent again: no clear answer ─> settling ───┘ reads back
+//               │  └────restart─────┘   │ └─ACK accepted, last request not seen ──> resolving ────┤ counts
+//               │  ^                    │ └─last item sent again: no clear answer ─> resolving ───┘ reads back
 //               │  │                    └──────── the vehicle still asks ────────────┘ │
 //               │  └──────────────────────────── it holds another plan ────────────────┘
 //               └──> refused, timed_out (from any state), vehicle_holds_other
@@ -19,7 +19,7 @@
 //   accepted           before all was sent: a late one of an earlier transfer, ignored
 //   invalid_sequence   counted; the wanted item may be lost
 //   error              counted: it may be for something that came late or twice. When there is no progress after it,
-//                      the vehicle is not in a transfer any more: settle when all was sent, else restart
+//                      the vehicle is not in a transfer any more: resolve when all was sent, else restart
 //   cancelled          the vehicle has given up: restart
 //   any other          a refusal. It is believed when no request follows for a round trip, for it may be late as well
 //
@@ -48,7 +48,7 @@ namespace godwit::vehicle_link::transfer {
 inline constexpr int max_restarts = 3;
 
 // All has been sent, and so many times there was no answer: the vehicle is asked what it holds.
-inline constexpr int silences_before_settling = 3;
+inline constexpr int silences_before_resolving = 3;
 
 // A vehicle that answers without ever getting further is left after so many times its patience.
 inline constexpr int patience_without_progress = 3;
@@ -80,7 +80,7 @@ private:
   void announce(step& out, std::int64_t now_ns);
   void send_items(step& out, std::int64_t now_ns);
   void restart_or(step& out, outcome otherwise, std::int64_t now_ns);
-  void settle(step& out, plan_reader::depth how, std::int64_t now_ns);
+  void resolve(step& out, plan_reader::depth how, std::int64_t now_ns);
   void resume_sending(step& out, std::int64_t now_ns);
   void look_at_reader(step& out, std::int64_t now_ns);
   void compare_with_held(step& out, std::int64_t now_ns);
@@ -89,7 +89,7 @@ private:
   void on_request_sending(step& out, int item, std::int64_t now_ns);
   void on_ack_announcing(step& out, const mavlink::mission_ack& m, std::int64_t now_ns);
   void on_ack_sending(step& out, const mavlink::mission_ack& m, std::int64_t now_ns);
-  void on_ack_settling(step& out, const mavlink::mission_ack& m, std::int64_t now_ns);
+  void on_ack_resolving(step& out, const mavlink::mission_ack& m, std::int64_t now_ns);
   void on_busy(step& out, std::uint8_t result);
   void send_cancel(step& out) const;
   void on_error_sending(step& out, std::int64_t now_ns);
@@ -129,10 +129,10 @@ private:
   bool has_begun_ = false;                   // the vehicle has asked for item 0, in some attempt
   bool was_complete_before_ = false;         // all was sent in an earlier attempt
   int done_ = 0;                             // as told to people
-  std::optional<plan_reader> reader_;        // while settling
+  std::optional<plan_reader> reader_;        // while resolving
   plan_reader::depth depth_{};               // of it
   std::optional<std::uint32_t> old_plan_id_; // as told while the vehicle took our plan, in this attempt
-  std::uint32_t acknowledged_id_ = 0;        // by the ACK that is being settled
+  std::uint32_t acknowledged_id_ = 0;        // by the ACK that is being resolved
   std::optional<outcome> decided_;           // only what the vehicle holds is still asked
   effort effort_;
 };

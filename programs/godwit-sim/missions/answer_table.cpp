@@ -10,10 +10,10 @@ namespace godwit::sim::missions {
 
 using io::sqlite::statement;
 
-std::string digest_of(std::string_view verb, std::string_view path, std::string_view body) {
+std::string digest_of(std::string_view method, std::string_view path, std::string_view body) {
   std::string all;
-  all.reserve(verb.size() + path.size() + body.size() + 2);
-  all.append(verb).append(" ").append(path).append("\n").append(body);
+  all.reserve(method.size() + path.size() + body.size() + 2);
+  all.append(method).append(" ").append(path).append("\n").append(body);
   std::array<unsigned char, EVP_MAX_MD_SIZE> hash{};
   unsigned size = 0;
   const bool is_made = ::EVP_Digest(all.data(), all.size(), hash.data(), &size, ::EVP_sha256(), nullptr) == 1;

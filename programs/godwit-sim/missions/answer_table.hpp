@@ -21,7 +21,7 @@ struct kept_answer {
 };
 
 // Of all that makes a request the same: SHA-256 in hexadecimal digits.
-[[nodiscard]] std::string digest_of(std::string_view verb, std::string_view path, std::string_view body);
+[[nodiscard]] std::string digest_of(std::string_view method, std::string_view path, std::string_view body);
 
 [[nodiscard]] std::optional<kept_answer> find_answer(service_file& file, const std::string& key);
 void count_replay(service_file& file, const std::string& key);

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actors/domain/mission/read.hpp"
-#include "programs/godwit-sim/missions/assignment_wish.hpp"
+#include "programs/godwit-sim/missions/assignment_request.hpp"
 #include "programs/godwit-sim/missions/text_file.hpp"
 #include "programs/godwit-sim/text_forms.hpp"
 
@@ -60,16 +60,16 @@ tl::expected<std::string, std::string> assignment_text(const json& request, cons
 }
 
 json assign(running_service& service, const json& request, const std::string& file) {
-  const auto wish = assignment_text(request, file).and_then(parse_assignment_wish);
-  if (!wish)
-    return failure(wish.error());
+  const auto wanted = assignment_text(request, file).and_then(parse_assignment_request);
+  if (!wanted)
+    return failure(wanted.error());
   const auto named = request.find("mission");
   const auto mission_id = named != request.end() && named->is_string()
                               ? tl::expected<std::string, std::string>(named->get<std::string>())
                               : service.only_mission();
   if (!mission_id)
     return failure(mission_id.error());
-  const auto made = service.assign(*mission_id, *wish);
+  const auto made = service.assign(*mission_id, *wanted);
   if (!made)
     return failure(made.error());
   return {{"ok", true},

@@ -12,7 +12,7 @@ inline constexpr std::string_view json_type = "application/json";
 using io::http::problem_type;
 
 struct request {
-  std::string verb;          // "GET"
+  std::string method;        // "GET"
   std::string target;        // path and query, as they came
   std::string authorization; // the whole header; empty: none
   std::string content_type;  // of the body

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "programs/godwit-sim/missions/delivered_table.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
 #include "programs/godwit-sim/missions/running_service.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 
 namespace godwit::sim::missions {
 
@@ -57,12 +57,13 @@ void mission_service_host::clear_faults() {
 }
 
 tl::expected<mission::assignment, std::string> mission_service_host::assign(const std::string& mission_id,
-                                                                            const assignment_wish& wish) {
-  return running_->inside([&](running_service& service) { return service.assign(mission_id, wish); });
+                                                                            const assignment_request& wanted) {
+  return running_->inside([&](running_service& service) { return service.assign(mission_id, wanted); });
 }
 
 tl::expected<void, std::string> mission_service_host::add_mission(const mission::document& mission) {
-  return running_->inside([&](running_service& service) { return desk::add_mission(service.file(), mission); });
+  return running_->inside(
+      [&](running_service& service) { return service_operations::add_mission(service.file(), mission); });
 }
 
 tl::expected<void, std::string> mission_service_host::delete_mission(const std::string& mission_id) {
@@ -71,15 +72,17 @@ tl::expected<void, std::string> mission_service_host::delete_mission(const std::
 
 tl::expected<void, std::string> mission_service_host::set_map_objects(const std::string& mission_id,
                                                                       const std::vector<mission::map_object>& objects) {
-  return running_->inside(
-      [&](running_service& service) { return desk::set_map_objects(service.file(), mission_id, objects); });
+  return running_->inside([&](running_service& service) {
+    return service_operations::set_map_objects(service.file(), mission_id, objects);
+  });
 }
 
 tl::expected<void, std::string>
 mission_service_host::add_ignored_items(const std::string& mission_id,
                                         const std::vector<mission::ignored_item>& items) {
-  return running_->inside(
-      [&](running_service& service) { return desk::add_ignored_items(service.file(), mission_id, items); });
+  return running_->inside([&](running_service& service) {
+    return service_operations::add_ignored_items(service.file(), mission_id, items);
+  });
 }
 
 std::optional<mission::document> mission_service_host::current_mission(const std::string& mission_id) {

@@ -25,7 +25,7 @@
 #include "messages/mission/change.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/map_objects.hpp"
-#include "programs/godwit-sim/missions/assignment_wish.hpp"
+#include "programs/godwit-sim/missions/assignment_request.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"
 #include "programs/godwit-sim/missions/settings.hpp"
 
@@ -54,7 +54,7 @@ public:
 
   // What a long poll gets at once.
   [[nodiscard]] tl::expected<mission::assignment, std::string> assign(const std::string& mission_id,
-                                                                      const assignment_wish& wish);
+                                                                      const assignment_request& wanted);
   // A mission that is there already, or was, is left as it is: an error.
   [[nodiscard]] tl::expected<void, std::string> add_mission(const mission::document& mission);
   [[nodiscard]] tl::expected<void, std::string> delete_mission(const std::string& mission_id);

@@ -19,7 +19,7 @@ inline constexpr unsigned first_failure = 300; // status
 
 template <class Apply>
 [[nodiscard]] answer once(service_file& file, const call& at, const std::string& key, const Apply& apply) {
-  kept_answer given{digest_of(at.asked.verb, at.to.path, at.asked.body), {}};
+  kept_answer given{digest_of(at.asked.method, at.to.path, at.asked.body), {}};
   file.begin();
   if (auto known = find_answer(file, key)) {
     if (known->digest != given.digest) {

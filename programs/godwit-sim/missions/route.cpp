@@ -14,7 +14,7 @@ using mission::in_quotes;
 
 // Behind /missions/{mission_id}; * is the id of an assignment.
 struct path_row {
-  std::string_view verb;
+  std::string_view method;
   std::string_view rest;
   endpoint where;
   std::size_t max_body_bytes;
@@ -83,7 +83,7 @@ std::string allowed_verbs(std::string_view pattern) {
   std::string all;
   for (const auto& row : path_rows)
     if (row.rest == pattern)
-      all.append(all.empty() ? "" : ", ").append(row.verb);
+      all.append(all.empty() ? "" : ", ").append(row.method);
   return all;
 }
 
@@ -179,7 +179,7 @@ std::string read_query(route& to, std::string_view query) {
 
 } // namespace
 
-tl::expected<route, route_error> route_of(std::string_view verb, std::string_view target) {
+tl::expected<route, route_error> route_of(std::string_view method, std::string_view target) {
   const auto path = target.substr(0, target.find('?'));
   const auto parts = parts_of_path(path);
   const auto nothing_there = [&] {
@@ -194,7 +194,7 @@ tl::expected<route, route_error> route_of(std::string_view verb, std::string_vie
     return tl::unexpected(
         route_error{400, in_quotes(parts->mission_id) + " is no id of a mission: a UUID in lower case.", {}});
   for (const auto& row : path_rows) {
-    if (row.rest != parts->pattern || row.verb != verb)
+    if (row.rest != parts->pattern || row.method != method)
       continue;
     route found{.where = row.where,
                 .path = std::string(path),
@@ -209,13 +209,14 @@ tl::expected<route, route_error> route_of(std::string_view verb, std::string_vie
           400, in_quotes(parts->assignment_id) + " is no id of an assignment: a UUID in lower case.", {}, row.where});
     return found;
   }
-  return tl::unexpected(route_error{405, in_quotes(verb) + " is not possible there; possible: " + allow + ".", allow});
+  return tl::unexpected(
+      route_error{405, in_quotes(method) + " is not possible there; possible: " + allow + ".", allow});
 }
 
-std::size_t max_body_bytes(std::string_view verb, std::string_view target) {
+std::size_t max_body_bytes(std::string_view method, std::string_view target) {
   if (const auto parts = parts_of_path(target.substr(0, target.find('?'))))
     for (const auto& row : path_rows)
-      if (row.rest == parts->pattern && row.verb == verb)
+      if (row.rest == parts->pattern && row.method == method)
         return row.max_body_bytes;
   return max_other_body_bytes;
 }

@@ -38,9 +38,9 @@ struct route_error {
   endpoint where = endpoint::none;
 };
 
-[[nodiscard]] tl::expected<route, route_error> route_of(std::string_view verb, std::string_view target);
+[[nodiscard]] tl::expected<route, route_error> route_of(std::string_view method, std::string_view target);
 
 // What the body of a request may have, as far as its verb and path say: more is a 413.
-[[nodiscard]] std::size_t max_body_bytes(std::string_view verb, std::string_view target);
+[[nodiscard]] std::size_t max_body_bytes(std::string_view method, std::string_view target);
 
 } // namespace godwit::sim::missions

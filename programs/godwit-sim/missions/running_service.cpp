@@ -10,10 +10,10 @@
 #include "programs/godwit-sim/missions/answer_table.hpp"
 #include "programs/godwit-sim/missions/control_answers.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
 #include "programs/godwit-sim/missions/mission_table.hpp"
 #include "programs/godwit-sim/missions/once.hpp"
 #include "programs/godwit-sim/missions/pages.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 #include "programs/godwit-sim/missions/synthetic_map.hpp"
 
 namespace godwit::sim::missions {
@@ -78,13 +78,14 @@ running_service::done running_service::put_missions() {
   std::uint64_t number = 0;
   for (const auto& each : settings_.missions) {
     if (!find_mission(*file_, each.mission_id))
-      if (auto added = desk::add_mission(*file_, each); !added)
+      if (auto added = service_operations::add_mission(*file_, each); !added)
         return added;
     const auto seed = settings_.seed + number++;
     const auto row = find_mission(*file_, each.mission_id);
     const bool wants_map = settings_.map.count > 0 && row && !row->deleted_at;
     if (wants_map && map_object_count(*file_, each.mission_id) == 0)
-      if (auto put = desk::set_map_objects(*file_, each.mission_id, synthetic_map(settings_.map, seed)); !put)
+      if (auto put = service_operations::set_map_objects(*file_, each.mission_id, synthetic_map(settings_.map, seed));
+          !put)
         return put;
   }
   settings_.missions.clear();
@@ -189,15 +190,15 @@ void running_service::clear_faults() {
 }
 
 tl::expected<mission::assignment, std::string> running_service::assign(const std::string& mission_id,
-                                                                       const assignment_wish& wish) {
-  auto made = desk::assign(*file_, mission_id, wish, settings_.seed);
+                                                                       const assignment_request& wanted) {
+  auto made = service_operations::assign(*file_, mission_id, wanted, settings_.seed);
   if (made)
     server_->wake_polls();
   return made;
 }
 
 running_service::done running_service::delete_mission(const std::string& mission_id) {
-  auto deleted = desk::delete_mission(*file_, mission_id, now_ns());
+  auto deleted = service_operations::delete_mission(*file_, mission_id, now_ns());
   if (deleted)
     server_->wake_polls();
   return deleted;

@@ -20,7 +20,7 @@
 #include "messages/mission/change.hpp"
 #include "messages/mission/document.hpp"
 #include "programs/godwit-sim/host/control_port.hpp"
-#include "programs/godwit-sim/missions/assignment_wish.hpp"
+#include "programs/godwit-sim/missions/assignment_request.hpp"
 #include "programs/godwit-sim/missions/fault_book.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"
@@ -52,7 +52,7 @@ public:
   [[nodiscard]] done set_fault(std::string_view spec);
   void clear_faults();
   [[nodiscard]] tl::expected<mission::assignment, std::string> assign(const std::string& mission_id,
-                                                                      const assignment_wish& wish);
+                                                                      const assignment_request& wanted);
   [[nodiscard]] done delete_mission(const std::string& mission_id);
   [[nodiscard]] std::optional<mission::document> current_mission(const std::string& mission_id);
   // The only one that there is, and is not deleted; else a sentence.

@@ -74,7 +74,7 @@ std::optional<answer> no_mission(const route& to, const std::optional<mission_ro
 }
 
 std::optional<answer> not_json(const request& asked) {
-  if (asked.verb != "POST" || io::http::has_content_type(asked.content_type, json_type))
+  if (asked.method != "POST" || io::http::has_content_type(asked.content_type, json_type))
     return std::nullopt;
   return problem_answer(400, "The Content-Type of the body has to be application/json.");
 }
@@ -84,7 +84,7 @@ std::optional<answer> not_json(const request& asked) {
 outcome service::handle(const request& asked, std::int64_t now_ns, patience how_long) {
   if (auto refused = not_allowed(asked, tokens_))
     return *std::move(refused);
-  const auto to = route_of(asked.verb, asked.target);
+  const auto to = route_of(asked.method, asked.target);
   if (!to)
     return not_routed(to.error());
   const auto mission = find_mission(*file_, to->mission_id);
@@ -106,7 +106,7 @@ outcome service::handle(const request& asked, std::int64_t now_ns, patience how_
 }
 
 endpoint endpoint_of(const request& asked) {
-  const auto to = route_of(asked.verb, asked.target);
+  const auto to = route_of(asked.method, asked.target);
   return to ? to->where : to.error().where;
 }
 

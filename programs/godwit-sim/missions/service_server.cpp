@@ -17,7 +17,7 @@ std::int64_t now_ns() {
 
 request request_of(io::http::server_request&& asked) {
   const auto header = [&](std::string_view name) { return std::string(asked.find(name)); };
-  return {.verb = std::move(asked.method),
+  return {.method = std::move(asked.method),
           .target = std::move(asked.target),
           .authorization = header("Authorization"),
           .content_type = header("Content-Type"),
@@ -27,7 +27,7 @@ request request_of(io::http::server_request&& asked) {
 // A line for people.
 std::string line_of(const taken_call& call, const delivery& what) {
   constexpr std::size_t shown = 200; // characters of a target
-  return call.asked.verb.substr(0, shown) + " " + call.asked.target.substr(0, shown) + " " +
+  return call.asked.method.substr(0, shown) + " " + call.asked.target.substr(0, shown) + " " +
          (what.is_lost ? std::string("no answer") : std::to_string(what.what.status)) +
          (call.hits.empty() ? "" : ", hit by a fault");
 }

@@ -18,7 +18,7 @@ struct identity {
 };
 
 // Objects on the map that nobody has seen: for pulls of any size.
-struct map_wish {
+struct map_request {
   std::size_t count = 0;
   double latitude = 47.397742; // the middle of a square of 30 km
   double longitude = 8.545594;
@@ -33,7 +33,7 @@ struct service_settings {
   std::string foreign_token;               // known, but not for these missions: 403; empty: there is none
   std::string database;                    // a file, made where it is missing
   std::vector<mission::document> missions; // that the file does not have yet are put into it
-  map_wish map;                            // for those of these missions that have no objects yet
+  map_request map;                         // for those of these missions that have no objects yet
   std::vector<std::string> faults;         // in the words of fault.hpp
   std::uint64_t seed = 1;                  // draws what is random: ids and objects
   std::optional<io::link::uri> control;    // tcp_in, on a loopback address

@@ -38,17 +38,17 @@ std::string uuid(std::mt19937_64& random) {
 
 } // namespace
 
-std::vector<mission::map_object> synthetic_map(const map_wish& wish, std::uint64_t seed) {
+std::vector<mission::map_object> synthetic_map(const map_request& wanted, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<mission::map_object> all;
   const double height_deg = synthetic_square_m / metres_in_degree;
-  const double width_deg = height_deg / std::max(0.01, std::cos(wish.latitude * std::numbers::pi / 180));
-  for (std::size_t i = 0; i < wish.count; ++i) {
+  const double width_deg = height_deg / std::max(0.01, std::cos(wanted.latitude * std::numbers::pi / 180));
+  for (std::size_t i = 0; i < wanted.count; ++i) {
     mission::map_object each;
     each.object_id = uuid(random);
     each.class_group = class_groups.at(random() % class_groups.size());
-    each.latitude = std::clamp(rounded(wish.latitude + (share(random) - 0.5) * height_deg, 1e6), -90.0, 90.0);
-    each.longitude = std::clamp(rounded(wish.longitude + (share(random) - 0.5) * width_deg, 1e6), -180.0, 180.0);
+    each.latitude = std::clamp(rounded(wanted.latitude + (share(random) - 0.5) * height_deg, 1e6), -90.0, 90.0);
+    each.longitude = std::clamp(rounded(wanted.longitude + (share(random) - 0.5) * width_deg, 1e6), -180.0, 180.0);
     each.altitude_m = rounded(400 + 100 * share(random), 10);
     each.confidence = rounded(0.5 + 0.5 * share(random), 100);
     const auto seen_s = first_day_s + static_cast<std::int64_t>(random() % days_s);

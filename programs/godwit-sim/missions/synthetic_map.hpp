@@ -13,6 +13,6 @@ namespace godwit::sim::missions {
 inline constexpr std::size_t max_synthetic_objects = 200'000; // what a file of map objects holds at most
 inline constexpr double synthetic_square_m = 30'000;          // so wide and so high
 
-[[nodiscard]] std::vector<mission::map_object> synthetic_map(const map_wish& wish, std::uint64_t seed);
+[[nodiscard]] std::vector<mission::map_object> synthetic_map(const map_request& wanted, std::uint64_t seed);
 
 } // namespace godwit::sim::missions

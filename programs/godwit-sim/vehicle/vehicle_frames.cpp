@@ -29,7 +29,7 @@ void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now
 
 bool vehicle::parts::is_for_us(std::uint8_t system, std::uint8_t component) const {
   const auto& us = out_.ourselves();
-  if (habits_.hears_any_component)
+  if (quirks_.hears_any_component)
     return system == us.system || system == 0;
   return system == us.system && (component == us.component || component == every_component);
 }
@@ -42,7 +42,7 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::set_mode& m) {
 }
 
 void vehicle::parts::hear(mavlink::sender from, const mavlink::ping& m) {
-  if (habits_.answers_ping && m.target_system == 0 && m.target_component == 0)
+  if (quirks_.answers_ping && m.target_system == 0 && m.target_component == 0)
     out_.send(mavlink::ping{m.time_usec, m.seq, from.system, from.component});
 }
 
@@ -52,7 +52,7 @@ void vehicle::parts::hear(mavlink::sender from, const mavlink::timesync& m) {
   if (!is_question || !is_ours)
     return;
   mavlink::timesync reply{.tc1 = state_.up_ns(now_.world_ns), .ts1 = m.ts1};
-  switch (habits_.timesync_target) {
+  switch (quirks_.timesync_target) {
   case timesync_target::nobody:
     break;
   case timesync_target::asker:
@@ -91,7 +91,7 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_list& m)
   if (!is_for_us(m.target_system, m.target_component))
     return;
   params_.on(m, now_.real_ns);
-  for (const auto text : habits_.banner)
+  for (const auto text : quirks_.banner)
     out_.say(mavlink::mav_severity::info, text);
   advance_params();
 }
@@ -101,7 +101,7 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_read& m)
     return;
   auto value = params_.on(m);
   const bool is_by_name = m.param_index < 0;
-  if (value && is_by_name && habits_.hides_param_index)
+  if (value && is_by_name && quirks_.hides_param_index)
     value->param_index = UINT16_MAX;
   if (value)
     out_.send(*value);
@@ -111,14 +111,14 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_set& m) {
   if (!is_for_us(m.target_system, m.target_component))
     return;
   auto value = params_.on(m);
-  if (value && habits_.hides_param_index)
+  if (value && quirks_.hides_param_index)
     value->param_index = UINT16_MAX;
   if (value)
     out_.send(*value);
 }
 
 void vehicle::parts::hear(mavlink::sender, const mavlink::request_data_stream& m) {
-  if (!habits_.knows_stream_groups || !is_for_us(m.target_system, m.target_component))
+  if (!quirks_.knows_stream_groups || !is_for_us(m.target_system, m.target_component))
     return;
   constexpr std::uint8_t all_groups = 0;
   constexpr std::int64_t stop = -1;

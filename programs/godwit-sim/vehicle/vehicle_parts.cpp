@@ -31,10 +31,10 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
 }
 
 // ArduPilot keeps its home as item 0 of the mission.
-plans::habits with_home(plans::habits habits, const position& home) {
-  if (habits.home)
-    habits.home = home_item(*habits.home, home);
-  return habits;
+plans::autopilot_quirks with_home(plans::autopilot_quirks autopilot_quirks, const position& home) {
+  if (autopilot_quirks.home)
+    autopilot_quirks.home = home_item(*autopilot_quirks.home, home);
+  return autopilot_quirks;
 }
 
 // A ground station looks for its vehicle's id there, by one of the names that it has had.
@@ -60,26 +60,26 @@ std::string_view word_for(run_state how) {
 } // namespace
 
 vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, frame_sink send)
-    : settings_(settings), habits_(traits_of(settings.who)), clock_(settings.speed, now_ns), now_(clock_.at(now_ns)),
-      random_(settings.seed), out_({settings.system, autopilot_component}, std::move(send), habits_.numbers_each_text),
-      craft_(habits_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
-      tells_(habits_, craft_, power_, state_, out_),
-      plans_(with_home(habits_.plan_habits, settings.home), out_.ourselves()),
-      params_(with_system(habits_.params, settings.system), habits_.param_encoding), streams_({}, 0),
-      current_(role::current_report::period_ns, habits_.tells_current_on_change) {
+    : settings_(settings), quirks_(traits_of(settings.who)), clock_(settings.speed, now_ns), now_(clock_.at(now_ns)),
+      random_(settings.seed), out_({settings.system, autopilot_component}, std::move(send), quirks_.numbers_each_text),
+      craft_(quirks_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
+      tells_(quirks_, craft_, power_, state_, out_),
+      plans_(with_home(quirks_.plan_quirks, settings.home), out_.ourselves()),
+      params_(with_system(quirks_.params, settings.system), quirks_.param_encoding), streams_({}, 0),
+      current_(role::current_report::period_ns, quirks_.tells_current_on_change) {
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
-  state_.mode = state_.intended = find_mode(habits_.modes, habits_.first_mode);
-  state_.is_ready = habits_.ready_after_ns == 0;
-  state_.beats_at_mode_change = habits_.beats_at_mode_change && settings.beats_at_mode_change;
-  state_.has_estimate = habits_.estimate_after_ns == 0;
+  state_.mode = state_.intended = find_mode(quirks_.modes, quirks_.first_mode);
+  state_.is_ready = quirks_.ready_after_ns == 0;
+  state_.beats_at_mode_change = quirks_.beats_at_mode_change && settings.beats_at_mode_change;
+  state_.has_estimate = quirks_.estimate_after_ns == 0;
   make_streams();
-  pilot_ = make_autopilot(settings, {habits_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});
+  pilot_ = make_autopilot(settings, {quirks_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});
   pilot_->set_now(now_);
   find_deadline();
 }
 
 void vehicle::parts::make_streams() {
-  std::vector<role::streamed_message> table(habits_.streams.begin(), habits_.streams.end());
+  std::vector<role::streamed_message> table(quirks_.streams.begin(), quirks_.streams.end());
   for (auto& each : table)
     if (each.id != mavlink::heartbeat::message_id)
       each.interval_ns = static_cast<std::int64_t>(static_cast<double>(each.interval_ns) / settings_.stream_factor);
@@ -123,8 +123,8 @@ void vehicle::parts::advance_world() {
 }
 
 void vehicle::parts::advance_autopilot() {
-  state_.is_ready = state_.up_ns(now_.world_ns) >= habits_.ready_after_ns;
-  state_.has_estimate = state_.has_position && state_.up_ns(now_.world_ns) >= habits_.estimate_after_ns;
+  state_.is_ready = state_.up_ns(now_.world_ns) >= quirks_.ready_after_ns;
+  state_.has_estimate = state_.has_position && state_.up_ns(now_.world_ns) >= quirks_.estimate_after_ns;
   pilot_->on_time();
 }
 
@@ -190,7 +190,7 @@ void vehicle::parts::start_up() {
   state_.started_world_ns = now_.world_ns;
   tells_.restart();
   make_streams();
-  current_ = role::current_report(role::current_report::period_ns, habits_.tells_current_on_change);
+  current_ = role::current_report(role::current_report::period_ns, quirks_.tells_current_on_change);
 }
 
 void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {

@@ -72,7 +72,7 @@ private:
   void make_streams();
 
   vehicle_settings settings_;
-  const traits& habits_;
+  const traits& quirks_;
   world_clock clock_;
   instant now_;
   std::mt19937_64 random_;

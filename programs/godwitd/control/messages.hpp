@@ -1,4 +1,4 @@
-// What the control socket asks of the desk. Thread: plain values.
+// What the control socket asks of the request_handler. Thread: plain values.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace godwit::control {
 enum class request_kind {
   status,
   outbox_retry,
-  word,          // of an operator
+  command,       // of an operator
   override_rule, // of the failsafe
   crash          // an actor, for drills
 };
@@ -21,7 +21,7 @@ enum class request_kind {
 constexpr auto enum_names(request_kind) {
   return io::names<request_kind>({{request_kind::status, "status"},
                                   {request_kind::outbox_retry, "outbox_retry"},
-                                  {request_kind::word, "word"},
+                                  {request_kind::command, "word"},
                                   {request_kind::override_rule, "override_rule"},
                                   {request_kind::crash, "crash"}});
 }
@@ -30,7 +30,7 @@ struct control_request {
   std::uint64_t ticket = 0; // whom the answer is for
   request_kind what = request_kind::status;
   std::string key;                    // outbox_retry: of one row; empty: all. crash: the name of the actor
-  operator_words::word said;          // word
+  operators::command said;            // word
   failsafe::override_rule overridden; // override_rule; without its end
   std::int64_t lasts_s = 0;           // override_rule
   static constexpr auto fields = io::table(

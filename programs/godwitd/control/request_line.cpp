@@ -18,26 +18,27 @@ std::string text_of(const json& document, const char* key) {
 
 std::string all_verbs() {
   std::string result;
-  for (const auto& [verb, name] : enum_names(operator_words::verb{}))
+  for (const auto& [kind, name] : enum_names(operators::command_kind{}))
     result += (result.empty() ? "" : ", ") + std::string(name);
   return result;
 }
 
-tl::expected<control_request, std::string> read_word(const json& document, operator_words::verb verb) {
+tl::expected<control_request, std::string> read_command(const json& document, operators::command_kind kind) {
   control_request result;
-  result.what = request_kind::word;
-  result.said.verb = verb;
+  result.what = request_kind::command;
+  result.said.kind = kind;
   result.said.by = text_of(document, "by");
   if (result.said.by.empty())
-    return tl::make_unexpected(std::string("a word to the flight says whose it is, such as \"by\": \"anna\""));
+    return tl::make_unexpected(std::string("a command to the flight says whose it is, such as \"by\": \"anna\""));
   result.said.after = text_of(document, "after");
   if (const auto place = document.find("place"); place != document.end())
     if (const auto read = io::read_json(*place, result.said.place.emplace(), "place"); !read)
       return tl::make_unexpected("the place can not be read: " + read.error().message());
-  if ((verb == operator_words::verb::go_to || verb == operator_words::verb::insert) && !result.said.place)
+  if ((kind == operators::command_kind::go_to || kind == operators::command_kind::insert) &&
+      !result.said.place)
     return tl::make_unexpected(std::string(
         "a place is missing, such as \"place\": {\"latitude\": 47.398, \"longitude\": 8.546, \"altitude_m\": 40}"));
-  if (verb != operator_words::verb::acknowledge)
+  if (kind != operators::command_kind::acknowledge)
     return result;
   const auto report = document.find("report");
   if (report == document.end() || !report->is_number_unsigned())
@@ -68,8 +69,8 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
   if (!document.is_object())
     return tl::make_unexpected(std::string("a request is a JSON object on one line, such as {\"do\": \"status\"}"));
   const auto what = text_of(document, "do");
-  if (const auto verb = io::value_of<operator_words::verb>(what))
-    return read_word(document, *verb);
+  if (const auto kind = io::value_of<operators::command_kind>(what))
+    return read_command(document, *kind);
   if (what == "status")
     return control_request{};
   if (what == "outbox_retry")
@@ -78,7 +79,7 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
     return read_override(document);
   if (what == "crash")
     return control_request{0, request_kind::crash, text_of(document, "actor"), {}, {}, 0};
-  return tl::make_unexpected("\"do\" is status, outbox_retry, override, crash, or a word to the flight: " +
+  return tl::make_unexpected("\"do\" is status, outbox_retry, override, crash, or a command to the flight: " +
                              all_verbs());
 }
 

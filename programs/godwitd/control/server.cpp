@@ -62,7 +62,7 @@ tl::expected<descriptor, std::string> listen_at(const std::string& path) {
 } // namespace
 
 tl::expected<std::unique_ptr<server>, std::string>
-server::open(const std::string& path, std::shared_ptr<answer_box> answers, asker ask, server_limits limits) {
+server::open(const std::string& path, std::shared_ptr<response_queue> answers, asker ask, server_limits limits) {
   auto listening = listen_at(path);
   if (!listening)
     return tl::make_unexpected(std::move(listening.error()));
@@ -73,8 +73,8 @@ server::open(const std::string& path, std::shared_ptr<answer_box> answers, asker
       new server(path, *std::move(listening), std::move(stop), std::move(answers), std::move(ask), limits));
 }
 
-server::server(std::string path, descriptor listening, descriptor stop, std::shared_ptr<answer_box> answers, asker ask,
-               server_limits limits)
+server::server(std::string path, descriptor listening, descriptor stop, std::shared_ptr<response_queue> answers,
+               asker ask, server_limits limits)
     : path_(std::move(path)), listening_(std::move(listening)), stop_(std::move(stop)), answers_(std::move(answers)),
       ask_(std::move(ask)), limits_(limits), thread_([this] { run(); }) {}
 

@@ -1,6 +1,6 @@
 // The control socket: a line of JSON in, a line of JSON out, for a few clients at once.
 //
-//   client ──line──> read_request ──ticket──> ask() ... answer_box ──line──> client
+//   client ──line──> read_request ──ticket──> ask() ... response_queue ──line──> client
 //
 // A Unix socket of mode 0600, so that only the user under whom godwitd runs reaches it. A file that a killed godwitd
 // left there is replaced; one on which somebody still listens is an error. Each client has one request under way; the
@@ -21,8 +21,8 @@
 #include <tl/expected.hpp>
 
 #include "io/link/descriptor.hpp"
-#include "programs/godwitd/control/answer_box.hpp"
 #include "programs/godwitd/control/messages.hpp"
+#include "programs/godwitd/control/response_queue.hpp"
 
 namespace godwit::control {
 
@@ -40,7 +40,7 @@ public:
 
   // ANSWERS are those to what ASK was called with.
   [[nodiscard]] static tl::expected<std::unique_ptr<server>, std::string>
-  open(const std::string& path, std::shared_ptr<answer_box> answers, asker ask, server_limits limits = {});
+  open(const std::string& path, std::shared_ptr<response_queue> answers, asker ask, server_limits limits = {});
   // The file is gone afterwards.
   ~server();
   server(const server&) = delete;
@@ -59,7 +59,7 @@ private:
   };
 
   server(std::string path, io::link::descriptor listening, io::link::descriptor stop,
-         std::shared_ptr<answer_box> answers, asker ask, server_limits limits);
+         std::shared_ptr<response_queue> answers, asker ask, server_limits limits);
 
   void run();
   [[nodiscard]] int wait_ms() const;
@@ -76,7 +76,7 @@ private:
   const std::string path_;
   io::link::descriptor listening_;
   io::link::descriptor stop_;
-  std::shared_ptr<answer_box> answers_;
+  std::shared_ptr<response_queue> answers_;
   asker ask_;
   const server_limits limits_;
   std::uint64_t last_ticket_ = 0;

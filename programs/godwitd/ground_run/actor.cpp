@@ -10,7 +10,7 @@ namespace godwit::ground_run {
 using mapobjects_store::map_failure;
 using runtime::ask_error;
 
-actor::actor(runtime::spawn_context context, settings wanted, std::shared_ptr<const neighbours> others,
+actor::actor(runtime::spawn_context context, settings wanted, std::shared_ptr<const peers> others,
              std::shared_ptr<daemon::sighting_feed> feed, run_world world)
     : actor_base(std::move(context)), mission_id_(wanted.mission_id), has_service_(wanted.has_service),
       core_(std::move(wanted)), others_(std::move(others)), feed_(std::move(feed)), world_(std::move(world)) {}
@@ -35,8 +35,8 @@ actor::behavior_type actor::handlers() {
           on<mission_client::assignment_arrived>([this](const mission_client::assignment_arrived& m) { turn_down(m); }),
           on<mission_client::mission_deleted>(
               [this](const mission_client::mission_deleted& m) { carry_out(core_.on_deleted(m)); }),
-          on<mission_client::mission_settled>(
-              [this](const mission_client::mission_settled& m) { carry_out(core_.on_settled(m)); }),
+          on<mission_client::mission_resolved>(
+              [this](const mission_client::mission_resolved& m) { carry_out(core_.on_resolved(m)); }),
           on<vehicle_link::connection_changed>([this](const vehicle_link::connection_changed& m) {
             has_news_of_vehicle_ = true;
             carry_out(announce{sentence_of(m)});
@@ -99,7 +99,7 @@ void actor::carry_out(const count_owed&) {
 
 void actor::carry_out(const begin_later&) { tell_after(retry_after, me(), retry_due{}); }
 
-// What an answer did not settle is asked again, once a second.
+// What an answer did not resolve is asked again, once a second.
 void actor::look_again() {
   const auto now = core_.now();
   if (now == phase::loading || now == phase::pulling)
@@ -142,15 +142,15 @@ daemon::sighting_flow::ways actor::ways_of_flow() {
 
 // There is no plan on the vehicle that could be changed. The key follows from the assignment, so that turning it down
 // twice is one answer.
-void actor::turn_down(const mission_client::assignment_arrived& wish) {
+void actor::turn_down(const mission_client::assignment_arrived& wanted) {
   const std::string reason = "this vehicle does not fly missions yet";
   mission::assignment_response response;
-  response.idempotency_key = ids::derived_uuid(wish.assignment.assignment_id, wish.mission_id);
+  response.idempotency_key = ids::derived_uuid(wanted.assignment.assignment_id, wanted.mission_id);
   response.outcome = mission::assignment_outcome::rejected;
   response.reason = reason;
   tell(others_->client,
-       mission_client::respond_to_assignment{wish.mission_id, wish.assignment.assignment_id, std::move(response)});
-  carry_out(announce{"assignment " + wish.assignment.assignment_id + " is turned down: " + reason});
+       mission_client::respond_to_assignment{wanted.mission_id, wanted.assignment.assignment_id, std::move(response)});
+  carry_out(announce{"assignment " + wanted.assignment.assignment_id + " is turned down: " + reason});
 }
 
 } // namespace godwit::ground_run

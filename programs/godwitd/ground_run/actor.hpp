@@ -20,7 +20,7 @@ namespace godwit::ground_run {
 using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
 
 // Filled in while the process is composed, before the actors start.
-struct neighbours {
+struct peers {
   vehicle_handle vehicle;
   mission_client::flight_handle client; // none without a service
   mapobjects_store::handle store;
@@ -38,7 +38,7 @@ public:
   static constexpr std::chrono::seconds answer_timeout{10};
 
   // FEED: null without sightings.
-  actor(runtime::spawn_context context, settings wanted, std::shared_ptr<const neighbours> others,
+  actor(runtime::spawn_context context, settings wanted, std::shared_ptr<const peers> others,
         std::shared_ptr<daemon::sighting_feed> feed, run_world world);
   ~actor() override;
 
@@ -61,12 +61,12 @@ private:
   [[nodiscard]] daemon::sighting_flow::ways ways_of_flow();
   void look_again();
   void look_at_vehicle();
-  void turn_down(const mission_client::assignment_arrived& wish);
+  void turn_down(const mission_client::assignment_arrived& wanted);
 
   std::string mission_id_;
   bool has_service_;
   core core_;
-  std::shared_ptr<const neighbours> others_;
+  std::shared_ptr<const peers> others_;
   std::shared_ptr<daemon::sighting_feed> feed_;
   run_world world_;
   std::optional<std::int64_t> loaded_ns_;     // in this run

@@ -109,16 +109,16 @@ steps core::on_sightings_over(const sighting_counts& counts) {
     phase_ = phase::pushing;
     result.emplace_back(push{});
   } else if (wanted_.once) {
-    for (auto& each : settled())
+    for (auto& each : resolved())
       result.push_back(std::move(each));
   }
   return result;
 }
 
-steps core::on_settled(const mission_client::mission_settled& news) {
+steps core::on_resolved(const mission_client::mission_resolved& news) {
   if (!is_mine(news.mission_id) || phase_ != phase::pushing)
     return {};
-  settled_ = news;
+  resolved_ = news;
   return {count_owed{}};
 }
 
@@ -136,7 +136,7 @@ steps core::on_owed(const mapobjects_store::owed_list& left) {
   const auto before = std::exchange(left_on_map_, rows + orphans);
   if (rows != 0 && left_on_map_ != before) // else another push would not move it either
     return {push{}};
-  return settled();
+  return resolved();
 }
 
 steps core::on_deleted(const mission_client::mission_deleted& news) {
@@ -151,9 +151,9 @@ steps core::on_map_broken(const std::string& why) {
   return phase_ == phase::over ? steps{} : end({false, "the map can not be used: " + why});
 }
 
-steps core::settled() {
-  if (settled_.orphaned + settled_.expired + left_on_map_ != 0) {
-    const auto kept = kept_sentence(settled_, left_on_map_);
+steps core::resolved() {
+  if (resolved_.orphaned + resolved_.expired + left_on_map_ != 0) {
+    const auto kept = kept_sentence(resolved_, left_on_map_);
     if (wanted_.once)
       return end({false, kept});
     phase_ = phase::over;

@@ -1,14 +1,14 @@
 // The course of a run on the ground: load the mission, pull its map, take sightings, deliver. Nothing flies here: this
 // stands in the place of what flies the mission.
 //
-//              loaded            map pulled, or not        sightings over        settled, nothing owed
+//              loaded            map pulled, or not        sightings over        resolved, nothing owed
 //   [loading] ───────> [pulling] ────────────────> [seeing] ────────────> [pushing] ──────────────────> [over]
 //     │  ^                                            │                      │  ^
 //     │  └─ after a minute ─┐                         │ without a service    │  └─ something owed
 //     └── refused ──> [refused]                       └──────────────────────┼──────────────────────> [over]
 //
 // It remembers nothing over a restart and needs nothing: what it begins is said again by every run and counts once, and
-// how far mission_client is can be asked. A word that belongs to an earlier state is passed over; so `settled` of an
+// how far mission_client is can be asked. An answer that belongs to an earlier state is passed over; so `resolved` of an
 // earlier run does not end this one, and after the right one the store is asked whether all is gone. What a push does
 // not move, because the mission was deleted for instance, is not pushed for ever: it is kept, and said. Why a push does
 // not get on is asked and said too; a service that does not allow it (401, 403) ends a run that is to end.
@@ -70,7 +70,7 @@ public:
   [[nodiscard]] steps on_pulled(const mission_client::map_pulled& news, std::optional<double> pull_s);
   [[nodiscard]] steps on_status(const mission_client::service_status& now);
   [[nodiscard]] steps on_sightings_over(const sighting_counts& counts);
-  [[nodiscard]] steps on_settled(const mission_client::mission_settled& news);
+  [[nodiscard]] steps on_resolved(const mission_client::mission_resolved& news);
   [[nodiscard]] steps on_owed(const mapobjects_store::owed_list& left);
   [[nodiscard]] steps on_deleted(const mission_client::mission_deleted& news);
   // The map can not be written any more.
@@ -83,12 +83,12 @@ private:
   [[nodiscard]] steps go_on_seeing();
   [[nodiscard]] steps look_at_push(const mission_client::service_status& now);
   [[nodiscard]] steps end(finish how);
-  [[nodiscard]] steps settled();
+  [[nodiscard]] steps resolved();
 
   settings wanted_;
   phase phase_ = phase::loading;
   sighting_counts sightings_;
-  mission_client::mission_settled settled_;
+  mission_client::mission_resolved resolved_;
   std::uint64_t left_on_map_ = 0;        // rows that the store still has for the mission, by its last answer
   std::vector<std::string> told_errors_; // oldest first
 };

@@ -97,7 +97,7 @@ std::string delivery_sentence(const mission_client::service_status& now) {
          "`godwitd ctl outbox-retry` tries again, or the next start of godwitd.";
 }
 
-std::string kept_sentence(const mission_client::mission_settled& news, std::uint64_t on_map) {
+std::string kept_sentence(const mission_client::mission_resolved& news, std::uint64_t on_map) {
   std::string result = counted(news.orphaned, "delivery", "deliveries") + " orphaned, " + std::to_string(news.expired) +
                        " expired, " + counted(on_map, "row", "rows") + " left on the map";
   result +=

@@ -20,7 +20,7 @@ namespace godwit::ground_run {
 // Why the delivery does not get on, and what to do about it.
 [[nodiscard]] std::string delivery_sentence(const mission_client::service_status& now);
 // What was not delivered and is kept; ON_MAP: rows that the map still has for the mission.
-[[nodiscard]] std::string kept_sentence(const mission_client::mission_settled& news, std::uint64_t on_map);
+[[nodiscard]] std::string kept_sentence(const mission_client::mission_resolved& news, std::uint64_t on_map);
 [[nodiscard]] std::string sentence_of(const mission_client::change_outcome& news);
 [[nodiscard]] std::string sentence_of(const vehicle_link::connection_changed& news);
 

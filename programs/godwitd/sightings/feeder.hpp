@@ -2,7 +2,7 @@
 //
 // The gate is in the feed, which outlives the incarnations; whoever knows where the flight stands opens and closes it.
 // Without a missions service nobody else tells the map store which mission it is, and so the feeder does. Nothing of it
-// is durable: what was not settled is handed out again. Errors: told to people. Thread: as actor_base.
+// is durable: what was not resolved is handed out again. Errors: told to people. Thread: as actor_base.
 #pragma once
 
 #include <chrono>

@@ -69,7 +69,7 @@ std::optional<sighting_feed::numbered> sighting_feed::take() {
   return result;
 }
 
-void sighting_feed::settle(std::uint64_t number, bool is_recorded) {
+void sighting_feed::resolve(std::uint64_t number, bool is_recorded) {
   const std::lock_guard guard(mutex_);
   if (given_.erase(number) != 0)
     ++(is_recorded ? counts_.recorded : counts_.refused);

@@ -1,6 +1,6 @@
-// Sightings from a file or from standard input, handed out one by one and kept until they are settled.
+// Sightings from a file or from standard input, handed out one by one and kept until they are resolved.
 //
-//   file ──thread──> [waiting] ──take──> [given] ──settle──> gone
+//   file ──thread──> [waiting] ──take──> [given] ──resolve──> gone
 //                        ^                  │
 //                        └─── take_back ────┘   who took them has died
 //
@@ -59,7 +59,7 @@ public:
 
   // Nothing: come again when woken.
   [[nodiscard]] std::optional<numbered> take();
-  void settle(std::uint64_t number, bool is_recorded);
+  void resolve(std::uint64_t number, bool is_recorded);
   void take_back(std::uint64_t number);
   void take_back_all();
 

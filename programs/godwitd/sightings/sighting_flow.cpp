@@ -48,7 +48,7 @@ void sighting_flow::record(const sighting_feed::numbered& each) {
 void sighting_flow::take(std::uint64_t number, const mapobjects_store::sighting_answer& answer) {
   switch (answer.failure) {
   case map_failure::none:
-    feed_->settle(number, true);
+    feed_->resolve(number, true);
     return;
   case map_failure::busy:
     feed_->take_back(number);
@@ -59,7 +59,7 @@ void sighting_flow::take(std::uint64_t number, const mapobjects_store::sighting_
     ways_.broken(answer.error);
     return;
   default:
-    feed_->settle(number, false);
+    feed_->resolve(number, false);
     if (feed_->counts().refused <= max_told_refusals)
       ways_.complain("a sighting is refused: " + answer.error);
   }

@@ -8,7 +8,7 @@
 namespace godwit::executor {
 namespace {
 
-using operator_words::verb;
+using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 
@@ -34,7 +34,7 @@ TEST_P(energy_flight, a_battery_that_lasts_just_for_the_way_home_is_told_once_be
   world.load(long_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return warnings_in(world) > 0; }, 900)) << world.story();
   EXPECT_TRUE(world.reactions().empty()) << world.story();
-  EXPECT_EQ(world.durable().standing.now, phase::flying) << "nothing is flown because of it";
+  EXPECT_EQ(world.durable().status.now, phase::flying) << "nothing is flown because of it";
   ASSERT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 900)) << world.story();
   EXPECT_EQ(warnings_in(world), 1) << world.story();
 }
@@ -51,8 +51,8 @@ TEST_P(energy_flight, one_that_does_not_last_for_the_plan_is_acknowledged_before
   world.load(long_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.durable().preflight.now == preflight::phase::awaiting_ack; }, 60))
       << world.story();
-  operator_words::word yes;
-  yes.verb = verb::acknowledge;
+  operators::command yes;
+  yes.kind = command_kind::acknowledge;
   yes.report = world.durable().preflight.report->id;
   ASSERT_TRUE(world.say(yes).is_taken) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();

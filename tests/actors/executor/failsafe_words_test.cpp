@@ -6,7 +6,7 @@
 namespace godwit::executor {
 namespace {
 
-using operator_words::verb;
+using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 
@@ -25,7 +25,7 @@ TEST(failsafe_words, before_the_mode_call_it_the_autopilots_and_nothing_is_sent)
   world.vehicle_says("GCS Failsafe");
   world.switch_mode(copter_rtl);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::autopilot_failsafe) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::autopilot_failsafe) << world.story();
   const auto orders = world.orders();
   world.run_for(5);
   EXPECT_EQ(world.orders(), orders) << world.story();
@@ -37,12 +37,12 @@ TEST(failsafe_words, behind_the_mode_call_it_the_autopilots_too) {
   const auto orders = world.orders();
   world.switch_mode(copter_land);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   world.vehicle_says("EKF Failsafe: changed to LAND Mode");
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::autopilot_failsafe) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::autopilot_failsafe) << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
-  EXPECT_FALSE(world.say(verb::resume).is_taken) << "it still has to be handed back";
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken) << "it still has to be handed back";
 }
 
 TEST(failsafe_words, long_before_or_behind_the_mode_leave_it_a_persons) {
@@ -55,7 +55,7 @@ TEST(failsafe_words, long_before_or_behind_the_mode_leave_it_a_persons) {
   world.run_for(4);
   world.vehicle_says("GCS Failsafe");
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
 }
 
 // What is found out about the plan meanwhile counts when the vehicle was handed back, and does not hand it back.
@@ -67,11 +67,11 @@ TEST(failsafe_words, a_person_keeps_the_vehicle_when_its_autopilot_starts_again)
   world.vehicle_restarts();
   world.run_for(0.5);
   EXPECT_EQ(world.durable().progress.paused, progress::pause_reason::vehicle_restarted);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
-  EXPECT_FALSE(world.say(verb::resume).is_taken) << world.story();
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::vehicle_restarted) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::vehicle_restarted) << world.story();
 }
 
 TEST(failsafe_words, a_person_keeps_the_vehicle_when_it_has_a_foreign_plan) {
@@ -84,11 +84,11 @@ TEST(failsafe_words, a_person_keeps_the_vehicle_when_it_has_a_foreign_plan) {
   world.vehicle_tells(io::mavlink::mission_current{.seq = 0, .total = 9, .mission_state = 3, .mission_id = 4711});
   world.run_for(0.5);
   EXPECT_EQ(world.durable().progress.paused, progress::pause_reason::foreign_plan) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
-  EXPECT_FALSE(world.say(verb::resume).is_taken) << world.story();
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::foreign_plan) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
 }
 
 } // namespace

@@ -61,12 +61,12 @@ TEST_P(end_behind_return, killed_after_it_was_called_home_it_sees_nobodys_takeov
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
-  ASSERT_TRUE(world.say(operator_words::verb::come_home).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::come_home).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::landing, 20)) << world.story();
   const auto commands = world.commands().size();
   world.crash_all();
   world.run_for(2);
-  EXPECT_NE(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_NE(world.durable().status.now, phase::paused) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::aborted)) << world.story();
   EXPECT_EQ(world.commands().size(), commands) << world.story();
 }
@@ -78,7 +78,7 @@ TEST_P(landing_end, on_the_ground_it_is_taken_out_of_its_mission_before_the_next
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .has_service = false});
   world.load(with_landing());
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  ASSERT_TRUE(world.say(operator_words::verb::start).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   auto next = tests::short_mission(GetParam());
   next.mission_id = "99999999-6b0c-4c55-9d0d-2f6d3c8b1a42";
@@ -87,7 +87,7 @@ TEST_P(landing_end, on_the_ground_it_is_taken_out_of_its_mission_before_the_next
   if (GetParam() == sim::personality::px4) {
     EXPECT_EQ(world.vehicle().describe().mode, "AUTO.LOITER");
   }
-  ASSERT_TRUE(world.say(operator_words::verb::start).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
@@ -110,7 +110,7 @@ TEST_P(flight_end, what_was_armed_for_a_start_that_failed_is_disarmed_again) {
   world.vehicle().refuse_command(mission_start, failed, -1);
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::paused, 120)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::not_done);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::not_done);
   EXPECT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 4)) << world.story();
   world.run_for(2);
   EXPECT_FALSE(world.durable().doing) << world.story();
@@ -127,14 +127,14 @@ TEST_P(flight_end, a_done_mission_is_not_prepared_again_when_the_service_tells_i
   for (const auto& each : {first, second}) {
     world.load(each);
     ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
-    ASSERT_TRUE(world.say(operator_words::verb::start).is_taken) << world.story();
+    ASSERT_TRUE(world.say(operators::command_kind::start).is_taken) << world.story();
     ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   }
   const auto orders = world.orders();
   world.crash_all();
   world.load(first);
   world.run_for(60);
-  EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
   EXPECT_EQ(world.durable().mission->mission_id, second.mission_id) << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
 }

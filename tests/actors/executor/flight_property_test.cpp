@@ -25,16 +25,16 @@ using tests::pilot_mode;
 class random_flight {
 public:
   explicit random_flight(std::uint64_t seed)
-      : dice_(seed), who_(static_cast<sim::personality>(dice_() % 4)), mission_(tests::short_mission(who_)),
-        is_map_late_(dice_() % 4 == 0), world_(any_world(dice_, who_, is_map_late_)) {}
+      : test_rng_(seed), who_(static_cast<sim::personality>(test_rng_() % 4)), mission_(tests::short_mission(who_)),
+        is_map_late_(test_rng_() % 4 == 0), world_(any_world(test_rng_, who_, is_map_late_)) {}
 
   void fly() {
     world_.load(mission_);
     pull_map();
-    const auto troubles = dice_() % (most_troubles + 1);
+    const auto troubles = test_rng_() % (most_troubles + 1);
     for (std::size_t i = 0; i < troubles && !is_over(); ++i) {
-      world_.run_for(0.05 * static_cast<double>(dice_() % 200));
-      make(static_cast<trouble>(dice_() % kinds_of_trouble));
+      world_.run_for(0.05 * static_cast<double>(test_rng_() % 200));
+      make(static_cast<trouble>(test_rng_() % kinds_of_trouble));
       judge();
     }
     for (int i = 0; i < 60 && !is_over() && !has_no_way_on(); ++i) {
@@ -51,7 +51,7 @@ public:
 
   [[nodiscard]] std::string story() const { return did_ + world_.story(); }
   [[nodiscard]] bool is_over() const {
-    const auto at = world_.durable().standing.now;
+    const auto at = world_.durable().status.now;
     return at == phase::done || at == phase::aborted;
   }
   [[nodiscard]] bool was_disturbed_for_good() const { return rebooted_ || has_no_way_on(); }
@@ -69,28 +69,28 @@ private:
   void pull_map() {
     if (!is_map_late_)
       return;
-    world_.run_for(static_cast<double>(dice_() % 10));
+    world_.run_for(static_cast<double>(test_rng_() % 10));
     EXPECT_EQ(starts_so_far(), 0) << "nothing is started without the map\n" << story();
     world_.pull_map(mission_client::pull_state::synced);
   }
 
   [[nodiscard]] bool is_waiting_for_person() const {
     const auto& durable = world_.durable();
-    return durable.standing.now == phase::paused || (durable.standing.now == phase::ready && durable.awaits_word);
+    return durable.status.now == phase::paused || (durable.status.now == phase::ready && durable.awaits_word);
   }
 
   // Half of the lines lose, double and reorder frames.
-  static flight_world::options any_world(std::mt19937_64& dice, sim::personality who, bool is_map_late) {
+  static flight_world::options any_world(std::mt19937_64& test_rng, sim::personality who, bool is_map_late) {
     flight_world::options result{.who = who, .start = start_policy::automatic, .arm_on_start = true, .speed = 10};
-    result.seed = dice();
+    result.seed = test_rng();
     if (is_map_late)
       result.map = mission_client::pull_state::in_flight;
-    if (dice() % 2 == 0)
+    if (test_rng() % 2 == 0)
       return result;
-    result.lost = 0.01 * static_cast<double>(dice() % 11);
-    result.doubled = 0.01 * static_cast<double>(dice() % 11);
-    result.most_delay_ms = 1 + static_cast<std::int64_t>(dice() % 90); // its clock is ten times as fast: just below
-                                                                       // what would be a restart
+    result.lost = 0.01 * static_cast<double>(test_rng() % 11);
+    result.doubled = 0.01 * static_cast<double>(test_rng() % 11);
+    result.most_delay_ms = 1 + static_cast<std::int64_t>(test_rng() % 90); // its clock is ten times as fast: just below
+                                                                           // what would be a restart
     return result;
   }
 
@@ -103,7 +103,7 @@ private:
     const auto& before = world_.durable();
     // A rover by the MAVLink text takes a new plan in flight with a start; that is what was asked for, then.
     const bool is_asked_for = !before.waiting.empty() || before.arrived || before.change || (goes_on && before.doing);
-    const bool was_under_way = before.standing.in_flight && !is_asked_for;
+    const bool was_under_way = before.status.in_flight && !is_asked_for;
     die();
     world_.run_for(1);
     if (was_under_way) {
@@ -128,13 +128,13 @@ private:
       change();
       break;
     case trouble::silence:
-      world_.cut_line(0.1 * static_cast<double>(dice_() % 150));
+      world_.cut_line(0.1 * static_cast<double>(test_rng_() % 150));
       break;
     case trouble::pilot:
       take_over();
       break;
     case trouble::pause:
-      (void)world_.say(operator_words::verb::pause);
+      (void)world_.say(operators::command_kind::pause);
       break;
     case trouble::assignment:
       assign();
@@ -146,20 +146,20 @@ private:
       }
       break;
     case trouble::refusal:
-      world_.vehicle().refuse_command(176, 4, 1 + static_cast<int>(dice_() % 2)); // DO_SET_MODE fails
+      world_.vehicle().refuse_command(176, 4, 1 + static_cast<int>(test_rng_() % 2)); // DO_SET_MODE fails
       break;
     }
   }
 
   void take_over() {
-    if (!world_.durable().standing.in_flight)
+    if (!world_.durable().status.in_flight)
       return;
     world_.switch_mode(pilot_mode(who_));
     if (!world_.run_until_phase(phase::paused, 8))
       return; // it had landed meanwhile
     const auto commands = world_.commands().size();
     world_.run_for(3);
-    if (world_.durable().standing.cause == pause_cause::taken_over) {
+    if (world_.durable().status.cause == pause_cause::taken_over) {
       EXPECT_EQ(world_.commands().size(), commands) << "nothing is sent after a takeover\n" << story();
     }
   }
@@ -167,52 +167,52 @@ private:
   void assign() {
     if (!world_.durable().mission)
       return;
-    mission::assignment wish;
+    mission::assignment assignment;
     const auto& now = *world_.durable().mission;
-    wish.assignment_id = "11111111-2222-4333-8444-" + std::to_string(100'000'000'000 + ++assignments_);
-    wish.base_revision = now.revision;
-    wish.revision = now.revision + 1;
-    wish.replace_after_item_id = dice_() % 2 == 0 ? "w1" : "w2";
+    assignment.assignment_id = "11111111-2222-4333-8444-" + std::to_string(100'000'000'000 + ++assignments_);
+    assignment.base_revision = now.revision;
+    assignment.revision = now.revision + 1;
+    assignment.replace_after_item_id = test_rng_() % 2 == 0 ? "w1" : "w2";
     const auto name = "n" + std::to_string(assignments_);
-    wish.items = {tests::place(who_, name + "a", 20, 20), tests::place(who_, name + "b", -30, 20)};
+    assignment.items = {tests::place(who_, name + "a", 20, 20), tests::place(who_, name + "b", -30, 20)};
     if (who_ != sim::personality::rover)
-      wish.items.push_back(tests::way_home(who_));
-    world_.assign(wish);
+      assignment.items.push_back(tests::way_home(who_));
+    world_.assign(assignment);
   }
 
-  // A word of an operator that changes the mission; the service does it, refuses, or is not heard.
+  // A command of an operator that changes the mission; the service does it, refuses, or is not heard.
   void change() {
     using mission_client::change_verdict;
     world_.set_changes(std::array{change_verdict::done, change_verdict::done, change_verdict::refused,
-                                  change_verdict::unknown}[dice_() % 4]);
-    operator_words::word word;
-    word.verb = std::array{operator_words::verb::go_to, operator_words::verb::insert}[dice_() % 2];
-    const auto at = static_cast<double>(dice_() % 80);
-    word.place = std::get<mission::waypoint>(tests::place(who_, "", 40 - at, at)).at;
-    (void)world_.say(word);
-    world_.run_for(static_cast<double>(dice_() % 10));
+                                  change_verdict::unknown}[test_rng_() % 4]);
+    operators::command command;
+    command.kind = std::array{operators::command_kind::go_to, operators::command_kind::insert}[test_rng_() % 2];
+    const auto at = static_cast<double>(test_rng_() % 80);
+    command.place = std::get<mission::waypoint>(tests::place(who_, "", 40 - at, at)).at;
+    (void)world_.say(command);
+    world_.run_for(static_cast<double>(test_rng_() % 10));
   }
 
   // Whoever stands beside it brings it back.
   void help() {
-    const auto& at = world_.durable().standing;
+    const auto& at = world_.durable().status;
     if (!world_.vehicle().describe().in_air)
       world_.vehicle().set_battery(100, world_.now_ns());
     if (needs_hand_back(at.cause))
-      (void)world_.say(operator_words::verb::hand_back);
+      (void)world_.say(operators::command_kind::hand_back);
     const auto seen = world_.vehicle().describe();
     if (who_ == sim::personality::plane && !seen.in_air && at.in_flight)
       world_.disarm_by_hand(); // in a mode by hand it does not do that itself
     world_.run_for(1);
-    if (world_.durable().standing.now == phase::paused)
-      note_answer(world_.say(operator_words::verb::resume));
+    if (world_.durable().status.now == phase::paused)
+      note_answer(world_.say(operators::command_kind::resume));
     else if (is_waiting_for_person())
-      note_answer(world_.say(operator_words::verb::start));
+      note_answer(world_.say(operators::command_kind::start));
     if (!world_.durable().set_aside.empty())
-      note_answer(world_.say(operator_words::verb::cancel));
+      note_answer(world_.say(operators::command_kind::cancel));
   }
 
-  void note_answer(const operator_words::answer& answer) {
+  void note_answer(const operators::answer& answer) {
     if (!answer.is_taken)
       did_ += std::to_string(world_.now_ns() / 1'000'000) + " ms: refused: " + answer.reason + "\n";
   }
@@ -249,7 +249,7 @@ private:
 
   // All that the mission has is told of, as reached or as skipped.
   void judge_items() const {
-    if (world_.durable().standing.now != phase::done)
+    if (world_.durable().status.now != phase::done)
       return;
     std::set<std::string> told;
     for (const auto& each : world_.reports())
@@ -259,7 +259,7 @@ private:
       EXPECT_TRUE(told.contains(mission::id_of(each))) << mission::id_of(each) << "\n" << story();
   }
 
-  std::mt19937_64 dice_;
+  std::mt19937_64 test_rng_;
   sim::personality who_;
   mission::document mission_;
   bool is_map_late_;

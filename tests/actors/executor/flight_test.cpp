@@ -81,11 +81,11 @@ TEST_P(every_vehicle, a_hold_that_an_operator_asked_for_right_before_a_crash_sti
     world.load(tests::short_mission(GetParam()));
     ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= reports; }, 600)) << world.story();
     world.run_for(1);
-    ASSERT_TRUE(world.say(operator_words::verb::pause).is_taken) << world.story();
+    ASSERT_TRUE(world.say(operators::command_kind::pause).is_taken) << world.story();
     world.crash();
     ASSERT_TRUE(world.run_until_phase(phase::paused, 20)) << reports << " reports\n" << world.story();
-    EXPECT_EQ(world.durable().standing.cause, pause_cause::asked) << world.story();
-    EXPECT_TRUE(world.say(operator_words::verb::resume).is_taken);
+    EXPECT_EQ(world.durable().status.cause, pause_cause::asked) << world.story();
+    EXPECT_TRUE(world.say(operators::command_kind::resume).is_taken);
     ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   }
 }
@@ -96,12 +96,12 @@ TEST_P(every_vehicle, a_crash_on_the_ground_begins_nothing_until_an_operator_say
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.crash();
   ASSERT_TRUE(world.run_until_phase(phase::paused)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::restarted);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::restarted);
   world.run_for(30);
   EXPECT_TRUE(world.commands().empty());
-  EXPECT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  EXPECT_TRUE(world.say(operators::command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  EXPECT_TRUE(world.say(operator_words::verb::start).is_taken);
+  EXPECT_TRUE(world.say(operators::command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
@@ -114,8 +114,7 @@ TEST_P(every_vehicle, a_start_that_came_through_after_a_kill_is_followed_and_not
       << world.story();
   world.crash_all();
   ASSERT_TRUE(world.run_until(
-      [&] { return world.durable().standing.now == phase::flying || world.durable().standing.now == phase::paused; },
-      60))
+      [&] { return world.durable().status.now == phase::flying || world.durable().status.now == phase::paused; }, 60))
       << world.story();
   const auto starts = starts_in(world);
   const bool took_off = world.run_until_phase(phase::done, 200);
@@ -134,15 +133,15 @@ TEST_P(every_vehicle, a_mode_change_that_we_did_not_command_is_a_pilot_and_nothi
   const auto commands = world.commands().size();
   world.switch_mode(pilot_mode(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over);
-  EXPECT_FALSE(world.say(operator_words::verb::resume).is_taken) << "only after it was handed back";
-  EXPECT_FALSE(world.say(operator_words::verb::come_home).is_taken);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over);
+  EXPECT_FALSE(world.say(operators::command_kind::resume).is_taken) << "only after it was handed back";
+  EXPECT_FALSE(world.say(operators::command_kind::come_home).is_taken);
   world.run_for(20);
   EXPECT_EQ(world.commands().size(), commands);
-  EXPECT_TRUE(world.say(operator_words::verb::hand_back).is_taken);
-  EXPECT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::asked; }, 10));
+  EXPECT_TRUE(world.say(operators::command_kind::hand_back).is_taken);
+  EXPECT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::asked; }, 10));
   EXPECT_EQ(world.commands().size(), commands) << "handing back sends nothing by itself";
-  EXPECT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  EXPECT_TRUE(world.say(operators::command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
@@ -151,13 +150,13 @@ TEST_P(every_vehicle, pause_holds_and_resume_goes_on) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
-  EXPECT_TRUE(world.say(operator_words::verb::pause).is_taken);
+  EXPECT_TRUE(world.say(operators::command_kind::pause).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::asked);
   const auto reports = world.reports().size();
   world.run_for(20);
   EXPECT_EQ(world.reports().size(), reports);
-  EXPECT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  EXPECT_TRUE(world.say(operators::command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
@@ -169,15 +168,15 @@ const mission::item& item_of(const mission::document& mission, std::string_view 
 }
 
 mission::assignment other_tail(const mission::document& of, sim::personality who) {
-  mission::assignment wish;
-  wish.assignment_id = "11111111-2222-4333-8444-555555555555";
-  wish.base_revision = of.revision;
-  wish.revision = of.revision + 1;
-  wish.replace_after_item_id = "w2";
-  wish.items = {tests::place(who, "n1", 0, 0), tests::place(who, "n2", -40, 0)};
+  mission::assignment assignment;
+  assignment.assignment_id = "11111111-2222-4333-8444-555555555555";
+  assignment.base_revision = of.revision;
+  assignment.revision = of.revision + 1;
+  assignment.replace_after_item_id = "w2";
+  assignment.items = {tests::place(who, "n1", 0, 0), tests::place(who, "n2", -40, 0)};
   if (who != sim::personality::rover)
-    wish.items.push_back(tests::way_home(who));
-  return wish;
+    assignment.items.push_back(tests::way_home(who));
+  return assignment;
 }
 
 TEST_P(every_vehicle, an_assignment_in_flight_replaces_the_tail_and_is_answered_with_the_last_progress) {
@@ -222,16 +221,16 @@ TEST_P(every_vehicle, a_survey_that_is_replanned_goes_on_with_the_line_that_was_
   };
   ASSERT_TRUE(world.run_until(
       [&] {
-        return world.durable().standing.now == phase::flying &&
+        return world.durable().status.now == phase::flying &&
                world.durable().progress.plan->generation.current == sequence_of_line(2);
       },
       900))
       << world.story();
-  mission::assignment wish{"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "field", {}};
-  wish.items.push_back(tests::place(GetParam(), "after", GetParam() == sim::personality::plane ? 60 : 0, 0));
+  mission::assignment assignment{"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "field", {}};
+  assignment.items.push_back(tests::place(GetParam(), "after", GetParam() == sim::personality::plane ? 60 : 0, 0));
   if (GetParam() == sim::personality::plane) // it would circle for ever
-    wish.items.push_back(tests::way_home(GetParam(), "down"));
-  world.assign(wish);
+    assignment.items.push_back(tests::way_home(GetParam(), "down"));
+  world.assign(assignment);
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
   ASSERT_EQ(world.durable().flown->surveys.size(), 1U);
   EXPECT_EQ(world.durable().flown->surveys[0].lines_before, 2U);
@@ -263,10 +262,10 @@ TEST_P(every_vehicle, an_assignment_for_another_revision_is_turned_down_with_the
   const auto mission = tests::short_mission(GetParam());
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
-  auto wish = other_tail(mission, GetParam());
-  wish.base_revision = 7;
-  wish.revision = 8;
-  world.assign(wish);
+  auto assignment = other_tail(mission, GetParam());
+  assignment.base_revision = 7;
+  assignment.revision = 8;
+  world.assign(assignment);
   ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
   EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::rejected);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
@@ -292,16 +291,16 @@ TEST_P(every_vehicle, a_crash_at_any_moment_of_a_replan_leaves_no_doubt_whose_pl
     const auto mission = tests::short_mission(GetParam());
     world.load(mission);
     ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
-    auto wish = other_tail(mission, GetParam());
+    auto assignment = other_tail(mission, GetParam());
     if (moment % 2 == 0)
-      wish.items.erase(wish.items.begin()); // a plan of another length
-    world.assign(wish);
+      assignment.items.erase(assignment.items.begin()); // a plan of another length
+    world.assign(assignment);
     world.run_for(0.03 * moment);
     world.crash();
     world.run_for(10);
-    EXPECT_NE(world.durable().standing.cause, pause_cause::foreign_plan) << moment << world.story();
-    if (world.durable().standing.now == phase::paused) {
-      ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken) << moment << world.story();
+    EXPECT_NE(world.durable().status.cause, pause_cause::foreign_plan) << moment << world.story();
+    if (world.durable().status.now == phase::paused) {
+      ASSERT_TRUE(world.say(operators::command_kind::resume).is_taken) << moment << world.story();
     }
     ASSERT_TRUE(world.run_until_phase(phase::done)) << moment << world.story();
     EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << moment << world.story();
@@ -314,9 +313,9 @@ TEST_P(every_vehicle, a_start_that_nobody_saw_is_made_up_for_also_when_godwit_di
   const auto mission = tests::short_mission(GetParam());
   world.load(mission);
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w2"); }, 600)) << world.story();
-  auto wish = other_tail(mission, GetParam());
-  std::get<mission::waypoint>(wish.items.front()).at = std::get<mission::waypoint>(item_of(mission, "w2")).at;
-  world.assign(wish);
+  auto assignment = other_tail(mission, GetParam());
+  std::get<mission::waypoint>(assignment.items.front()).at = std::get<mission::waypoint>(item_of(mission, "w2")).at;
+  world.assign(assignment);
   ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
   ASSERT_TRUE(world.run_until([&] { return !world.durable().doing; }, 60)) << world.story();
   world.switch_mode(pilot_mode(GetParam()));
@@ -324,9 +323,9 @@ TEST_P(every_vehicle, a_start_that_nobody_saw_is_made_up_for_also_when_godwit_di
   world.run_for(5);
   world.crash();
   world.run_for(5);
-  ASSERT_TRUE(world.say(operator_words::verb::hand_back).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::hand_back).is_taken);
   world.run_for(1);
-  ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
@@ -393,9 +392,9 @@ TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_report
 
 // -- sent elsewhere by an operator ---------------------------------------------------------------------
 
-operator_words::word go_there(sim::personality who) {
-  operator_words::word result;
-  result.verb = operator_words::verb::go_to;
+operators::command go_there(sim::personality who) {
+  operators::command result;
+  result.kind = operators::command_kind::go_to;
   result.place = std::get<mission::waypoint>(tests::place(who, "", -40, -20)).at;
   return result;
 }
@@ -412,7 +411,7 @@ TEST_P(every_vehicle, sent_elsewhere_it_holds_tells_the_service_and_goes_there) 
   EXPECT_EQ(mission::id_of(items.back()).substr(0, 4), "goto") << world.story();
   world.run_for(60);
   EXPECT_FALSE(is_told(world, progress_kind::reached, "w3")) << world.story();
-  EXPECT_EQ(world.durable().standing.now, phase::flying) << "it stays there" << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::flying) << "it stays there" << world.story();
 }
 
 // Between the second waypoint and the place stands a wall of 20 m.
@@ -455,7 +454,7 @@ TEST_P(every_vehicle, cancel_goes_on_with_the_first_item_that_is_not_done) {
   world.run_for(3);
   world.crash();
   world.run_for(3);
-  const auto answer = world.say(operator_words::verb::cancel);
+  const auto answer = world.say(operators::command_kind::cancel);
   ASSERT_TRUE(answer.is_taken) << answer.reason << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   for (const auto* each : {"w2", "w3"})
@@ -489,9 +488,9 @@ TEST_P(every_vehicle, what_the_service_refuses_leaves_the_vehicle_held_until_it_
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
   ASSERT_TRUE(world.say(go_there(GetParam())).is_taken);
   world.run_for(10);
-  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
   EXPECT_TRUE(world.durable().set_aside.empty()) << "it still has its mission";
-  ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
@@ -503,7 +502,7 @@ TEST_P(every_vehicle, without_a_service_an_operator_sends_it_elsewhere_all_the_s
   ASSERT_TRUE(world.say(go_there(GetParam())).is_taken);
   ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
   world.run_for(20);
-  ASSERT_TRUE(world.say(operator_words::verb::cancel).is_taken);
+  ASSERT_TRUE(world.say(operators::command_kind::cancel).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_TRUE(is_told(world, progress_kind::reached, "w3")) << world.story();
 }
@@ -512,10 +511,10 @@ TEST_P(every_vehicle, a_waypoint_is_inserted_and_the_mission_goes_on_behind_it) 
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
-  auto word = go_there(GetParam());
-  word.verb = operator_words::verb::insert;
-  word.after = "w2";
-  const auto answer = world.say(word);
+  auto command = go_there(GetParam());
+  command.kind = operators::command_kind::insert;
+  command.after = "w2";
+  const auto answer = world.say(command);
   ASSERT_TRUE(answer.is_taken) << answer.reason;
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   std::vector<std::string> reached;
@@ -534,17 +533,16 @@ TEST_P(who_need_not_circle, inserts_that_are_refused_again_and_again_follow_the_
     world.load(tests::short_mission(GetParam()));
     world.set_changes(mission_client::change_verdict::refused);
     ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
-    auto word = go_there(GetParam());
-    word.verb = operator_words::verb::insert;
+    auto command = go_there(GetParam());
+    command.kind = operators::command_kind::insert;
     for (int i = 0; i < 3; ++i) {
-      ASSERT_TRUE(world.say(word).is_taken) << world.story();
+      ASSERT_TRUE(world.say(command).is_taken) << world.story();
       world.run_for(0.5);
     }
     ASSERT_TRUE(world.run_until(
-        [&] { return world.durable().standing.now == phase::done || world.durable().standing.now == phase::aborted; },
-        600))
+        [&] { return world.durable().status.now == phase::done || world.durable().status.now == phase::aborted; }, 600))
         << world.story();
-    EXPECT_EQ(world.durable().standing.now == phase::aborted, policy == refusal_policy::come_home) << world.story();
+    EXPECT_EQ(world.durable().status.now == phase::aborted, policy == refusal_policy::come_home) << world.story();
   }
 }
 
@@ -558,12 +556,12 @@ TEST_P(every_vehicle, while_a_failsafe_acts_the_executor_sends_nothing) {
   ASSERT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 60)) << world.story();
   const auto commands = world.commands().size();
   ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::failsafe) << world.story();
-  EXPECT_FALSE(world.say(operator_words::verb::resume).is_taken) << "only after a hand-back";
+  EXPECT_EQ(world.durable().status.cause, pause_cause::failsafe) << world.story();
+  EXPECT_FALSE(world.say(operators::command_kind::resume).is_taken) << "only after a hand-back";
   world.crash();
   world.run_for(20);
   EXPECT_EQ(world.commands().size(), commands) << world.story();
-  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
 }
 
 TEST_P(every_vehicle, a_fence_of_the_mission_is_watched_from_the_start) {

@@ -7,7 +7,7 @@
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "actors/failsafe/senses.hpp"
-#include "actors/failsafe/vehicle_words.hpp"
+#include "actors/failsafe/vehicle_texts.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
@@ -30,8 +30,8 @@ constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 } // namespace
 
 flight_world::flight_world(const options& wanted)
-    : map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()), dice_(wanted.seed), lost_(wanted.lost),
-      doubled_(wanted.doubled), late_(wanted.late), most_delay_ms_(wanted.most_delay_ms) {
+    : map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()), test_rng_(wanted.seed),
+      lost_(wanted.lost), doubled_(wanted.doubled), late_(wanted.late), most_delay_ms_(wanted.most_delay_ms) {
   if (wanted.has_service)
     settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
@@ -66,14 +66,14 @@ void flight_world::begin_link() {
 }
 
 void flight_world::begin_executor() {
-  core_->on_house(house());
-  core_->on_stance(failsafe_->told());
+  core_->on_host_status(host_status());
+  core_->on_failsafe_status(failsafe_->told());
   take(core_->on_start());
-  settle();
+  resolve();
 }
 
-executor::house flight_world::house() const {
-  executor::house result;
+executor::host_status flight_world::host_status() const {
+  executor::host_status result;
   result.journal = {true, true, 10ULL << 30U};
   result.actors = {{"vehicle_link", true}};
   return result;
@@ -84,14 +84,14 @@ void flight_world::load(const mission::document& what) {
   loaded.document = what;
   take(core_->on_mission(loaded, now()));
   tell_map(what.mission_id);
-  settle();
+  resolve();
 }
 
 void flight_world::pull_map(mission_client::pull_state outcome) {
   map_ = outcome;
   if (state_.mission)
     tell_map(state_.mission->mission_id);
-  settle();
+  resolve();
 }
 
 // A pull that has not begun is not spoken of.
@@ -100,22 +100,22 @@ void flight_world::tell_map(const std::string& mission_id) {
     take(core_->on_map({mission_id, map_, 0, 0, {}}, now()));
 }
 
-void flight_world::assign(const mission::assignment& wish) {
-  take(core_->on_assignment({state_.mission->mission_id, wish}, now()));
-  settle();
+void flight_world::assign(const mission::assignment& assignment) {
+  take(core_->on_assignment({state_.mission->mission_id, assignment}, now()));
+  resolve();
 }
 
-operator_words::answer flight_world::say(operator_words::verb what) {
-  operator_words::word word;
-  word.verb = what;
-  return say(word);
+operators::answer flight_world::say(operators::command_kind what) {
+  operators::command command;
+  command.kind = what;
+  return say(command);
 }
 
-operator_words::answer flight_world::say(const operator_words::word& what) {
+operators::answer flight_world::say(const operators::command& what) {
   auto said = what;
   said.by = "test";
   auto answer = core_->on_operator(said, now());
-  settle();
+  resolve();
   return answer;
 }
 
@@ -139,7 +139,7 @@ void flight_world::change_mission(const std::string& key, const std::optional<st
     if (answer.verdict == mission_client::change_verdict::done)
       load(revised);
     take(core_->on_change(answer, now()));
-    settle();
+    resolve();
   });
 }
 
@@ -167,10 +167,10 @@ bool flight_world::acknowledge() {
   const auto awaits = [&] { return state_.preflight.now == executor::preflight::phase::awaiting_ack; };
   if (!run_until(awaits, 60))
     return false;
-  operator_words::word word;
-  word.verb = operator_words::verb::acknowledge;
-  word.report = state_.preflight.report->id;
-  return say(word).is_taken;
+  operators::command command;
+  command.kind = operators::command_kind::acknowledge;
+  command.report = state_.preflight.report->id;
+  return say(command).is_taken;
 }
 
 void flight_world::crash() {
@@ -187,8 +187,8 @@ void flight_world::crash() {
 
 void flight_world::crash_failsafe() {
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
-  core_->on_stance(failsafe_->told());
-  settle();
+  core_->on_failsafe_status(failsafe_->told());
+  resolve();
 }
 
 void flight_world::crash_link() {
@@ -205,7 +205,7 @@ void flight_world::crash_link() {
       outcome.verdict = vehicle_link::command_verdict::timed_out;
       take(core_->on_command(number, outcome, now()));
     }
-  settle();
+  resolve();
 }
 
 void flight_world::crash_all() {
@@ -238,17 +238,17 @@ void flight_world::take(const failsafe::effects& wanted) {
     std::visit([this](const auto& what) { take(what); }, each);
 }
 
-// Behind the stance that says whose it is, as the actor does it.
+// Behind the failsafe_status that says whose it is, as the actor does it.
 void flight_world::take(const failsafe::command_vehicle& each) {
-  core_->on_stance(failsafe_->told());
+  core_->on_failsafe_status(failsafe_->told());
   reactions_.push_back(each);
   if (const auto words = failsafe::words_for(each, owner_))
     take(link_->on_command(first_of_failsafe + each.number, *words, link_now()));
 }
 
-void flight_world::take(const failsafe::stance_changed& each) { core_->on_stance(each.now); }
+void flight_world::take(const failsafe::failsafe_status_changed& each) { core_->on_failsafe_status(each.now); }
 
-void flight_world::take(const failsafe::guard_settled& each) {
+void flight_world::take(const failsafe::guard_resolved& each) {
   take(core_->on_guarded(each.request_id, each.answer, true, now()));
 }
 
@@ -285,27 +285,29 @@ void flight_world::step() {
   take(link_->on_time(link_now()));
   if (failsafe_due_ns_ <= time_.now_ns())
     tick_failsafe();
-  settle();
+  resolve();
 }
 
 // The line between link and vehicle, with its faults.
 void flight_world::carry(
     std::span<const std::byte> frame,
     std::function<void(const std::vector<std::byte>&)> deliver) { // NOLINT(performance-unnecessary-value-param): kept
-  const auto falls = [&](double share) { return share > 0 && std::uniform_real_distribution<>(0, 1)(dice_) < share; };
+  const auto falls = [&](double share) {
+    return share > 0 && std::uniform_real_distribution<>(0, 1)(test_rng_) < share;
+  };
   if (time_.now_ns() < cut_until_ns_ || falls(lost_))
     return;
   const std::vector<std::byte> bytes(frame.begin(), frame.end());
   for (int copies = falls(doubled_) ? 2 : 1; copies > 0; --copies) {
     const auto delay_ms =
-        most_delay_ms_ <= 1 ? 1 : std::uniform_int_distribution<std::int64_t>(1, most_delay_ms_)(dice_);
+        most_delay_ms_ <= 1 ? 1 : std::uniform_int_distribution<std::int64_t>(1, most_delay_ms_)(test_rng_);
     const std::int64_t held_ms = falls(late_) ? late_ms : 0;
     time_.at(time_.now_ns() + (delay_ms + held_ms) * 1'000'000, [bytes, deliver] { deliver(bytes); });
   }
 }
 
 // What is noted is applied one by one, and then the core goes on.
-void flight_world::settle() {
+void flight_world::resolve() {
   for (;;) {
     while (!notes_.empty()) {
       const auto next = std::move(notes_.front());
@@ -362,7 +364,7 @@ void flight_world::dispatch(const executor::durable_core::effect& each) {
           change_mission(m.tail.idempotency_key, m.tail.after_item_id, m.tail.items, false);
         else if constexpr (std::is_same_v<M, executor::start_answer>)
           start_answers_.push_back(m);
-        else if constexpr (std::is_same_v<M, executor::stood>)
+        else if constexpr (std::is_same_v<M, executor::phase_status>)
           said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) +
                           (m.reason.empty() ? "" : ": " + m.reason));
         else if constexpr (std::is_same_v<M, executor::preflight::phase_changed>)
@@ -415,9 +417,9 @@ void flight_world::take(const executor::order& each) {
 void flight_world::take(const executor::say_to_client& each) {
   if (std::holds_alternative<mission_client::push_map>(each.what)) {
     ++pushes_;
-    mission_client::mission_settled settled;
-    settled.mission_id = std::get<mission_client::push_map>(each.what).mission_id;
-    time_.at(time_.now_ns() + 1'000'000'000, [this, settled] { take(core_->on_delivered(settled, now())); });
+    mission_client::mission_resolved resolved;
+    resolved.mission_id = std::get<mission_client::push_map>(each.what).mission_id;
+    time_.at(time_.now_ns() + 1'000'000'000, [this, resolved] { take(core_->on_delivered(resolved, now())); });
   }
 }
 
@@ -470,11 +472,11 @@ void flight_world::hear(std::span<const std::byte> frame) {
   });
 }
 
-void flight_world::take(const vehicle_link::settled_command& each) {
+void flight_world::take(const vehicle_link::resolved_command& each) {
   if (each.asked_by.kind != vehicle_link::asker_kind::outside)
     return;
   if (each.asked_by.request_id >= first_of_failsafe)
-    failsafe_->take(failsafe::command_settled{each.asked_by.request_id - first_of_failsafe, each.outcome.verdict},
+    failsafe_->take(failsafe::command_resolved{each.asked_by.request_id - first_of_failsafe, each.outcome.verdict},
                     failsafe_now());
   else {
     asked_.erase(each.asked_by.request_id);
@@ -482,7 +484,7 @@ void flight_world::take(const vehicle_link::settled_command& each) {
   }
 }
 
-void flight_world::take(const vehicle_link::settled_transfer& each) {
+void flight_world::take(const vehicle_link::resolved_transfer& each) {
   asked_.erase(each.request_id);
   take(core_->on_transfer(each.request_id, each.outcome, now()));
 }
@@ -513,15 +515,15 @@ void flight_world::take(const vehicle_link::announcement& each) {
 // -- people -----------------------------------------------------------------------------------------
 
 void flight_world::send_by_hand(std::uint16_t command, float param1, float param7, float param2) {
-  io::mavlink::command_long wish;
-  wish.target_system = 1;
-  wish.target_component = 1;
-  wish.command = command;
-  wish.param1 = param1;
-  wish.param2 = param2;
-  wish.param7 = param7;
+  io::mavlink::command_long assignment;
+  assignment.target_system = 1;
+  assignment.target_component = 1;
+  assignment.command = command;
+  assignment.param1 = param1;
+  assignment.param2 = param2;
+  assignment.param7 = param7;
   io::mavlink::scanner one;
-  one.feed(io::mavlink::encode(wish, station, 0).span(),
+  one.feed(io::mavlink::encode(assignment, station, 0).span(),
            [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
 }
 
@@ -543,12 +545,12 @@ void flight_world::fly_by_hand(std::uint32_t custom_mode) {
 }
 
 void flight_world::switch_mode(std::uint32_t custom_mode) {
-  io::mavlink::set_mode wish;
-  wish.target_system = 1;
-  wish.base_mode = 1;
-  wish.custom_mode = custom_mode;
+  io::mavlink::set_mode assignment;
+  assignment.target_system = 1;
+  assignment.base_mode = 1;
+  assignment.custom_mode = custom_mode;
   io::mavlink::scanner one;
-  one.feed(io::mavlink::encode(wish, station, 0).span(),
+  one.feed(io::mavlink::encode(assignment, station, 0).span(),
            [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
 }
 
@@ -561,12 +563,12 @@ void flight_world::vehicle_says(std::string_view text) {
 
 void flight_world::vehicle_tells(const vehicle_link::observation& what) {
   take(what);
-  settle();
+  resolve();
 }
 
 void flight_world::vehicle_restarts() {
   take(vehicle_link::announcement(vehicle_link::vehicle_restarted{}));
-  settle();
+  resolve();
 }
 
 void flight_world::arm_by_hand() { send_by_hand(400, 1); }

@@ -61,14 +61,14 @@ public:
   void load(const mission::document& what);
   // What becomes of the map's pull, now and for missions that are loaded later.
   void pull_map(mission_client::pull_state outcome);
-  void assign(const mission::assignment& wish);
+  void assign(const mission::assignment& assignment);
   // As far as the core is told: it can not be kept up.
   void lose_failsafe(bool is_gone) { core_->on_failsafe_gone(is_gone); }
   // What a ground station uploads, clears and starts; and what it is shown.
   template <class M>
   void station_says(const M& m) {
     take(core_->on_station(m, now()));
-    settle();
+    resolve();
   }
   [[nodiscard]] const std::vector<io::mavlink::mission_item_int>& shown_items() const { return shown_items_; }
   [[nodiscard]] int times_shown() const { return times_shown_; }
@@ -76,8 +76,8 @@ public:
   [[nodiscard]] const std::vector<std::uint16_t>& shown_reached() const { return shown_reached_; }
   [[nodiscard]] const std::vector<executor::start_answer>& start_answers() const { return start_answers_; }
   [[nodiscard]] std::int64_t wall_ns() const { return now().wall_ns; }
-  [[nodiscard]] operator_words::answer say(operator_words::verb what);
-  [[nodiscard]] operator_words::answer say(const operator_words::word& what);
+  [[nodiscard]] operators::answer say(operators::command_kind what);
+  [[nodiscard]] operators::answer say(const operators::command& what);
   // Acknowledges what the preflight checks find degraded, when they have.
   [[nodiscard]] bool acknowledge();
   // What the service answers to a change, from now on.
@@ -108,7 +108,7 @@ public:
     (void)run_until([] { return false; }, seconds);
   }
   bool run_until_phase(executor::phase wanted, double most_s = 600) {
-    return run_until([&] { return state_.standing.now == wanted; }, most_s);
+    return run_until([&] { return state_.status.now == wanted; }, most_s);
   }
 
   [[nodiscard]] const executor::state& durable() const { return state_; }
@@ -160,7 +160,7 @@ private:
   void begin_link();
   void begin_executor();
   void step();
-  void settle();
+  void resolve();
   void take(const executor::effects& wanted);
   void take(const executor::note& each) { notes_.push_back(each.what); }
   void take(const executor::order& each);
@@ -172,9 +172,9 @@ private:
   void take_report(const mission::progress_report& report);
   void take(const failsafe::effects& wanted);
   void take(const failsafe::command_vehicle& each);
-  void take(const failsafe::stance_changed& each);
-  void take(const failsafe::guard_settled& each);
-  void take(const failsafe::override_settled&) {}
+  void take(const failsafe::failsafe_status_changed& each);
+  void take(const failsafe::guard_resolved& each);
+  void take(const failsafe::override_resolved&) {}
   void take(const failsafe::warning& each) { said_.push_back("failsafe: " + each.text); }
   void take(const godwit::runtime::condition&) {}
   void take(const failsafe::remember& each);
@@ -184,8 +184,8 @@ private:
   void take(const executor::announce& each) { said_.push_back(each.sentence); }
   void take(const vehicle_link::effects& wanted);
   void take(const vehicle_link::transmission& each);
-  void take(const vehicle_link::settled_command& each);
-  void take(const vehicle_link::settled_transfer& each);
+  void take(const vehicle_link::resolved_command& each);
+  void take(const vehicle_link::resolved_transfer& each);
   void take(const vehicle_link::observation& each);
   void take(const vehicle_link::announcement& each);
   void dispatch(const executor::durable_core::effect& each);
@@ -194,7 +194,7 @@ private:
   void restore();
   void end_core();
   void hear(std::span<const std::byte> frame);
-  [[nodiscard]] executor::house house() const;
+  [[nodiscard]] executor::host_status host_status() const;
 
   static constexpr std::int64_t wall_began_ns = 1'790'000'000'000'000'000; // September 2026
 
@@ -209,7 +209,7 @@ private:
   flight::mode_owner owner_;
   std::int64_t failsafe_due_ns_ = 0;
   std::unique_ptr<vehicle_link::core> link_;
-  std::mt19937_64 dice_;
+  std::mt19937_64 test_rng_;
   double lost_ = 0;
   double doubled_ = 0;
   double late_ = 0;

@@ -19,7 +19,7 @@ namespace godwit::executor {
 namespace {
 
 using mission::progress_kind;
-using operator_words::verb;
+using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 
@@ -58,11 +58,11 @@ bool may_be_ours(personality who, std::uint32_t mode) {
   return std::ranges::find(ours, mode) != ours.end();
 }
 
-mission::document any_mission(personality who, std::mt19937_64& dice) {
+mission::document any_mission(personality who, std::mt19937_64& test_rng) {
   auto result = tests::short_mission(who);
   if (who == personality::rover)
     return result;
-  const auto variant = dice() % 3;
+  const auto variant = test_rng() % 3;
   if (variant == 1)
     result.items.pop_back(); // it ends in the air
   if (variant == 2 && who != personality::plane)
@@ -73,12 +73,12 @@ mission::document any_mission(personality who, std::mt19937_64& dice) {
 class flight_with_people {
 public:
   explicit flight_with_people(std::uint64_t seed)
-      : dice_(seed), who_(static_cast<personality>(dice_() % 4)), mission_(any_mission(who_, dice_)),
-        world_(any_world(dice_, who_)), may_start_(is_automatic_) {}
+      : test_rng_(seed), who_(static_cast<personality>(test_rng_() % 4)), mission_(any_mission(who_, test_rng_)),
+        world_(any_world(test_rng_, who_)), may_start_(is_automatic_) {}
 
   void fly() {
     world_.load(mission_);
-    const auto deeds = 1 + dice_() % most_deeds;
+    const auto deeds = 1 + test_rng_() % most_deeds;
     for (std::size_t i = 0; i < deeds && violation_.empty(); ++i) {
       wait(any_while());
       if (i == edge_deed_)
@@ -96,29 +96,29 @@ public:
   [[nodiscard]] bool had_takeover() const { return takeovers_ > 0; }
 
 private:
-  flight_world::options any_world(std::mt19937_64& dice, personality who) {
+  flight_world::options any_world(std::mt19937_64& test_rng, personality who) {
     flight_world::options result{.who = who, .arm_on_start = true, .speed = 4};
-    is_automatic_ = dice() % 2 == 0;
+    is_automatic_ = test_rng() % 2 == 0;
     result.start = is_automatic_ ? start_policy::automatic : start_policy::on_command;
-    result.seed = dice();
-    if (dice() % 2 == 0) {
-      result.lost = 0.01 * static_cast<double>(dice() % 21);
-      result.doubled = 0.01 * static_cast<double>(dice() % 6);
-      result.most_delay_ms = 1 + static_cast<std::int64_t>(dice() % 90);
-      result.late = 0.002 * static_cast<double>(dice() % 6);
+    result.seed = test_rng();
+    if (test_rng() % 2 == 0) {
+      result.lost = 0.01 * static_cast<double>(test_rng() % 21);
+      result.doubled = 0.01 * static_cast<double>(test_rng() % 6);
+      result.most_delay_ms = 1 + static_cast<std::int64_t>(test_rng() % 90);
+      result.late = 0.002 * static_cast<double>(test_rng() % 6);
     }
     return result;
   }
 
   // Often short: between two steps of a start lie tenths of a second.
   double any_while() {
-    switch (dice_() % 3) {
+    switch (test_rng_() % 3) {
     case 0:
-      return 0.05 * static_cast<double>(dice_() % 20);
+      return 0.05 * static_cast<double>(test_rng_() % 20);
     case 1:
-      return 0.2 * static_cast<double>(dice_() % 25);
+      return 0.2 * static_cast<double>(test_rng_() % 25);
     default:
-      return static_cast<double>(dice_() % 25);
+      return static_cast<double>(test_rng_() % 25);
     }
   }
 
@@ -134,7 +134,7 @@ private:
   // -- what people, lines and computers do
 
   void do_something() {
-    switch (dice_() % 16) {
+    switch (test_rng_() % 16) {
     case 0:
     case 1:
     case 2:
@@ -146,7 +146,7 @@ private:
       touched_ = true;
       return;
     case 5:
-      if (dice_() % 3 == 0) {
+      if (test_rng_() % 3 == 0) {
         note("disarmed by hand");
         world_.disarm_by_hand();
         touched_ = true;
@@ -154,30 +154,30 @@ private:
       return;
     case 6:
     case 7:
-      return say(verb::hand_back);
+      return say(command_kind::hand_back);
     case 8:
-      return say(verb::resume);
+      return say(command_kind::resume);
     case 9:
     case 10:
-      return say(verb::start);
+      return say(command_kind::start);
     case 11:
-      return say(std::array{verb::pause, verb::come_home}[dice_() % 2]);
+      return say(std::array{command_kind::pause, command_kind::come_home}[test_rng_() % 2]);
     case 12:
       return assign();
     case 13: {
       constexpr std::array<std::uint16_t, 3> commands{176, 300, 400};
       note("a command is lost");
-      return world_.lose_command(commands[dice_() % commands.size()], 1 + static_cast<int>(dice_() % 3));
+      return world_.lose_command(commands[test_rng_() % commands.size()], 1 + static_cast<int>(test_rng_() % 3));
     }
     case 14:
       return die();
     default:
-      if (dice_() % 2 == 0) {
+      if (test_rng_() % 2 == 0) {
         note("low battery");
-        world_.vehicle().set_battery(3 + static_cast<double>(dice_() % 20), world_.now_ns());
+        world_.vehicle().set_battery(3 + static_cast<double>(test_rng_() % 20), world_.now_ns());
       } else {
         note("silence");
-        world_.cut_line(0.1 * static_cast<double>(dice_() % 60));
+        world_.cut_line(0.1 * static_cast<double>(test_rng_() % 60));
       }
     }
   }
@@ -186,26 +186,26 @@ private:
   [[nodiscard]] bool is_near_plan_end() const {
     const auto& s = world_.durable();
     return s.progress.plan && (s.progress.plan->generation.is_finished || progress::is_at_last_movement(s.progress) ||
-                               s.standing.now == phase::landing);
+                               s.status.now == phase::landing);
   }
 
   [[nodiscard]] bool is_at_edge() const {
     const auto& s = world_.durable();
-    return (s.doing && s.doing->kind == task_kind::start) || (s.standing.in_flight && is_near_plan_end());
+    return (s.doing && s.doing->kind == task_kind::start) || (s.status.in_flight && is_near_plan_end());
   }
 
   // In a start, or on the last leg: waits until it comes, and a little longer.
   void take_over_at_edge() {
     for (int i = 0; i < 1'200 && violation_.empty() && !is_at_edge(); ++i)
       wait(2 * step_s);
-    wait(step_s * static_cast<double>(dice_() % 30));
+    wait(step_s * static_cast<double>(test_rng_() % 30));
     if (violation_.empty())
       change_mode();
   }
 
   void change_mode() {
     const auto modes = modes_of(who_);
-    const auto mode = modes[dice_() % modes.size()];
+    const auto mode = modes[test_rng_() % modes.size()];
     const auto& s = world_.durable();
     const bool is_starting = s.doing && s.doing->kind == task_kind::start;
     const bool had_watch = is_watched() && (is_starting || world_.vehicle().describe().armed);
@@ -225,16 +225,16 @@ private:
     }
   }
 
-  void say(verb what) {
+  void say(command_kind what) {
     const auto answer = world_.say(what);
     note(std::string(io::name_of(what)) + (answer.is_taken ? "" : ": refused, " + answer.reason));
     if (!answer.is_taken)
       return;
-    if (what == verb::hand_back) {
+    if (what == command_kind::hand_back) {
       person_mode_.reset();
       orders_before_.reset();
     }
-    if (what == verb::start)
+    if (what == command_kind::start)
       may_start_ = true;
   }
 
@@ -243,19 +243,19 @@ private:
     if (!s.mission || !violation_.empty())
       return;
     note("an assignment");
-    mission::assignment wish;
-    wish.assignment_id = "11111111-2222-4333-8444-" + std::to_string(100'000'000'000 + ++assignments_);
-    wish.base_revision = s.mission->revision;
-    wish.revision = s.mission->revision + 1;
-    wish.replace_after_item_id = dice_() % 2 == 0 ? "w1" : "w2";
-    wish.items = {tests::place(who_, "n" + std::to_string(assignments_), 20, 20)};
+    mission::assignment assignment;
+    assignment.assignment_id = "11111111-2222-4333-8444-" + std::to_string(100'000'000'000 + ++assignments_);
+    assignment.base_revision = s.mission->revision;
+    assignment.revision = s.mission->revision + 1;
+    assignment.replace_after_item_id = test_rng_() % 2 == 0 ? "w1" : "w2";
+    assignment.items = {tests::place(who_, "n" + std::to_string(assignments_), 20, 20)};
     if (who_ != personality::rover)
-      wish.items.push_back(tests::way_home(who_));
-    world_.assign(wish);
+      assignment.items.push_back(tests::way_home(who_));
+    world_.assign(assignment);
   }
 
   void die() {
-    switch (dice_() % 3) {
+    switch (test_rng_() % 3) {
     case 0:
       note("the executor dies");
       return world_.crash();
@@ -272,10 +272,10 @@ private:
 
   [[nodiscard]] bool is_watched() const {
     const auto& s = world_.durable();
-    return s.standing.in_flight || (s.doing && s.doing->kind == task_kind::start);
+    return s.status.in_flight || (s.doing && s.doing->kind == task_kind::start);
   }
   [[nodiscard]] bool is_reacting() const {
-    return !world_.reactions().empty() && world_.durable().standing.cause != pause_cause::taken_over;
+    return !world_.reactions().empty() && world_.durable().status.cause != pause_cause::taken_over;
   }
 
   [[nodiscard]] std::size_t sent() const {
@@ -297,7 +297,7 @@ private:
   void watch_takeover() {
     const auto sent = this->sent();
     if (person_mode_ && !orders_before_ && world_.heard_mode() == person_mode_) {
-      if (!is_watched() && !needs_hand_back(world_.durable().standing.cause)) {
+      if (!is_watched() && !needs_hand_back(world_.durable().status.cause)) {
         person_mode_.reset(); // it was over before
         return;
       }
@@ -320,11 +320,10 @@ private:
     if (starts > starts_ && !may_start_ && !flies_on && violation_.empty())
       violation_ = "it was started, and nobody had said so";
     starts_ = starts;
-    const bool has_ended = was_in_flight_ && !s.standing.in_flight;
-    if (has_ended ||
-        (s.standing.now == phase::paused && s.standing.cause != pause_cause::asked && !s.standing.in_flight))
+    const bool has_ended = was_in_flight_ && !s.status.in_flight;
+    if (has_ended || (s.status.now == phase::paused && s.status.cause != pause_cause::asked && !s.status.in_flight))
       may_start_ = false;
-    was_in_flight_ = s.standing.in_flight;
+    was_in_flight_ = s.status.in_flight;
   }
 
   void watch_track() {
@@ -377,13 +376,13 @@ private:
       violation_ = "complete, and it was never at its last item";
   }
 
-  std::mt19937_64 dice_;
+  std::mt19937_64 test_rng_;
   personality who_;
   mission::document mission_;
   bool is_automatic_ = false;
   flight_world world_;
   bool may_start_ = false;
-  std::size_t edge_deed_ = dice_() % 12; // in most flights there is one
+  std::size_t edge_deed_ = test_rng_() % 12; // in most flights there is one
   std::string did_;
   std::string violation_;
   std::optional<std::uint32_t> person_mode_; // taken by a person, and not handed back

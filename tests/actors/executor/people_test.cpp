@@ -14,7 +14,7 @@ namespace godwit::executor {
 namespace {
 
 using mission::progress_kind;
-using operator_words::verb;
+using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 using tests::fly_to;
@@ -68,7 +68,7 @@ TEST_P(people, on_the_way_to_the_last_item_a_pilot_is_seen_and_nothing_is_sent) 
       ASSERT_TRUE(fly_to(world, mission, goes_home ? progress_kind::reached : progress_kind::started, "w3"));
       world.run_for(2);
       world.switch_mode(mode);
-      ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::taken_over; }, 6))
+      ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 6))
           << world.story();
       const auto orders = world.orders();
       world.assign(tail_behind("w2", GetParam()));
@@ -88,7 +88,7 @@ TEST_P(people_in_the_air, behind_a_landing_by_a_pilot_nothing_is_brought_armed_o
     world.load(with_landing_on_the_way());
     if (policy == start_policy::on_command) {
       ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-      ASSERT_TRUE(world.say(verb::start).is_taken);
+      ASSERT_TRUE(world.say(command_kind::start).is_taken);
     }
     ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::started, "w1"); }, 600)) << world.story();
     world.switch_mode(landing_mode(GetParam()));
@@ -97,11 +97,11 @@ TEST_P(people_in_the_air, behind_a_landing_by_a_pilot_nothing_is_brought_armed_o
     world.run_for(60);
     EXPECT_EQ(world.orders(), orders) << world.story();
     EXPECT_FALSE(world.vehicle().describe().armed);
-    EXPECT_TRUE(needs_hand_back(world.durable().standing.cause)) << world.story();
+    EXPECT_TRUE(needs_hand_back(world.durable().status.cause)) << world.story();
     EXPECT_FALSE(is_told(world, progress_kind::reached, "drop")) << world.story();
-    ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+    ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
     world.run_for(1);
-    ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
+    ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
     EXPECT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
   }
 }
@@ -116,10 +116,10 @@ TEST_P(people_in_the_air, a_landing_by_a_pilot_reaches_skips_and_completes_nothi
   EXPECT_FALSE(is_complete(world)) << world.story();
   EXPECT_LE(world.reports().size(), reports + 1) << world.story();
   EXPECT_FALSE(is_told(world, progress_kind::skipped, "w3")) << world.story();
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
   world.run_for(1);
   EXPECT_FALSE(is_complete(world)) << world.story();
-  EXPECT_TRUE(world.say(verb::resume).is_taken) << "the rest can be flown\n" << world.story();
+  EXPECT_TRUE(world.say(command_kind::resume).is_taken) << "the rest can be flown\n" << world.story();
 }
 
 TEST_P(people_in_the_air, behind_a_landing_on_the_way_the_take_off_needs_a_persons_word) {
@@ -129,7 +129,7 @@ TEST_P(people_in_the_air, behind_a_landing_on_the_way_the_take_off_needs_a_perso
   ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
   world.run_for(30);
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
-  ASSERT_TRUE(world.say(verb::start).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
@@ -147,7 +147,7 @@ TEST_P(people, a_start_that_was_lost_is_not_repeated_when_a_person_has_changed_t
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.lose_command(mission_start, 3);
-  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
       << world.story();
   world.run_for(0.5);
@@ -157,7 +157,7 @@ TEST_P(people, a_start_that_was_lost_is_not_repeated_when_a_person_has_changed_t
   world.run_for(20);
   EXPECT_EQ(world.orders(), orders) << world.story();
   EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
 }
 
 TEST_P(people, who_disarms_it_during_its_start_has_it) {
@@ -165,7 +165,7 @@ TEST_P(people, who_disarms_it_during_its_start_has_it) {
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.lose_command(mission_start, 5);
-  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 10)) << world.story();
   ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
       << world.story();
@@ -174,7 +174,7 @@ TEST_P(people, who_disarms_it_during_its_start_has_it) {
   const auto orders = world.orders();
   world.run_for(20);
   EXPECT_EQ(world.orders(), orders) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
 }
 
@@ -183,13 +183,13 @@ TEST_P(people, who_disarms_it_during_its_start_has_it) {
 TEST_P(people_in_the_air, resume_right_behind_a_disarm_commands_nothing) {
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
   world.disarm_by_hand();
   ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().in_air; }, 60)) << world.story();
   world.run_for(1.5);
   const auto orders = world.orders();
-  EXPECT_FALSE(world.say(verb::resume).is_taken) << world.story();
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken) << world.story();
   world.run_for(20);
   EXPECT_EQ(world.orders(), orders) << world.story();
 }
@@ -221,7 +221,7 @@ TEST_P(people_in_the_air, a_plan_that_somebody_else_flies_is_not_replaced) {
     world.run_for(20);
     EXPECT_EQ(world.orders(), 0) << world.story();
     EXPECT_EQ(world.vehicle().describe().mission_count, 0) << world.story();
-    EXPECT_EQ(world.durable().standing.now, phase::preflight) << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::preflight) << world.story();
   }
 }
 
@@ -232,13 +232,13 @@ TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_behind_a_hold_of_ours_that_w
       {.who = GetParam(), .speed = 4}); // a heartbeat each quarter of a second: a Copter tells each change
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
   world.lose_command(set_mode, 1);
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(0.5);
   world.switch_mode(hold_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == hold_mode(GetParam()); }, 3)) << world.story();
   const auto orders = world.orders();
   world.run_for(10);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
 }
 
@@ -246,10 +246,10 @@ TEST_P(people, a_pause_that_was_lost_is_said_again_each_second_and_shown_as_paus
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
   world.lose_command(set_mode, 2);
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
-  EXPECT_EQ(world.durable().standing.reason.substr(0, 7), "pausing") << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::flying) << world.story();
+  EXPECT_EQ(world.durable().status.reason.substr(0, 7), "pausing") << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::paused, 4)) << world.story();
 }
 
@@ -257,9 +257,9 @@ TEST_P(people, a_pause_that_is_never_obeyed_is_said_so_and_not_shown_as_paused) 
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
   world.lose_command(set_mode, 100);
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(7);
-  EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::flying) << world.story();
   EXPECT_NE(world.story().find("not obeyed"), std::string::npos) << world.story();
 }
 
@@ -278,7 +278,7 @@ TEST_P(people, at_20_percent_loss_a_pause_is_obeyed_within_2_5_s) {
     world.run_for(0.05 * (seed % 40));
     const auto orders = world.orders();
     const auto said_ns = world.now_ns();
-    ASSERT_TRUE(world.say(verb::pause).is_taken);
+    ASSERT_TRUE(world.say(command_kind::pause).is_taken);
     EXPECT_GT(world.orders(), orders) << "it is commanded in the turn in which it is said";
     (void)world.run_until([&] { return holds(world); }, 20); // where all five sends were lost: 20 s
     took_s.push_back(static_cast<double>(world.now_ns() - said_ns) * 1e-9);
@@ -294,15 +294,14 @@ TEST_P(people, a_pause_does_not_wait_for_an_upload_that_is_under_way) {
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
   world.assign(tail_behind("w2", GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 5)) << world.story();
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   const auto said_ns = world.now_ns();
-  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::asked; }, 5))
-      << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::asked; }, 5)) << world.story();
   EXPECT_LT(world.now_ns() - said_ns, 2'500'000'000) << world.story();
   world.run_for(15);
   EXPECT_FALSE(world.durable().progress.upload) << "what was given up has an end\n" << world.story();
   EXPECT_EQ(world.answers().size(), 1U) << "and an answer\n" << world.story();
-  ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::done, 300)) << world.story();
 }
 
@@ -311,29 +310,29 @@ TEST_P(people, a_pause_in_a_start_ends_the_start) {
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.lose_command(mission_start, 5);
-  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
       << world.story();
-  ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.story();
   world.run_for(10);
   EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 1) << world.story();
   EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
-  EXPECT_NE(world.durable().standing.now, phase::starting) << world.story();
+  EXPECT_NE(world.durable().status.now, phase::starting) << world.story();
 }
 
-// The start came through before the word: what flies is held.
+// The start came through before the command: what flies is held.
 TEST_P(people, a_pause_right_behind_a_start_holds_what_has_started) {
   for (int wait = 0; wait < 12; ++wait) {
     flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
     world.load(tests::short_mission(GetParam()));
     ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-    ASSERT_TRUE(world.say(verb::start).is_taken);
+    ASSERT_TRUE(world.say(command_kind::start).is_taken);
     ASSERT_TRUE(world.run_until([&] { return std::ranges::count(world.commands(), mission_start) == 1; }, 10))
         << world.story();
     world.run_for(0.1 * wait);
-    ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
+    ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.story();
     world.run_for(8);
-    EXPECT_TRUE(world.durable().standing.now == phase::paused || !world.vehicle().describe().armed) << world.story();
+    EXPECT_TRUE(world.durable().status.now == phase::paused || !world.vehicle().describe().armed) << world.story();
     EXPECT_NE(world.heard_mode(), mission_mode(GetParam())) << world.story();
     EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 1) << world.story();
   }
@@ -347,7 +346,7 @@ TEST_P(people, who_has_armed_it_and_disarms_it_in_its_start_has_it) {
   ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 5)) << world.story();
   world.run_for(1.5);
   world.lose_command(mission_start, 1);
-  ASSERT_TRUE(world.say(verb::start).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.story();
   world.run_for(0.3);
   world.disarm_by_hand();
   world.run_for(20);
@@ -373,11 +372,11 @@ TEST_P(people, nobody_sends_it_to_a_place_that_no_mission_may_have) {
   places.push_back({near.latitude, endless, near.altitude_m});
   const auto orders = world.orders();
   for (const auto& each : places)
-    for (const auto what : {verb::go_to, verb::insert}) {
-      operator_words::word word;
-      word.verb = what;
-      word.place = each;
-      EXPECT_FALSE(world.say(word).is_taken) << each.latitude << " " << each.altitude_m;
+    for (const auto what : {command_kind::go_to, command_kind::insert}) {
+      operators::command command;
+      command.kind = what;
+      command.place = each;
+      EXPECT_FALSE(world.say(command).is_taken) << each.latitude << " " << each.altitude_m;
     }
   world.run_for(1);
   EXPECT_EQ(world.orders(), orders) << world.story();
@@ -401,15 +400,15 @@ TEST_P(people_in_the_air, behind_a_last_waypoint_it_is_said_that_the_vehicle_wai
   ASSERT_TRUE(fly_to(world, open_ended(GetParam()), progress_kind::reached, "w3"));
   ASSERT_TRUE(world.run_until([&] { return is_complete(world); }, 60)) << world.story();
   world.run_for(3);
-  const stood waits = world.durable().standing;
+  const phase_status waits = world.durable().status;
   EXPECT_EQ(waits.now, phase::paused) << world.story();
   EXPECT_EQ(waits.cause, pause_cause::plan_ended);
   EXPECT_TRUE(waits.in_flight);
   world.crash_all();
   world.run_for(5);
-  EXPECT_EQ(world.durable().standing, waits) << world.story();
-  EXPECT_FALSE(world.say(verb::resume).is_taken);
-  ASSERT_TRUE(world.say(verb::come_home).is_taken) << world.story();
+  EXPECT_EQ(world.durable().status, waits) << world.story();
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.say(command_kind::come_home).is_taken) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_FALSE(world.vehicle().describe().in_air);
 }
@@ -420,7 +419,7 @@ TEST_P(people_in_the_air, who_has_landed_it_keeps_it_when_godwit_dies_while_it_m
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly_to(world, with_landing_on_the_way(), progress_kind::started, "w1"));
   world.switch_mode(hold_mode(GetParam()));
-  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 10)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 10)) << world.story();
   world.switch_mode(landing_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 120)) << world.story();
   world.switch_mode(mission_mode(GetParam()));
@@ -429,8 +428,8 @@ TEST_P(people_in_the_air, who_has_landed_it_keeps_it_when_godwit_dies_while_it_m
   EXPECT_EQ(world.durable().doing->kind, task_kind::stand_by);
   world.crash_all();
   world.run_for(10);
-  EXPECT_TRUE(needs_hand_back(world.durable().standing.cause)) << world.story();
-  EXPECT_FALSE(world.say(verb::resume).is_taken);
+  EXPECT_TRUE(needs_hand_back(world.durable().status.cause)) << world.story();
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken);
 }
 
 // Nobody prepares it once more.
@@ -448,7 +447,7 @@ TEST_P(people_in_the_air, a_done_mission_stays_done_when_godwit_dies_while_it_ma
   ASSERT_TRUE(world.run_until([&] { return world.durable().doing.has_value(); }, 10)) << world.story();
   world.crash_all();
   world.run_for(10);
-  EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
 }
 
 INSTANTIATE_TEST_SUITE_P(each, people,

@@ -25,14 +25,14 @@ bool has_row(trigger on, phase from) {
                              [&](const transition& each) { return each.on == on && has(each.from, from); });
 }
 
-stood stands_in(phase now, pause_cause cause = pause_cause::none, bool in_flight = false) {
+phase_status stands_in(phase now, pause_cause cause = pause_cause::none, bool in_flight = false) {
   return {now, cause, "before", in_flight};
 }
 
-std::optional<stood> noted(const effects& out) {
+std::optional<phase_status> noted(const effects& out) {
   if (out.empty())
     return {};
-  return std::get<stood>(std::get<note>(out.front()).what);
+  return std::get<phase_status>(std::get<note>(out.front()).what);
 }
 
 TEST(phase_table, each_trigger_has_a_row) {
@@ -47,7 +47,7 @@ TEST(phase_table, what_takes_the_vehicle_from_godwit_pauses_in_each_phase) {
                         trigger::foreign_plan_found, trigger::autopilot_restarted})
     for (int from = 0; from <= last_phase; ++from) {
       state s;
-      s.standing = stands_in(static_cast<phase>(from));
+      s.status = stands_in(static_cast<phase>(from));
       flight_context flight({}, s);
       phase_machine machine(flight);
       effects out;
@@ -84,7 +84,7 @@ TEST(phase_table, a_trigger_without_a_row_throws) {
       if (has_row(static_cast<trigger>(on), static_cast<phase>(from)))
         continue;
       state s;
-      s.standing = stands_in(static_cast<phase>(from));
+      s.status = stands_in(static_cast<phase>(from));
       flight_context flight({}, s);
       phase_machine machine(flight);
       effects out;
@@ -95,7 +95,7 @@ TEST(phase_table, a_trigger_without_a_row_throws) {
 
 TEST(phase_table, the_same_standing_is_not_noted_again) {
   state s;
-  s.standing = {phase::connected, pause_cause::none, "", false};
+  s.status = {phase::connected, pause_cause::none, "", false};
   flight_context flight({}, s);
   phase_machine machine(flight);
   effects out;
@@ -106,7 +106,7 @@ TEST(phase_table, the_same_standing_is_not_noted_again) {
 // The plan is flown while something else is said.
 TEST(phase_table, behind_the_end_of_the_plan_it_lands_and_does_not_fly_on) {
   state s;
-  s.standing = stands_in(phase::paused, pause_cause::asked, true);
+  s.status = stands_in(phase::paused, pause_cause::asked, true);
   s.progress.plan.emplace();
   s.progress.plan->generation.is_finished = true;
   flight_context flight({}, s);
@@ -115,25 +115,25 @@ TEST(phase_table, behind_the_end_of_the_plan_it_lands_and_does_not_fly_on) {
     effects out;
     machine.go(out, on);
     ASSERT_TRUE(noted(out)) << io::name_of(on);
-    EXPECT_EQ(*noted(out), (stood{phase::landing, pause_cause::none, "", true})) << io::name_of(on);
+    EXPECT_EQ(*noted(out), (phase_status{phase::landing, pause_cause::none, "", true})) << io::name_of(on);
   }
 }
 
 TEST(phase_table, who_has_the_vehicle_keeps_it_behind_the_end_of_the_mission) {
   state s;
-  s.standing = stands_in(phase::paused, pause_cause::taken_over, true);
+  s.status = stands_in(phase::paused, pause_cause::taken_over, true);
   flight_context flight({}, s);
   phase_machine machine(flight);
   effects out;
   machine.go(out, trigger::mission_ended, "why");
   ASSERT_TRUE(noted(out));
-  EXPECT_EQ(*noted(out), (stood{phase::aborted, pause_cause::taken_over, "why", false}));
+  EXPECT_EQ(*noted(out), (phase_status{phase::aborted, pause_cause::taken_over, "why", false}));
 }
 
 // Of a flight that is none of ours: nothing would lead out of the landing.
 TEST(phase_table, what_is_called_home_and_is_no_flight_of_ours_is_paused) {
   state s;
-  s.standing = stands_in(phase::ready);
+  s.status = stands_in(phase::ready);
   flight_context flight({}, s);
   phase_machine machine(flight);
   effects out;
@@ -145,7 +145,7 @@ TEST(phase_table, what_is_called_home_and_is_no_flight_of_ours_is_paused) {
 
 TEST(phase_table, a_pause_that_was_asked_for_ends_with_the_mission) {
   state s;
-  s.standing = stands_in(phase::paused, pause_cause::asked, true);
+  s.status = stands_in(phase::paused, pause_cause::asked, true);
   flight_context flight({}, s);
   phase_machine machine(flight);
   effects out;

@@ -11,7 +11,7 @@ namespace godwit::executor {
 namespace {
 
 using mission::progress_kind;
-using operator_words::verb;
+using operators::command_kind;
 using tests::flight_world;
 using tests::fly_to;
 using tests::is_told;
@@ -63,7 +63,7 @@ TEST(plane_flight, a_survey_is_flown_to_its_end_and_the_plane_lands) {
 TEST(plane_flight, a_pause_circles_and_resume_goes_on) {
   flight_world world({.who = plane});
   ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
   EXPECT_EQ(world.vehicle().describe().mode, "LOITER");
   world.run_for(10);
@@ -71,19 +71,19 @@ TEST(plane_flight, a_pause_circles_and_resume_goes_on) {
   world.run_for(5);
   EXPECT_GE(world.vehicle().describe().ground_speed_mps, 10) << "it does not stand";
   EXPECT_LT(between(world.vehicle().describe().where, seen).distance_m, 2 * circle_m + on_circle_m);
-  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
 TEST(plane_flight, called_home_it_circles_there_until_somebody_lands_it) {
   flight_world world({.who = plane});
   ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
-  ASSERT_TRUE(world.say(verb::come_home).is_taken);
+  ASSERT_TRUE(world.say(command_kind::come_home).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::landing, 20)) << world.story();
   world.run_for(20);
   EXPECT_TRUE(circles_around(world, home()));
   EXPECT_EQ(world.vehicle().describe().mode, "RTL");
-  EXPECT_TRUE(world.durable().standing.in_flight) << world.story();
+  EXPECT_TRUE(world.durable().status.in_flight) << world.story();
 }
 
 TEST(plane_flight, behind_a_last_waypoint_it_comes_home_by_itself_and_that_is_nobodys_takeover) {
@@ -96,7 +96,7 @@ TEST(plane_flight, behind_a_last_waypoint_it_comes_home_by_itself_and_that_is_no
   EXPECT_EQ(world.vehicle().describe().mode, "RTL");
   EXPECT_TRUE(circles_around(world, home()));
   EXPECT_EQ(world.orders(), orders) << world.story();
-  EXPECT_FALSE(needs_hand_back(world.durable().standing.cause)) << world.story();
+  EXPECT_FALSE(needs_hand_back(world.durable().status.cause)) << world.story();
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
 
@@ -110,7 +110,7 @@ TEST(plane_flight, a_return_shows_rtl_as_it_starts_and_is_not_complete_in_the_ai
   world.run_for(20);
   EXPECT_TRUE(circles_around(world, home()));
   EXPECT_EQ(world.orders(), orders) << world.story();
-  EXPECT_FALSE(needs_hand_back(world.durable().standing.cause)) << world.story();
+  EXPECT_FALSE(needs_hand_back(world.durable().status.cause)) << world.story();
   EXPECT_FALSE(is_told(world, progress_kind::reached, "home")) << world.story();
 }
 
@@ -119,7 +119,7 @@ TEST(plane_flight, a_person_who_takes_rtl_in_the_middle_of_its_mission_has_it) {
   flight_world world({.who = plane});
   ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
   world.switch_mode(rtl);
-  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::taken_over; }, 6))
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 6))
       << world.story();
 }
 
@@ -133,7 +133,7 @@ TEST(plane_flight, a_low_battery_brings_it_to_circles_over_home) {
   EXPECT_TRUE(circles_around(world, home()));
   EXPECT_EQ(world.reactions().size(), 1U) << "it is obeyed\n" << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::failsafe) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::failsafe) << world.story();
 }
 
 TEST(plane_flight, a_critical_battery_lands_it_by_the_landing_of_its_plan) {

@@ -12,7 +12,7 @@ namespace godwit::executor {
 namespace {
 
 using mission::progress_kind;
-using operator_words::verb;
+using operators::command_kind;
 using tests::flight_world;
 
 constexpr std::uint16_t arm_disarm = 400;
@@ -37,7 +37,7 @@ protected:
   }
   static testing::AssertionResult take_over(flight_world& world) {
     world.switch_mode(pilot_mode());
-    const bool is_seen = world.run_until([&] { return world.durable().standing.cause == pause_cause::taken_over; }, 10);
+    const bool is_seen = world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 10);
     return is_seen ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
   }
   static mission::assignment another_tail(int number, double north_m = 20) {
@@ -76,11 +76,11 @@ TEST_P(rule, it_arms_with_arm_on_start_only) {
     world.load(short_mission());
     ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
     if (policy == start_policy::on_command) {
-      EXPECT_TRUE(world.say(verb::start).is_taken);
+      EXPECT_TRUE(world.say(command_kind::start).is_taken);
     }
     world.run_for(20);
     EXPECT_TRUE(world.commands().empty()) << world.story();
-    EXPECT_EQ(world.durable().standing.now, phase::ready) << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::ready) << world.story();
   }
 }
 
@@ -91,7 +91,7 @@ TEST_P(rule, killed_on_the_ground_in_the_middle_of_its_preparations_it_waits_for
     ASSERT_TRUE(world.run_until_phase(middle)) << world.story();
     world.crash();
     world.run_for(20);
-    EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
     EXPECT_LE(std::ranges::count(world.commands(), arm_disarm), 1) << "that was on its way before\n" << world.story();
     EXPECT_FALSE(world.vehicle().describe().in_air);
   }
@@ -106,7 +106,7 @@ TEST_P(rule, without_the_map_it_stays_on_the_ground_and_flies_when_it_is_there) 
     world.load(short_mission());
     world.run_for(20);
     EXPECT_TRUE(world.commands().empty()) << io::name_of(pull) << "\n" << world.story();
-    EXPECT_FALSE(world.durable().standing.in_flight) << io::name_of(pull) << "\n" << world.story();
+    EXPECT_FALSE(world.durable().status.in_flight) << io::name_of(pull) << "\n" << world.story();
     world.pull_map(pull_state::synced);
     EXPECT_TRUE(world.run_until_phase(phase::done)) << io::name_of(pull) << "\n" << world.story();
   }
@@ -119,10 +119,10 @@ TEST_P(rule, with_the_map_of_an_earlier_pull_it_flies_when_an_operator_has_ackno
   ASSERT_TRUE(world.run_until(awaits_word, 20)) << world.story();
   world.run_for(20);
   EXPECT_TRUE(world.commands().empty()) << world.story();
-  operator_words::word word;
-  word.verb = verb::acknowledge;
-  word.report = world.durable().preflight.report->id;
-  EXPECT_TRUE(world.say(word).is_taken) << world.story();
+  operators::command command;
+  command.kind = command_kind::acknowledge;
+  command.report = world.durable().preflight.report->id;
+  EXPECT_TRUE(world.say(command).is_taken) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
@@ -182,10 +182,11 @@ TEST_P(rule, while_a_pilot_flies_no_word_of_an_operator_is_taken) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world));
   ASSERT_TRUE(take_over(world));
-  operator_words::word there;
+  operators::command there;
   there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", 30, 30)).at;
-  for (const auto each : {verb::go_to, verb::insert, verb::cancel, verb::pause, verb::resume, verb::come_home}) {
-    there.verb = each;
+  for (const auto each : {command_kind::go_to, command_kind::insert, command_kind::cancel, command_kind::pause,
+                          command_kind::resume, command_kind::come_home}) {
+    there.kind = each;
     const auto answer = world.say(there);
     EXPECT_FALSE(answer.is_taken) << io::name_of(each);
     EXPECT_NE(answer.reason.find("handed back first"), std::string::npos) << answer.reason;
@@ -197,7 +198,7 @@ TEST_P(rule_of_long_replans, to_come_home_does_not_wait_for_a_replan) {
   ASSERT_TRUE(fly(world));
   world.assign(another_tail(1));
   ASSERT_TRUE(world.run_until([&] { return world.durable().doing.has_value(); }, 10)) << world.story();
-  ASSERT_TRUE(world.say(verb::come_home).is_taken);
+  ASSERT_TRUE(world.say(command_kind::come_home).is_taken);
   EXPECT_TRUE(world.run_until_phase(phase::landing, 3)) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::aborted, 120)) << world.story();
 }
@@ -206,20 +207,20 @@ TEST_P(rule_of_long_replans, to_come_home_does_not_wait_for_a_replan) {
 TEST_P(rule, behind_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world));
-  operator_words::word there;
-  there.verb = verb::go_to;
+  operators::command there;
+  there.kind = command_kind::go_to;
   there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", -40, -20)).at;
   ASSERT_TRUE(world.say(there).is_taken);
   ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 2; }, 60)) << world.story();
   world.run_for(20);
-  ASSERT_TRUE(world.say(verb::cancel).is_taken);
+  ASSERT_TRUE(world.say(command_kind::cancel).is_taken);
   ASSERT_TRUE(world.run_until([&] { return world.durable().mission->revision == 3; }, 60)) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::flying, 30)) << world.story();
   world.run_for(1);
   const auto commands = world.commands().size();
   world.switch_mode(hold_mode());
   world.run_for(3);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   world.vehicle().set_battery(20, world.now_ns());
   world.run_for(15);
   EXPECT_EQ(world.commands().size(), commands) << world.story();
@@ -229,13 +230,13 @@ TEST_P(rule, behind_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
 TEST_P(rule, a_hold_behind_our_own_that_nobody_asked_for_is_a_pilots) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world));
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
-  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
   world.switch_mode(hold_mode());
   world.run_for(3);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
 }
 
 TEST_P(rule, to_a_vehicle_that_somebody_flies_by_hand_a_mission_is_brought_and_nothing_is_commanded) {
@@ -255,9 +256,9 @@ TEST_P(rule, behind_a_hand_back_the_failsafe_acts_again) {
   ASSERT_TRUE(fly(world));
   ASSERT_TRUE(take_over(world));
   world.run_for(2);
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
   world.run_for(1);
-  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
   world.vehicle().set_battery(3, world.now_ns());
   EXPECT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 15)) << world.story();
@@ -349,8 +350,8 @@ TEST_P(rule, the_fences_of_a_revision_are_watched_also_when_godwit_dies_while_it
     world.run_for(0.002 * moment);
     moment % 2 == 0 ? world.crash() : world.crash_all();
     world.run_for(10);
-    if (world.durable().standing.now == phase::paused) {
-      EXPECT_TRUE(world.say(verb::resume).is_taken) << moment << world.story();
+    if (world.durable().status.now == phase::paused) {
+      EXPECT_TRUE(world.say(command_kind::resume).is_taken) << moment << world.story();
       world.run_for(10);
     }
     if (world.durable().mission->revision == 2) {

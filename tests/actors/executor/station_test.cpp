@@ -128,7 +128,7 @@ TEST_P(flight_by_station, the_plan_of_a_station_is_flown_at_its_command_and_told
   const auto items = station_items(GetParam());
   ASSERT_TRUE(bring(world, items));
   world.run_for(5);
-  EXPECT_EQ(world.durable().standing.now, phase::ready) << "nothing starts by itself";
+  EXPECT_EQ(world.durable().status.now, phase::ready) << "nothing starts by itself";
   EXPECT_EQ(world.shown_progress().back().state, mission_state::not_started);
   ASSERT_TRUE(fly_to_end(world, items));
   ASSERT_EQ(world.start_answers().size(), 1U);
@@ -179,7 +179,7 @@ TEST_P(flight_by_station, what_a_mission_can_not_say_is_refused_with_the_reason)
   items = numbered(items);
   world.station_says(taken(items));
   world.run_for(5);
-  EXPECT_EQ(world.durable().standing.now, phase::connected) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::connected) << world.story();
   EXPECT_TRUE(was_said(world, "the plan is not taken")) << world.story();
   EXPECT_TRUE(was_said(world, "DO_JUMP")) << world.story();
   world.station_says(start_of(world, items));
@@ -217,7 +217,7 @@ TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
   EXPECT_FALSE(world.durable().mission);
   world.station_says(start_of(world, items));
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
-  EXPECT_FALSE(world.say(operator_words::verb::start).is_taken);
+  EXPECT_FALSE(world.say(operators::command_kind::start).is_taken);
 }
 
 TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
@@ -232,7 +232,7 @@ TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
   half.last = 1;
   world.station_says(half);
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
-  EXPECT_EQ(world.durable().standing.now, phase::ready);
+  EXPECT_EQ(world.durable().status.now, phase::ready);
 }
 
 TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_waypoint) {
@@ -284,7 +284,7 @@ TEST_P(flight_by_station, the_fence_of_a_station_is_checked_and_watched) {
   world.station_says(taken(items));
   world.station_says(taken(fence_around(GetParam(), 20), mav_mission_type::fence));
   world.run_for(10);
-  EXPECT_EQ(world.durable().standing.now, phase::preflight) << "the waypoints are outside: " << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::preflight) << "the waypoints are outside: " << world.story();
   world.station_says(taken(fence_around(GetParam(), 500), mav_mission_type::fence));
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.station_says(start_of(world, items));
@@ -299,7 +299,7 @@ TEST_P(flight_by_station, a_fence_that_comes_first_counts_for_the_plan_behind_it
   world.station_says(taken(fence_around(GetParam(), 20), mav_mission_type::fence));
   world.station_says(taken(station_items(GetParam())));
   world.run_for(10);
-  EXPECT_EQ(world.durable().standing.now, phase::preflight) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::preflight) << world.story();
   world.station_says(plan_cleared{mav_mission_type::fence, {255, 190}});
   EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
 }
@@ -330,7 +330,7 @@ TEST_P(flight_by_station, with_a_service_the_plan_of_a_station_is_not_taken_and_
   world.station_says(taken(station_items(GetParam())));
   EXPECT_TRUE(was_said(world, "missions come from the missions service here")) << world.story();
   EXPECT_EQ(world.times_shown(), told + 1) << "in place of what the station has uploaded";
-  EXPECT_EQ(world.durable().standing.now, phase::ready);
+  EXPECT_EQ(world.durable().status.now, phase::ready);
 }
 
 TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_it) {
@@ -338,8 +338,8 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
   const auto items = station_items(GetParam());
   ASSERT_TRUE(bring(world, items));
   ASSERT_TRUE(fly_two_items(world, items));
-  operator_words::word there;
-  there.verb = operator_words::verb::insert;
+  operators::command there;
+  there.kind = operators::command_kind::insert;
   there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", 30, 30)).at;
   ASSERT_TRUE(world.say(there).is_taken) << world.story();
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();

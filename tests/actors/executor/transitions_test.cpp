@@ -9,7 +9,7 @@
 namespace godwit::executor {
 namespace {
 
-using operator_words::verb;
+using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 using tests::landing_mode;
@@ -33,7 +33,7 @@ protected:
 
   [[nodiscard]] static testing::AssertionResult pilot_takes_over(flight_world& world) {
     world.switch_mode(pilot_mode(GetParam()));
-    if (!world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 10))
+    if (!world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 10))
       return testing::AssertionFailure() << world.story();
     return testing::AssertionSuccess();
   }
@@ -46,15 +46,15 @@ TEST_P(transitions, a_start_that_is_stopped_before_it_moved_is_prepared_again_by
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.lose_command(arm_disarm, 5);
-  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::starting)) << world.story();
-  ASSERT_TRUE(world.say(verb::pause).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.story();
   world.run_for(2);
-  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked);
-  EXPECT_FALSE(world.durable().standing.in_flight);
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::asked);
+  EXPECT_FALSE(world.durable().status.in_flight);
   world.run_for(10);
-  ASSERT_TRUE(world.say(verb::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
 }
 
@@ -65,11 +65,11 @@ TEST(transition, a_start_ends_when_the_vehicle_has_another_plan) {
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   world.run_for(10);
   world.lose_command(arm_disarm, 1);
-  ASSERT_TRUE(world.say(verb::start).is_taken);
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::starting)) << world.story();
   world.vehicle_tells(io::mavlink::mission_current{.seq = 0, .total = 9, .mission_state = 2, .mission_id = 4711});
   world.run_for(0.2);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::foreign_plan) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
   world.run_for(20);
   EXPECT_EQ(std::ranges::count(world.commands(), mission_start), 0) << world.story();
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
@@ -78,41 +78,41 @@ TEST(transition, a_start_ends_when_the_vehicle_has_another_plan) {
 TEST_P(transitions, what_is_brought_while_it_is_held_is_not_begun) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
-  mission::assignment wish;
-  wish.assignment_id = "11111111-2222-4333-8444-100000000001";
-  wish.base_revision = 1;
-  wish.revision = 2;
-  wish.replace_after_item_id = "w1";
-  wish.items = {tests::place("z", -20, 20, GetParam() == personality::rover ? 0 : 20)};
-  world.assign(wish);
+  mission::assignment assignment;
+  assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
+  assignment.base_revision = 1;
+  assignment.revision = 2;
+  assignment.replace_after_item_id = "w1";
+  assignment.items = {tests::place("z", -20, 20, GetParam() == personality::rover ? 0 : 20)};
+  world.assign(assignment);
   ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 60)) << world.story();
   world.run_for(10);
-  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::asked);
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::asked);
   EXPECT_EQ(world.durable().mission->revision, 2);
 }
 
 TEST_P(transitions_in_the_air, a_resume_that_is_refused_ends_in_a_pause_with_the_reason) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
-  ASSERT_TRUE(world.say(verb::pause).is_taken);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
   world.run_for(6);
   world.vehicle().refuse_command(set_mode, denied, -1);
-  ASSERT_TRUE(world.say(verb::resume).is_taken);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
   world.run_for(20);
-  EXPECT_EQ(world.durable().standing.now, phase::paused) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::not_done) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::not_done) << world.story();
 }
 
 TEST_P(transitions_in_the_air, a_landing_of_the_autopilot_without_gps_is_not_called_a_pilots) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world, tests::short_mission(GetParam())));
   world.vehicle().lose_position(true, world.now_ns());
-  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().standing.cause); }, 20)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::autopilot_failsafe) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 20)) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::autopilot_failsafe) << world.story();
 }
 
 TEST_P(transitions, handed_back_in_its_mission_mode_it_flies_on) {
@@ -121,10 +121,10 @@ TEST_P(transitions, handed_back_in_its_mission_mode_it_flies_on) {
   ASSERT_TRUE(pilot_takes_over(world));
   world.switch_mode(mission_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == mission_mode(GetParam()); }, 5)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().standing.now, phase::flying) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::flying) << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
@@ -133,13 +133,13 @@ TEST_P(transitions_in_the_air, handed_back_behind_a_plan_that_ends_in_the_air_it
   mission.items.pop_back();
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world, mission));
-  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::plan_ended; }, 600))
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::plan_ended; }, 600))
       << world.story();
   ASSERT_TRUE(pilot_takes_over(world));
   world.run_for(3);
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
   world.run_for(1);
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::plan_ended) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::plan_ended) << world.story();
 }
 
 TEST_P(transitions_in_the_air, behind_the_end_a_hand_back_lets_the_next_mission_be_prepared) {
@@ -148,19 +148,19 @@ TEST_P(transitions_in_the_air, behind_the_end_a_hand_back_lets_the_next_mission_
   mission.items.pop_back();
   world.load(mission);
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
-  ASSERT_TRUE(world.say(verb::start).is_taken);
-  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.cause == pause_cause::plan_ended; }, 600))
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::plan_ended; }, 600))
       << world.story();
   ASSERT_TRUE(pilot_takes_over(world));
   world.switch_mode(landing_mode(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
-  EXPECT_EQ(world.durable().standing.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   auto next = tests::short_mission(GetParam());
   next.mission_id = "99999999-6b0c-4c55-9d0d-2f6d3c8b1a42";
   world.load(next);
   world.run_for(20);
-  EXPECT_EQ(world.durable().standing.now, phase::done) << world.story();
-  ASSERT_TRUE(world.say(verb::hand_back).is_taken);
+  EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
   EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
 }
 

@@ -82,10 +82,10 @@ RC_GTEST_PROP(upload_tries_property, come_to_an_end_whatever_is_answered, ()) {
 // -- on a flight ------------------------------------------------------------------------------------
 
 mission::assignment other_tail(const mission::document& mission, sim::personality who) {
-  mission::assignment wish{"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "w2", {}};
+  mission::assignment assignment{"5c3f1c84-92f1-4b7f-8a35-3e0fd1a1f3e7", 1, 2, "w2", {}};
   const double up_m = who == sim::personality::rover ? 0 : 20;
-  wish.items = {tests::place("n1", 20, 20, up_m), tests::place("n2", -30, 20, up_m), mission.items.back()};
-  return wish;
+  assignment.items = {tests::place("n1", 20, 20, up_m), tests::place("n2", -30, 20, up_m), mission.items.back()};
+  return assignment;
 }
 
 class every_upload : public testing::TestWithParam<sim::personality> {};
@@ -117,7 +117,7 @@ TEST_P(every_upload, on_the_ground_is_tried_again_when_the_link_dies_in_it) {
   ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 120)) << world.story();
   world.run_for(0.1);
   world.crash_link();
-  ASSERT_TRUE(world.run_until([&] { return world.durable().standing.now == phase::flying; }, 120)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::flying; }, 120)) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
@@ -155,11 +155,11 @@ TEST_P(every_upload, whose_link_has_died_and_that_is_given_up_by_a_word_is_answe
     world.run_for(0.04 * moment);
     world.crash_link();
     world.run_for(0.5); // before it is tried again
-    ASSERT_TRUE(world.say(operator_words::verb::pause).is_taken) << world.story();
+    ASSERT_TRUE(world.say(operators::command_kind::pause).is_taken) << world.story();
     ASSERT_TRUE(world.run_until_phase(phase::paused, 60)) << moment << world.story();
     world.run_for(10);
     EXPECT_EQ(world.answers().size(), 1U) << moment << world.story();
-    ASSERT_TRUE(world.say(operator_words::verb::resume).is_taken) << moment << world.story();
+    ASSERT_TRUE(world.say(operators::command_kind::resume).is_taken) << moment << world.story();
     ASSERT_TRUE(world.run_until_phase(phase::done)) << moment << world.story();
     EXPECT_EQ(world.reports().back().kind, mission::progress_kind::complete) << moment << world.story();
   }

@@ -20,7 +20,7 @@ namespace godwit::executor {
 namespace {
 
 using mission::progress_kind;
-using operator_words::verb;
+using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 
@@ -79,7 +79,7 @@ protected:
     (void)run_until([] { return false; }, seconds);
   }
   bool run_until_phase(phase wanted, double most_s = 300) {
-    return run_until([&] { return world->durable().standing.now == wanted; }, most_s);
+    return run_until([&] { return world->durable().status.now == wanted; }, most_s);
   }
 
   void look() {
@@ -125,7 +125,7 @@ TEST_P(come_home, goes_around_an_exclusion_fence) {
   const auto reached = told(progress_kind::reached);
   const auto orders = world->orders();
   const auto generation = world->durable().progress.last_generation;
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   EXPECT_GT(world->orders(), orders) << "it is told to hold in the turn in which it is said";
   ASSERT_TRUE(run_until([&] { return holds(); }, 3)) << world->story();
   ASSERT_TRUE(run_until_phase(phase::landing, 6)) << world->story();
@@ -151,7 +151,7 @@ TEST_P(come_home, returns_at_once_where_no_fence_lies_in_the_way) {
   ASSERT_TRUE(run_until([&] { return is_told(progress_kind::started, "w3"); }, 600)) << world->story();
   const auto orders = world->orders();
   const auto generation = world->durable().progress.last_generation;
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   EXPECT_EQ(world->orders(), orders + 1);
   ASSERT_TRUE(run_until([&] { return returns(); }, 1)) << world->story();
   ASSERT_TRUE(run_until_phase(phase::aborted)) << world->story();
@@ -162,7 +162,7 @@ TEST_P(come_home, returns_at_once_where_no_way_is_flown_within_5_s) {
   fly(around_a_fence(GetParam()));
   world->lose_message(mission_count);
   const auto said_ns = world->now_ns();
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   ASSERT_TRUE(run_until([&] { return holds(); }, 3)) << world->story();
   ASSERT_TRUE(run_until([&] { return returns(); }, 10)) << world->story();
   EXPECT_LE(world->now_ns() - said_ns, 5'300'000'000) << world->story();
@@ -179,7 +179,7 @@ TEST_P(come_home, is_straight_with_a_low_battery) {
   world->vehicle().set_battery(24, world->now_ns());
   run_for(2);
   ASSERT_TRUE(world->reactions().empty()) << "it is the word that returns";
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   ASSERT_TRUE(run_until([&] { return returns(); }, 1)) << world->story();
   EXPECT_TRUE(was_said("the battery is low")) << world->story();
 }
@@ -189,7 +189,7 @@ TEST_P(come_home, is_straight_where_it_is_not_known_where_the_vehicle_is) {
   world->lose_message(global_position_int);
   run_for(4);
   const auto orders = world->orders();
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   run_for(1);
   EXPECT_GT(world->orders(), orders);
   EXPECT_TRUE(was_said("does not tell where it is")) << world->story();
@@ -198,14 +198,14 @@ TEST_P(come_home, is_straight_where_it_is_not_known_where_the_vehicle_is) {
 
 TEST_P(come_home, said_again_on_the_way_changes_nothing) {
   fly(around_a_fence(GetParam()));
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   run_for(0.3);
-  EXPECT_TRUE(world->say(verb::come_home).is_taken);
+  EXPECT_TRUE(world->say(command_kind::come_home).is_taken);
   ASSERT_TRUE(run_until_phase(phase::landing, 6)) << world->story();
   const auto generation = world->durable().progress.last_generation;
   run_for(3);
   const auto orders = world->orders();
-  EXPECT_TRUE(world->say(verb::come_home).is_taken);
+  EXPECT_TRUE(world->say(command_kind::come_home).is_taken);
   run_for(1);
   EXPECT_EQ(world->orders(), orders) << world->story();
   ASSERT_TRUE(run_until_phase(phase::aborted)) << world->story();
@@ -218,14 +218,14 @@ TEST_P(come_home, a_pause_on_the_way_holds_and_the_next_word_goes_around_as_well
     SCOPED_TRACE(after_s);
     begin_anew();
     fly(around_a_fence(GetParam()));
-    ASSERT_TRUE(world->say(verb::come_home).is_taken);
+    ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
     run_for(after_s);
-    ASSERT_TRUE(world->say(verb::pause).is_taken) << world->story();
+    ASSERT_TRUE(world->say(command_kind::pause).is_taken) << world->story();
     ASSERT_TRUE(run_until_phase(phase::paused, 10)) << world->story();
     run_for(15);
     EXPECT_TRUE(holds()) << world->story();
-    EXPECT_EQ(world->durable().standing.now, phase::paused) << world->story();
-    ASSERT_TRUE(world->say(verb::come_home).is_taken) << world->story();
+    EXPECT_EQ(world->durable().status.now, phase::paused) << world->story();
+    ASSERT_TRUE(world->say(command_kind::come_home).is_taken) << world->story();
     ASSERT_TRUE(run_until_phase(phase::aborted)) << world->story();
     EXPECT_GE(nearest_m_, promised_m) << world->story();
     EXPECT_LE(from_home_m(), 8) << world->story();
@@ -234,18 +234,18 @@ TEST_P(come_home, a_pause_on_the_way_holds_and_the_next_word_goes_around_as_well
 
 TEST_P(come_home, a_pilot_who_takes_it_on_the_way_has_it) {
   fly(around_a_fence(GetParam()));
-  ASSERT_TRUE(world->say(verb::come_home).is_taken);
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   ASSERT_TRUE(run_until_phase(phase::landing, 6)) << world->story();
   run_for(2);
   world->switch_mode(tests::pilot_mode(GetParam()));
-  ASSERT_TRUE(run_until([&] { return world->durable().standing.cause == pause_cause::taken_over; }, 6))
-      << world->story();
+  ASSERT_TRUE(run_until([&] { return world->durable().status.cause == pause_cause::taken_over; }, 6)) << world->story();
   const auto orders = world->orders();
   run_for(20);
   EXPECT_EQ(world->orders(), orders) << world->story();
 }
 
-// Whatever dies, and when: it comes home around the fence, or stands with a reason until somebody says the word again.
+// Whatever dies, and when: it comes home around the fence, or stands with a reason until somebody says the command
+// again.
 TEST_P(come_home, a_crash_at_any_moment_ends_at_home_or_in_a_hold_with_a_reason) {
   int straight = 0;
   for (const bool is_whole : {false, true})
@@ -253,25 +253,25 @@ TEST_P(come_home, a_crash_at_any_moment_ends_at_home_or_in_a_hold_with_a_reason)
       SCOPED_TRACE(std::to_string(moment) + (is_whole ? " godwit" : " executor"));
       begin_anew();
       fly(around_a_fence(GetParam()));
-      ASSERT_TRUE(world->say(verb::come_home).is_taken);
+      ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
       run_for(0.15 * moment);
       const auto starts = std::ranges::count(world->commands(), mission_start);
       is_whole ? world->crash_all() : world->crash();
       const auto is_over = [&] {
-        const auto at = world->durable().standing;
+        const auto at = world->durable().status;
         return at.now == phase::aborted || (at.now == phase::paused && !at.reason.empty() && holds());
       };
       ASSERT_TRUE(run_until(is_over, 120)) << world->story();
       EXPECT_EQ(std::ranges::count(world->commands(), mission_start), starts) << "nothing starts by a restart";
-      if (world->durable().standing.now == phase::paused) {
+      if (world->durable().status.now == phase::paused) {
         run_for(10);
         EXPECT_TRUE(holds()) << world->story();
-        ASSERT_TRUE(world->say(verb::come_home).is_taken) << world->story();
+        ASSERT_TRUE(world->say(command_kind::come_home).is_taken) << world->story();
         ASSERT_TRUE(run_until_phase(phase::aborted)) << world->story();
       }
       EXPECT_LE(from_home_m(), 8) << world->story();
       EXPECT_FALSE(is_told(progress_kind::reached, "w3")) << world->story();
-      if (was_said("returns straight home")) // an upload that a killed process began is settled first, and late
+      if (was_said("returns straight home")) // an upload that a killed process began is resolved first, and late
         ++straight;
       else
         EXPECT_GE(nearest_m_, promised_m) << world->story();
@@ -281,9 +281,9 @@ TEST_P(come_home, a_crash_at_any_moment_ends_at_home_or_in_a_hold_with_a_reason)
 
 // -- goto and cancel ------------------------------------------------------------------------------------
 
-operator_words::word go_there(const mission::position& to) {
-  operator_words::word result;
-  result.verb = verb::go_to;
+operators::command go_there(const mission::position& to) {
+  operators::command result;
+  result.kind = command_kind::go_to;
   result.place = to;
   return result;
 }
@@ -308,7 +308,7 @@ TEST_P(cancel, finds_the_way_that_goto_finds) {
   ASSERT_TRUE(run_until([&] { return world->durable().mission->revision == 2; }, 60)) << world->story();
   ASSERT_TRUE(run_until([&] { return from_home_m() < 10; }, 120)) << world->story();
   auto mission = *world->durable().mission;
-  const auto answer = world->say(verb::cancel);
+  const auto answer = world->say(command_kind::cancel);
   ASSERT_TRUE(answer.is_taken) << answer.reason;
   ASSERT_TRUE(run_until([&] { return is_told(progress_kind::reached, "w3"); }, 300)) << world->story();
   ASSERT_TRUE(run_until_phase(phase::done)) << world->story();
@@ -321,12 +321,12 @@ TEST_P(cancel, goes_around_a_fence_that_lies_between_the_vehicle_and_its_mission
   auto mission = tests::short_mission(GetParam());
   mission.geofences = {box(20, 15, 40, 42)};
   fly(mission);
-  ASSERT_TRUE(world->say(verb::pause).is_taken);
+  ASSERT_TRUE(world->say(command_kind::pause).is_taken);
   ASSERT_TRUE(run_until_phase(phase::paused, 10)) << world->story();
   ASSERT_TRUE(world->say(go_there(somewhere(30, -10, up_m()))).is_taken);
   ASSERT_TRUE(run_until([&] { return world->durable().mission->revision == 2; }, 60)) << world->story();
   run_for(120);
-  const auto answer = world->say(verb::cancel);
+  const auto answer = world->say(command_kind::cancel);
   ASSERT_TRUE(answer.is_taken) << answer.reason;
   ASSERT_TRUE(run_until([&] { return is_told(progress_kind::reached, "w3"); }, 300)) << world->story();
   EXPECT_GE(nearest_m_, promised_m) << world->story();

@@ -165,25 +165,25 @@ TEST(failsafe, the_hold_of_a_rover_does_not_wait_for_a_change_of_mode_that_is_un
 TEST(failsafe, who_listens_knows_whose_the_command_is_before_it_goes_out_and_hears_that_it_is_done) {
   in_flight f;
   f.log.order.clear();
-  f.log.stances.clear();
+  f.log.failsafe_statuses.clear();
   f.vehicle.east_m = 101;
   f.process->run_s(3);
   ASSERT_GE(f.log.order.size(), 3U);
   EXPECT_EQ(f.log.order[0], "stance");
   EXPECT_EQ(f.log.order[1], "command");
-  const auto& began = f.log.stances.front().reacts.value();
+  const auto& began = f.log.failsafe_statuses.front().reacts.value();
   EXPECT_EQ(began.why, rule::fence);
   EXPECT_EQ(began.what, failsafe::action::return_home);
   EXPECT_EQ(began.stage, reaction_stage::under_way);
-  EXPECT_EQ(f.log.stances.back().reacts.value().stage, reaction_stage::done);
-  EXPECT_EQ(f.log.stances.back().latched, std::vector{rule::fence});
+  EXPECT_EQ(f.log.failsafe_statuses.back().reacts.value().stage, reaction_stage::done);
+  EXPECT_EQ(f.log.failsafe_statuses.back().latched, std::vector{rule::fence});
 }
 
 TEST(failsafe, a_takeover_is_told_and_nothing_is_sent_until_hand_back) {
   in_flight f;
   f.vehicle.mode = px4_position;
   f.process->run_s(2);
-  EXPECT_TRUE(f.log.stances.back().taken_over);
+  EXPECT_TRUE(f.log.failsafe_statuses.back().taken_over);
   f.vehicle.east_m = 101;
   f.process->run_s(30);
   EXPECT_TRUE(f.log.commands.empty());
@@ -212,7 +212,7 @@ TEST(failsafe, fences_that_make_no_sense_are_refused_with_the_reason_and_the_one
   in_flight f;
   const auto asked =
       f.process->world.ask(f.process->failsafe, 1s, failsafe::guard_mission{{mission::geofence{}}, {}, {}});
-  f.process->world.settle();
+  f.process->world.resolve();
   ASSERT_EQ(asked->answers, 1);
   EXPECT_FALSE(asked->answer.taken);
   EXPECT_NE(asked->answer.reason.find("corners"), std::string::npos);
@@ -226,7 +226,7 @@ TEST(failsafe, an_override_is_answered_and_holds_until_its_deadline) {
   const auto until_ns = runtime::simulated_time::start_ns + f.process->world.now_ns() + 20'000'000'000;
   const auto asked = f.process->world.ask(f.process->failsafe, 1s,
                                           failsafe::override_rule{rule::fence, "the field is ours", until_ns});
-  f.process->world.settle();
+  f.process->world.resolve();
   ASSERT_EQ(asked->answers, 1);
   EXPECT_TRUE(asked->answer.taken) << asked->answer.reason;
   EXPECT_EQ(f.process->stands().overridden.size(), 1U);
@@ -237,7 +237,7 @@ TEST(failsafe, an_override_is_answered_and_holds_until_its_deadline) {
   EXPECT_EQ(f.log.returns(), 1);
   const auto refused = f.process->world.ask(f.process->failsafe, 1s,
                                             failsafe::override_rule{rule::battery_critical, "trust me", until_ns * 2});
-  f.process->world.settle();
+  f.process->world.resolve();
   EXPECT_FALSE(refused->answer.taken);
 }
 
@@ -262,18 +262,18 @@ TEST(failsafe, its_health_is_on_the_board) {
 
 TEST(failsafe, it_vouches_for_itself_once_a_second) {
   in_flight f;
-  const auto before = f.log.vouched;
+  const auto before = f.log.liveness_reported;
   f.process->run_s(10);
-  EXPECT_NEAR(f.log.vouched - before, 10, 1);
+  EXPECT_NEAR(f.log.liveness_reported - before, 10, 1);
 }
 
 TEST(failsafe, while_nothing_happens_nothing_is_written_and_nothing_is_told) {
   in_flight f;
   const auto commits = f.disk.commits;
-  const auto told = f.log.stances.size();
+  const auto told = f.log.failsafe_statuses.size();
   f.process->run_s(60);
   EXPECT_EQ(f.disk.commits, commits);
-  EXPECT_EQ(f.log.stances.size(), told);
+  EXPECT_EQ(f.log.failsafe_statuses.size(), told);
 }
 
 // -- crashes ---------------------------------------------------------------------------------------
@@ -314,14 +314,14 @@ TEST(failsafe, started_again_it_tells_its_stance_anew) {
   in_flight f;
   f.vehicle.east_m = 101;
   f.process->run_s(3);
-  const auto before = f.log.stances.back();
-  f.log.stances.clear();
+  const auto before = f.log.failsafe_statuses.back();
+  f.log.failsafe_statuses.clear();
   ASSERT_TRUE(f.process->world.kill("failsafe"));
   f.process->run_ms(100);
-  ASSERT_FALSE(f.log.stances.empty());
-  EXPECT_EQ(f.log.stances.front(), before);
+  ASSERT_FALSE(f.log.failsafe_statuses.empty());
+  EXPECT_EQ(f.log.failsafe_statuses.front(), before);
   f.process->run_s(5);
-  EXPECT_EQ(f.log.stances.back(), before);
+  EXPECT_EQ(f.log.failsafe_statuses.back(), before);
 }
 
 TEST(failsafe, started_again_it_asks_the_vehicle_and_does_not_wait_for_its_streams) {

@@ -24,10 +24,11 @@ public:
 
 protected:
   behavior_type handlers() override {
-    return {on_deferred<send_command, command_outcome>(
-                [this](const send_command& what, std::uint64_t request_id) { take(what, request_id); }),
-            on<vehicle_link::set_mode>([this](const vehicle_link::set_mode& what) { log_->modes.push_back(what); }),
-            on<vehicle_link::vouch>([this](const vehicle_link::vouch&) { ++log_->vouched; })};
+    return {
+        on_deferred<send_command, command_outcome>(
+            [this](const send_command& what, std::uint64_t request_id) { take(what, request_id); }),
+        on<vehicle_link::set_mode>([this](const vehicle_link::set_mode& what) { log_->modes.push_back(what); }),
+        on<vehicle_link::liveness_report>([this](const vehicle_link::liveness_report&) { ++log_->liveness_reported; })};
   }
 
 private:
@@ -45,14 +46,14 @@ private:
   flight_log* log_;
 };
 
-class executor_double final : public runtime::actor_base<failsafe::stance_ear> {
+class executor_double final : public runtime::actor_base<failsafe::failsafe_status_ear> {
 public:
   executor_double(runtime::spawn_context context, flight_log* log) : actor_base(std::move(context)), log_(log) {}
 
 protected:
   behavior_type handlers() override {
-    return {on<failsafe::stance>([this](const failsafe::stance& what) {
-      log_->stances.push_back(what);
+    return {on<failsafe::failsafe_status>([this](const failsafe::failsafe_status& what) {
+      log_->failsafe_statuses.push_back(what);
       log_->order.emplace_back("stance");
     })};
   }
@@ -111,16 +112,16 @@ runtime::child_policy mortal() {
 failsafe_process::failsafe_process(runtime::simulated_disk& disk, flown_vehicle& vehicle, flight_log& log,
                                    const failsafe::settings& configured)
     : world(disk, 1), vehicle_(vehicle), log_(log), obeyed_(log.commands.size()), looked_(log.looks.size()) {
-  const auto others = std::make_shared<failsafe::neighbours>();
+  const auto others = std::make_shared<failsafe::peers>();
   auto& actors = world.actors();
   const auto link = actors.add<link_double>({.name = "vehicle_link"}, patient(), &vehicle, &log);
   failsafe = actors.add<failsafe::actor>({.name = "failsafe"}, patient(), configured, failsafe::vehicle_handle(link),
-                                         std::shared_ptr<const failsafe::neighbours>(others));
+                                         std::shared_ptr<const failsafe::peers>(others));
   others->ears.emplace_back(actors.add<executor_double>({.name = "executor"}, mortal(), &log));
   others->people.emplace_back(actors.add<people_double>({.name = "people"}, patient(), &log));
   others->log = [&log](const failsafe::warning& said) { log.logged.push_back(said.text); };
   world.start();
-  world.settle();
+  world.resolve();
 }
 
 void failsafe_process::say_heartbeat() {
@@ -192,14 +193,14 @@ void failsafe_process::run_ms(std::int64_t ms) {
 failsafe::guard_answer failsafe_process::guard() {
   const auto asked =
       world.ask(failsafe, 1s, failsafe::guard_mission{{fence_of(mission::fence_kind::inclusion, square(100))}, {}, {}});
-  world.settle();
+  world.resolve();
   EXPECT_EQ(asked->answers, 1);
   return asked->answer;
 }
 
-failsafe::stance failsafe_process::stands() {
-  const auto asked = world.ask(failsafe, 1s, failsafe::get_stance{});
-  world.settle();
+failsafe::failsafe_status failsafe_process::stands() {
+  const auto asked = world.ask(failsafe, 1s, failsafe::get_failsafe_status{});
+  world.resolve();
   EXPECT_EQ(asked->answers, 1);
   return asked->answer;
 }

@@ -52,11 +52,11 @@ struct flight_log {
   std::vector<command> commands; // but for REQUEST_MESSAGE
   std::vector<command> looks;    // REQUEST_MESSAGE
   std::vector<vehicle_link::set_mode> modes;
-  std::vector<failsafe::stance> stances;
-  std::vector<std::string> order;  // "stance", "command"
+  std::vector<failsafe::failsafe_status> failsafe_statuses;
+  std::vector<std::string> order;  // "failsafe_status", "command"
   std::vector<std::string> texts;  // to people
   std::vector<std::string> logged; // the same, in the program's log
-  int vouched = 0;
+  int liveness_reported = 0;
   [[nodiscard]] int returns() const;
 };
 
@@ -78,7 +78,7 @@ public:
 
   // Inside of a square of 200 m around home, as the executor says it.
   [[nodiscard]] failsafe::guard_answer guard();
-  [[nodiscard]] failsafe::stance stands();
+  [[nodiscard]] failsafe::failsafe_status stands();
   [[nodiscard]] runtime::health_entry health();
   [[nodiscard]] std::int64_t now_ms() const { return world.now_ns() / failsafe::ns_per_ms; }
 

@@ -9,7 +9,7 @@
 
 #include "io/fields/json_text.hpp"
 #include "tests/actors/failsafe/flight_world.hpp"
-#include "tests/support/dice.hpp"
+#include "tests/support/test_rng.hpp"
 
 namespace {
 
@@ -184,7 +184,7 @@ RC_GTEST_PROP(failsafe_property, never_on_the_ground_never_against_a_pilot_never
 // A restart after each tick of a flight in which something must be done.
 RC_GTEST_PROP(failsafe_property, a_restart_at_any_point_never_sends_a_second_time_and_never_forgets_to, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  dice random(seed);
+  test_rng random(seed);
   flight_world world;
   world.set_fences({fence_of(fence_kind::inclusion, square(100))});
   world.obeys_after_ms = random.between(0, 900);
@@ -204,7 +204,7 @@ RC_GTEST_PROP(failsafe_property, a_restart_at_any_point_never_sends_a_second_tim
 // The process is killed, and the last records may not have reached the disk. It takes a while until it runs again.
 RC_GTEST_PROP(failsafe_property, a_killed_process_makes_no_second_return, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  dice random(seed);
+  test_rng random(seed);
   flight_world world;
   world.set_fences({fence_of(fence_kind::inclusion, square(100))});
   world.run_s(10);
@@ -227,7 +227,7 @@ std::string text_of(const effects& all) {
         [&]<class E>(const E& what) {
           if constexpr (std::is_same_v<E, remember>)
             result += godwit::io::to_json(what.what);
-          else if constexpr (std::is_same_v<E, stance_changed>)
+          else if constexpr (std::is_same_v<E, failsafe_status_changed>)
             result += godwit::io::to_json(what.now);
           else if constexpr (std::is_same_v<E, godwit::runtime::condition>)
             result += std::to_string(static_cast<int>(what.how)) + what.reason;
@@ -241,7 +241,7 @@ std::string text_of(const effects& all) {
 }
 
 // At most one of each kind.
-std::vector<event> events_of_a_tick(dice& random, std::int64_t wall_ns) {
+std::vector<event> events_of_a_tick(test_rng& random, std::int64_t wall_ns) {
   std::vector<event> result;
   const auto maybe = [&](int one_in, const event& what) {
     if (random.one_in(one_in))
@@ -254,8 +254,8 @@ std::vector<event> events_of_a_tick(dice& random, std::int64_t wall_ns) {
   maybe(2, position_at(random.up_to(120), 0, 50, 5));
   maybe(5, battery{random.between(5, 30)});
   maybe(5, operator_heard{true, random.between(0, 40'000)});
-  maybe(4, command_settled{static_cast<std::uint64_t>(random.between(1, 5)),
-                           static_cast<command_verdict>(random.between(0, 7))});
+  maybe(4, command_resolved{static_cast<std::uint64_t>(random.between(1, 5)),
+                            static_cast<command_verdict>(random.between(0, 7))});
   maybe(30, asked_override{
                 1, {rules.at(static_cast<std::size_t>(random.between(0, 3))), "why not", wall_ns + 2 * ns_per_s}});
   maybe(30, hand_back{});
@@ -273,7 +273,7 @@ std::vector<event> events_of_a_tick(dice& random, std::int64_t wall_ns) {
 
 RC_GTEST_PROP(failsafe_property, the_order_of_inputs_within_a_tick_does_not_matter, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  dice random(seed);
+  test_rng random(seed);
   const instant start{100 * ns_per_s, 1'700'000'000 * ns_per_s};
   core one({}, {}, start);
   core other({}, {}, start);

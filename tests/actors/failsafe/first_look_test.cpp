@@ -15,7 +15,7 @@ TEST(first_look, it_asks_for_who_the_vehicle_is_first_and_for_one_message_at_a_t
   EXPECT_EQ(look.next(), mavlink::heartbeat::message_id);
   EXPECT_FALSE(look.next());
   look.heard(mavlink::heartbeat::message_id);
-  look.settled();
+  look.resolved();
   EXPECT_EQ(look.next(), mavlink::extended_sys_state::message_id);
 }
 
@@ -34,7 +34,7 @@ TEST(first_look, a_vehicle_that_does_not_answer_is_left_to_its_streams) {
   int asked = 0;
   while (look.next()) {
     ++asked;
-    look.settled();
+    look.resolved();
   }
   EXPECT_EQ(asked, 5 * max_look_tries);
 }

@@ -118,7 +118,7 @@ void flight_world::take_one(const command_vehicle& command) {
     to_core_.push_back({ms_ + command_timeout_ms, {command.number, command_verdict::timed_out}});
 }
 
-void flight_world::take_one(const stance_changed& what) {
+void flight_world::take_one(const failsafe_status_changed& what) {
   const auto last = std::exchange(told_, what.now);
   const auto& before = last.reacts;
   const auto& reacts = what.now.reacts;

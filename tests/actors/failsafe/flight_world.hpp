@@ -93,16 +93,16 @@ private:
   };
   struct answer {
     std::int64_t at_ms = 0;
-    failsafe::command_settled what;
+    failsafe::command_resolved what;
   };
 
   void speak();
   void obey();
   void take(const failsafe::effects& wanted);
   void take_one(const failsafe::command_vehicle& command);
-  void take_one(const failsafe::stance_changed& what);
-  void take_one(const failsafe::override_settled& what) { answered.push_back(what.answer); }
-  void take_one(const failsafe::guard_settled& what) { limits_answered.push_back(what.answer); }
+  void take_one(const failsafe::failsafe_status_changed& what);
+  void take_one(const failsafe::override_resolved& what) { answered.push_back(what.answer); }
+  void take_one(const failsafe::guard_resolved& what) { limits_answered.push_back(what.answer); }
   void take_one(const failsafe::warning& what) { warnings.push_back(what.text); }
   void take_one(const godwit::runtime::condition&) {}
   void take_one(const failsafe::remember& written);
@@ -112,7 +112,7 @@ private:
   std::int64_t heard_ms_ = -1; // the ground station, last
   std::vector<failsafe::state> records_{failsafe::state{}};
   std::optional<failsafe::core> core_;
-  failsafe::stance told_;
+  failsafe::failsafe_status told_;
   std::deque<arrival> to_vehicle_;
   std::deque<answer> to_core_;
 };

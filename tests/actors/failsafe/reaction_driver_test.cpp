@@ -47,7 +47,7 @@ TEST(reaction_driver, sending_fails_again_each_tick) {
   for (const auto verdict : no_effect) {
     sent_one one;
     for (int i = 1; i <= 300; ++i) {
-      one.driver.on_settled({one.driver.last_number(), verdict});
+      one.driver.on_resolved({one.driver.last_number(), verdict});
       const auto step = one.driver.drive(sees(mode_kind::mission), i * tick);
       ASSERT_TRUE(step.send) << i;
       EXPECT_EQ(step.send->confirmation, std::min(i, 255));
@@ -59,7 +59,7 @@ TEST(reaction_driver, sending_fails_again_each_tick) {
 
 TEST(reaction_driver, accepted_is_waited_for_3_s_and_then_sent_again) {
   sent_one one;
-  one.driver.on_settled({one.number, command_verdict::accepted});
+  one.driver.on_resolved({one.number, command_verdict::accepted});
   (void)one.driver.drive(sees(mode_kind::mission, tick), tick);
   EXPECT_EQ(one.driver.stage(), reaction_stage::under_way);
   for (std::int64_t now = 2 * tick; now < tick + 3 * s; now += tick)
@@ -75,7 +75,7 @@ TEST(reaction_driver, a_vehicle_that_accepts_again_and_again_and_never_obeys_is_
   int complaints = 0;
   int sent = 0;
   for (std::int64_t now = tick; now < 60 * s; now += tick) {
-    one.driver.on_settled({one.driver.last_number(), command_verdict::accepted});
+    one.driver.on_resolved({one.driver.last_number(), command_verdict::accepted});
     const auto step = one.driver.drive(sees(mode_kind::mission, now), now);
     complaints += step.disobeyed ? 1 : 0;
     sent += step.send ? 1 : 0;
@@ -87,7 +87,7 @@ TEST(reaction_driver, a_vehicle_that_accepts_again_and_again_and_never_obeys_is_
 
 TEST(reaction_driver, that_it_was_not_obeyed_is_believed_of_a_later_heartbeat_only) {
   sent_one one;
-  one.driver.on_settled({one.number, command_verdict::accepted});
+  one.driver.on_resolved({one.number, command_verdict::accepted});
   for (std::int64_t now = tick; now < 10 * s; now += tick)
     EXPECT_FALSE(one.driver.drive(sees(mode_kind::mission, tick), now).send);
 }
@@ -114,14 +114,14 @@ TEST(reaction_driver, the_mode_that_shows_it_is_as_good_as_an_answer) {
   sent_one one;
   (void)one.driver.drive(sees(mode_kind::returning, tick), tick);
   EXPECT_EQ(one.driver.current()->phase, reaction_phase::done);
-  one.driver.on_settled({one.number, command_verdict::timed_out});
+  one.driver.on_resolved({one.number, command_verdict::timed_out});
   EXPECT_FALSE(one.driver.drive(sees(mode_kind::returning, tick), s).send);
 }
 
 TEST(reaction_driver, without_an_answer_it_looks_at_a_later_heartbeat_before_it_sends_again) {
   for (const auto verdict : {command_verdict::timed_out, command_verdict::vehicle_restarted}) {
     sent_one one;
-    one.driver.on_settled({one.number, verdict});
+    one.driver.on_resolved({one.number, verdict});
     EXPECT_FALSE(one.driver.drive(sees(mode_kind::mission, s / 2), s).send) << "this heartbeat may be too early";
     auto obeyed = one.driver;
     EXPECT_FALSE(obeyed.drive(sees(mode_kind::returning, 2 * s), 2 * s).send);
@@ -140,10 +140,10 @@ TEST(reaction_driver, an_answer_that_never_comes_is_none) {
 
 TEST(reaction_driver, an_answer_to_an_older_command_says_nothing) {
   sent_one one;
-  one.driver.on_settled({one.number, command_verdict::refused});
+  one.driver.on_resolved({one.number, command_verdict::refused});
   const auto second = one.driver.drive(sees(mode_kind::mission), tick).send.value().number;
   EXPECT_GT(second, one.number);
-  one.driver.on_settled({one.number, command_verdict::accepted});
+  one.driver.on_resolved({one.number, command_verdict::accepted});
   EXPECT_FALSE(one.driver.drive(sees(mode_kind::mission), 2 * tick).send);
   EXPECT_EQ(one.driver.current()->phase, reaction_phase::in_flight);
 }
@@ -151,11 +151,11 @@ TEST(reaction_driver, an_answer_to_an_older_command_says_nothing) {
 TEST(reaction_driver, an_aeroplane_whose_plan_has_no_landing_after_all_returns) {
   for (const auto verdict : {command_verdict::refused, command_verdict::invalid}) {
     sent_one one(action::do_land_start);
-    one.driver.on_settled({one.number, verdict});
+    one.driver.on_resolved({one.number, verdict});
     EXPECT_EQ(one.driver.drive(sees(mode_kind::mission), tick).send.value().what, action::return_home);
   }
   sent_one lost(action::do_land_start);
-  lost.driver.on_settled({lost.number, command_verdict::not_sent});
+  lost.driver.on_resolved({lost.number, command_verdict::not_sent});
   EXPECT_EQ(lost.driver.drive(sees(mode_kind::mission), tick).send.value().what, action::do_land_start);
 }
 
@@ -169,7 +169,7 @@ TEST(reaction_driver, that_a_plan_is_at_its_landing_shows_in_its_sequence) {
 
 TEST(reaction_driver, without_an_answer_a_landing_is_looked_for_in_a_later_sequence_and_else_it_returns) {
   sent_one one(action::do_land_start);
-  one.driver.on_settled({one.number, command_verdict::timed_out});
+  one.driver.on_resolved({one.number, command_verdict::timed_out});
   (void)one.driver.drive(sees(mode_kind::mission, s), s);
   EXPECT_FALSE(one.driver.drive(sees(mode_kind::mission, 2 * s), 2 * s).send) << "the sequence is an old one";
   auto seen = sees(mode_kind::mission, 2 * s);
@@ -181,7 +181,7 @@ TEST(reaction_driver, without_an_answer_a_landing_is_looked_for_in_a_later_seque
 
 TEST(reaction_driver, where_no_sequence_comes_nobody_complains_of_a_landing_that_does_not_show) {
   sent_one one(action::do_land_start);
-  one.driver.on_settled({one.number, command_verdict::accepted});
+  one.driver.on_resolved({one.number, command_verdict::accepted});
   for (std::int64_t now = tick; now < 20 * s; now += tick) {
     const auto step = one.driver.drive(sees(mode_kind::mission, now), now);
     EXPECT_FALSE(step.send || step.disobeyed);
@@ -231,7 +231,7 @@ TEST(reaction_driver, after_a_restart_what_was_accepted_or_done_and_shows_is_not
 
 TEST(reaction_driver, without_a_reaction_nothing_happens) {
   reaction_driver driver({}, 0, 0);
-  driver.on_settled({0, command_verdict::refused});
+  driver.on_resolved({0, command_verdict::refused});
   EXPECT_FALSE(driver.drive(sees(mode_kind::mission), 0).send);
   EXPECT_FALSE(driver.current());
 }

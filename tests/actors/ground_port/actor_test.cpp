@@ -11,7 +11,7 @@
 #include "actors/ground_port/actor.hpp"
 #include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
-#include "tests/actors/ground_port/port_desk.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace {
 
@@ -58,8 +58,8 @@ public:
 struct executor_record {
   std::vector<executor::start_mission> starts;
   std::vector<std::uint32_t> plans; // by id; 0: cleared
-  std::vector<std::uint16_t> wishes;
-  std::vector<operator_words::word> words;
+  std::vector<std::uint16_t> set_currents;
+  std::vector<operators::command> words;
   std::string objection; // to every word; empty: they are taken
   bool hears_words = true;
   std::vector<operator_link> operator_news;
@@ -71,7 +71,7 @@ using stand_in_handle =
     runtime::mailbox<runtime::tells<executor::start_mission>,
                      runtime::asks<executor::set_current, executor::current_answer>,
                      runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>,
-                     runtime::asks<operator_words::word, operator_words::answer>, runtime::tells<operator_link>>;
+                     runtime::asks<operators::command, operators::answer>, runtime::tells<operator_link>>;
 
 class stand_in final : public runtime::actor_base<stand_in_handle> {
 public:
@@ -79,27 +79,27 @@ public:
 
 protected:
   behavior_type handlers() override {
-    return {on<executor::start_mission>([this](const executor::start_mission& m) {
-              record_->starts.push_back(m);
-              if (!record_->answers)
-                return;
-              tell(record_->port, executor::start_answer{m.key, executor::start_verdict::started, {}});
-              tell(record_->port,
-                   mission_progress{m.plan_id, m.first, mavlink::mission_state::active, mavlink::mission_mode::active});
-            }),
-            on<executor::set_current>([this](const executor::set_current& m) {
-              record_->wishes.push_back(m.index);
-              return executor::current_answer{executor::current_verdict::going, {}};
-            }),
-            on<executor::plan_taken>([this](const executor::plan_taken& m) { record_->plans.push_back(m.plan_id); }),
-            on<executor::plan_cleared>([this](const executor::plan_cleared&) { record_->plans.push_back(0); }),
-            on_deferred<operator_words::word, operator_words::answer>(
-                [this](const operator_words::word& m, std::uint64_t request) {
-                  record_->words.push_back(m);
-                  if (record_->hears_words)
-                    answer_later(request, operator_words::answer{record_->objection.empty(), record_->objection});
-                }),
-            on<operator_link>([this](const operator_link& m) { record_->operator_news.push_back(m); })};
+    return {
+        on<executor::start_mission>([this](const executor::start_mission& m) {
+          record_->starts.push_back(m);
+          if (!record_->answers)
+            return;
+          tell(record_->port, executor::start_answer{m.key, executor::start_verdict::started, {}});
+          tell(record_->port,
+               mission_progress{m.plan_id, m.first, mavlink::mission_state::active, mavlink::mission_mode::active});
+        }),
+        on<executor::set_current>([this](const executor::set_current& m) {
+          record_->set_currents.push_back(m.index);
+          return executor::current_answer{executor::current_verdict::going, {}};
+        }),
+        on<executor::plan_taken>([this](const executor::plan_taken& m) { record_->plans.push_back(m.plan_id); }),
+        on<executor::plan_cleared>([this](const executor::plan_cleared&) { record_->plans.push_back(0); }),
+        on_deferred<operators::command, operators::answer>([this](const operators::command& m, std::uint64_t request) {
+          record_->words.push_back(m);
+          if (record_->hears_words)
+            answer_later(request, operators::answer{record_->objection.empty(), record_->objection});
+        }),
+        on<operator_link>([this](const operator_link& m) { record_->operator_news.push_back(m); })};
   }
 
 private:
@@ -117,19 +117,19 @@ struct process {
   process(runtime::simulated_disk& disk, executor_record& record, bool with_executor = true,
           signing_settings signing = {})
       : world(disk, 1) {
-    const auto others = std::make_shared<neighbours>();
+    const auto others = std::make_shared<peers>();
     port = world.actors().add<actor>({.name = "ground_port"}, patient(), settings{}, std::move(signing),
-                                     std::static_pointer_cast<wire>(line), std::shared_ptr<const neighbours>(others));
+                                     std::static_pointer_cast<wire>(line), std::shared_ptr<const peers>(others));
     record.port = port;
     const auto executor = world.actors().add<stand_in>({.name = "executor"}, patient(), &record);
     if (with_executor)
       others->executor = executor;
     others->operator_ears.emplace_back(executor);
     world.start();
-    world.settle();
+    world.resolve();
     if (line->incoming().put(io::link::link_status{io::link::link_phase::up, "", 0}))
       world.tell(port, wake{});
-    world.settle();
+    world.resolve();
   }
 
   template <class M>
@@ -203,7 +203,7 @@ TEST(ground_port_actor, a_mission_goes_up_is_started_and_followed) {
   EXPECT_TRUE(p.line->texts.contains("Mission started"));
   p.say(test::command(mavlink::mav_cmd::do_set_mission_current, 2));
   p.world.advance(200ms);
-  EXPECT_EQ(executor.wishes, std::vector<std::uint16_t>{2});
+  EXPECT_EQ(executor.set_currents, std::vector<std::uint16_t>{2});
   EXPECT_EQ(p.line->results.back().result, 0);
 }
 
@@ -225,7 +225,7 @@ TEST(ground_port_actor, what_the_vehicle_says_is_forwarded) {
   process p(disk, executor);
   p.world.tell(p.port, mavlink::attitude{});
   p.world.tell(p.port, mavlink::statustext{});
-  p.world.settle();
+  p.world.resolve();
   EXPECT_EQ(p.line->sent[mavlink::attitude::message_id], 1);
   EXPECT_EQ(p.line->sent[mavlink::statustext::message_id], 1);
 }
@@ -260,7 +260,7 @@ TEST(ground_port_actor, a_disk_that_does_not_write_holds_back_the_acknowledgemen
   EXPECT_NE(p.upload(waypoints(3)), 0U);
 }
 
-// -- words of operators -----------------------------------------------------------------------------
+// -- commands of operators -----------------------------------------------------------------------------
 
 mavlink::command_int go_to_command() {
   return {.frame = mavlink::number(mavlink::mav_frame::global_relative_alt),
@@ -278,7 +278,7 @@ TEST(ground_port_actor, a_word_is_asked_of_the_executor_and_answered_as_it_says)
   p.say(go_to_command());
   p.world.advance(100ms);
   ASSERT_EQ(executor.words.size(), 1U);
-  EXPECT_EQ(executor.words[0].verb, operator_words::verb::go_to);
+  EXPECT_EQ(executor.words[0].kind, operators::command_kind::go_to);
   EXPECT_EQ(executor.words[0].by, "station 255/190");
   EXPECT_EQ(executor.words[0].place, (mission::position{50, 36.4, 30}));
   ASSERT_EQ(p.line->results.size(), 1U);
@@ -287,7 +287,7 @@ TEST(ground_port_actor, a_word_is_asked_of_the_executor_and_answered_as_it_says)
   executor.objection = "the flight is not paused";
   p.say(test::command(mavlink::mav_cmd::do_pause_continue, 1));
   p.world.advance(100ms);
-  EXPECT_EQ(executor.words.back().verb, operator_words::verb::resume);
+  EXPECT_EQ(executor.words.back().kind, operators::command_kind::resume);
   EXPECT_EQ(p.line->results.back().result, static_cast<int>(mavlink::mav_result::temporarily_rejected));
   EXPECT_TRUE(p.line->texts.contains("Continue: the flight is not paused"));
 }
@@ -381,7 +381,7 @@ TEST(ground_port_actor, a_process_killed_right_after_the_acknowledgement_still_h
   {
     process p(disk, executor);
     p.say(mavlink::mission_count{.count = 1});
-    p.world.settle();
+    p.world.resolve();
     p.say(waypoints(1)[0]);
     while (p.line->acks.empty() && p.world.step(1)) {
     }
@@ -442,7 +442,7 @@ TEST(ground_port_actor, bad_frames_crash_nothing_and_are_counted) {
     if (p.line->incoming().put(io::link::only_peer, bytes, true))
       p.world.tell(p.port, wake{});
   }
-  p.world.settle();
+  p.world.resolve();
   EXPECT_EQ(p.world.counters("ground_port").crashes, 0U);
   EXPECT_NE(p.upload(waypoints(2)), 0U);
 }

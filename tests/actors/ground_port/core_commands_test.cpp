@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/actors/ground_port/port_desk.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -25,7 +25,7 @@ mavlink::command_long interval(float us) {
 }
 
 TEST(ground_port_commands, an_unknown_command_is_unsupported) {
-  desk port;
+  port_fixture port;
   port.say(mavlink::command_long{.command = 31'000});
   EXPECT_EQ(port.last_result(), unsupported);
   port.say(mavlink::command_int{.command = 31'001});
@@ -34,7 +34,7 @@ TEST(ground_port_commands, an_unknown_command_is_unsupported) {
 }
 
 TEST(ground_port_commands, versions_are_given_by_each_of_the_ways_to_ask) {
-  desk port;
+  port_fixture port;
   for (const auto& ask : {request(148), command(static_cast<mav_cmd>(520), 1)}) {
     port.forget();
     port.say(ask);
@@ -50,7 +50,7 @@ TEST(ground_port_commands, versions_are_given_by_each_of_the_ways_to_ask) {
 }
 
 TEST(ground_port_commands, the_answer_comes_before_the_message) {
-  desk port;
+  port_fixture port;
   port.forget();
   port.say(request(300));
   ASSERT_EQ(port.frames.size(), 2U);
@@ -58,7 +58,7 @@ TEST(ground_port_commands, the_answer_comes_before_the_message) {
 }
 
 TEST(ground_port_commands, the_vehicles_versions_are_shown_with_the_capabilities_of_the_port) {
-  desk port;
+  port_fixture port;
   port.vehicle_says(mavlink::autopilot_version{.capabilities = ~std::uint64_t{0}, .flight_sw_version = 77});
   port.say(request(148));
   EXPECT_EQ(port.last<mavlink::autopilot_version>().flight_sw_version, 77U);
@@ -66,7 +66,7 @@ TEST(ground_port_commands, the_vehicles_versions_are_shown_with_the_capabilities
 }
 
 TEST(ground_port_commands, what_is_forwarded_can_be_asked_for_once_it_was_heard) {
-  desk port;
+  port_fixture port;
   port.say(request(242));
   EXPECT_EQ(port.last_result(), failed);
   port.vehicle_says(mavlink::home_position{.latitude = 7});
@@ -80,7 +80,7 @@ TEST(ground_port_commands, what_is_forwarded_can_be_asked_for_once_it_was_heard)
 }
 
 TEST(ground_port_commands, mission_current_can_be_asked_for) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.advance(300 * ms);
   port.forget();
@@ -89,7 +89,7 @@ TEST(ground_port_commands, mission_current_can_be_asked_for) {
 }
 
 TEST(ground_port_commands, a_message_that_the_port_does_not_send_is_denied) {
-  desk port;
+  port_fixture port;
   for (const float id : {9'999.0F, 77.0F, -1.0F, 0.5F, NAN, 1e20F}) {
     port.say(command(mav_cmd::request_message, id));
     EXPECT_EQ(port.last_result(), denied) << id;
@@ -97,7 +97,7 @@ TEST(ground_port_commands, a_message_that_the_port_does_not_send_is_denied) {
 }
 
 TEST(ground_port_commands, a_station_sets_how_often_a_message_goes_on) {
-  desk port;
+  port_fixture port;
   port.say(interval<mavlink::attitude>(1'000'000));
   EXPECT_EQ(port.last_result(), accepted);
   port.forget();
@@ -117,7 +117,7 @@ TEST(ground_port_commands, a_station_sets_how_often_a_message_goes_on) {
 }
 
 TEST(ground_port_commands, intervals_of_what_is_not_forwarded_and_intervals_that_are_none_are_denied) {
-  desk port;
+  port_fixture port;
   for (const auto& bad :
        {interval<mavlink::heartbeat>(-1), interval<mavlink::param_value>(1'000), interval<mavlink::attitude>(-2),
         interval<mavlink::attitude>(NAN), interval<mavlink::attitude>(1e20F), interval<mavlink::attitude>(2.5F)}) {
@@ -127,7 +127,7 @@ TEST(ground_port_commands, intervals_of_what_is_not_forwarded_and_intervals_that
 }
 
 TEST(ground_port_commands, mission_current_comes_at_least_once_a_second) {
-  desk port;
+  port_fixture port;
   port.say(interval<mavlink::mission_current>(5'000'000));
   EXPECT_EQ(port.last_result(), denied);
   port.say(interval<mavlink::mission_current>(-1));
@@ -142,7 +142,7 @@ TEST(ground_port_commands, mission_current_comes_at_least_once_a_second) {
 // -- whom it is for -------------------------------------------------------------------------------
 
 TEST(ground_port_commands, a_command_to_the_autopilot_is_not_passed_on_and_said_so_once_a_minute) {
-  desk port;
+  port_fixture port;
   port.forget();
   for (int i = 0; i < 100; ++i) {
     port.say(mavlink::command_long{.target_system = 1, .target_component = 1, .command = 400, .param1 = 1});
@@ -158,7 +158,7 @@ TEST(ground_port_commands, a_command_to_the_autopilot_is_not_passed_on_and_said_
 }
 
 TEST(ground_port_commands, nothing_of_a_station_goes_on_to_the_vehicle) {
-  desk port;
+  port_fixture port;
   port.forget();
   port.say(mavlink::set_mode{.target_system = 1, .base_mode = 1, .custom_mode = 4});
   port.say(mavlink::mission_count{.target_system = 1, .target_component = 1, .count = 5});
@@ -170,7 +170,7 @@ TEST(ground_port_commands, nothing_of_a_station_goes_on_to_the_vehicle) {
 }
 
 TEST(ground_port_commands, component_0_and_system_0_mean_us_too) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.say_as_it_is(mavlink::command_long{.target_system = 1, .command = 512, .param1 = 300});
   EXPECT_EQ(port.last_result(), accepted);
@@ -180,7 +180,7 @@ TEST(ground_port_commands, component_0_and_system_0_mean_us_too) {
 }
 
 TEST(ground_port_commands, a_broadcast_that_we_do_not_know_is_not_answered) {
-  desk port;
+  port_fixture port;
   port.say_as_it_is(mavlink::command_long{.command = 2'003});
   EXPECT_EQ(port.last_result(), -1);
   port.say_as_it_is(mavlink::command_long{.target_system = 1, .command = 2'003});
@@ -188,7 +188,7 @@ TEST(ground_port_commands, a_broadcast_that_we_do_not_know_is_not_answered) {
 }
 
 TEST(ground_port_commands, other_systems_and_components_are_not_us) {
-  desk port;
+  port_fixture port;
   port.say(mavlink::command_long{.target_system = 2, .target_component = 191, .command = 512, .param1 = 300});
   port.say(mavlink::command_long{.target_system = 1, .target_component = 55, .command = 512, .param1 = 300});
   EXPECT_EQ(port.last_result(), -1);
@@ -196,7 +196,7 @@ TEST(ground_port_commands, other_systems_and_components_are_not_us) {
 }
 
 TEST(ground_port_commands, only_stations_are_answered) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.forget();
   // An autopilot sends commands to all components of its system during a mission.
@@ -210,7 +210,7 @@ TEST(ground_port_commands, only_stations_are_answered) {
 // -- while a station connects ---------------------------------------------------------------------
 
 TEST(ground_port_commands, parameters_are_listed_and_read_and_stay_as_they_are) {
-  desk port;
+  port_fixture port;
   port.say(mavlink::param_request_list{});
   port.advance(100 * ms);
   const auto listed = port.sent<mavlink::param_value>();
@@ -223,7 +223,7 @@ TEST(ground_port_commands, parameters_are_listed_and_read_and_stay_as_they_are) 
 }
 
 TEST(ground_port_commands, clocks_are_compared) {
-  desk port;
+  port_fixture port;
   port.say_as_it_is(mavlink::timesync{.ts1 = 1'234});
   EXPECT_EQ(port.last<mavlink::timesync>().ts1, 1'234);
   EXPECT_EQ(port.last<mavlink::timesync>().tc1, port.now().monotonic_ns);
@@ -233,7 +233,7 @@ TEST(ground_port_commands, clocks_are_compared) {
 }
 
 TEST(ground_port_commands, a_ping_is_answered_to_the_one_who_asked) {
-  desk port;
+  port_fixture port;
   port.say_as_it_is(mavlink::ping{.time_usec = 5, .seq = 9});
   EXPECT_EQ(port.last<mavlink::ping>().seq, 9U);
   EXPECT_EQ(port.last<mavlink::ping>().target_system, station_id.system);

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "tests/actors/ground_port/port_desk.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -24,19 +24,19 @@ constexpr auto ack_denied = mavlink::number(mav_mission_result::denied);
 
 mavlink::command_long set_current(float index) { return command(mav_cmd::do_set_mission_current, index); }
 
-void run(desk& port, std::uint16_t current = 0) {
+void run(port_fixture& port, std::uint16_t current = 0) {
   port.executor_says(
       mission_progress{port.shown().plans[0].plan_id, current, mission_state::active, mavlink::mission_mode::active});
 }
 
-void arm(desk& port, bool armed = true) {
+void arm(port_fixture& port, bool armed = true) {
   port.vehicle_says(mavlink::heartbeat{.base_mode = static_cast<std::uint8_t>(armed ? 128 : 0)});
 }
 
 // -- plans ----------------------------------------------------------------------------------------
 
 TEST(ground_port_core, an_uploaded_mission_is_acknowledged_with_its_id_and_becomes_one_of_the_executor) {
-  desk port;
+  port_fixture port;
   const auto ack = port.upload(3);
   EXPECT_EQ(ack.type, ack_accepted);
   EXPECT_NE(ack.opaque_id, 0U);
@@ -48,7 +48,7 @@ TEST(ground_port_core, an_uploaded_mission_is_acknowledged_with_its_id_and_becom
 }
 
 TEST(ground_port_core, fences_and_rally_points_are_taken_too) {
-  desk port;
+  port_fixture port;
   std::vector<mavlink::mission_item_int> circle{waypoint(0, 5003)};
   circle[0].param1 = 100;
   EXPECT_EQ(port.upload(circle, 1).type, ack_accepted);
@@ -60,7 +60,7 @@ TEST(ground_port_core, fences_and_rally_points_are_taken_too) {
 }
 
 TEST(ground_port_core, the_acknowledgement_waits_for_the_disk) {
-  desk port;
+  port_fixture port;
   port.slow_disk();
   port.upload(3);
   EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
@@ -69,7 +69,7 @@ TEST(ground_port_core, the_acknowledgement_waits_for_the_disk) {
 }
 
 TEST(ground_port_core, until_then_nobody_is_shown_or_given_the_new_plan) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   const auto old_id = port.last<mavlink::mission_ack>().opaque_id;
   port.slow_disk();
@@ -85,7 +85,7 @@ TEST(ground_port_core, until_then_nobody_is_shown_or_given_the_new_plan) {
 }
 
 TEST(ground_port_core, the_last_item_again_is_acknowledged_no_sooner_than_the_first_time) {
-  desk port;
+  port_fixture port;
   port.slow_disk();
   port.upload(2);
   port.say(waypoint(1));
@@ -95,7 +95,7 @@ TEST(ground_port_core, the_last_item_again_is_acknowledged_no_sooner_than_the_fi
 }
 
 TEST(ground_port_core, after_a_crash_the_plan_is_served_again_with_the_same_id) {
-  desk port;
+  port_fixture port;
   auto items = waypoints(3);
   items[0].param4 = NAN;
   items[1].param4 = -NAN;
@@ -114,7 +114,7 @@ TEST(ground_port_core, after_a_crash_the_plan_is_served_again_with_the_same_id) 
 }
 
 TEST(ground_port_core, a_crash_before_the_disk_has_it_leaves_the_old_plan) {
-  desk port;
+  port_fixture port;
   const auto old_id = port.upload(3).opaque_id;
   port.slow_disk();
   port.upload(5);
@@ -124,7 +124,7 @@ TEST(ground_port_core, a_crash_before_the_disk_has_it_leaves_the_old_plan) {
 }
 
 TEST(ground_port_core, an_acknowledgement_that_a_crash_has_cut_off_is_sent_by_the_next_life) {
-  desk port;
+  port_fixture port;
   const auto id = port.upload(3).opaque_id;
   port.forget();
   port.crash(true);
@@ -133,7 +133,7 @@ TEST(ground_port_core, an_acknowledgement_that_a_crash_has_cut_off_is_sent_by_th
 }
 
 TEST(ground_port_core, an_acknowledgement_that_is_long_overdue_is_not_sent) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.forget();
   port.advance(10 * s);
@@ -142,7 +142,7 @@ TEST(ground_port_core, an_acknowledgement_that_is_long_overdue_is_not_sent) {
 }
 
 TEST(ground_port_core, a_transfer_in_progress_is_forgotten_by_a_crash) {
-  desk port;
+  port_fixture port;
   port.say(mavlink::mission_count{.count = 3});
   EXPECT_EQ(port.shown().transfer, "receiving");
   port.crash();
@@ -150,7 +150,7 @@ TEST(ground_port_core, a_transfer_in_progress_is_forgotten_by_a_crash) {
 }
 
 TEST(ground_port_core, clearing_tells_the_executor_and_waits_for_the_disk) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.forget();
   port.slow_disk();
@@ -165,7 +165,7 @@ TEST(ground_port_core, clearing_tells_the_executor_and_waits_for_the_disk) {
 }
 
 TEST(ground_port_core, clearing_all_types_is_acknowledged_once_when_all_are_on_the_disk) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.upload({waypoint(0, 5100)}, 2);
   port.forget();
@@ -175,7 +175,7 @@ TEST(ground_port_core, clearing_all_types_is_acknowledged_once_when_all_are_on_t
 }
 
 TEST(ground_port_core, clearing_what_is_not_there_is_acknowledged_and_writes_nothing) {
-  desk port;
+  port_fixture port;
   for (int i = 0; i < 100; ++i)
     port.say(mavlink::mission_clear_all{});
   EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
@@ -183,7 +183,7 @@ TEST(ground_port_core, clearing_what_is_not_there_is_acknowledged_and_writes_not
 }
 
 TEST(ground_port_core, a_mission_that_is_flown_is_not_cleared) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   arm(port);
   run(port);
@@ -195,7 +195,7 @@ TEST(ground_port_core, a_mission_that_is_flown_is_not_cleared) {
 }
 
 TEST(ground_port_core, a_mission_is_not_cleared_in_an_armed_vehicle_while_the_executor_has_not_spoken) {
-  desk port;
+  port_fixture port;
   EXPECT_EQ(port.upload(3).type, 0);
   port.vehicle_says(mavlink::heartbeat{.base_mode = 128});
   port.say(mavlink::mission_clear_all{});
@@ -203,7 +203,7 @@ TEST(ground_port_core, a_mission_is_not_cleared_in_an_armed_vehicle_while_the_ex
 }
 
 TEST(ground_port_core, a_start_item_is_used_up_when_the_mission_runs_whoever_started_it) {
-  desk port;
+  port_fixture port;
   EXPECT_EQ(port.upload(5).type, 0);
   port.say(mavlink::mission_set_current{.seq = 3});
   port.advance(100 * ms);
@@ -218,7 +218,7 @@ TEST(ground_port_core, a_start_item_is_used_up_when_the_mission_runs_whoever_sta
 }
 
 TEST(ground_port_core, a_mission_that_the_executor_replaces_is_not_read_as_a_mixture) {
-  desk port;
+  port_fixture port;
   EXPECT_EQ(port.upload(3).type, 0);
   port.say(mavlink::mission_request_list{});
   port.say(mavlink::mission_request_int{.seq = 0});
@@ -229,7 +229,7 @@ TEST(ground_port_core, a_mission_that_the_executor_replaces_is_not_read_as_a_mix
 }
 
 TEST(ground_port_core, a_mission_is_cleared_while_disarmed_or_not_running) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   run(port);
   arm(port, false);
@@ -243,7 +243,7 @@ TEST(ground_port_core, a_mission_is_cleared_while_disarmed_or_not_running) {
 }
 
 TEST(ground_port_core, a_mission_of_the_executors_is_shown_and_not_told_back_to_it) {
-  desk port;
+  port_fixture port;
   port.executor_says(set_mission{waypoints(4)});
   port.advance(100 * ms);
   EXPECT_EQ(port.last<mission_current>().total, 4);
@@ -254,7 +254,7 @@ TEST(ground_port_core, a_mission_of_the_executors_is_shown_and_not_told_back_to_
 }
 
 TEST(ground_port_core, a_flood_of_uploads_is_bounded_by_what_waits_for_the_disk) {
-  desk port;
+  port_fixture port;
   port.slow_disk();
   for (int i = 0; i < 100; ++i) {
     port.say(mavlink::mission_count{.count = 1});
@@ -267,7 +267,7 @@ TEST(ground_port_core, a_flood_of_uploads_is_bounded_by_what_waits_for_the_disk)
 }
 
 TEST(ground_port_core, several_stations_take_turns) {
-  desk port;
+  port_fixture port;
   port.say(mavlink::mission_count{.count = 3});
   port.say(mavlink::mission_count{.count = 2}, other_station);
   EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_denied);
@@ -277,7 +277,7 @@ TEST(ground_port_core, several_stations_take_turns) {
 }
 
 TEST(ground_port_core, answers_go_to_the_station_by_the_way_it_came) {
-  desk port;
+  port_fixture port;
   port.say(start_command(), station_id, 7);
   EXPECT_EQ(port.way_of<mavlink::command_ack>(), 7U);
   port.say(start_command(), other_station, 3);
@@ -289,7 +289,7 @@ TEST(ground_port_core, answers_go_to_the_station_by_the_way_it_came) {
 // -- MISSION_CURRENT ------------------------------------------------------------------------------
 
 TEST(ground_port_core, mission_current_is_told_once_a_second) {
-  desk port;
+  port_fixture port;
   port.forget();
   port.advance(10 * s);
   EXPECT_EQ(port.sent<mission_current>().size(), 10U);
@@ -298,7 +298,7 @@ TEST(ground_port_core, mission_current_is_told_once_a_second) {
 }
 
 TEST(ground_port_core, mission_current_has_total_state_mode_and_id) {
-  desk port;
+  port_fixture port;
   const auto id = port.upload(3).opaque_id;
   port.advance(100 * ms);
   EXPECT_EQ(port.last<mission_current>().total, 3);
@@ -312,7 +312,7 @@ TEST(ground_port_core, mission_current_has_total_state_mode_and_id) {
 }
 
 TEST(ground_port_core, a_change_is_told_within_100_ms) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.advance(300 * ms);
   for (std::uint16_t i = 1; i < 5; ++i) {
@@ -325,7 +325,7 @@ TEST(ground_port_core, a_change_is_told_within_100_ms) {
 }
 
 TEST(ground_port_core, progress_of_another_plan_is_not_shown) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.executor_says(mission_progress{12'345, 3, mission_state::active});
   port.advance(1 * s);
@@ -334,7 +334,7 @@ TEST(ground_port_core, progress_of_another_plan_is_not_shown) {
 }
 
 TEST(ground_port_core, the_index_past_the_last_item_is_never_told) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   run(port, 3);
   port.advance(1 * s);
@@ -342,7 +342,7 @@ TEST(ground_port_core, the_index_past_the_last_item_is_never_told) {
 }
 
 TEST(ground_port_core, an_item_that_was_reached_is_told_once_and_at_once) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   port.executor_says(item_reached{1});
   port.advance(5 * s);
@@ -353,7 +353,7 @@ TEST(ground_port_core, an_item_that_was_reached_is_told_once_and_at_once) {
 // -- the current item -----------------------------------------------------------------------------
 
 TEST(ground_port_core, set_current_out_of_range_changes_nothing_and_is_said) {
-  desk port;
+  port_fixture port;
   port.upload(3);
   for (const float bad : {3.0F, 65'535.0F, 1e20F, -2.0F, 1.5F, NAN}) {
     port.forget();
@@ -369,13 +369,13 @@ TEST(ground_port_core, set_current_out_of_range_changes_nothing_and_is_said) {
 }
 
 TEST(ground_port_core, set_current_without_a_mission_is_denied) {
-  desk port;
+  port_fixture port;
   port.say(set_current(0));
   EXPECT_EQ(port.last_result(), denied);
 }
 
 TEST(ground_port_core, set_current_while_idle_is_the_start_item) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.advance(1 * s);
   port.forget();
@@ -383,13 +383,13 @@ TEST(ground_port_core, set_current_while_idle_is_the_start_item) {
   EXPECT_EQ(port.last_result(), accepted);
   port.advance(100 * ms);
   EXPECT_EQ(port.last<mission_current>().seq, 2);
-  EXPECT_TRUE(port.wishes.empty());
+  EXPECT_TRUE(port.set_currents.empty());
   port.say(start_command());
   EXPECT_EQ(port.starts.back().first, 2);
 }
 
 TEST(ground_port_core, a_start_that_names_an_item_goes_there_and_not_to_the_start_item) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.say(set_current(2));
   port.say(start_command(1));
@@ -397,7 +397,7 @@ TEST(ground_port_core, a_start_that_names_an_item_goes_there_and_not_to_the_star
 }
 
 TEST(ground_port_core, a_start_item_is_used_once) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.say(set_current(2));
   port.say(start_command());
@@ -409,7 +409,7 @@ TEST(ground_port_core, a_start_item_is_used_once) {
 }
 
 TEST(ground_port_core, a_start_item_is_answered_when_it_is_on_the_disk_and_survives_a_crash) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.slow_disk();
   port.forget();
@@ -425,14 +425,14 @@ TEST(ground_port_core, a_start_item_is_answered_when_it_is_on_the_disk_and_survi
 }
 
 TEST(ground_port_core, what_an_earlier_life_wrote_late_does_not_count_for_this_one) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.say(set_current(2));
   port.forget();
   port.crash();
   port.slow_disk();
   port.upload(4);
-  port.let_out_last_again(); // its write came late: the answer to the start item is owed
+  port.dispatch_effect_last_again(); // its write came late: the answer to the start item is owed
   EXPECT_EQ(port.last_result(), accepted);
   EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
   port.settle_disk();
@@ -440,7 +440,7 @@ TEST(ground_port_core, what_an_earlier_life_wrote_late_does_not_count_for_this_o
 }
 
 TEST(ground_port_core, a_new_mission_has_no_start_item_but_the_one_that_it_marks) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.say(set_current(2));
   port.upload(4);
@@ -454,7 +454,7 @@ TEST(ground_port_core, a_new_mission_has_no_start_item_but_the_one_that_it_marks
 }
 
 TEST(ground_port_core, mission_set_current_is_confirmed_by_mission_current) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.advance(300 * ms);
   port.forget();
@@ -468,20 +468,20 @@ TEST(ground_port_core, mission_set_current_is_confirmed_by_mission_current) {
 }
 
 TEST(ground_port_core, set_current_while_running_asks_the_executor_to_go_there_now) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   run(port, 1);
   port.forget();
   port.say(set_current(3));
   EXPECT_EQ(port.last_result(), -1);
-  ASSERT_EQ(port.wishes.size(), 1U);
-  EXPECT_EQ(port.wishes[0].what.index, 3);
+  ASSERT_EQ(port.set_currents.size(), 1U);
+  EXPECT_EQ(port.set_currents[0].what.index, 3);
   port.executor_says(executor::current_answer{executor::current_verdict::going, ""});
   EXPECT_EQ(port.last_result(), accepted);
 }
 
 TEST(ground_port_core, what_the_executor_refuses_is_refused_with_its_reason) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   run(port, 1);
   port.say(set_current(3));
@@ -496,7 +496,7 @@ TEST(ground_port_core, what_the_executor_refuses_is_refused_with_its_reason) {
 }
 
 TEST(ground_port_core, set_current_again_while_the_executor_works_is_not_given_to_it_again) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   run(port, 1);
   port.say(set_current(3));
@@ -504,11 +504,11 @@ TEST(ground_port_core, set_current_again_while_the_executor_works_is_not_given_t
   EXPECT_EQ(port.last_result(), static_cast<int>(mav_result::in_progress));
   port.say(set_current(2), other_station);
   EXPECT_EQ(port.last_result(), static_cast<int>(mav_result::temporarily_rejected));
-  EXPECT_EQ(port.wishes.size(), 1U);
+  EXPECT_EQ(port.set_currents.size(), 1U);
 }
 
 TEST(ground_port_core, minus_1_keeps_the_current_item) {
-  desk port;
+  port_fixture port;
   port.upload(5);
   port.say(set_current(2));
   port.say(set_current(-1));

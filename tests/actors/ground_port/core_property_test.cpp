@@ -12,7 +12,7 @@
 #include <string>
 
 #include "io/mavlink/ids.hpp"
-#include "tests/actors/ground_port/port_desk.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -66,40 +66,40 @@ void name_command(std::vector<std::byte>& payload, const happening& h) {
   payload[32] &= std::byte{7}; // the frame, or the confirmation
 }
 
-// What the executor has been asked is a word that it can obey.
-void look_at(const operator_words::word& word) {
-  RC_ASSERT(word.by.starts_with("station "));
-  RC_ASSERT(word.place.has_value() == (word.verb == operator_words::verb::go_to));
-  if (!word.place)
+// What the executor has been asked is a command that it can obey.
+void look_at(const operators::command& command) {
+  RC_ASSERT(command.by.starts_with("station "));
+  RC_ASSERT(command.place.has_value() == (command.kind == operators::command_kind::go_to));
+  if (!command.place)
     return;
-  RC_ASSERT(std::abs(word.place->latitude) <= 90);
-  RC_ASSERT(std::abs(word.place->longitude) <= 180);
-  RC_ASSERT(std::isfinite(word.place->altitude_m));
+  RC_ASSERT(std::abs(command.place->latitude) <= 90);
+  RC_ASSERT(std::abs(command.place->longitude) <= 180);
+  RC_ASSERT(std::isfinite(command.place->altitude_m));
 }
 
 // The executor as far as words go: it answers any of them, also twice.
 struct listener {
   std::set<std::uint64_t> answered; // requests
 
-  void answer(desk& port, std::uint8_t which) {
+  void answer(port_fixture& port, std::uint8_t which) {
     if (port.words.empty())
       return;
     const auto place = which % port.words.size();
     answered.insert(port.words[place].request);
-    port.executor_says(operator_words::answer{which % 2 == 0, "no"}, place);
+    port.executor_says(operators::answer{which % 2 == 0, "no"}, place);
   }
-  void look_at_all(const desk& port) const {
+  void look_at_all(const port_fixture& port) const {
     std::set<std::string> waiting;
     for (const auto& each : port.words) {
       look_at(each.what);
       if (!answered.contains(each.request))
         RC_ASSERT(waiting.insert(each.what.by).second); // one of each station
     }
-    RC_ASSERT(waiting.size() <= word_ledger::max_stations);
+    RC_ASSERT(waiting.size() <= command_dedup::max_stations);
   }
 };
 
-void say(desk& port, const happening& h) {
+void say(port_fixture& port, const happening& h) {
   const auto id = ids.at(h.what % ids.size());
   const auto* const info = mavlink::find_message(id);
   std::vector<std::byte> payload(info->full_length);
@@ -118,7 +118,7 @@ void say(desk& port, const happening& h) {
 
 RC_GTEST_PROP(ground_port_property, any_story_of_messages_leaves_it_able_to_serve,
               (const std::vector<std::tuple<std::uint8_t, std::uint8_t, std::vector<std::uint8_t>>>& story)) {
-  desk port;
+  port_fixture port;
   listener executor;
   port.upload(3);
   for (const auto& [what, who, payload] : story) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/actors/ground_port/port_desk.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -21,8 +21,8 @@ constexpr int failed = static_cast<int>(mav_result::failed);
 constexpr int in_progress = static_cast<int>(mav_result::in_progress);
 
 // A port that holds a mission.
-struct loaded : desk {
-  explicit loaded(int items = 5, bool has_executor = true) : desk({}, has_executor) {
+struct loaded : port_fixture {
+  explicit loaded(int items = 5, bool has_executor = true) : port_fixture({}, has_executor) {
     upload(items);
     forget();
   }
@@ -57,7 +57,7 @@ TEST(FR_00089_ground_port, it_is_accepted_only_when_the_executor_has_changed_to_
 }
 
 TEST(FR_00089_ground_port, an_empty_mission_is_not_started) {
-  desk port;
+  port_fixture port;
   port.say(start_command());
   EXPECT_TRUE(port.starts.empty());
 }
@@ -93,7 +93,7 @@ TEST(FR_00089_ground_port, success_is_accepted) {
 }
 
 TEST(FR_00089_ground_port, without_a_mission_it_fails) {
-  desk port;
+  port_fixture port;
   port.say(start_command());
   EXPECT_EQ(port.last_result(), failed);
   EXPECT_TRUE(port.said("Mission start: no mission"));
@@ -187,7 +187,7 @@ TEST(FR_00089_ground_port, a_start_while_a_transfer_runs_is_rejected_for_now) {
 }
 
 TEST(FR_00089_ground_port, a_start_while_the_plan_is_not_on_the_disk_is_rejected_for_now) {
-  desk port;
+  port_fixture port;
   port.slow_disk();
   port.upload(3);
   port.say(start_command());
@@ -222,7 +222,7 @@ TEST(FR_00089_ground_port, a_start_right_after_a_mode_change_is_the_executors_to
 }
 
 TEST(FR_00089_ground_port, a_mission_of_do_items_alone_is_started_and_completes) {
-  desk port;
+  port_fixture port;
   port.upload({waypoint(0, 178), waypoint(1, 178)});
   port.say(start_command());
   ASSERT_EQ(port.starts.size(), 1U);

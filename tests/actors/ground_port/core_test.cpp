@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "tests/actors/ground_port/port_desk.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -22,7 +22,7 @@ mavlink::heartbeat vehicle_beat() { return {.type = 2, .autopilot = 12, .base_mo
 // -- who we are -----------------------------------------------------------------------------------
 
 TEST(ground_port, its_own_heartbeat_goes_out_once_a_second) {
-  desk port;
+  port_fixture port;
   port.advance(500 * ms);
   port.forget();
   port.advance(10 * s);
@@ -34,7 +34,7 @@ TEST(ground_port, its_own_heartbeat_goes_out_once_a_second) {
 }
 
 TEST(ground_port, what_the_vehicle_says_goes_on_as_the_vehicles) {
-  desk port;
+  port_fixture port;
   port.forget();
   port.vehicle_says(vehicle_beat());
   port.vehicle_says(mavlink::global_position_int{.lat = 5});
@@ -45,7 +45,7 @@ TEST(ground_port, what_the_vehicle_says_goes_on_as_the_vehicles) {
 }
 
 TEST(ground_port, each_sender_has_sequence_numbers_of_its_own) {
-  desk port;
+  port_fixture port;
   port.forget();
   for (int i = 0; i < 10; ++i) {
     port.vehicle_says(vehicle_beat());
@@ -63,7 +63,7 @@ TEST(ground_port, each_sender_has_sequence_numbers_of_its_own) {
 }
 
 TEST(ground_port, a_fast_stream_of_the_vehicle_is_held_back_and_counted) {
-  desk port;
+  port_fixture port;
   port.forget();
   for (int i = 0; i < 500; ++i) { // 50 Hz, as PX4 sends it
     port.vehicle_says(mavlink::attitude{});
@@ -76,7 +76,7 @@ TEST(ground_port, a_fast_stream_of_the_vehicle_is_held_back_and_counted) {
 }
 
 TEST(ground_port, texts_of_the_vehicle_go_on) {
-  desk port;
+  port_fixture port;
   mavlink::statustext text;
   text.text = {'E', 'K', 'F', ' ', 'o', 'k'};
   port.vehicle_says(text);
@@ -86,14 +86,14 @@ TEST(ground_port, texts_of_the_vehicle_go_on) {
 TEST(ground_port, forwarding_can_be_switched_off) {
   settings quiet;
   quiet.forwards_telemetry = false;
-  desk port(quiet);
+  port_fixture port(quiet);
   port.forget();
   port.vehicle_says(vehicle_beat());
   EXPECT_TRUE(port.frames.empty());
 }
 
 TEST(ground_port, nothing_is_sent_while_the_link_is_down) {
-  desk port;
+  port_fixture port;
   port.link_is(io::link::link_phase::down);
   port.forget();
   port.vehicle_says(vehicle_beat());
@@ -109,7 +109,7 @@ TEST(ground_port, nothing_is_sent_while_the_link_is_down) {
 // -- in the autopilot's place ---------------------------------------------------------------------
 
 TEST(ground_port_as_autopilot, the_vehicles_heartbeat_is_the_only_one) {
-  desk port(in_the_autopilots_place());
+  port_fixture port(in_the_autopilots_place());
   port.forget();
   port.advance(5 * s);
   EXPECT_TRUE(port.sent<mavlink::heartbeat>().empty()) << "a vehicle that is silent must not seem alive";
@@ -120,7 +120,7 @@ TEST(ground_port_as_autopilot, the_vehicles_heartbeat_is_the_only_one) {
 }
 
 TEST(ground_port_as_autopilot, the_progress_shown_is_ours_and_not_the_vehicles) {
-  desk port(in_the_autopilots_place());
+  port_fixture port(in_the_autopilots_place());
   port.upload(3);
   port.advance(1 * s);
   port.forget();
@@ -133,14 +133,14 @@ TEST(ground_port_as_autopilot, the_progress_shown_is_ours_and_not_the_vehicles) 
 }
 
 TEST(ground_port_as_autopilot, beside_the_autopilot_its_progress_goes_on) {
-  desk port;
+  port_fixture port;
   port.forget();
   port.vehicle_says(mavlink::mission_item_reached{.seq = 77});
   EXPECT_EQ(port.last<mavlink::mission_item_reached>().seq, 77);
 }
 
 TEST(ground_port_core, a_radio_that_reports_its_status_says_nothing_of_who_is_there) {
-  desk port;
+  port_fixture port;
   port.say_as_it_is(mavlink::radio_status{}, {255, 190}, 7);
   port.say_as_it_is(mavlink::radio_status{}, autopilot_id, 7);
   EXPECT_TRUE(port.shown().stations.empty());
@@ -149,7 +149,7 @@ TEST(ground_port_core, a_radio_that_reports_its_status_says_nothing_of_who_is_th
 }
 
 TEST(ground_port_as_autopilot, it_stands_down_when_the_autopilot_itself_is_on_the_port) {
-  desk port(in_the_autopilots_place());
+  port_fixture port(in_the_autopilots_place());
   const auto id = port.upload(3).opaque_id;
   port.say_as_it_is(vehicle_beat(), autopilot_id);
   port.forget();
@@ -166,14 +166,14 @@ TEST(ground_port_as_autopilot, it_stands_down_when_the_autopilot_itself_is_on_th
 }
 
 TEST(ground_port_as_autopilot, it_says_why_it_stood_down) {
-  desk port(in_the_autopilots_place());
+  port_fixture port(in_the_autopilots_place());
   port.say_as_it_is(vehicle_beat(), autopilot_id);
   port.advance(1 * s);
   EXPECT_FALSE(port.texts().empty());
 }
 
 TEST(ground_port, an_autopilot_that_is_on_the_port_itself_is_not_forwarded_as_well) {
-  desk port;
+  port_fixture port;
   port.say_as_it_is(vehicle_beat(), autopilot_id);
   port.forget();
   port.vehicle_says(mavlink::attitude{});
@@ -187,7 +187,7 @@ TEST(ground_port, an_autopilot_that_is_on_the_port_itself_is_not_forwarded_as_we
 // -- stations -------------------------------------------------------------------------------------
 
 TEST(ground_port, the_operators_link_is_the_age_of_the_last_heartbeat_of_a_ground_station) {
-  desk port;
+  port_fixture port;
   port.advance(1 * s);
   EXPECT_FALSE(port.operator_news.back().ever_heard);
   EXPECT_EQ(port.operator_news.back().age_ms, -1);
@@ -206,7 +206,7 @@ TEST(ground_port, the_operators_link_is_the_age_of_the_last_heartbeat_of_a_groun
 }
 
 TEST(ground_port, the_operators_link_is_told_once_a_second) {
-  desk port;
+  port_fixture port;
   port.advance(500 * ms);
   const auto before = port.operator_news.size();
   port.advance(10 * s);
@@ -214,7 +214,7 @@ TEST(ground_port, the_operators_link_is_told_once_a_second) {
 }
 
 TEST(ground_port, more_stations_than_the_bound_are_refused_until_one_is_silent) {
-  desk port;
+  port_fixture port;
   for (std::uint8_t i = 0; i < 20; ++i)
     port.say(mavlink::mission_request_list{}, {static_cast<std::uint8_t>(200 + i), 190});
   EXPECT_EQ(port.shown().stations.size(), station_table::max_stations);
@@ -228,7 +228,7 @@ TEST(ground_port, more_stations_than_the_bound_are_refused_until_one_is_silent) 
 }
 
 TEST(ground_port, messages_that_are_not_on_the_list_are_counted_and_go_no_further) {
-  desk port;
+  port_fixture port;
   port.forget();
   port.say(mavlink::attitude{});
   port.say(mavlink::setup_signing{.target_system = 1, .target_component = 191});
@@ -238,7 +238,7 @@ TEST(ground_port, messages_that_are_not_on_the_list_are_counted_and_go_no_furthe
 }
 
 TEST(ground_port, a_flood_of_texts_of_the_executor_is_bounded) {
-  desk port;
+  port_fixture port;
   port.forget();
   for (int i = 0; i < 1'000; ++i)
     port.executor_says(status_text{mavlink::mav_severity::info, "text"});
@@ -256,7 +256,7 @@ signing_settings signed_port() {
 }
 
 TEST(ground_port, on_a_signed_port_unsigned_frames_are_not_heard_and_its_own_are_signed) {
-  desk port({}, true, signed_port());
+  port_fixture port({}, true, signed_port());
   port.forget();
   port.say(mavlink::mission_request_list{});
   EXPECT_TRUE(port.sent<mavlink::mission_count>().empty());
@@ -270,7 +270,7 @@ TEST(ground_port, on_a_signed_port_unsigned_frames_are_not_heard_and_its_own_are
 }
 
 TEST(ground_port, a_station_with_the_key_is_heard) {
-  desk port({}, true, signed_port());
+  port_fixture port({}, true, signed_port());
   mavlink::channel theirs(signed_port(), mavlink::signing_time{});
   const auto frame = theirs.pack(mavlink::mission_request_list{.target_system = 1, .target_component = 191}, station_id,
                                  port.now().wall_ns);

@@ -26,9 +26,8 @@ public:
     runtime::process_options options;
     options.journal.path = (folder_ / "journal.db").string();
     host_ = *runtime::process::open(options);
-    const auto port =
-        host_->actors().add<actor>({.name = "ground_port"}, {}, settings{}, signing_settings{},
-                                   std::static_pointer_cast<wire>(line), std::make_shared<const neighbours>());
+    const auto port = host_->actors().add<actor>({.name = "ground_port"}, {}, settings{}, signing_settings{},
+                                                 std::static_pointer_cast<wire>(line), std::make_shared<const peers>());
     host_->actors().start();
     const auto opened = line->open(*io::link::parse_uri(uri), {}, host_->actors().make_gateway("line"), port);
     EXPECT_TRUE(opened) << opened.error();

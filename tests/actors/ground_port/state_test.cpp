@@ -25,8 +25,8 @@ TEST(ground_port_state, a_plan_that_is_on_the_disk_is_told_to_the_executor_befor
   ASSERT_EQ(effects.size(), 2U);
   EXPECT_EQ(std::get<executor::plan_taken>(effects[0]).items.size(), 3U);
   EXPECT_EQ(std::get<executor::plan_taken>(effects[0]).items[2].seq, 2);
-  EXPECT_EQ(std::get<plan_settled>(effects[1]).ack->target_system, 255);
-  EXPECT_EQ(std::get<plan_settled>(effects[1]).at_ns, 9);
+  EXPECT_EQ(std::get<plan_resolved>(effects[1]).ack->target_system, 255);
+  EXPECT_EQ(std::get<plan_resolved>(effects[1]).at_ns, 9);
   ASSERT_EQ(s.plans.size(), 1U);
   EXPECT_EQ(s.plans[0].plan_id, 77U);
 }
@@ -57,11 +57,11 @@ TEST(ground_port_state, a_start_is_given_to_the_executor_once_and_settled_once) 
   const auto asked = durable_core::apply(s, what, 1);
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_EQ(std::get<executor::start_mission>(asked[0]).key, 9U);
-  what.record.is_settled = true;
-  const auto settled = durable_core::apply(s, what, 2);
-  ASSERT_EQ(settled.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<start_settled>(settled[0]));
-  EXPECT_TRUE(s.last_start->is_settled);
+  what.record.is_resolved = true;
+  const auto resolved = durable_core::apply(s, what, 2);
+  ASSERT_EQ(resolved.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<start_resolved>(resolved[0]));
+  EXPECT_TRUE(s.last_start->is_resolved);
 }
 
 TEST(ground_port_state, a_start_item_is_kept_until_a_start_has_used_it_or_the_mission_changes) {
@@ -69,7 +69,7 @@ TEST(ground_port_state, a_start_item_is_kept_until_a_start_has_used_it_or_the_mi
   (void)durable_core::apply(s, start_item_noted{1, 3, {}}, 1);
   EXPECT_EQ(s.start_item, 3);
   start_noted refused;
-  refused.record.is_settled = true;
+  refused.record.is_resolved = true;
   refused.record.result = io::mavlink::number(io::mavlink::mav_result::denied);
   (void)durable_core::apply(s, refused, 2);
   EXPECT_EQ(s.start_item, 3);

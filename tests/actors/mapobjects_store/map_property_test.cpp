@@ -214,7 +214,7 @@ public:
     for (std::size_t i = 0; i < many && i < outbox.size(); ++i)
       push(*std::next(outbox.begin(), static_cast<std::ptrdiff_t>(i)));
     for (std::size_t i = 0; i < many && !outbox.empty() && !answer_is_lost; ++i) {
-      settle(*outbox.begin());
+      resolve(*outbox.begin());
       outbox.erase(outbox.begin());
     }
   }
@@ -229,7 +229,7 @@ public:
         RC_ASSERT(expected.service.insert(id).second); // each counts once
   }
 
-  void settle(std::uint64_t key) {
+  void resolve(std::uint64_t key) {
     delivered(key);
     for (const auto& id : bodies.at(key)) {
       expected.owed.erase(id);

@@ -48,7 +48,7 @@ public:
 
   // False: it came to no end.
   [[nodiscard]] bool fly() {
-    for (int i = 0; i < 100'000 && around.listener.settled.empty(); ++i) {
+    for (int i = 0; i < 100'000 && around.listener.resolved.empty(); ++i) {
       inject();
       if (p_->world.step(0))
         continue;
@@ -58,7 +58,7 @@ public:
         p_->world.advance(10ms);
     }
     p_->advance(2s);
-    return !around.listener.settled.empty();
+    return !around.listener.resolved.empty();
   }
   [[nodiscard]] bool was_injected() const { return injected_; }
   [[nodiscard]] std::uint64_t crashes() const { return p_->world.counters("mission_client").crashes; }
@@ -157,7 +157,7 @@ TEST(mission_client_crashes, at_every_message_and_crash_point_of_a_flight_all_is
       // Nobody has forgotten anything, so that nobody hears anything twice.
       EXPECT_EQ(f.around.listener.pulled.size(), 1U);
       EXPECT_EQ(f.around.listener.outcomes.size(), 1U);
-      EXPECT_EQ(f.around.listener.settled.size(), 1U);
+      EXPECT_EQ(f.around.listener.resolved.size(), 1U);
       if (HasFailure() || !f.was_injected()) {
         EXPECT_FALSE(HasFailure()) << "crash point " << static_cast<int>(where) << " after message " << after;
         EXPECT_GT(after, 60U);

@@ -177,8 +177,8 @@ TEST(mission_client_actor, after_the_flight_all_that_the_store_owes_is_delivered
   EXPECT_EQ(around.service.at(mission_a).observations.size(), 1'234U);
   EXPECT_EQ(around.service.at(mission_a).ignored.size(), 56U);
   EXPECT_EQ(around.store.owed(), 0U);
-  ASSERT_EQ(around.listener.settled.size(), 1U);
-  EXPECT_EQ(around.listener.settled[0].orphaned, 0U);
+  ASSERT_EQ(around.listener.resolved.size(), 1U);
+  EXPECT_EQ(around.listener.resolved[0].orphaned, 0U);
   EXPECT_EQ(around.service.calls["POST /missions/" + mission_a + "/mapobjects"], 3);
   EXPECT_EQ(p.status().push_pending, 0U);
 }

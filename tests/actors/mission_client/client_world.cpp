@@ -21,18 +21,18 @@ listener::behavior_type listener::handlers() {
           on<change_outcome>([this](const auto& m) { into_->outcomes.push_back(m); }),
           on<assignment_arrived>([this](const auto& m) { into_->arrived.push_back(m); }),
           on<mission_deleted>([this](const auto& m) { into_->deleted.push_back(m); }),
-          on<mission_settled>([this](const auto& m) { into_->settled.push_back(m); })};
+          on<mission_resolved>([this](const auto& m) { into_->resolved.push_back(m); })};
 }
 
 process::process(outside& around, settings configured) : world(around.disk, ++around.processes), around_(around) {
-  const auto others = std::make_shared<neighbours>(
-      neighbours{world.actors().add<listener>({.name = "listener"}, patient(), &around.listener),
-                 world.actors().add<store_actor>({.name = "store"}, patient(), &around.store)});
+  const auto others =
+      std::make_shared<peers>(peers{world.actors().add<listener>({.name = "listener"}, patient(), &around.listener),
+                                    world.actors().add<store_actor>({.name = "store"}, patient(), &around.store)});
   client = world.actors().add<actor>({.name = "mission_client"}, patient(), configured,
-                                     std::static_pointer_cast<service_port>(port),
-                                     std::shared_ptr<const neighbours>(others), around.processes);
+                                     std::static_pointer_cast<service_port>(port), std::shared_ptr<const peers>(others),
+                                     around.processes);
   world.start();
-  world.settle();
+  world.resolve();
 }
 
 void process::exchange() {
@@ -41,12 +41,12 @@ void process::exchange() {
 
 void process::advance(std::chrono::nanoseconds duration, std::chrono::nanoseconds stride) {
   for (auto left = duration; left.count() > 0; left -= stride) {
-    world.settle();
+    world.resolve();
     exchange();
     world.advance(std::min(left, stride));
   }
   exchange();
-  world.settle();
+  world.resolve();
 }
 
 service_status process::status() {

@@ -26,7 +26,7 @@ struct heard {
   std::vector<change_outcome> outcomes;
   std::vector<assignment_arrived> arrived;
   std::vector<mission_deleted> deleted;
-  std::vector<mission_settled> settled;
+  std::vector<mission_resolved> resolved;
 };
 
 class listener final : public runtime::actor_base<listener_handle> {

@@ -209,10 +209,10 @@ TEST(mission_client_core, a_deleted_mission_orphans_its_own_rows_only_and_is_tol
   EXPECT_TRUE(only<mission_deleted>(durable_core::apply(s, mission_gone{mission_a}, 12)).empty());
   EXPECT_EQ(count_rows(s.rows, mission_a).orphaned, 1U);
   EXPECT_EQ(count_rows(s.rows, "other").pending, 1U);
-  ASSERT_EQ(s.errands.size(), 1U);
-  EXPECT_EQ(s.errands[0].kind, errand_kind::delete_mission);
-  (void)durable_core::apply(s, errand_done{s.errands[0]}, 13);
-  EXPECT_TRUE(s.errands.empty());
+  ASSERT_EQ(s.store_operations.size(), 1U);
+  EXPECT_EQ(s.store_operations[0].kind, store_operation_kind::delete_mission);
+  (void)durable_core::apply(s, store_operation_done{s.store_operations[0]}, 13);
+  EXPECT_TRUE(s.store_operations.empty());
 }
 
 TEST(mission_client_core, a_mission_is_settled_when_nothing_of_it_is_pending_and_once) {
@@ -221,12 +221,12 @@ TEST(mission_client_core, a_mission_is_settled_when_nothing_of_it_is_pending_and
   EXPECT_TRUE(durable_core::apply(s, push_map{mission_a}, 10).empty());
   (void)durable_core::apply(s, batch_planned{"o", mission_a, destination::observations}, 11);
   (void)durable_core::apply(s, batch_planned{"i", mission_a, destination::ignored_items}, 11);
-  EXPECT_TRUE(only<mission_settled>(durable_core::apply(s, batch_empty{"o"}, 12)).empty());
-  EXPECT_TRUE(only<mission_settled>(durable_core::apply(s, batch_empty{"i"}, 12)).empty());
-  const auto settled = only<mission_settled>(durable_core::apply(s, rows_delivered{{"a1"}}, 13));
-  ASSERT_EQ(settled.size(), 1U);
-  EXPECT_EQ(settled[0].orphaned, 0U);
-  EXPECT_TRUE(only<mission_settled>(durable_core::apply(s, report(2), 14)).empty());
+  EXPECT_TRUE(only<mission_resolved>(durable_core::apply(s, batch_empty{"o"}, 12)).empty());
+  EXPECT_TRUE(only<mission_resolved>(durable_core::apply(s, batch_empty{"i"}, 12)).empty());
+  const auto resolved = only<mission_resolved>(durable_core::apply(s, rows_delivered{{"a1"}}, 13));
+  ASSERT_EQ(resolved.size(), 1U);
+  EXPECT_EQ(resolved[0].orphaned, 0U);
+  EXPECT_TRUE(only<mission_resolved>(durable_core::apply(s, report(2), 14)).empty());
 }
 
 TEST(mission_client_core, a_push_that_is_asked_for_again_looks_again_for_what_was_seen_since) {
@@ -243,11 +243,11 @@ TEST(mission_client_core, a_push_that_is_asked_for_again_looks_again_for_what_wa
 TEST(mission_client_core, what_was_seen_after_a_mission_was_deleted_is_kept_aside_by_the_store) {
   auto s = ready();
   (void)durable_core::apply(s, mission_gone{mission_a}, 10);
-  (void)durable_core::apply(s, errand_done{s.errands.at(0)}, 11);
-  const auto settled = only<mission_settled>(durable_core::apply(s, push_map{mission_a}, 12));
-  EXPECT_EQ(settled.size(), 1U);
-  ASSERT_EQ(s.errands.size(), 1U);
-  EXPECT_EQ(s.errands[0].kind, errand_kind::orphan_mission);
+  (void)durable_core::apply(s, store_operation_done{s.store_operations.at(0)}, 11);
+  const auto resolved = only<mission_resolved>(durable_core::apply(s, push_map{mission_a}, 12));
+  EXPECT_EQ(resolved.size(), 1U);
+  ASSERT_EQ(s.store_operations.size(), 1U);
+  EXPECT_EQ(s.store_operations[0].kind, store_operation_kind::orphan_mission);
 }
 
 TEST(mission_client_core, notes_of_missions_are_bounded_and_the_one_that_is_owed_something_stays) {

@@ -128,11 +128,11 @@ TEST(mission_client_failures, a_push_that_fails_stays_in_the_outbox_with_growing
   EXPECT_EQ(p.status().pending, 1U);
   EXPECT_EQ(p.status().push_pending, 20U);
   EXPECT_LE(around.service.count("POST"), 8);
-  EXPECT_TRUE(around.listener.settled.empty());
+  EXPECT_TRUE(around.listener.resolved.empty());
   around.service.faults.clear();
   p.advance(60s);
   EXPECT_EQ(around.service.at(mission_a).observations.size(), 20U);
-  EXPECT_EQ(around.listener.settled.size(), 1U);
+  EXPECT_EQ(around.listener.resolved.size(), 1U);
   EXPECT_EQ(p.health().colour, health_colour::green);
 }
 
@@ -151,7 +151,7 @@ TEST(mission_client_failures, a_push_that_is_partly_done_repeats_only_the_missin
   p.advance(40s);
   EXPECT_EQ(around.service.calls["POST /missions/" + mission_a + "/mapobjects"], 1);
   EXPECT_EQ(around.service.at(mission_a).ignored.size(), 10U);
-  EXPECT_EQ(around.listener.settled.size(), 1U);
+  EXPECT_EQ(around.listener.resolved.size(), 1U);
 }
 
 TEST(mission_client_failures, a_mission_deleted_in_flight_is_told_and_what_is_owed_is_kept_as_orphaned) {
@@ -169,8 +169,8 @@ TEST(mission_client_failures, a_mission_deleted_in_flight_is_told_and_what_is_ow
   p.say(report(mission_a, 3));
   p.say(push_map{mission_a});
   p.advance(10s);
-  ASSERT_EQ(around.listener.settled.size(), 1U);
-  EXPECT_EQ(around.listener.settled[0].orphaned, 3U);
+  ASSERT_EQ(around.listener.resolved.size(), 1U);
+  EXPECT_EQ(around.listener.resolved[0].orphaned, 3U);
   EXPECT_EQ(around.store.orphans[mission_a].size(), 20U);
   EXPECT_EQ(p.status().orphaned, 3U);
   EXPECT_EQ(p.health().colour, health_colour::yellow);
@@ -195,7 +195,7 @@ TEST(mission_client_failures, a_push_for_a_deleted_mission_is_kept_as_orphaned_a
   around.service.faults.push_back({.what = fault::status_answer, .status = 404});
   p.say(push_map{mission_a});
   p.advance(5s);
-  ASSERT_EQ(around.listener.settled.size(), 1U);
+  ASSERT_EQ(around.listener.resolved.size(), 1U);
   EXPECT_GE(p.status().orphaned, 1U);
   EXPECT_TRUE(m.observations.empty());
   EXPECT_TRUE(around.listener.deleted.empty()); // a mistyped address gives 404 as well
@@ -235,7 +235,7 @@ TEST(mission_client_failures, service_down_for_three_hours_then_all_is_delivered
   EXPECT_EQ(m.observations.size(), 1'200U);
   EXPECT_EQ(m.ignored.size(), 30U);
   EXPECT_EQ(around.service.other_bodies, 0);
-  EXPECT_EQ(around.listener.settled.size(), 1U);
+  EXPECT_EQ(around.listener.resolved.size(), 1U);
 }
 
 TEST(mission_client_failures, after_24_hours_of_failures_it_is_kept_as_expired_and_a_person_can_queue_it_again) {
@@ -251,7 +251,7 @@ TEST(mission_client_failures, after_24_hours_of_failures_it_is_kept_as_expired_a
   EXPECT_EQ(p.status().expired, 0U);
   p.advance(90min, 1s);
   EXPECT_EQ(p.status().expired, 2U);
-  EXPECT_EQ(around.listener.settled.at(0).expired, 2U);
+  EXPECT_EQ(around.listener.resolved.at(0).expired, 2U);
   const auto calls = around.service.count("POST");
   p.advance(1h, 1s);
   EXPECT_EQ(around.service.count("POST"), calls);

@@ -183,7 +183,7 @@ TEST_F(http_service_test, a_certificate_that_is_not_valid_yet_is_for_later_and_t
   const auto issuer = test::make_tls_identity({.common_name = "issuer", .is_issuer = true});
   const auto issuer_file = testing::TempDir() + "http_service_test_issuer.pem";
   std::ofstream(issuer_file) << issuer.certificate;
-  const test::certificate_wish wish{.common_name = "a", .hosts = {"IP:127.0.0.1"}, .begins_s = 3600, .ends_s = 7200};
+  const test::certificate_request wish{.common_name = "a", .hosts = {"IP:127.0.0.1"}, .begins_s = 3600, .ends_s = 7200};
   server_ = std::make_unique<test::http_server>([](test::http_peer& peer, const test::http_request&) { peer.close(); },
                                                 test::http_server_options{test::make_tls_identity(wish, &issuer), {}});
   open_at(server_->url(), issuer_file);

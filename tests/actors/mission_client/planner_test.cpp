@@ -1,4 +1,4 @@
-// The planner by itself: what it wishes for in a state, and what it makes of answers.
+// The planner by itself: what it asks for for in a state, and what it makes of answers.
 #include "actors/mission_client/planner.hpp"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@ using namespace godwit::mission_client;
 const std::string mission_a = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
 
 // A planner, its state, and a clock; events are applied as they come.
-class desk_top {
+class planning_fixture {
 public:
-  wishes plan() {
+  requests plan() {
     auto all = planner_.plan(s, now);
     auto result = std::move(all);
     while (!result.events.empty()) {
@@ -26,13 +26,13 @@ public:
     }
     return result;
   }
-  wishes answer(ticket number, const service_answer& answer) {
+  requests answer(ticket number, const service_answer& answer) {
     auto result = planner_.on_answer(s, now, number, answer);
     apply(std::exchange(result.events, {}));
     collect(result, plan());
     return result;
   }
-  wishes hear(ticket number, const store_answer& answer) {
+  requests hear(ticket number, const store_answer& answer) {
     auto result = planner_.on_store(s, now, number, answer);
     apply(std::exchange(result.events, {}));
     collect(result, plan());
@@ -57,7 +57,7 @@ private:
     for (const auto& each : events)
       happens(each);
   }
-  static void collect(wishes& into, wishes more) {
+  static void collect(requests& into, requests more) {
     std::ranges::move(more.calls, std::back_inserter(into.calls));
     std::ranges::move(more.questions, std::back_inserter(into.questions));
     std::ranges::move(more.cancelled, std::back_inserter(into.cancelled));
@@ -79,7 +79,7 @@ service_answer status(unsigned value, std::string body = {}) { return {.status =
 const std::string receipt = R"({"stored":1,"repeated":0})";
 
 TEST(mission_client_planner, with_nothing_to_do_it_does_nothing_and_does_not_wake_up) {
-  desk_top d;
+  planning_fixture d;
   const auto wanted = d.plan();
   EXPECT_TRUE(wanted.calls.empty());
   EXPECT_TRUE(wanted.questions.empty());
@@ -87,18 +87,18 @@ TEST(mission_client_planner, with_nothing_to_do_it_does_nothing_and_does_not_wak
 }
 
 TEST(mission_client_planner, asked_again_it_starts_nothing_twice) {
-  desk_top d;
+  planning_fixture d;
   d.happens(report(1));
   EXPECT_EQ(d.plan().calls.size(), 1U);
   EXPECT_TRUE(d.plan().calls.empty());
 }
 
 TEST(mission_client_planner, a_new_planner_over_the_same_state_makes_the_same_call_with_the_same_key) {
-  desk_top first;
+  planning_fixture first;
   first.happens(report(1));
   first.happens(report(2));
   const auto before = first.plan().calls.at(0).call;
-  desk_top second;
+  planning_fixture second;
   second.s = first.s;
   second.of().on_disk({second.s.next_order, false});
   const auto after = second.plan().calls.at(0).call;
@@ -108,7 +108,7 @@ TEST(mission_client_planner, a_new_planner_over_the_same_state_makes_the_same_ca
 }
 
 TEST(mission_client_planner, a_failed_try_is_repeated_when_its_pause_is_over_and_not_before) {
-  desk_top d;
+  planning_fixture d;
   d.happens(report(1));
   const auto call = d.plan().calls.at(0);
   EXPECT_TRUE(d.answer(call.number, status(503)).calls.empty());
@@ -123,7 +123,7 @@ TEST(mission_client_planner, a_failed_try_is_repeated_when_its_pause_is_over_and
 }
 
 TEST(mission_client_planner, a_lane_that_fails_does_not_hold_up_another) {
-  desk_top d;
+  planning_fixture d;
   d.happens(report(1));
   d.happens(report(1, "0b8f7c36-3a5f-4c0b-8f0e-5e5f2f6f9b11"));
   const auto calls = d.plan().calls;
@@ -134,7 +134,7 @@ TEST(mission_client_planner, a_lane_that_fails_does_not_hold_up_another) {
 }
 
 TEST(mission_client_planner, a_hundred_reports_go_together_and_the_next_ones_only_after_them) {
-  desk_top d;
+  planning_fixture d;
   for (std::uint32_t i = 1; i <= 150; ++i)
     d.happens(report(i));
   const auto first = d.plan();
@@ -147,7 +147,7 @@ TEST(mission_client_planner, a_hundred_reports_go_together_and_the_next_ones_onl
 }
 
 TEST(mission_client_planner, an_answer_that_nobody_waits_for_changes_nothing) {
-  desk_top d;
+  planning_fixture d;
   d.happens(report(1));
   const auto call = d.plan().calls.at(0);
   (void)d.answer(call.number, status(200, receipt));
@@ -157,7 +157,7 @@ TEST(mission_client_planner, an_answer_that_nobody_waits_for_changes_nothing) {
 }
 
 TEST(mission_client_planner, what_is_not_on_the_disk_is_not_sent) {
-  desk_top d;
+  planning_fixture d;
   (void)durable_core::apply(d.s, report(1), d.now.wall_ns); // its on_disk does not come
   EXPECT_TRUE(d.plan().calls.empty());
   d.of().on_disk({d.s.next_order, false});
@@ -166,7 +166,7 @@ TEST(mission_client_planner, what_is_not_on_the_disk_is_not_sent) {
 
 TEST(mission_client_planner,
      of_the_lanes_that_nobody_waits_for_only_a_few_are_under_way_and_a_change_goes_out_at_once) {
-  desk_top d;
+  planning_fixture d;
   for (int i = 0; i < 9; ++i)
     d.happens(report(1, "m" + std::to_string(i)));
   EXPECT_EQ(d.plan().calls.size(), max_deliveries_under_way);
@@ -181,7 +181,7 @@ TEST(mission_client_planner,
 }
 
 TEST(mission_client_planner, a_change_that_waits_longer_than_its_window_fails_and_its_call_is_given_up) {
-  desk_top d;
+  planning_fixture d;
   insert_waypoint change;
   change.mission_id = mission_a;
   change.insert.idempotency_key = "k";
@@ -193,7 +193,7 @@ TEST(mission_client_planner, a_change_that_waits_longer_than_its_window_fails_an
 }
 
 TEST(mission_client_planner, a_batch_is_posted_told_to_the_store_and_only_then_done) {
-  desk_top d;
+  planning_fixture d;
   d.happens(push_map{mission_a});
   auto wanted = d.plan();
   ASSERT_EQ(wanted.questions.size(), 2U); // one for each destination
@@ -227,7 +227,7 @@ TEST(mission_client_planner, a_batch_is_posted_told_to_the_store_and_only_then_d
 }
 
 TEST(mission_client_planner, a_store_that_says_delivered_ends_the_delivery) {
-  desk_top d;
+  planning_fixture d;
   d.happens(push_map{mission_a});
   const auto wanted = d.plan();
   const auto key = std::get<store::take_batch>(wanted.questions[0].question).key;
@@ -238,7 +238,7 @@ TEST(mission_client_planner, a_store_that_says_delivered_ends_the_delivery) {
 }
 
 TEST(mission_client_planner, the_load_begins_before_the_first_page_is_asked_for) {
-  desk_top d;
+  planning_fixture d;
   d.happens(begin_mission{mission_a});
   auto wanted = d.plan();
   EXPECT_TRUE(std::holds_alternative<store::get_batches>(wanted.questions.at(0).question));

@@ -78,14 +78,14 @@ TEST(vehicle_link_core, heartbeats_go_on_while_the_link_is_down_because_one_may_
 
 TEST(vehicle_link_core, the_heartbeat_is_held_back_while_one_of_those_who_vouch_is_silent) {
   auto configured = quiet();
-  configured.vouchers = {"executor", "failsafe"};
+  configured.liveness_reporters = {"executor", "failsafe"};
   connected c(configured);
-  c.it.on_vouch({"executor"}, at(0));
+  c.it.on_liveness_report({"executor"}, at(0));
   EXPECT_TRUE(sent_of<mavlink::heartbeat>(c.it.on_time(at(s))).empty());
   EXPECT_TRUE(c.it.describe(at(s)).heartbeat_held_back);
   EXPECT_EQ(c.it.health(at(s)).how, godwit::runtime::health_colour::yellow);
-  c.it.on_vouch({"executor"}, at(s));
-  c.it.on_vouch({"failsafe"}, at(s));
+  c.it.on_liveness_report({"executor"}, at(s));
+  c.it.on_liveness_report({"failsafe"}, at(s));
   EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(2 * s))).size(), 1U);
   EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(5 * s))).size(), 0U) << "both have hung since";
 }
@@ -193,8 +193,8 @@ TEST(vehicle_link_core, a_restart_of_the_autopilot_is_told_ends_commands_and_ask
   (void)c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = 1'500}, s / 2);
   const auto done = c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = 2'000}, s);
   EXPECT_EQ(announced<vehicle_restarted>(done).size(), 1U);
-  ASSERT_EQ(settled(done).size(), 1U);
-  EXPECT_EQ(settled(done)[0].outcome.verdict, command_verdict::vehicle_restarted);
+  ASSERT_EQ(resolved(done).size(), 1U);
+  EXPECT_EQ(resolved(done)[0].outcome.verdict, command_verdict::vehicle_restarted);
   EXPECT_EQ(sent_of<mavlink::command_long>(done).size(), 1U) << "the stream";
 }
 
@@ -211,7 +211,7 @@ TEST(vehicle_link_core, a_command_goes_to_the_autopilot_and_its_ack_to_whoever_a
   EXPECT_EQ(out[0].target_component, 1);
   EXPECT_EQ(out[0].param1, 1.0F);
   EXPECT_EQ(out[0].confirmation, 2);
-  const auto done = settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::accepted, {1, 191}), 3 * ms));
+  const auto done = resolved(c.vehicle.say(c.it, ack(400, mavlink::mav_result::accepted, {1, 191}), 3 * ms));
   ASSERT_EQ(done.size(), 1U);
   EXPECT_EQ(done[0].asked_by.request_id, 9U);
   EXPECT_EQ(done[0].outcome.verdict, command_verdict::accepted);
@@ -235,7 +235,7 @@ TEST(vehicle_link_core, a_command_that_was_decided_in_another_mode_is_not_sent) 
     const auto done = c.it.on_command(2, decided, at(11 * s));
     EXPECT_TRUE(sent_of<mavlink::command_long>(done).empty());
     ASSERT_EQ(done.size(), 1U);
-    EXPECT_EQ(std::get<settled_command>(done[0]).outcome.verdict, command_verdict::outdated);
+    EXPECT_EQ(std::get<resolved_command>(done[0]).outcome.verdict, command_verdict::outdated);
   }
 }
 
@@ -256,28 +256,28 @@ TEST(vehicle_link_core, a_position_travels_in_integers) {
 TEST(vehicle_link_core, an_ack_for_another_station_is_not_ours_and_one_without_a_target_is) {
   connected c;
   (void)c.it.on_command(9, command(400), at(0));
-  EXPECT_TRUE(settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::denied, {255, 190}), 0)).empty());
-  EXPECT_TRUE(settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::denied, {1, 190}), 0)).empty());
-  EXPECT_EQ(settled(c.vehicle.say(c.it, ack(400, mavlink::mav_result::accepted), 0)).size(), 1U);
+  EXPECT_TRUE(resolved(c.vehicle.say(c.it, ack(400, mavlink::mav_result::denied, {255, 190}), 0)).empty());
+  EXPECT_TRUE(resolved(c.vehicle.say(c.it, ack(400, mavlink::mav_result::denied, {1, 190}), 0)).empty());
+  EXPECT_EQ(resolved(c.vehicle.say(c.it, ack(400, mavlink::mav_result::accepted), 0)).size(), 1U);
 }
 
 TEST(vehicle_link_core, without_an_answer_the_asker_hears_of_it_at_the_deadline) {
   connected c;
   (void)c.it.on_command(9, command(400), at(0));
   EXPECT_LE(c.it.next_deadline_ns(), 1 * s);
-  EXPECT_TRUE(settled(c.it.on_time(at(s - 1))).empty());
-  const auto done = settled(c.it.on_time(at(s)));
+  EXPECT_TRUE(resolved(c.it.on_time(at(s - 1))).empty());
+  const auto done = resolved(c.it.on_time(at(s)));
   ASSERT_EQ(done.size(), 1U);
   EXPECT_EQ(done[0].outcome.verdict, command_verdict::timed_out);
 }
 
 TEST(vehicle_link_core, a_command_that_can_not_be_sent_is_answered_at_once_with_the_reason) {
   core it(quiet(), {}, {});
-  auto done = settled(it.on_command(9, command(400), at(0)));
+  auto done = resolved(it.on_command(9, command(400), at(0)));
   ASSERT_EQ(done.size(), 1U);
   EXPECT_EQ(done[0].outcome.verdict, command_verdict::not_sent);
   (void)it.on_link(link_up(), at(0));
-  done = settled(it.on_command(9, command(400), at(0)));
+  done = resolved(it.on_command(9, command(400), at(0)));
   EXPECT_NE(done.at(0).outcome.reason.find("no vehicle"), std::string::npos);
 }
 
@@ -293,7 +293,7 @@ TEST(vehicle_link_core, nan_never_reaches_ardupilot) {
   connected ardupilot(quiet(), {}, mavlink::mav_autopilot::ardupilotmega);
   const auto done = ardupilot.it.on_command(9, what, at(0));
   EXPECT_TRUE(sent_of<mavlink::command_long>(done).empty());
-  EXPECT_EQ(settled(done).at(0).outcome.verdict, command_verdict::invalid);
+  EXPECT_EQ(resolved(done).at(0).outcome.verdict, command_verdict::invalid);
   connected px4;
   EXPECT_EQ(sent_of<mavlink::command_long>(px4.it.on_command(9, what, at(0))).size(), 1U);
 }
@@ -308,10 +308,10 @@ TEST(vehicle_link_core, cancelling_is_for_a_command_that_waits) {
 TEST(vehicle_link_core, set_current_falls_back_to_the_message_and_takes_the_broadcast_as_the_answer) {
   connected c;
   EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_set_current(9, {4}, at(0))).at(0).command, 224);
-  EXPECT_EQ(settled(c.it.on_set_current(10, {5}, at(0))).at(0).outcome.verdict, command_verdict::already_running);
+  EXPECT_EQ(resolved(c.it.on_set_current(10, {5}, at(0))).at(0).outcome.verdict, command_verdict::already_running);
   const auto second = c.vehicle.say(c.it, ack(224, mavlink::mav_result::unsupported), 0);
   EXPECT_EQ(sent_of<mavlink::mission_set_current>(second).at(0).seq, 4);
-  const auto done = settled(c.vehicle.say(c.it, mavlink::mission_current{.seq = 4}, 0));
+  const auto done = resolved(c.vehicle.say(c.it, mavlink::mission_current{.seq = 4}, 0));
   ASSERT_EQ(done.size(), 1U);
   EXPECT_EQ(done[0].asked_by.request_id, 9U);
   EXPECT_EQ(done[0].outcome.verdict, command_verdict::accepted);

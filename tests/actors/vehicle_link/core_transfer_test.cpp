@@ -28,8 +28,8 @@ upload_plan survey(int count) {
 // A core and a vehicle; what one sends the other hears at once.
 class conversation {
 public:
-  explicit conversation(const mission_server::habits& habits = mission_server::px4_habits())
-      : it(quiet(), {}, {}), vehicle(habits, {1, 1}) {
+  explicit conversation(const mission_server::autopilot_quirks& autopilot_quirks = mission_server::px4_quirks())
+      : it(quiet(), {}, {}), vehicle(autopilot_quirks, {1, 1}) {
     (void)it.on_link(link_up(), at(0));
     (void)voice_.beat(it, 0);
   }
@@ -49,10 +49,10 @@ public:
     }
   }
 
-  [[nodiscard]] std::vector<settled_transfer> settled() const {
-    std::vector<settled_transfer> result;
+  [[nodiscard]] std::vector<resolved_transfer> resolved() const {
+    std::vector<resolved_transfer> result;
     for (const auto& each : told)
-      if (const auto* over = std::get_if<settled_transfer>(&each))
+      if (const auto* over = std::get_if<resolved_transfer>(&each))
         result.push_back(*over);
     return result;
   }
@@ -78,9 +78,9 @@ private:
 TEST(vehicle_link_transfer, a_plan_goes_up_and_the_asker_hears_what_became_of_it) {
   conversation c;
   c.carry_out(c.it.on_upload(7, survey(50), at(c.now_ns)));
-  ASSERT_EQ(c.settled().size(), 1U);
-  EXPECT_EQ(c.settled()[0].request_id, 7U);
-  EXPECT_EQ(c.settled()[0].outcome.verdict, transfer::verdict::accepted) << c.settled()[0].outcome.reason;
+  ASSERT_EQ(c.resolved().size(), 1U);
+  EXPECT_EQ(c.resolved()[0].request_id, 7U);
+  EXPECT_EQ(c.resolved()[0].outcome.verdict, transfer::verdict::accepted) << c.resolved()[0].outcome.reason;
   EXPECT_EQ(c.vehicle.plan(mission).items.size(), 50U);
 }
 
@@ -96,10 +96,10 @@ TEST(vehicle_link_transfer, a_plan_comes_down_as_the_vehicle_holds_it_and_is_cle
   conversation c;
   c.carry_out(c.it.on_upload(1, survey(20), at(c.now_ns)));
   c.carry_out(c.it.on_download(2, {mission}, at(c.now_ns)));
-  ASSERT_EQ(c.settled().size(), 2U);
-  EXPECT_EQ(c.settled()[1].outcome.items.size(), 20U);
+  ASSERT_EQ(c.resolved().size(), 2U);
+  EXPECT_EQ(c.resolved()[1].outcome.items.size(), 20U);
   c.carry_out(c.it.on_clear(3, {mission}, at(c.now_ns)));
-  EXPECT_EQ(c.settled().back().outcome.verdict, transfer::verdict::accepted);
+  EXPECT_EQ(c.resolved().back().outcome.verdict, transfer::verdict::accepted);
   EXPECT_TRUE(c.vehicle.plan(mission).items.empty());
 }
 
@@ -107,15 +107,15 @@ TEST(vehicle_link_transfer, a_second_one_is_refused_while_one_is_under_way) {
   conversation c;
   (void)c.it.on_upload(1, survey(20), at(c.now_ns)); // its frames are not carried: it waits
   c.carry_out(c.it.on_download(2, {mission}, at(c.now_ns)));
-  ASSERT_EQ(c.settled().size(), 1U);
-  EXPECT_EQ(c.settled()[0].request_id, 2U);
-  EXPECT_EQ(c.settled()[0].outcome.verdict, transfer::verdict::not_begun);
-  EXPECT_NE(c.settled()[0].outcome.reason.find("under way"), std::string::npos);
+  ASSERT_EQ(c.resolved().size(), 1U);
+  EXPECT_EQ(c.resolved()[0].request_id, 2U);
+  EXPECT_EQ(c.resolved()[0].outcome.verdict, transfer::verdict::not_begun);
+  EXPECT_NE(c.resolved()[0].outcome.reason.find("under way"), std::string::npos);
 }
 
 TEST(vehicle_link_transfer, nothing_is_begun_without_a_vehicle_and_the_reason_says_so) {
   core it(quiet(), {}, {});
-  const auto refused = [&](const effects& done) { return std::get<settled_transfer>(done.at(0)).outcome; };
+  const auto refused = [&](const effects& done) { return std::get<resolved_transfer>(done.at(0)).outcome; };
   EXPECT_NE(refused(it.on_upload(1, survey(1), at(0))).reason.find("down"), std::string::npos);
   (void)it.on_link(link_up(), at(0));
   const auto outcome = refused(it.on_upload(1, survey(1), at(0)));
@@ -128,13 +128,13 @@ TEST(vehicle_link_transfer, a_cancelled_one_ends_at_once_and_makes_room) {
   conversation c;
   (void)c.it.on_upload(1, survey(20), at(c.now_ns));
   c.carry_out(c.it.on_cancel_transfer(at(c.now_ns)));
-  ASSERT_EQ(c.settled().size(), 1U);
-  EXPECT_EQ(c.settled()[0].outcome.verdict, transfer::verdict::cancelled);
+  ASSERT_EQ(c.resolved().size(), 1U);
+  EXPECT_EQ(c.resolved()[0].outcome.verdict, transfer::verdict::cancelled);
   // The next may wait until nothing of this one can be on the line any more.
   c.carry_out(c.it.on_upload(2, survey(20), at(c.now_ns)));
-  for (const auto end_ns = c.now_ns + 5 * s; c.settled().size() < 2 && c.now_ns < end_ns; c.now_ns += 10 * ms)
+  for (const auto end_ns = c.now_ns + 5 * s; c.resolved().size() < 2 && c.now_ns < end_ns; c.now_ns += 10 * ms)
     c.carry_out(c.it.on_time(at(c.now_ns)));
-  EXPECT_EQ(c.settled().back().outcome.verdict, transfer::verdict::accepted);
+  EXPECT_EQ(c.resolved().back().outcome.verdict, transfer::verdict::accepted);
 }
 
 TEST(vehicle_link_transfer, the_next_deadline_is_that_of_the_transfer_too) {

@@ -62,10 +62,10 @@ template <class M>
   return result;
 }
 
-[[nodiscard]] inline std::vector<settled_command> settled(const effects& done) {
-  std::vector<settled_command> result;
+[[nodiscard]] inline std::vector<resolved_command> resolved(const effects& done) {
+  std::vector<resolved_command> result;
   for (const auto& each : done)
-    if (const auto* what = std::get_if<settled_command>(&each))
+    if (const auto* what = std::get_if<resolved_command>(&each))
       result.push_back(*what);
   return result;
 }

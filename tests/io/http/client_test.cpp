@@ -73,7 +73,7 @@ TEST_F(http_client, sends_a_body_that_needs_many_pieces) {
       },
       with_tls());
   request asked;
-  asked.verb = verb::post;
+  asked.method = method::post;
   for (std::size_t i = 0; asked.body.size() < 1'000'000; ++i)
     asked.body += std::to_string(i);
   const auto expected = std::to_string(std::hash<std::string>{}(asked.body));

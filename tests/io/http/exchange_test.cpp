@@ -30,7 +30,7 @@ request request_to(std::string target) {
 
 request post(std::string key) {
   request asked;
-  asked.verb = verb::post;
+  asked.method = method::post;
   asked.body = "{}";
   asked.idempotency_key = std::move(key);
   return asked;

@@ -14,11 +14,11 @@ TEST(http_message, finds_the_first_header_of_a_name_in_any_case) {
 
 TEST(http_message, may_be_repeated_unless_it_is_a_post_without_a_key) {
   request asked;
-  for (const auto each : {verb::get, verb::put, verb::remove}) {
-    asked.verb = each;
-    EXPECT_TRUE(may_repeat(asked)) << verb_text(each);
+  for (const auto each : {method::get, method::put, method::remove}) {
+    asked.method = each;
+    EXPECT_TRUE(may_repeat(asked)) << method_text(each);
   }
-  asked.verb = verb::post;
+  asked.method = method::post;
   EXPECT_FALSE(may_repeat(asked));
   asked.idempotency_key = "key";
   EXPECT_TRUE(may_repeat(asked));

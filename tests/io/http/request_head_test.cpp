@@ -14,7 +14,7 @@ destination to(const std::string& url, const std::string& proxy = {}) {
 
 request post_with(std::string body) {
   request asked;
-  asked.verb = verb::post;
+  asked.method = method::post;
   asked.target = "/missions/7/progress?x=1";
   asked.body = std::move(body);
   asked.idempotency_key = "key-1";

@@ -16,7 +16,7 @@
 namespace godwit::io::http::test {
 namespace {
 
-using godwit::test::certificate_wish;
+using godwit::test::certificate_request;
 using godwit::test::http_server_options;
 using godwit::test::make_tls_identity;
 using http_tls = http_fixture;
@@ -84,8 +84,9 @@ TEST_F(http_tls, looks_for_the_host_in_the_alternative_names_of_its_kind) {
 
 TEST_F(http_tls, refuses_what_has_expired_and_what_is_not_valid_yet) {
   for (const auto& [begins_s, ends_s] : {std::pair{-7200L, -3600L}, std::pair{3600L, 7200L}}) {
-    const certificate_wish wish{.common_name = "a", .hosts = {"IP:127.0.0.1"}, .begins_s = begins_s, .ends_s = ends_s};
-    const http_server server(say_ok, identified_by(make_tls_identity(wish, &issuer())));
+    const certificate_request wanted{
+        .common_name = "a", .hosts = {"IP:127.0.0.1"}, .begins_s = begins_s, .ends_s = ends_s};
+    const http_server server(say_ok, identified_by(make_tls_identity(wanted, &issuer())));
     const auto end = ask(server.url(), {});
     EXPECT_EQ(code_of(end), errc::tls_not_verified);
     EXPECT_NE(end.error().message().find("is the clock of this computer right?"), std::string::npos);

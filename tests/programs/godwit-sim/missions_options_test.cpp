@@ -41,9 +41,9 @@ TEST_F(missions_options, what_is_given_reaches_the_service) {
   given.seed = 7;
   given.map_objects = 10;
   given.around = "47.4, 8.5";
-  const auto wish = read(given);
-  ASSERT_TRUE(wish) << wish.error();
-  const auto& settings = wish->settings;
+  const auto wanted = read(given);
+  ASSERT_TRUE(wanted) << wanted.error();
+  const auto& settings = wanted->settings;
   EXPECT_EQ(settings.host, "0.0.0.0");
   EXPECT_EQ(settings.port, 8443);
   EXPECT_EQ(settings.token, "secret");
@@ -60,9 +60,9 @@ TEST_F(missions_options, what_is_given_reaches_the_service) {
 
 TEST_F(missions_options, the_map_lies_around_the_first_return_point_unless_it_is_said) {
   given.map_objects = 10;
-  const auto wish = read(given);
-  ASSERT_TRUE(wish) << wish.error();
-  EXPECT_EQ(wish->settings.map.latitude, missions::small_mission().return_point.latitude);
+  const auto wanted = read(given);
+  ASSERT_TRUE(wanted) << wanted.error();
+  EXPECT_EQ(wanted->settings.map.latitude, missions::small_mission().return_point.latitude);
 }
 
 TEST_F(missions_options, a_plan_is_taken_when_nothing_of_it_is_lost_or_when_that_is_allowed) {
@@ -109,9 +109,9 @@ TEST_F(missions_options, a_mistake_names_the_option_and_what_to_do) {
   for (const auto& [change, part] : mistakes) {
     auto mistaken = given;
     change(mistaken);
-    const auto wish = read(mistaken);
-    ASSERT_FALSE(wish) << part;
-    EXPECT_NE(wish.error().find(part), std::string::npos) << wish.error();
+    const auto wanted = read(mistaken);
+    ASSERT_FALSE(wanted) << part;
+    EXPECT_NE(wanted.error().find(part), std::string::npos) << wanted.error();
   }
 }
 

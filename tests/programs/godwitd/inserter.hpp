@@ -47,13 +47,13 @@ private:
       return;
     auto key = mission_id_;
     key[0] = 'a';
-    mission_client::insert_waypoint wish;
-    wish.mission_id = mission_id_;
-    wish.insert.idempotency_key = key;
-    wish.insert.base_revision = 1;
-    wish.insert.after_item_id = "w1";
-    wish.insert.waypoint = mission::waypoint{"look-1", {47.3988, 8.5469, 30}, 0, 2, {}};
-    tell(client_, wish);
+    mission_client::insert_waypoint wanted;
+    wanted.mission_id = mission_id_;
+    wanted.insert.idempotency_key = key;
+    wanted.insert.base_revision = 1;
+    wanted.insert.after_item_id = "w1";
+    wanted.insert.waypoint = mission::waypoint{"look-1", {47.3988, 8.5469, 30}, 0, 2, {}};
+    tell(client_, wanted);
   }
 
   mission_client::own_handle client_;

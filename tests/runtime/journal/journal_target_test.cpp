@@ -93,10 +93,10 @@ TEST_F(failing_disk_test, a_recovery_is_answered_from_the_database_and_what_wait
   EXPECT_TRUE(waiting.get());
   EXPECT_TRUE(other.get());
   EXPECT_TRUE(third_result.get());
-  const auto settled = recover(*journal, "a", 4);
-  EXPECT_EQ(settled->last_event, 3);
-  EXPECT_EQ(settled->effects.size(), later->effects.size());
-  EXPECT_EQ(settled->seen.size(), later->seen.size());
+  const auto resolved = recover(*journal, "a", 4);
+  EXPECT_EQ(resolved->last_event, 3);
+  EXPECT_EQ(resolved->effects.size(), later->effects.size());
+  EXPECT_EQ(resolved->seen.size(), later->seen.size());
 }
 
 TEST_F(failing_disk_test, the_queue_refuses_at_its_bound_and_takes_again_afterwards) {

@@ -383,7 +383,7 @@ public:
   }
 
   // Everything that is outstanding comes to its end, without further crashes.
-  void settle(std::int64_t now_ns) {
+  void resolve(std::int64_t now_ns) {
     for (bool moved = true; moved;) {
       moved = false;
       for (std::size_t i = 0; i < children_.size(); ++i) {
@@ -399,7 +399,7 @@ public:
     }
   }
 
-  void expect_settled() const {
+  void expect_resolved() const {
     for (std::size_t i = 0; i < children_.size(); ++i) {
       const auto phase = core_.phase(i);
       RC_ASSERT(phase == running || phase == absent || phase == given_up);
@@ -507,11 +507,11 @@ RC_GTEST_PROP(supervision_core, keeps_its_rules_whatever_happens, ()) {
     else
       world.want(child, (choice >> 7U) % 3 != 0);
   }
-  world.settle(now_ns);
-  world.expect_settled();
+  world.resolve(now_ns);
+  world.expect_resolved();
   world.shutdown();
-  world.settle(now_ns);
-  world.expect_settled();
+  world.resolve(now_ns);
+  world.expect_resolved();
 }
 
 } // namespace

@@ -108,7 +108,7 @@ void ardupilot::on_restart() { load_plan(); }
 autopilot::answer ardupilot::start_mission(const role::order& what) {
   if (what.param1 != 0 || what.param2 != 0) // what is no number differs from 0 as well
     return answer::denied;
-  const auto& mode = mode_of_kind(habits().modes, mode_kind::mission);
+  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::mission);
   if (change_mode(&mode, mode.custom) != answer::accepted) {
     say(mav_severity::warning, "Flight mode change failed");
     return answer::failed;
@@ -214,7 +214,7 @@ void ardupilot::on_happening(const happening& what) {
 }
 
 mavlink::mission_current ardupilot::progress() const {
-  auto m = place_in_mission(run(), with().plans, habits());
+  auto m = place_in_mission(run(), with().plans, autopilot_quirks());
   if (is_at_beginning_)
     m.seq = 0;
   m.mission_mode = mavlink::number(state().is_in(mode_kind::mission) ? mavlink::mission_mode::active
@@ -237,7 +237,7 @@ autopilot::answer ardupilot::reposition(const role::order& what) {
     return answer::unsupported; // a float would round the place
   constexpr float change_mode_flag = 1;
   const bool may_change = std::isfinite(what.param2) && std::fmod(what.param2, 2.0F) == change_mode_flag;
-  const auto& guided = mode_of_kind(habits().modes, mode_kind::guided);
+  const auto& guided = mode_of_kind(autopilot_quirks().modes, mode_kind::guided);
   if (!may_change && state().mode != &guided)
     return answer::denied;
   if (change_mode(&guided, guided.custom) != answer::accepted)

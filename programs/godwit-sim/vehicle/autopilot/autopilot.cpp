@@ -10,7 +10,7 @@ namespace godwit::sim {
 void autopilot::take(const mavlink::set_mode& m) {
   // It has no answer but the next HEARTBEAT.
   if ((m.base_mode & mavlink::number(mavlink::mav_mode_flag::custom_mode_enabled)) != 0)
-    static_cast<void>(change_mode(find_mode(habits().modes, m.custom_mode), m.custom_mode));
+    static_cast<void>(change_mode(find_mode(autopilot_quirks().modes, m.custom_mode), m.custom_mode));
 }
 
 void autopilot::hear_heartbeat(mavlink::sender, const mavlink::heartbeat&) {}
@@ -43,7 +43,7 @@ void autopilot::enter_by_failsafe(mode_kind kind) {
 void autopilot::arm() {
   if (state().is_armed)
     return;
-  const bool moves_home = habits().sets_home_when_armed && !state().is_home_fixed && state().has_position &&
+  const bool moves_home = autopilot_quirks().sets_home_when_armed && !state().is_home_fixed && state().has_position &&
                           !craft().is_in_air() && may_move_home();
   if (moves_home && craft().where().where != craft().home()) {
     move_home(craft().where().where);
@@ -56,8 +56,8 @@ void autopilot::arm() {
 
 void autopilot::move_home(const position& where) {
   with_.craft.set_home(where);
-  if (habits().plan_habits.home)
-    with_.plans.set_home(home_item(*habits().plan_habits.home, where));
+  if (autopilot_quirks().plan_quirks.home)
+    with_.plans.set_home(home_item(*autopilot_quirks().plan_quirks.home, where));
 }
 
 void autopilot::disarm() {
@@ -134,7 +134,7 @@ void autopilot::empty_battery() {
 void autopilot::restart() {
   with_.craft.restart();
   with_.state.is_armed = false;
-  with_.state.mode = with_.state.intended = find_mode(habits().modes, habits().first_mode);
+  with_.state.mode = with_.state.intended = find_mode(autopilot_quirks().modes, autopilot_quirks().first_mode);
   with_.state.started_world_ns = now_.world_ns;
   with_.state.is_home_fixed = false;
   owed_message_.reset();

@@ -26,22 +26,23 @@ std::optional<std::uint32_t> message_in(float param) {
 } // namespace
 
 mav_result autopilot::give(std::uint32_t message) {
-  if (message == mavlink::mission_current::message_id && habits().current_is_a_request_away) {
+  if (message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away) {
     with_.out.send(progress());
     return mav_result::accepted;
   }
-  return with_.tells.send(message, now_.world_ns) ? mav_result::accepted : habits().unknown_message;
+  return with_.tells.send(message, now_.world_ns) ? mav_result::accepted : autopilot_quirks().unknown_message;
 }
 
 mav_result autopilot::request_message(const role::order& what) {
   const auto message = message_in(what.param1);
   if (!message)
-    return habits().unknown_message;
-  if (habits().sends_before_ack)
+    return autopilot_quirks().unknown_message;
+  if (autopilot_quirks().sends_before_ack)
     return give(*message);
-  const bool is_current = *message == mavlink::mission_current::message_id && habits().current_is_a_request_away;
+  const bool is_current =
+      *message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away;
   if (!is_current && !with_.tells.knows(*message))
-    return habits().unknown_message;
+    return autopilot_quirks().unknown_message;
   owed_message_ = message;
   return mav_result::accepted;
 }
@@ -51,16 +52,17 @@ mav_result autopilot::set_message_interval(const role::order& what) {
   const bool is_interval =
       std::isfinite(what.param2) && std::abs(what.param2) < static_cast<float>(role::message_schedule::max_interval_us);
   const auto interval_us = is_interval ? static_cast<std::int64_t>(what.param2) : -2; // one that is none
-  if (message == mavlink::mission_current::message_id && habits().current_is_a_request_away && interval_us >= -1) {
+  if (message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away &&
+      interval_us >= -1) {
     const auto period_ns = interval_us == 0 ? role::current_report::period_ns : interval_us * 1'000;
     with_.current.set_period(std::max<std::int64_t>(period_ns, 0), now_.world_ns);
     return mav_result::accepted;
   }
   if (message && with_.streams.set_interval(*message, interval_us, now_.world_ns))
     return mav_result::accepted;
-  if (habits().autopilot == mavlink::mav_autopilot::ardupilotmega && message)
+  if (autopilot_quirks().autopilot == mavlink::mav_autopilot::ardupilotmega && message)
     say(mavlink::mav_severity::info, "No ap_message for mavlink id (" + std::to_string(*message) + ")");
-  return habits().unknown_interval;
+  return autopilot_quirks().unknown_interval;
 }
 
 mav_result autopilot::get_message_interval(const role::order& what) {
@@ -77,20 +79,20 @@ mav_result autopilot::get_message_interval(const role::order& what) {
 }
 
 mav_result autopilot::request_capabilities(const role::order&) {
-  if (habits().sends_before_ack)
+  if (autopilot_quirks().sends_before_ack)
     return give(mavlink::autopilot_version::message_id);
   owed_message_ = mavlink::autopilot_version::message_id;
   return mav_result::accepted;
 }
 
 mav_result autopilot::request_protocol_version(const role::order&) {
-  if (!habits().tells_protocol_version)
+  if (!autopilot_quirks().tells_protocol_version)
     return mav_result::unsupported;
   return give(mavlink::protocol_version::message_id);
 }
 
 mav_result autopilot::get_home(const role::order&) {
-  if (habits().sends_before_ack)
+  if (autopilot_quirks().sends_before_ack)
     return give(mavlink::home_position::message_id);
   owed_message_ = mavlink::home_position::message_id;
   return mav_result::accepted;

@@ -83,26 +83,26 @@ mav_result autopilot::set_mode(const role::order& what) {
   if (!is_custom)
     return mav_result::denied;
   const auto number = mode_in(what);
-  const auto* mode = find_mode(habits().modes, number);
+  const auto* mode = find_mode(autopilot_quirks().modes, number);
   if (mode == nullptr)
     on_unknown_mode(what);
   return change_mode(mode, number);
 }
 
 mav_result autopilot::return_home(const role::order&) {
-  const auto& mode = mode_of_kind(habits().modes, mode_kind::come_back);
+  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::come_back);
   return change_mode(&mode, mode.custom);
 }
 
 mav_result autopilot::loiter(const role::order&) {
-  const auto& mode = mode_of_kind(habits().modes, mode_kind::hold);
+  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::hold);
   return change_mode(&mode, mode.custom);
 }
 
 mav_result autopilot::land(const role::order&) {
-  if (!has_mode_of_kind(habits().modes, mode_kind::land))
+  if (!has_mode_of_kind(autopilot_quirks().modes, mode_kind::land))
     return mav_result::unsupported;
-  const auto& mode = mode_of_kind(habits().modes, mode_kind::land);
+  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::land);
   return change_mode(&mode, mode.custom);
 }
 
@@ -124,7 +124,7 @@ mav_result autopilot::set_home(const role::order& what) {
     return mav_result::failed;
   const bool is_here = what.param1 == 1;
   move_home(is_here ? craft().where().where : place_in(what));
-  with_.state.is_home_fixed = !(is_here && habits().home_is_free_again);
+  with_.state.is_home_fixed = !(is_here && autopilot_quirks().home_is_free_again);
   owed_message_ = mavlink::home_position::message_id;
   return mav_result::accepted;
 }

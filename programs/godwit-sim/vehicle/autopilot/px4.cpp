@@ -112,7 +112,7 @@ void px4::on_battery_empty() {
 void px4::on_restart() {
   run().load(held_mission().items);
   reached_ = {};
-  old_news_ = {};
+  stale_messages_ = {};
   heard_station_ns_ = -1;
   preflight_ends_ns_ = never_ns;
   trigger_again_ns_ = never_ns;
@@ -236,7 +236,7 @@ void px4::take_plan(const plans::plan_change& what) {
     begin_mission();
   if (!had_plan)
     return;
-  if (const auto news = old_news_.on_switch({old_current, reached_.last()}, progress(), with().random))
+  if (const auto news = stale_messages_.on_switch({old_current, reached_.last()}, progress(), with().random))
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
   reached_ = {};
 }
@@ -245,7 +245,7 @@ void px4::end_turn() {
   const std::pair modes(state().mode, state().intended);
   if (std::exchange(told_modes_, modes) != modes)
     static_cast<void>(with().tells.send(telemetry::current_mode_id, now().world_ns)); // it is known
-  if (const auto news = old_news_.take_late())
+  if (const auto news = stale_messages_.take_late())
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
 }
 
@@ -291,7 +291,7 @@ std::int64_t px4::next_timer_ns() const {
 }
 
 mavlink::mission_current px4::progress() const {
-  auto result = progress_of(run(), with().plans, habits(), state().is_in(mode_kind::mission));
+  auto result = progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
   if (says_complete_)
     result.mission_state = mavlink::number(mavlink::mission_state::complete);
   return result;

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/old_news.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/repeated_reached.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/stale_messages.hpp"
 
 namespace godwit::sim {
 
@@ -71,7 +71,7 @@ private:
   repeated_reached reached_;
   std::pair<const flight_mode*, const flight_mode*> told_modes_; // actual, intended
   bool says_complete_ = false;                                   // it stands behind a landing, whoever landed it
-  old_news old_news_;
+  stale_messages stale_messages_;
   std::int64_t heard_station_ns_ = -1; // real time
   std::int64_t preflight_ends_ns_ = never_ns;
   std::int64_t trigger_again_ns_ = never_ns;

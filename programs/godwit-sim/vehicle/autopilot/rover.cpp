@@ -142,7 +142,7 @@ void rover::on_happening(const happening& what) {
 }
 
 mavlink::mission_current rover::progress() const {
-  return progress_of(run(), with().plans, habits(), state().is_in(mode_kind::mission));
+  return progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
 }
 
 // -- commands ---------------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ autopilot::answer rover::pause_or_continue(const role::order& what) {
     enter(mode_kind::hold);
     return mav_result::accepted;
   }
-  const auto& mode = mode_of_kind(habits().modes, mode_kind::mission);
+  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::mission);
   return change_mode(&mode, mode.custom);
 }
 

@@ -20,7 +20,7 @@ traits rover_traits() {
   t.body = rover_craft();
   t.modes = rover_modes();
   t.first_mode = 4; // HOLD
-  t.plan_habits = plans::plain_habits();
+  t.plan_quirks = plans::plain_quirks();
   t.params = rover_params();
   t.param_encoding = role::param_encoding::as_value;
   t.streams = rover_streams();
@@ -41,7 +41,7 @@ traits px4_traits() {
   t.body = multirotor_craft();
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
-  t.plan_habits = plans::px4_habits();
+  t.plan_quirks = plans::px4_quirks();
   t.params = px4_params();
   t.param_encoding = role::param_encoding::as_bits;
   t.streams = px4_streams();
@@ -100,7 +100,7 @@ traits copter_traits() {
   t.body = multirotor_craft();
   t.modes = copter_modes();
   t.first_mode = 0; // STABILIZE
-  t.plan_habits = plans::ardupilot_copter_habits();
+  t.plan_quirks = plans::ardupilot_copter_quirks();
   t.params = copter_params();
   t.banner = {"ArduCopter V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4", "Frame: QUAD/PLUS"};
   return t;
@@ -112,7 +112,7 @@ traits plane_traits() {
   t.body = fixed_wing_craft();
   t.modes = plane_modes();
   t.first_mode = 0; // MANUAL
-  t.plan_habits = plans::ardupilot_plane_habits();
+  t.plan_quirks = plans::ardupilot_plane_quirks();
   t.params = plane_params();
   t.banner = {"ArduPlane V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
   return t;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "actors/ground_port/mission_server/habits.hpp"
+#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 #include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/version.hpp"
@@ -38,7 +38,7 @@ struct traits {
   mode_table modes;
   std::uint32_t first_mode = 0; // after a start
 
-  plans::habits plan_habits;
+  plans::autopilot_quirks plan_quirks;
   std::vector<role::param> params;
   role::param_encoding param_encoding{};
   bool hides_param_index = false; // 65535 in answer to a read by name and to a set

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 struct advance_any : testing::TestWithParam<flavour> {
-  desk d{GetParam()};
+  progress_fixture d{GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(on, advance_any, testing::Values(px4, ardupilot),
@@ -186,7 +186,7 @@ TEST_P(advance_any, a_complete_of_the_plan_before_does_not_complete_the_new_one)
 }
 
 TEST(advance, an_ardupilot_that_was_put_back_to_its_beginning_has_flown_all) {
-  desk d(ardupilot);
+  progress_fixture d(ardupilot);
   d.fly({"A", "B"});
   d.current(1);
   d.current(-1, mission_state::complete); // landed and disarmed

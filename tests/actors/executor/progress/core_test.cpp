@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/fields/json_text.hpp"
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -12,7 +12,7 @@ using namespace test;
 
 TEST(progress_core, the_same_events_give_the_same_effects) {
   const auto play = [] {
-    desk d;
+    progress_fixture d;
     d.fly({"A", "B"});
     d.current(1);
     d.upload({"Z"}, 1);
@@ -23,7 +23,7 @@ TEST(progress_core, the_same_events_give_the_same_effects) {
 }
 
 TEST(progress_core, a_report_tells_mission_revision_generation_number_time_and_item) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   const mission::progress_report expected{.mission_id = "m",
                                           .revision = 1,
@@ -38,14 +38,14 @@ TEST(progress_core, a_report_tells_mission_revision_generation_number_time_and_i
 }
 
 TEST(progress_core, a_new_incarnation_with_nothing_under_way_has_nothing_to_look_at) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   EXPECT_TRUE(resume(d.s).empty());
   EXPECT_TRUE(resume({}).empty());
 }
 
 TEST(progress_core, a_message_that_was_said_before_does_not_matter) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   EXPECT_FALSE(matters(d.s, current_told{d.current_message(0)}, d.now_ns));
   EXPECT_TRUE(matters(d.s, current_told{d.current_message(1)}, d.now_ns));
@@ -55,7 +55,7 @@ TEST(progress_core, a_message_that_was_said_before_does_not_matter) {
 }
 
 TEST(progress_core, what_waits_makes_the_next_message_matter_when_its_time_is_over) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.current(1);
   EXPECT_FALSE(matters(d.s, current_told{d.current_message(1)}, d.now_ns));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -12,7 +12,7 @@ using namespace test;
 const assignment_key key{"assignment", "key"};
 
 struct cut_over_any : testing::TestWithParam<flavour> {
-  desk d{GetParam()};
+  progress_fixture d{GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(on, cut_over_any, testing::Values(px4, ardupilot),
@@ -101,7 +101,7 @@ TEST_P(cut_over_any, it_ends_a_pause) {
 }
 
 TEST(cut_over, a_plan_with_the_same_content_keeps_its_id_and_counts_from_its_start) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B", "C"});
   d.reached(0);
   d.current(1);
@@ -120,7 +120,7 @@ TEST(cut_over, a_plan_with_the_same_content_keeps_its_id_and_counts_from_its_sta
 }
 
 TEST(cut_over, a_reached_that_is_repeated_over_a_plan_with_the_same_content_counts_nothing) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   d.reached(0);
   d.said();
@@ -135,7 +135,7 @@ TEST(cut_over, a_reached_that_is_repeated_over_a_plan_with_the_same_content_coun
 }
 
 TEST(cut_over, a_reached_that_was_lost_does_not_count_for_a_plan_with_the_same_content) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   d.said();
   d.intend(map_of(px4, {"A"}), 2);
@@ -149,7 +149,7 @@ TEST(cut_over, a_reached_that_was_lost_does_not_count_for_a_plan_with_the_same_c
 }
 
 TEST(cut_over, a_plan_with_the_same_content_is_armed_when_late_messages_are_over) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.intend(map_of(px4, {"A", "B"}), 2);
   d.take(upload_ended{upload_verdict::accepted, d.plan_id, {}});
@@ -164,7 +164,7 @@ TEST(cut_over, in_a_plan_with_the_same_content_commands_in_front_are_not_taken_f
   auto map = map_of(px4, {"speed", "A", "B"});
   map.items[0].first_nav_sequence.reset();
   map.items[0].last_nav_sequence.reset();
-  desk d;
+  progress_fixture d;
   d.upload(map);
   d.start_at(1); // the command is skipped
   d.started();
@@ -182,7 +182,7 @@ TEST(cut_over, in_a_plan_with_the_same_content_commands_in_front_are_not_taken_f
 }
 
 TEST(cut_over, plan_id_0_is_none) {
-  desk d;
+  progress_fixture d;
   d.intend(map_of(px4, {"A"}));
   d.take(upload_ended{upload_verdict::accepted, 0, {}});
   EXPECT_FALSE(d.s.plan->vehicle_plan_id);

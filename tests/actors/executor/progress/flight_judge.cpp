@@ -73,7 +73,7 @@ void flight_judge::take_item(const mission::progress_report& report) {
   const bool is_left_out = found == items.end();
   fail_if(is_left_out && report.kind != mission::progress_kind::skipped, "an item of another plan");
   if (report.kind != mission::progress_kind::started)
-    settled_.insert(*report.item_id);
+    resolved_.insert(*report.item_id);
   if (is_left_out)
     return;
   fail_if(found->item_index != *report.item_index, "a wrong index");

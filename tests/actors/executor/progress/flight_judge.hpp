@@ -42,7 +42,7 @@ public:
 
   [[nodiscard]] bool is_complete(std::int32_t revision) const { return completed_.contains(revision); }
   // Reached or skipped.
-  [[nodiscard]] bool is_settled(const std::string& item) const { return settled_.contains(item); }
+  [[nodiscard]] bool is_resolved(const std::string& item) const { return resolved_.contains(item); }
   [[nodiscard]] const std::vector<mission::progress_report>& reports() const { return reports_; }
   [[nodiscard]] const std::string& violation() const { return violation_; }
   [[nodiscard]] std::string log() const;
@@ -66,7 +66,7 @@ private:
   const std::vector<model_plan>& plans_;
   std::map<std::uint32_t, generation_seen> generations_;
   std::map<std::int32_t, int> completed_;
-  std::set<std::string> settled_;
+  std::set<std::string> resolved_;
   std::set<std::string> open_assignments_;
   std::vector<mission::progress_report> reports_;
   std::vector<std::string> log_;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 struct follow_any : testing::TestWithParam<flavour> {
-  desk d{GetParam()};
+  progress_fixture d{GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(on, follow_any, testing::Values(px4, ardupilot),
@@ -117,7 +117,7 @@ TEST_P(follow_any, commands_in_front_of_the_first_movement_need_not_be_seen) {
 }
 
 TEST(follow, without_ids_a_late_message_of_the_old_plan_does_not_pass_for_commands_in_front_being_done) {
-  desk d(ardupilot);
+  progress_fixture d(ardupilot);
   d.fly({"A", "B"});
   d.said();
   auto map = map_of(ardupilot, {"speed", "X"}, 2);
@@ -131,7 +131,7 @@ TEST(follow, without_ids_a_late_message_of_the_old_plan_does_not_pass_for_comman
 }
 
 TEST(follow, a_reached_during_an_upload_has_to_count_when_it_is_said) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.start_at(0);
   d.started();
@@ -174,7 +174,7 @@ TEST_P(follow_any, on_the_ground_nothing_has_started) {
 }
 
 TEST(follow, with_plan_ids_only_our_id_arms) {
-  desk d;
+  progress_fixture d;
   d.upload({"A", "B"});
   auto message = d.current_message(0);
   message.mission_id = 100; // of the plan before
@@ -188,7 +188,7 @@ TEST(follow, with_plan_ids_only_our_id_arms) {
 }
 
 TEST(follow, without_plan_ids_the_start_with_the_new_total_arms) {
-  desk d(ardupilot);
+  progress_fixture d(ardupilot);
   d.fly({"A", "B", "C"});
   const auto of_old = d.current_message(0);
   d.upload({"X", "Y"}, 1);
@@ -199,7 +199,7 @@ TEST(follow, without_plan_ids_the_start_with_the_new_total_arms) {
 }
 
 TEST(follow, an_id_that_the_upload_did_not_bring_is_learned_from_the_arming_message) {
-  desk d;
+  progress_fixture d;
   d.intend(map_of(px4, {"A", "B"}));
   d.take(upload_ended{upload_verdict::accepted, {}, {}});
   d.total = 2;
@@ -215,7 +215,7 @@ TEST(follow, an_id_that_the_upload_did_not_bring_is_learned_from_the_arming_mess
 }
 
 TEST(follow, home_of_an_ardupilot_is_no_item_and_no_foreign_plan) {
-  desk d(ardupilot);
+  progress_fixture d(ardupilot);
   d.upload({"A", "B"});
   d.wait_s(3);
   d.news_told();
@@ -257,7 +257,7 @@ TEST_P(follow_any, reached_counts_for_the_current_item_and_the_one_just_left_onl
 // -- uploads and starts under way -------------------------------------------------------------------
 
 TEST(follow, the_old_plan_counts_until_the_cut_over_on_a_vehicle_with_ids) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B", "C"});
   d.intend(map_of(px4, {"X"}, 2));
   d.reached(0);
@@ -267,7 +267,7 @@ TEST(follow, the_old_plan_counts_until_the_cut_over_on_a_vehicle_with_ids) {
 }
 
 TEST(follow, a_reached_that_nothing_confirms_before_the_new_id_is_dropped) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.said();
   d.intend(map_of(px4, {"X", "Y"}, 1));
@@ -281,7 +281,7 @@ TEST(follow, a_reached_that_nothing_confirms_before_the_new_id_is_dropped) {
 }
 
 TEST(follow, mission_current_with_the_new_id_before_the_ack_is_held_and_looked_at_after_the_cut_over) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.said();
   d.intend(map_of(px4, {"X", "Y"}, 1));
@@ -299,7 +299,7 @@ TEST(follow, mission_current_with_the_new_id_before_the_ack_is_held_and_looked_a
 }
 
 TEST(follow, what_is_held_is_bounded_and_a_repetition_is_held_once) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.intend(map_of(px4, {"X", "Y"}, 1));
   auto of_new = d.current_message(0);
@@ -314,7 +314,7 @@ TEST(follow, what_is_held_is_bounded_and_a_repetition_is_held_once) {
 }
 
 TEST(follow, a_foreign_id_during_an_upload_is_judged_after_it) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.intend(map_of(px4, {"X"}, 1));
   auto foreign = d.current_message(0);
@@ -328,7 +328,7 @@ TEST(follow, a_foreign_id_during_an_upload_is_judged_after_it) {
 }
 
 TEST(follow, a_vehicle_without_ids_is_held_during_an_upload_and_only_its_reached_means_something) {
-  desk d(ardupilot);
+  progress_fixture d(ardupilot);
   d.fly({"A", "B"});
   d.intend(map_of(ardupilot, {"X", "Y"}, 1));
   d.current(1);
@@ -402,7 +402,7 @@ TEST_P(follow_any, a_restart_of_the_vehicle_pauses_and_nothing_counts_until_the_
 }
 
 TEST(follow, a_restart_of_a_vehicle_without_a_plan_of_ours_is_nothing) {
-  desk d;
+  progress_fixture d;
   d.take(vehicle_rebooted{});
   EXPECT_FALSE(d.s.paused);
 }

@@ -139,14 +139,14 @@ std::uint32_t model_flight::first_undone() const {
   if (!s_.plan)
     return 0;
   const auto& map = s_.plan->map;
-  if (s_.plan->ever_settled < map.items.size())
-    return map.items[s_.plan->ever_settled].item_index;
+  if (s_.plan->ever_resolved < map.items.size())
+    return map.items[s_.plan->ever_resolved].item_index;
   return map.items.back().item_index + 1;
 }
 
 std::optional<std::uint32_t> model_flight::first_to_fly() const {
   const auto& items = s_.plan->map.items;
-  for (auto i = s_.plan->ever_settled; i < items.size(); ++i)
+  for (auto i = s_.plan->ever_resolved; i < items.size(); ++i)
     if (items[i].first_nav_sequence)
       return i;
   return std::nullopt;
@@ -276,7 +276,7 @@ void model_flight::answer(const effect& question) {
                         : is_before ? read_back_match::before
                                     : read_back_match::other});
     end_upload();
-  } else if (std::holds_alternative<settle_start>(question) && s_.start) {
+  } else if (std::holds_alternative<resolve_start>(question) && s_.start) {
     end_start();
   }
 }
@@ -355,7 +355,7 @@ void model_flight::hear(const heard& message) {
   if (lost_ != lost_before || current == nullptr || !message.is_true || !is_free || !s_.plan ||
       !s_.plan->generation.is_armed)
     return;
-  if (is_over(s_.plan->generation.settling_since_ns, now_ns_, settling_ns))
+  if (is_over(s_.plan->generation.resolving_since_ns, now_ns_, settling_ns))
     judge_.see(current->message.seq, message.run);
 }
 
@@ -397,7 +397,7 @@ void model_flight::dispatch(const effects& all) {
     if (const auto* report = std::get_if<mission::progress_report>(&each)) {
       open_generation(report->generation);
       judge_.take(*report);
-    } else if (const auto* what = std::get_if<news>(&each)) {
+    } else if (const auto* what = std::get_if<progress_event>(&each)) {
       note(*what);
     } else if (const auto* answer = std::get_if<assignment_answered>(&each)) {
       judge_.take(*answer);
@@ -416,11 +416,11 @@ void model_flight::open_generation(std::uint32_t number) {
               s_.plan->generation.start_sequence);
 }
 
-void model_flight::note(const news& what) {
+void model_flight::note(const progress_event& what) {
   open_generation(what.generation);
-  if (what.kind == news_kind::generation_opened)
+  if (what.kind == progress_event_kind::generation_opened)
     is_not_at_start_ = false;
-  else if (what.kind == news_kind::not_at_start)
+  else if (what.kind == progress_event_kind::not_at_start)
     is_not_at_start_ = true;
   judge_.note(std::string(io::name_of(what.kind)) + " g" + std::to_string(what.generation));
 }
@@ -433,7 +433,7 @@ void model_flight::check_end() {
   judge_.fail_if(!is_done(), "the mission is never complete");
   judge_.fail_if(!judge_.is_everything_answered(), "an assignment is never answered");
   for (const auto& each : items_)
-    judge_.fail_if(!judge_.is_settled(each.id), each.id + " was neither reached nor skipped");
+    judge_.fail_if(!judge_.is_resolved(each.id), each.id + " was neither reached nor skipped");
 }
 
 bool model_flight::moves(const std::string& item) const {

@@ -1,5 +1,5 @@
 // A whole flight from one number: a mission, a model vehicle, an executor that uploads, starts, aborts, is assigned new
-// items, crashes at any event and settles what was under way, foreign hands, restarts of the vehicle; then calm, until
+// items, crashes at any event and resolves what was under way, foreign hands, restarts of the vehicle; then calm, until
 // the mission is complete. Each report is compared with what the vehicle has really flown.
 //
 //   model_flight flight(seed, px4);
@@ -40,7 +40,7 @@ public:
   static constexpr int one_event_in_crashes = 40;
   static constexpr int max_calm_turns = 400;
   static constexpr int patient_turns = 5; // a message that is under way has come by then
-  static constexpr int ending_turns = 12; // what waits for a REACHED is settled by then
+  static constexpr int ending_turns = 12; // what waits for a REACHED is resolved by then
 
 private:
   struct model_item {
@@ -84,11 +84,11 @@ private:
   void take_and_crash(const event& happened);
   void dispatch(const effects& all);
   void check_end();
-  void note(const news& what);
+  void note(const progress_event& what);
   void open_generation(std::uint32_t number);
 
   flavour kind_;
-  tests::dice draw_;
+  tests::test_rng draw_;
   model_vehicle vehicle_;
   state s_;
   std::int64_t now_ns_ = 1'700'000'000'000'000'000;

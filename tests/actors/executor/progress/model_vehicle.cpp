@@ -41,7 +41,7 @@ void model_vehicle::load(const model_plan& plan, std::size_t number) {
   last_reached_.reset();
   begin_run(number);
   if (had_plan && kind_.goes_on)
-    tell_old_news(before, reached_before);
+    tell_stale_messages(before, reached_before);
   if (!says_still_)
     say_current();
 }
@@ -55,7 +55,7 @@ void model_vehicle::keep(const model_plan& plan, std::size_t number) {
   runs_.push_back({number, std::vector<bool>(plan.map.items.size()), plan.is_foreign, true});
 }
 
-void model_vehicle::tell_old_news(const mission_current& before, std::optional<std::uint16_t> reached_before) {
+void model_vehicle::tell_stale_messages(const mission_current& before, std::optional<std::uint16_t> reached_before) {
   auto odd = before;
   odd.mission_id = plan_->id;
   odd.total = plan_->map.total;

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "actors/executor/progress/events.hpp"
-#include "tests/actors/executor/progress/desk.hpp"
-#include "tests/support/dice.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
+#include "tests/support/test_rng.hpp"
 
 namespace godwit::executor::progress::test {
 
@@ -51,7 +51,7 @@ struct heard {
 
 class model_vehicle {
 public:
-  model_vehicle(const flavour& which, tests::dice& draw) : kind_(which), draw_(draw) {}
+  model_vehicle(const flavour& which, tests::test_rng& draw) : kind_(which), draw_(draw) {}
 
   void set_faults(const line_faults& faults) { faults_ = faults; }
   void set_longest_leg_ms(int longest) { longest_leg_ms_ = longest; }
@@ -90,12 +90,12 @@ private:
   void mark(std::uint16_t sequence);
   void pass_commands();
   void reach();
-  void tell_old_news(const mission_current& before, std::optional<std::uint16_t> reached_before);
+  void tell_stale_messages(const mission_current& before, std::optional<std::uint16_t> reached_before);
   void say_current();
   void send(const event& what, int delay_ms = 0, bool is_true = false);
 
   flavour kind_;
-  tests::dice& draw_;
+  tests::test_rng& draw_;
   line_faults faults_;
   int longest_leg_ms_ = 3000;
   std::int64_t now_ns_ = 0;

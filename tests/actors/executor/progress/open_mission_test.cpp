@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using namespace test;
 
 TEST(open_mission, report_no_rises_by_one_in_each_mission_without_a_gap) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.reached(0);
   d.take(mission_opened{"other", 1});
@@ -24,7 +24,7 @@ TEST(open_mission, report_no_rises_by_one_in_each_mission_without_a_gap) {
 }
 
 TEST(open_mission, generations_rise_over_all_missions) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   d.take(mission_opened{"other", 1});
   d.fly({"X"});
@@ -32,7 +32,7 @@ TEST(open_mission, generations_rise_over_all_missions) {
 }
 
 TEST(open_mission, the_plan_of_the_mission_before_counts_no_more) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.current(1); // waits for its REACHED
   d.take(mission_opened{"other", 1});
@@ -44,14 +44,14 @@ TEST(open_mission, the_plan_of_the_mission_before_counts_no_more) {
 }
 
 TEST(open_mission, opened_again_it_goes_on) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   EXPECT_TRUE(d.take(mission_opened{"m", 1}).empty());
   EXPECT_TRUE(d.is_armed());
 }
 
 TEST(open_mission, past_missions_are_bounded_and_the_oldest_is_forgotten) {
-  desk d;
+  progress_fixture d;
   for (std::size_t i = 0; i < 2 * max_past_missions; ++i)
     d.take(mission_opened{"mission " + std::to_string(i), 1});
   EXPECT_EQ(d.s.past_missions.size(), max_past_missions);
@@ -60,7 +60,7 @@ TEST(open_mission, past_missions_are_bounded_and_the_oldest_is_forgotten) {
 }
 
 TEST(open_mission, an_abort_is_reported_once_and_nothing_counts_after_it) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.current(1);
   d.take(mission_aborted{});
@@ -74,7 +74,7 @@ TEST(open_mission, an_abort_is_reported_once_and_nothing_counts_after_it) {
 }
 
 TEST(open_mission, an_aborted_mission_goes_on_when_it_is_started_anew) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.take(mission_aborted{});
   d.said();
@@ -85,7 +85,7 @@ TEST(open_mission, an_aborted_mission_goes_on_when_it_is_started_anew) {
 }
 
 TEST(open_mission, a_complete_mission_is_not_aborted) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   d.reached(0);
   d.said();

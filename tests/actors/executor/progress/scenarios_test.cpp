@@ -2,7 +2,7 @@
 // after B is reached can be told from the reports alone, although B and Z have the same index.
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -33,7 +33,7 @@ struct assignment_in_flight : testing::TestWithParam<flavour> {
   }
   [[nodiscard]] std::string newest() const { return " g" + std::to_string(d.s.last_generation); }
 
-  desk d{GetParam()};
+  progress_fixture d{GetParam()};
 };
 
 TEST_P(assignment_in_flight, before_b_is_reached_only_z_is_reported_reached) {
@@ -91,7 +91,7 @@ TEST_P(assignment_in_flight, what_comes_late_of_the_old_plan_changes_nothing) {
 }
 
 TEST_P(assignment_in_flight, a_crash_after_each_event_changes_nothing) {
-  auto play = [](desk& each, bool crashes) {
+  auto play = [](progress_fixture& each, bool crashes) {
     const auto next = [&] {
       if (crashes)
         each.crash();
@@ -116,8 +116,8 @@ TEST_P(assignment_in_flight, a_crash_after_each_event_changes_nothing) {
     next();
     return each.reports;
   };
-  desk calm(GetParam());
-  desk crashing(GetParam());
+  progress_fixture calm(GetParam());
+  progress_fixture crashing(GetParam());
   EXPECT_EQ(play(calm, false), play(crashing, true));
   EXPECT_EQ(text_of(calm.reports.back()), "complete g2");
 }

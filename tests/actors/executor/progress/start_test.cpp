@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -20,7 +20,7 @@ struct start_any : testing::TestWithParam<flavour> {
     d.news_told();
   }
 
-  desk d{GetParam()};
+  progress_fixture d{GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(on, start_any, testing::Values(px4, ardupilot),
@@ -147,7 +147,7 @@ TEST_P(start_any, the_old_sequence_behind_a_start_counts_nothing) {
 }
 
 TEST(start, a_reached_that_is_only_repeated_behind_a_start_counts_nothing) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.reached(0);
   d.current(1);
@@ -166,7 +166,7 @@ TEST(start, a_reached_that_is_only_repeated_behind_a_start_counts_nothing) {
 }
 
 TEST(start, a_reached_that_was_never_told_before_a_start_counts_nothing_while_the_vehicle_says_complete) {
-  desk d;
+  progress_fixture d;
   d.fly({"A"});
   d.said();
   d.current(0, mission_state::complete);
@@ -183,7 +183,7 @@ TEST(start, a_reached_that_was_never_told_before_a_start_counts_nothing_while_th
 }
 
 TEST(start, an_item_that_is_flown_again_at_once_is_inferred_because_its_reached_may_be_a_repetition) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.reached(0);
   d.said();
@@ -202,7 +202,7 @@ TEST(start, an_item_that_is_flown_again_at_once_is_inferred_because_its_reached_
 }
 
 TEST(start, a_vehicle_without_ids_says_reached_once_and_it_counts_behind_a_start_too) {
-  desk d(ardupilot);
+  progress_fixture d(ardupilot);
   d.fly({"A", "B"});
   d.reached(0);
   d.said();
@@ -233,7 +233,7 @@ TEST_P(start_any, a_restart_with_a_start_under_way_has_it_settled) {
   d.questions.clear();
   d.crash();
   ASSERT_EQ(d.questions.size(), 1U);
-  EXPECT_EQ(std::get<settle_start>(d.questions[0]).sequence, d.sequence(2));
+  EXPECT_EQ(std::get<resolve_start>(d.questions[0]).sequence, d.sequence(2));
   d.started();
   EXPECT_EQ(d.said(), texts{"skipped B#1 g2"});
 }

@@ -1,9 +1,9 @@
-// Upload intents, how they end, and how a restart settles them.
+// Upload intents, how they end, and how a restart resolves them.
 #include "actors/executor/progress/upload.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/actors/executor/progress/desk.hpp"
+#include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
 namespace {
@@ -23,7 +23,7 @@ struct upload_any : testing::TestWithParam<flavour> {
     d.news_told();
   }
 
-  desk d{GetParam()};
+  progress_fixture d{GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(on, upload_any, testing::Values(px4, ardupilot),
@@ -114,7 +114,7 @@ TEST_P(upload_any, the_next_generation_is_given_to_the_next_upload_when_one_fail
 }
 
 TEST(upload, after_a_restart_the_old_plan_id_means_that_the_upload_failed_without_reading_back) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.intend(map_of(px4, {"X"}, 1));
   d.crash();
@@ -127,7 +127,7 @@ TEST(upload, after_a_restart_the_old_plan_id_means_that_the_upload_failed_withou
 }
 
 TEST(upload, a_plan_with_the_same_content_has_the_old_id_and_is_read_back) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.intend(map_of(px4, {"A", "B"}), 2, key);
   d.crash();
@@ -141,7 +141,7 @@ TEST(upload, a_plan_with_the_same_content_has_the_old_id_and_is_read_back) {
 }
 
 TEST(upload, a_reached_that_waited_for_its_plan_counts_when_the_upload_failed) {
-  desk d;
+  progress_fixture d;
   d.fly({"A", "B"});
   d.intend(map_of(px4, {"X"}, 1), 2, key);
   d.reached(0);
@@ -151,7 +151,7 @@ TEST(upload, a_reached_that_waited_for_its_plan_counts_when_the_upload_failed) {
 }
 
 TEST(upload, what_was_held_survives_a_crash) {
-  desk d;
+  progress_fixture d;
   d.intend(map_of(px4, {"A"}));
   d.total = 1;
   auto of_new = d.current_message(0);

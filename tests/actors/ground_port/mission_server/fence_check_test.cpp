@@ -24,7 +24,7 @@ struct part {
 };
 
 // The first item that is not taken; as many as there are: all are.
-std::size_t fault_in(const std::vector<part>& fence, const fence_habits& vehicle = {}) {
+std::size_t fault_in(const std::vector<part>& fence, const fence_quirks& vehicle = {}) {
   fence_check check(vehicle, static_cast<int>(fence.size()));
   for (std::size_t i = 0; i < fence.size(); ++i) {
     mavlink::mission_item_int item;
@@ -73,7 +73,7 @@ TEST(fence_check, a_circle_has_a_radius) {
 }
 
 TEST(fence_check, px4_counts_vertices_and_looks_at_nothing_else) {
-  const auto px4 = px4_habits().fence;
+  const auto px4 = px4_quirks().fence;
   EXPECT_EQ(fault_in({{inclusion, 2}, {inclusion, 2}}, px4), 0U);
   EXPECT_EQ(fault_in({{inclusion, nan}}, px4), 0U);
   EXPECT_EQ(fault_in({{inclusion, 5}, {exclusion, 3}, {circle, -1}}, px4), 3U);

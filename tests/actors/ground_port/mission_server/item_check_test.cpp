@@ -50,7 +50,7 @@ TEST(check_item, refuses_positions_that_are_not_on_earth_where_the_vehicle_looks
   auto item = waypoint();
   item.x = 950'000'000;
   EXPECT_EQ(check_item(item, {}), mav_mission_result::invalid_param5_x);
-  EXPECT_EQ(check_item(item, px4_habits()), mav_mission_result::accepted);
+  EXPECT_EQ(check_item(item, px4_quirks()), mav_mission_result::accepted);
   item.x = INT32_MIN;
   EXPECT_EQ(check_item(item, {}), mav_mission_result::invalid_param5_x);
   item = waypoint();

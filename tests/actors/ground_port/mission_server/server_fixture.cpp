@@ -33,7 +33,7 @@ std::uint16_t command_of(int type) {
 
 } // namespace
 
-std::vector<plan_change> settled(const std::vector<plan_change>& changes) {
+std::vector<plan_change> resolved(const std::vector<plan_change>& changes) {
   std::vector<plan_change> result;
   std::copy_if(changes.begin(), changes.end(), std::back_inserter(result),
                [](const plan_change& each) { return each.kind != plan_change_kind::begun_replacing; });

@@ -21,7 +21,7 @@ inline constexpr mavlink::sender station{255, 190};
 inline constexpr mavlink::sender other_station{254, 190};
 
 // The changes that say what is held, without those that only announce one.
-[[nodiscard]] std::vector<plan_change> settled(const std::vector<plan_change>& changes);
+[[nodiscard]] std::vector<plan_change> resolved(const std::vector<plan_change>& changes);
 
 // An outgoing message without its address, which is named where it is not STATION. The type is named unless it is 0.
 [[nodiscard]] std::string in_words(const outgoing& message);
@@ -45,7 +45,7 @@ class dialogue {
 public:
   using words = std::vector<std::string>;
 
-  explicit dialogue(const habits& vehicle) : turn_ns_(vehicle.turn_ns), server_(vehicle, vehicle_id) {}
+  explicit dialogue(const autopilot_quirks& vehicle) : turn_ns_(vehicle.turn_ns), server_(vehicle, vehicle_id) {}
 
   // What the vehicle says until its next turn is over; that is at once where it has none.
   template <class M>

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mavlink/plan_meaning.hpp"
-#include "tests/support/dice.hpp"
+#include "tests/support/test_rng.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -33,9 +33,9 @@ constexpr int runs_of_each = 200; // vehicles of each kind
 constexpr int runs_of_each_if_full = 2'000;
 constexpr mavlink::sender third_station_id{254, 190};
 // The stations give up long before; a vehicle that they leave is idle after its own patience.
-constexpr std::int64_t settled_after_ns = 10'000 * ms;
+constexpr std::int64_t resolved_after_ns = 10'000 * ms;
 
-line_settings any_line(dice& draw) {
+line_settings any_line(test_rng& draw) {
   line_settings result;
   result.delay_ns = draw.between(0, 150) * ms;
   if (draw.one_in(2))
@@ -51,7 +51,7 @@ bool is_plan(const plan_items& held, const plan_items& plan) { return !mavlink::
 
 struct kind {
   std::string name;
-  mission_server::habits vehicle;
+  mission_server::autopilot_quirks vehicle;
   mav_autopilot autopilot{};
 };
 
@@ -75,7 +75,7 @@ public:
     }
     for (auto* each : stations_)
       ASSERT_TRUE(world_.run_until_idle(*each));
-    world_.run_for(settled_after_ns);
+    world_.run_for(resolved_after_ns);
     ASSERT_TRUE(world_.vehicle().is_idle());
     check_what_is_held();
     for (std::size_t i = 0; i < stations_.size(); ++i)
@@ -167,8 +167,8 @@ private:
   }
 
   std::uint64_t seed_;
-  dice draw_;
-  mission_server::habits vehicle_;
+  test_rng draw_;
+  mission_server::autopilot_quirks vehicle_;
   transfer_world world_;
   std::vector<transfer_world::station*> stations_;
   std::vector<plan_items> plans_; // of each station
@@ -193,11 +193,11 @@ TEST_P(server_stations, three_at_once_leave_a_whole_plan_and_are_told_the_truth)
 
 INSTANTIATE_TEST_SUITE_P(
     with, server_stations,
-    testing::Values(kind{"our_own_server", mission_server::plain_habits(), mav_autopilot::generic},
-                    kind{"px4", mission_server::px4_habits(), mav_autopilot::px4},
-                    kind{"copter", mission_server::ardupilot_copter_habits(), mav_autopilot::ardupilotmega},
-                    kind{"plane", mission_server::ardupilot_plane_habits(), mav_autopilot::ardupilotmega},
-                    kind{"rover", mission_server::ardupilot_rover_habits(), mav_autopilot::ardupilotmega}),
+    testing::Values(kind{"our_own_server", mission_server::plain_quirks(), mav_autopilot::generic},
+                    kind{"px4", mission_server::px4_quirks(), mav_autopilot::px4},
+                    kind{"copter", mission_server::ardupilot_copter_quirks(), mav_autopilot::ardupilotmega},
+                    kind{"plane", mission_server::ardupilot_plane_quirks(), mav_autopilot::ardupilotmega},
+                    kind{"rover", mission_server::ardupilot_rover_quirks(), mav_autopilot::ardupilotmega}),
     [](const auto& which) { return which.param.name; });
 
 } // namespace

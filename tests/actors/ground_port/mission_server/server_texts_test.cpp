@@ -15,7 +15,7 @@ constexpr int fence = 1;
 constexpr int all = 255;
 
 TEST(server_texts, ardupilot_says_that_a_plan_came_and_that_none_did) {
-  dialogue with(ardupilot_copter_habits());
+  dialogue with(ardupilot_copter_quirks());
   (void)with.upload(3);
   EXPECT_EQ(with.texts(), words{"Flight plan received"});
   (void)with.tell(count_of(0));
@@ -33,7 +33,7 @@ TEST(server_texts, ardupilot_says_that_a_plan_came_and_that_none_did) {
 }
 
 TEST(server_texts, ardupilot_complains_of_the_deprecated_forms_once_in_each_life) {
-  dialogue with(ardupilot_copter_habits());
+  dialogue with(ardupilot_copter_quirks());
   const auto use_both = [&] {
     (void)with.upload(2);
     (void)with.texts();
@@ -52,7 +52,7 @@ TEST(server_texts, ardupilot_complains_of_the_deprecated_forms_once_in_each_life
 }
 
 TEST(server_texts, px4_says_nothing_of_what_goes_well) {
-  dialogue with(px4_habits());
+  dialogue with(px4_quirks());
   (void)with.upload(3);
   (void)with.tell(count_of(0));
   EXPECT_EQ(with.texts(), words());
@@ -72,7 +72,7 @@ TEST(server_texts, px4_says_nothing_of_what_goes_well) {
 }
 
 TEST(server_texts, our_own_name_who_what_and_why) {
-  dialogue with(plain_habits());
+  dialogue with(plain_quirks());
   (void)with.upload(3);
   EXPECT_EQ(with.texts(), words{"Mission: 3 items taken from 255/190"});
   (void)with.tell(count_of(2));

@@ -15,11 +15,11 @@ using transfer::verdict;
 constexpr std::int64_t ms = 1'000'000;
 
 transfer_world px4_world(const line_settings& line = {}) {
-  return {mission_server::px4_habits(), transfer::profile_for(mav_autopilot::px4), line, 1};
+  return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), line, 1};
 }
 
 transfer_world copter_world(const line_settings& line = {}) {
-  return {mission_server::ardupilot_copter_habits(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
+  return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
 }
 
 TEST(download, brings_what_the_vehicle_holds_and_closes_the_transfer) {

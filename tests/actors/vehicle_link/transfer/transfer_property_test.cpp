@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "io/mavlink/plan_meaning.hpp"
-#include "tests/support/dice.hpp"
+#include "tests/support/test_rng.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -24,13 +24,13 @@ using transfer::verdict;
 constexpr std::int64_t ms = 1'000'000;
 
 struct peer {
-  mission_server::habits vehicle;
+  mission_server::autopilot_quirks vehicle;
   transfer::peer_profile profile;
 };
 
 // Of some MAVLink servers: they say nothing where others acknowledge.
-mission_server::habits taciturn_habits() {
-  auto result = mission_server::plain_habits();
+mission_server::autopilot_quirks taciturn_quirks() {
+  auto result = mission_server::plain_quirks();
   result.when_out_of_order = mission_server::out_of_order::ignored;
   result.when_last_item_comes_again = mission_server::last_item_again::ignored;
   result.when_no_transfer = mission_server::stray_item::ignored;
@@ -41,26 +41,26 @@ mission_server::habits taciturn_habits() {
   return result;
 }
 
-peer any_peer(dice& draw) {
+peer any_peer(test_rng& draw) {
   switch (draw.between(0, 5)) {
   case 0:
   case 1:
-    return {mission_server::px4_habits(), transfer::profile_for(mav_autopilot::px4)};
+    return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4)};
   case 2:
-    return {mission_server::ardupilot_copter_habits(), transfer::profile_for(mav_autopilot::ardupilotmega)};
+    return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega)};
   case 3:
-    return {mission_server::ardupilot_rover_habits(), transfer::profile_for(mav_autopilot::ardupilotmega)};
+    return {mission_server::ardupilot_rover_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega)};
   case 4:
-    return {mission_server::plain_habits(), transfer::profile_for(mav_autopilot::generic)};
+    return {mission_server::plain_quirks(), transfer::profile_for(mav_autopilot::generic)};
   default:
-    return {taciturn_habits(), transfer::profile_for(mav_autopilot::generic)};
+    return {taciturn_quirks(), transfer::profile_for(mav_autopilot::generic)};
   }
 }
 
 // Where no more is lost than this, it is not by bad luck if a transfer fails.
 constexpr double light_loss = 0.05;
 
-line_settings any_line(dice& draw) {
+line_settings any_line(test_rng& draw) {
   line_settings result;
   result.delay_ns = draw.between(0, 150) * ms;
   if (draw.one_in(2))
@@ -122,7 +122,7 @@ rc::Gen<std::uint32_t> any_seed() { return rc::gen::noShrink(rc::gen::arbitrary<
 
 RC_GTEST_PROP(transfer_property, an_undisturbed_upload_over_any_line_ends_with_the_plan_on_the_vehicle, ()) {
   const auto seed = *any_seed();
-  dice draw(seed);
+  test_rng draw(seed);
   const auto [vehicle, profile] = any_peer(draw);
   const auto line = any_line(draw);
   transfer_world world(vehicle, profile, line, seed);
@@ -143,7 +143,7 @@ RC_GTEST_PROP(transfer_property, an_undisturbed_upload_over_any_line_ends_with_t
 
 RC_GTEST_PROP(transfer_property, an_upload_that_is_cancelled_at_any_moment_says_what_is_known, ()) {
   const auto seed = *any_seed();
-  dice draw(seed);
+  test_rng draw(seed);
   const auto [vehicle, profile] = any_peer(draw);
   const auto line = any_line(draw);
   transfer_world world(vehicle, profile, line, seed);
@@ -172,7 +172,7 @@ RC_GTEST_PROP(transfer_property, an_upload_that_is_cancelled_at_any_moment_says_
 
 RC_GTEST_PROP(transfer_property, a_client_that_begins_anew_never_mixes_two_plans, ()) {
   const auto seed = *any_seed();
-  dice draw(seed);
+  test_rng draw(seed);
   const auto [vehicle, profile] = any_peer(draw);
   const auto line = any_line(draw);
   transfer_world world(vehicle, profile, line, seed);
@@ -190,7 +190,7 @@ RC_GTEST_PROP(transfer_property, a_client_that_begins_anew_never_mixes_two_plans
 
 RC_GTEST_PROP(transfer_property, an_upload_survives_a_vehicle_that_restarts_in_the_middle, ()) {
   const auto seed = *any_seed();
-  dice draw(seed);
+  test_rng draw(seed);
   const auto [vehicle, profile] = any_peer(draw);
   auto line = any_line(draw);
   transfer_world world(vehicle, profile, line, seed);
@@ -206,7 +206,7 @@ RC_GTEST_PROP(transfer_property, an_upload_survives_a_vehicle_that_restarts_in_t
 
 RC_GTEST_PROP(transfer_property, a_second_station_disturbs_no_upload_and_no_word_of_it_is_false, ()) {
   const auto seed = *any_seed();
-  dice draw(seed);
+  test_rng draw(seed);
   const auto [vehicle, profile] = any_peer(draw);
   const auto line = any_line(draw);
   transfer_world world(vehicle, profile, line, seed);
@@ -247,7 +247,7 @@ RC_GTEST_PROP(transfer_property, a_second_station_disturbs_no_upload_and_no_word
 
 RC_GTEST_PROP(transfer_property, what_is_read_over_any_line_is_what_the_vehicle_holds, ()) {
   const auto seed = *any_seed();
-  dice draw(seed);
+  test_rng draw(seed);
   const auto [vehicle, profile] = any_peer(draw);
   const auto line = any_line(draw);
   transfer_world world(vehicle, profile, line, seed);

@@ -19,15 +19,15 @@ using transfer::verdict;
 constexpr std::int64_t ms = 1'000'000;
 
 transfer_world px4_world(const line_settings& line = {}) {
-  return {mission_server::px4_habits(), transfer::profile_for(mav_autopilot::px4), line, 1};
+  return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), line, 1};
 }
 
 transfer_world copter_world(const line_settings& line = {}) {
-  return {mission_server::ardupilot_copter_habits(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
+  return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
 }
 
 transfer_world unknown_world() {
-  return {mission_server::plain_habits(), transfer::profile_for(mav_autopilot::generic), {}, 1};
+  return {mission_server::plain_quirks(), transfer::profile_for(mav_autopilot::generic), {}, 1};
 }
 
 template <class M>
@@ -165,7 +165,7 @@ TEST(upload, an_acknowledgement_without_a_request_for_the_last_item_is_settled_b
   const auto outcome = world.upload(mission_of(20));
   EXPECT_EQ(outcome.verdict, verdict::accepted);
   EXPECT_EQ(outcome.proof, proof::counted);
-  EXPECT_EQ(outcome.phase, transfer::phase::settling);
+  EXPECT_EQ(outcome.phase, transfer::phase::resolving);
 }
 
 TEST(upload, invalid_sequence_of_ardupilot_is_a_warning) {

@@ -6,8 +6,8 @@
 #include "actors/domain/mission/write.hpp"
 #include "messages/mission/answer.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
 #include "programs/godwit-sim/missions/fault_effects.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {

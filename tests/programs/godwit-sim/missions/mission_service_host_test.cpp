@@ -27,7 +27,7 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 using io::http::errc;
-using io::http::verb;
+using io::http::method;
 using got = io::http::result<io::http::response>;
 
 constexpr std::chrono::seconds wide{60};
@@ -73,9 +73,9 @@ public:
     client = io::http::client::open(wanted).value();
   }
 
-  std::future<got> send(verb how, const std::string& rest, std::string body = {}) {
+  std::future<got> send(method how, const std::string& rest, std::string body = {}) {
     io::http::request asked;
-    asked.verb = how;
+    asked.method = how;
     asked.target = target(rest);
     asked.body = std::move(body);
     asked.max_body_bytes = std::size_t{16} * 1024 * 1024;
@@ -84,14 +84,14 @@ public:
     EXPECT_TRUE(sent);
     return promise->get_future();
   }
-  got ask(verb how, const std::string& rest = {}, std::string body = {}) {
+  got ask(method how, const std::string& rest = {}, std::string body = {}) {
     return send(how, rest, std::move(body)).get();
   }
-  unsigned status(verb how, const std::string& rest = {}, std::string body = {}) {
+  unsigned status(method how, const std::string& rest = {}, std::string body = {}) {
     const auto given = ask(how, rest, std::move(body));
     return given ? given->status : 0;
   }
-  std::optional<errc> failure(verb how, const std::string& rest = {}, std::string body = {}) {
+  std::optional<errc> failure(method how, const std::string& rest = {}, std::string body = {}) {
     const auto given = ask(how, rest, std::move(body));
     return given ? std::nullopt : std::optional(given.error().code);
   }
@@ -119,13 +119,13 @@ TEST(mission_service_host, the_contract_is_served_over_tls_and_without) {
   for (const bool has_tls : {true, false}) {
     running_world world(has_tls);
     EXPECT_EQ(world.host->url().substr(0, 5), has_tls ? "https" : "http:");
-    const auto given = world.ask(verb::get);
+    const auto given = world.ask(method::get);
     ASSERT_TRUE(given) << given.error().message();
     EXPECT_EQ(mission::read<mission::document>(given->body).value(), small_mission());
-    EXPECT_EQ(world.status(verb::post, "/progress", two_reports()), 200U);
-    EXPECT_EQ(world.status(verb::get, "/nothing"), 404U);
-    EXPECT_EQ(world.status(verb::remove), 204U);
-    EXPECT_EQ(world.status(verb::get), 410U);
+    EXPECT_EQ(world.status(method::post, "/progress", two_reports()), 200U);
+    EXPECT_EQ(world.status(method::get, "/nothing"), 404U);
+    EXPECT_EQ(world.status(method::remove), 204U);
+    EXPECT_EQ(world.status(method::get), 410U);
     const auto figures = world.host->figures();
     EXPECT_EQ(figures.connections.accepted, 1U); // it was kept
     EXPECT_EQ(figures.answers.at(endpoint::post_progress).at(200), 1U);
@@ -135,7 +135,7 @@ TEST(mission_service_host, the_contract_is_served_over_tls_and_without) {
 
 TEST(mission_service_host, a_poll_is_answered_at_once_when_there_is_an_assignment) {
   running_world world;
-  auto poll = world.send(verb::get, "/assignments?after=2&wait_s=60");
+  auto poll = world.send(method::get, "/assignments?after=2&wait_s=60");
   wait_until_held(*world.host);
   const auto made = world.host->assign(mission_id, {{mission::return_home{"h"}}, "w1", {}, {}, {}});
   ASSERT_TRUE(made) << made.error();
@@ -146,8 +146,8 @@ TEST(mission_service_host, a_poll_is_answered_at_once_when_there_is_an_assignmen
 
 TEST(mission_service_host, a_poll_ends_with_an_empty_list_or_with_the_mission) {
   running_world world;
-  EXPECT_EQ(world.ask(verb::get, "/assignments?after=2&wait_s=1")->body, R"({"assignments":[]})");
-  auto poll = world.send(verb::get, "/assignments?after=2&wait_s=60");
+  EXPECT_EQ(world.ask(method::get, "/assignments?after=2&wait_s=1")->body, R"({"assignments":[]})");
+  auto poll = world.send(method::get, "/assignments?after=2&wait_s=60");
   wait_until_held(*world.host);
   ASSERT_TRUE(world.host->delete_mission(mission_id));
   ASSERT_EQ(poll.wait_for(wide / 2), std::future_status::ready);
@@ -157,9 +157,9 @@ TEST(mission_service_host, a_poll_ends_with_an_empty_list_or_with_the_mission) {
 TEST(mission_service_host, an_answer_that_was_lost_is_given_to_the_repetition_and_stored_once) {
   running_world world;
   ASSERT_TRUE(world.host->set_fault("lose on post-progress times 1"));
-  EXPECT_EQ(world.failure(verb::post, "/progress", two_reports()), errc::connection_lost);
+  EXPECT_EQ(world.failure(method::post, "/progress", two_reports()), errc::connection_lost);
   EXPECT_EQ(world.host->rows(mission_id, row_kind::progress).size(), 2U);
-  const auto again = world.ask(verb::post, "/progress", two_reports());
+  const auto again = world.ask(method::post, "/progress", two_reports());
   ASSERT_TRUE(again);
   EXPECT_EQ(again->body, R"({"stored":2,"repeated":0})");
   const auto figures = world.host->figures();
@@ -177,47 +177,47 @@ TEST(mission_service_host, each_fault_is_met_by_the_client_as_what_it_is) {
   };
   for (const auto& [spec, code] : faults) {
     ASSERT_TRUE(world.host->set_fault(spec));
-    EXPECT_EQ(world.failure(verb::post, "/progress", two_reports()), code) << spec;
+    EXPECT_EQ(world.failure(method::post, "/progress", two_reports()), code) << spec;
   }
   const std::pair<const char*, unsigned> statuses[] = {{"status 500 times 1", 500}, {"status 429 times 1", 429}};
   for (const auto& [spec, status] : statuses) {
     ASSERT_TRUE(world.host->set_fault(spec));
-    EXPECT_EQ(world.status(verb::get), status) << spec;
+    EXPECT_EQ(world.status(method::get), status) << spec;
   }
   ASSERT_TRUE(world.host->set_fault("slow 20000 times 1"));
   ASSERT_TRUE(world.host->set_fault("delay 10ms times 1"));
-  EXPECT_EQ(mission::read<mission::document>(world.ask(verb::get)->body).value(), small_mission());
-  EXPECT_EQ(world.status(verb::get), 200U);
+  EXPECT_EQ(mission::read<mission::document>(world.ask(method::get)->body).value(), small_mission());
+  EXPECT_EQ(world.status(method::get), 200U);
 }
 
 TEST(mission_service_host, a_certificate_of_another_host_is_shown_while_the_fault_is_on) {
   running_world world;
-  EXPECT_EQ(world.status(verb::get), 200U);
+  EXPECT_EQ(world.status(method::get), 200U);
   ASSERT_TRUE(world.host->set_fault("wrong-host"));
-  EXPECT_EQ(world.failure(verb::get), errc::wrong_host);
+  EXPECT_EQ(world.failure(method::get), errc::wrong_host);
   world.host->clear_faults();
-  EXPECT_EQ(world.status(verb::get), 200U);
+  EXPECT_EQ(world.status(method::get), 200U);
 }
 
 TEST(mission_service_host, who_refuses_does_not_listen_and_ends_what_there_is) {
   running_world world;
-  EXPECT_EQ(world.status(verb::get), 200U);
+  EXPECT_EQ(world.status(method::get), 200U);
   const auto port = world.host->port();
   ASSERT_TRUE(world.host->set_fault("refuse"));
-  EXPECT_EQ(world.failure(verb::get), errc::refused);
+  EXPECT_EQ(world.failure(method::get), errc::refused);
   world.host->clear_faults();
   EXPECT_EQ(world.host->port(), port);
-  EXPECT_EQ(world.status(verb::get), 200U);
+  EXPECT_EQ(world.status(method::get), 200U);
   ASSERT_TRUE(world.host->set_fault("refuse for 50ms"));
   const auto until = std::chrono::steady_clock::now() + wide;
-  while (world.status(verb::get) != 200U)
+  while (world.status(method::get) != 200U)
     ASSERT_LT(std::chrono::steady_clock::now(), until);
 }
 
 TEST(mission_service_host, a_service_that_begins_again_on_its_file_has_everything) {
   running_world world(false);
-  EXPECT_EQ(world.status(verb::post, "/progress", two_reports()), 200U);
-  EXPECT_EQ(world.status(verb::post, "/waypoints", mission::to_text(insert(2, 2, "n1"))), 200U);
+  EXPECT_EQ(world.status(method::post, "/progress", two_reports()), 200U);
+  EXPECT_EQ(world.status(method::post, "/waypoints", mission::to_text(insert(2, 2, "n1"))), 200U);
   world.host.reset();
   service_settings settings;
   settings.token = token;
@@ -226,14 +226,14 @@ TEST(mission_service_host, a_service_that_begins_again_on_its_file_has_everythin
   world.host = mission_service_host::open(settings).value();
   world.connect(false);
   EXPECT_EQ(world.host->current_mission(mission_id)->revision, 3);
-  EXPECT_EQ(world.status(verb::post, "/progress", two_reports()), 200U);
+  EXPECT_EQ(world.status(method::post, "/progress", two_reports()), 200U);
   EXPECT_EQ(world.host->figures().replayed, 1U);
 }
 
 TEST(mission_service_host, a_body_that_is_too_large_gets_its_answer_while_it_is_still_being_sent) {
   for (const bool has_tls : {true, false}) {
     running_world world(has_tls);
-    const auto given = world.ask(verb::post, "/progress", std::string(2 * mission::max_batch_bytes, ' '));
+    const auto given = world.ask(method::post, "/progress", std::string(2 * mission::max_batch_bytes, ' '));
     ASSERT_TRUE(given) << given.error().message();
     EXPECT_EQ(given->status, 413U);
   }
@@ -273,8 +273,8 @@ TEST(mission_service_host, the_control_port_assigns_deletes_and_tells) {
   world.write("next.json", R"({"items":[{"id":"h2","kind":"return"}]})");
   EXPECT_EQ(ask("assign " + world.folder.file("next.json"))["revision"], 4);
   EXPECT_TRUE(ask("fault status 503 times 1")["ok"].get<bool>());
-  EXPECT_EQ(world.status(verb::get), 503U);
-  EXPECT_EQ(world.status(verb::post, "/progress", two_reports()), 200U);
+  EXPECT_EQ(world.status(method::get), 503U);
+  EXPECT_EQ(world.status(method::post, "/progress", two_reports()), 200U);
   const auto stats = ask("stats");
   EXPECT_EQ(stats["requests"]["get-mission"]["503"], 1) << stats;
   EXPECT_EQ(stats["rows"]["progress"]["stored"], 2) << stats;
@@ -282,7 +282,7 @@ TEST(mission_service_host, the_control_port_assigns_deletes_and_tells) {
   EXPECT_TRUE(ask("faults off")["ok"].get<bool>());
   EXPECT_TRUE(ask("stats")["faults"].empty());
   EXPECT_TRUE(ask("delete " + mission_id)["ok"].get<bool>());
-  EXPECT_EQ(world.status(verb::get), 410U);
+  EXPECT_EQ(world.status(method::get), 410U);
   for (const auto* wrong : {"", "fly", "fault explode", "faults", "assign", "assign /no/such.json", "delete nobody"})
     EXPECT_FALSE(ask(wrong)["ok"].get<bool>()) << wrong;
   EXPECT_FALSE(client.ask({{"do", "stats"}, {"verbose", true}})["ok"].get<bool>());
@@ -342,7 +342,7 @@ TEST(mission_service_host, there_are_only_so_many_connections) {
   const auto until = std::chrono::steady_clock::now() + wide;
   while (world.host->figures().connections.open != 0)
     ASSERT_LT(std::chrono::steady_clock::now(), until);
-  EXPECT_EQ(world.status(verb::get), 200U);
+  EXPECT_EQ(world.status(method::get), 200U);
 }
 
 } // namespace

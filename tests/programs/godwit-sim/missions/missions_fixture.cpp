@@ -10,7 +10,7 @@
 
 #include "actors/domain/mission/read.hpp"
 #include "messages/mission/answer.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 
 namespace godwit::sim::missions {
 namespace {
@@ -127,7 +127,7 @@ request post(const std::string& rest, std::string body) {
 
 judged_service::judged_service() {
   restart();
-  EXPECT_TRUE(desk::add_mission(*file_, small_mission()));
+  EXPECT_TRUE(service_operations::add_mission(*file_, small_mission()));
 }
 
 void judged_service::restart() {
@@ -139,7 +139,7 @@ void judged_service::restart() {
 
 answer judged_service::ask(const request& what, patience how_long) {
   auto given = std::get<answer>(service_->handle(what, now_ns, how_long));
-  EXPECT_EQ(judged(endpoint_of(what), given), "") << what.verb << " " << what.target << ": " << given.body;
+  EXPECT_EQ(judged(endpoint_of(what), given), "") << what.method << " " << what.target << ": " << given.body;
   return given;
 }
 

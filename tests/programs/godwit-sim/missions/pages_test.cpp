@@ -6,7 +6,7 @@
 
 #include "actors/domain/mission/read.hpp"
 #include "actors/domain/mission/write.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
@@ -52,10 +52,10 @@ void expect_each_once(judged_service& service, std::size_t limit, std::size_t co
 
 TEST(missions_pages, all_pages_together_have_each_object_once) {
   judged_service service;
-  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 3)));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(1, 3)));
   for (const auto limit : {1U, 2U, 3U, 4U})
     expect_each_once(service, limit, 3);
-  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 2500)));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(1, 2500)));
   for (const auto limit : {999U, 1000U, 2000U})
     expect_each_once(service, limit, 2500);
 }
@@ -63,7 +63,7 @@ TEST(missions_pages, all_pages_together_have_each_object_once) {
 TEST(missions_pages, a_page_has_a_thousand_rows_unless_asked_otherwise_and_an_empty_map_is_one_page) {
   judged_service service;
   EXPECT_EQ(page_of(service, ""), (mission::map_object_page{"1.0.0", {}, {}}));
-  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 1001)));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(1, 1001)));
   EXPECT_EQ(page_of(service, "").map_objects.size(), 1000U);
 }
 
@@ -72,7 +72,7 @@ TEST(missions_pages, what_comes_while_somebody_pulls_is_not_in_his_pages) {
   std::vector<mission::ignored_item> items;
   for (std::uint64_t number = 1; number <= 10; ++number)
     items.push_back(ignored_item(number));
-  ASSERT_TRUE(desk::add_ignored_items(service.file(), mission_id, items));
+  ASSERT_TRUE(service_operations::add_ignored_items(service.file(), mission_id, items));
   const auto first = mission::read<mission::ignored_item_page>(service.ask(get("/mapobjects/ignored?limit=6")).body);
   const mission::ignored_item_batch batch{uuid(50), {ignored_item(11)}};
   EXPECT_EQ(service.ask(post("/mapobjects/ignored", mission::to_text(batch))).status, 200U);
@@ -87,10 +87,10 @@ TEST(missions_pages, what_comes_while_somebody_pulls_is_not_in_his_pages) {
 
 TEST(missions_pages, a_next_that_is_not_known_any_more_is_400) {
   judged_service service;
-  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(1, 20)));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(1, 20)));
   const auto old = page_of(service, "?limit=10").next.value();
   EXPECT_EQ(page_of(service, "?limit=10&next=" + old).map_objects.size(), 10U);
-  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, objects(5, 30)));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(5, 30)));
   for (const auto& next : {old, std::string("nonsense"), std::string("0-0-999999"), std::string(1025, '1')})
     EXPECT_EQ(service.ask(get("/mapobjects?next=" + next)).status, 400U) << next;
 }
@@ -100,7 +100,7 @@ TEST(missions_pages, a_page_has_no_more_bytes_than_a_vehicle_takes) {
   auto wide = objects(1, 2000);
   for (auto& each : wide)
     each.class_group = std::string(64, '"') + std::string(900, 'x'); // longer than any schema allows
-  ASSERT_TRUE(desk::set_map_objects(service.file(), mission_id, wide));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, wide));
   const auto row = find_mission(service.file(), mission_id).value();
   const auto body = page(service.file(), row, page_kind::map_objects, {}, 2000);
   EXPECT_LE(body->size(), mission::max_page_bytes);

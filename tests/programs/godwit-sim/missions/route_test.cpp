@@ -10,7 +10,7 @@ namespace {
 
 TEST(missions_route, each_call_of_the_contract_is_known) {
   const struct {
-    const char* verb;
+    const char* method;
     std::string rest;
     endpoint where;
   } calls[] = {
@@ -27,8 +27,8 @@ TEST(missions_route, each_call_of_the_contract_is_known) {
       {"POST", "/assignments/" + uuid(1) + "/response", endpoint::post_response},
   };
   for (const auto& each : calls) {
-    const auto found = route_of(each.verb, target(each.rest));
-    ASSERT_TRUE(found) << each.verb << each.rest << found.error().sentence;
+    const auto found = route_of(each.method, target(each.rest));
+    ASSERT_TRUE(found) << each.method << each.rest << found.error().sentence;
     EXPECT_EQ(found->where, each.where);
     EXPECT_EQ(found->mission_id, mission_id);
     EXPECT_EQ(found->path, target(each.rest.substr(0, each.rest.find('?'))));
@@ -48,7 +48,7 @@ TEST(missions_route, parameters_are_read_and_have_defaults) {
 
 TEST(missions_route, what_is_not_understood_is_refused_with_the_reason) {
   const struct {
-    const char* verb;
+    const char* method;
     std::string target;
     unsigned status;
     const char* part;
@@ -75,7 +75,7 @@ TEST(missions_route, what_is_not_understood_is_refused_with_the_reason) {
       {"GET", target("/assignments?after=1&wait_s=61"), 400, "from 0 to 60"},
   };
   for (const auto& each : mistakes) {
-    const auto found = route_of(each.verb, each.target);
+    const auto found = route_of(each.method, each.target);
     ASSERT_FALSE(found) << each.target;
     EXPECT_EQ(found.error().status, each.status) << each.target;
     EXPECT_NE(found.error().sentence.find(each.part), std::string::npos) << found.error().sentence;

@@ -8,7 +8,7 @@
 #include "actors/domain/mission/write.hpp"
 #include "messages/mission/answer.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
@@ -72,7 +72,7 @@ TEST(missions_service, what_is_not_there_is_404_and_what_is_not_possible_405) {
   EXPECT_EQ(service.ask(get("/nothing")).status, 404U);
   EXPECT_EQ(service.ask(get("/tail")).status, 405U);
   auto put = get("/mapobjects");
-  put.verb = "PUT";
+  put.method = "PUT";
   const auto given = service.ask(put);
   EXPECT_EQ(given.status, 405U);
   ASSERT_EQ(given.headers.size(), 1U);
@@ -84,14 +84,14 @@ TEST(missions_service, after_a_deletion_all_is_410_for_ever) {
   const auto first = posted("/progress", reports(1, 1, 2));
   EXPECT_EQ(service.ask(first).status, 200U);
   auto remove = get();
-  remove.verb = "DELETE";
+  remove.method = "DELETE";
   EXPECT_EQ(service.ask(remove).status, 204U);
   EXPECT_EQ(service.ask(remove).status, 204U);
   service.restart();
   for (const auto& asked : {get(), get("/mapobjects"), get("/mapobjects/ignored"), get("/assignments?after=2"), first,
                             posted("/waypoints", insert(2, 2, "n1")), posted("/mapobjects", observations(3, 1, 2))})
     EXPECT_EQ(service.ask(asked).status, 410U) << asked.target;
-  EXPECT_FALSE(desk::add_mission(service.file(), small_mission()));
+  EXPECT_FALSE(service_operations::add_mission(service.file(), small_mission()));
 }
 
 TEST(missions_service, a_repetition_of_any_post_changes_nothing_and_gets_the_same_answer) {
@@ -249,8 +249,8 @@ TEST(missions_service, a_poll_waits_unless_there_is_an_assignment) {
   EXPECT_TRUE(service.waits(poll));
   EXPECT_FALSE(service.waits(get("/assignments?after=2&wait_s=0")));
   EXPECT_EQ(service.ask(poll).body, R"({"assignments":[]})");
-  const assignment_wish wish{{waypoint("n1"), mission::return_home{"home-2"}}, "w1", {}, {}, {}};
-  const auto made = desk::assign(service.file(), mission_id, wish, 1).value();
+  const assignment_request wanted{{waypoint("n1"), mission::return_home{"home-2"}}, "w1", {}, {}, {}};
+  const auto made = service_operations::assign(service.file(), mission_id, wanted, 1).value();
   EXPECT_EQ(made.revision, 3);
   EXPECT_FALSE(service.waits(poll));
   const auto list = mission::read<mission::assignment_list>(service.ask(poll).body).value();
@@ -267,8 +267,8 @@ mission::assignment_response response(std::uint64_t key, mission::assignment_out
 
 TEST(missions_service, an_accepted_assignment_becomes_the_mission) {
   judged_service service;
-  const assignment_wish wish{{waypoint("n1"), mission::return_home{"home-2"}}, "w1", {}, {}, {}};
-  const auto made = desk::assign(service.file(), mission_id, wish, 1).value();
+  const assignment_request wanted{{waypoint("n1"), mission::return_home{"home-2"}}, "w1", {}, {}, {}};
+  const auto made = service_operations::assign(service.file(), mission_id, wanted, 1).value();
   const auto path = "/assignments/" + made.assignment_id + "/response";
   const auto accepted = posted(path, response(1, mission::assignment_outcome::accepted));
   EXPECT_EQ(receipt_of(service.ask(accepted)), (mission::receipt{1, 0}));
@@ -285,7 +285,8 @@ TEST(missions_service, an_accepted_assignment_becomes_the_mission) {
 TEST(missions_service, a_rejected_assignment_changes_nothing_and_is_not_given_again) {
   judged_service service;
   const auto made =
-      desk::assign(service.file(), mission_id, {{mission::return_home{"home-2"}}, "w1", {}, 1, {}}, 1).value();
+      service_operations::assign(service.file(), mission_id, {{mission::return_home{"home-2"}}, "w1", {}, 1, {}}, 1)
+          .value();
   const auto path = "/assignments/" + made.assignment_id + "/response";
   EXPECT_EQ(service.ask(posted(path, response(1, mission::assignment_outcome::rejected))).status, 200U);
   EXPECT_EQ(mission_of(service.ask(get())), small_mission());
@@ -295,7 +296,8 @@ TEST(missions_service, a_rejected_assignment_changes_nothing_and_is_not_given_ag
 TEST(missions_service, an_assignment_that_was_overtaken_can_not_be_accepted) {
   judged_service service;
   const auto made =
-      desk::assign(service.file(), mission_id, {{mission::return_home{"home-2"}}, "w1", {}, {}, {}}, 1).value();
+      service_operations::assign(service.file(), mission_id, {{mission::return_home{"home-2"}}, "w1", {}, {}, {}}, 1)
+          .value();
   EXPECT_EQ(mission_of(service.ask(posted("/waypoints", insert(1, 2, "n1")))).revision, 4); // 3 is the assignment's
   const auto path = "/assignments/" + made.assignment_id + "/response";
   EXPECT_EQ(service.ask(posted(path, response(2, mission::assignment_outcome::accepted))).status, 409U);

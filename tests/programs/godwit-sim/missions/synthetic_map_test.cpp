@@ -12,10 +12,10 @@ namespace godwit::sim::missions {
 namespace {
 
 TEST(missions_synthetic_map, objects_are_those_of_their_seed_and_lie_around_their_place) {
-  const map_wish wish{500, 47.4, 8.5};
-  const auto first = synthetic_map(wish, 7);
-  EXPECT_EQ(first, synthetic_map(wish, 7));
-  EXPECT_NE(first, synthetic_map(wish, 8));
+  const map_request wanted{500, 47.4, 8.5};
+  const auto first = synthetic_map(wanted, 7);
+  EXPECT_EQ(first, synthetic_map(wanted, 7));
+  EXPECT_NE(first, synthetic_map(wanted, 8));
   const mission::map_object_page page{std::string(mission::schema_version), first, {}};
   EXPECT_TRUE(mission::read<mission::map_object_page>(mission::to_text(page)));
   for (const auto& each : first) {

@@ -22,8 +22,8 @@ TEST(control_request_line, what_means_nothing_is_refused_with_the_form) {
 TEST(control_request_line, a_word_to_the_flight_says_whose_it_is) {
   const auto start = read_request(R"({"do": "start", "by": "anna"})");
   ASSERT_TRUE(start) << start.error();
-  EXPECT_EQ(start->what, request_kind::word);
-  EXPECT_EQ(start->said.verb, godwit::operator_words::verb::start);
+  EXPECT_EQ(start->what, request_kind::command);
+  EXPECT_EQ(start->said.kind, godwit::operators::command_kind::start);
   EXPECT_EQ(start->said.by, "anna");
   EXPECT_FALSE(read_request(R"({"do": "start"})"));
 }

@@ -22,10 +22,10 @@ using namespace std::chrono_literals;
 using io::link::descriptor;
 using test::scratch;
 
-// A socket whose desk is the test: it answers at once, or keeps the tickets.
-struct desk {
-  explicit desk(const std::string& path, bool answers_at_once = true, server_limits limits = {})
-      : answers(std::make_shared<answer_box>(descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)))) {
+// A socket whose request_handler is the test: it answers at once, or keeps the tickets.
+struct request_handler {
+  explicit request_handler(const std::string& path, bool answers_at_once = true, server_limits limits = {})
+      : answers(std::make_shared<response_queue>(descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)))) {
     auto opened = server::open(
         path, answers,
         [this, answers_at_once](const control_request& asked) {
@@ -41,7 +41,7 @@ struct desk {
     else
       error = opened.error();
   }
-  std::shared_ptr<answer_box> answers;
+  std::shared_ptr<response_queue> answers;
   std::mutex mutex;
   std::vector<control_request> asked_for;
   std::counting_semaphore<> came{0};
@@ -72,7 +72,7 @@ nlohmann::json retry(const std::string& key) { return {{"do", "outbox_retry"}, {
 
 TEST(control_server, a_question_is_answered) {
   const scratch folder;
-  const desk here(folder.file("control"));
+  const request_handler here(folder.file("control"));
   const auto answer = ask_daemon(folder.file("control"), retry("abc"));
   ASSERT_TRUE(answer) << answer.error();
   EXPECT_EQ(answer->at("key"), "abc");
@@ -82,7 +82,7 @@ TEST(control_server, only_its_own_user_reaches_it_and_afterwards_the_file_is_gon
   const scratch folder;
   struct stat there {};
   {
-    const desk here(folder.file("control"));
+    const request_handler here(folder.file("control"));
     ASSERT_EQ(::stat(folder.file("control").c_str(), &there), 0);
     EXPECT_EQ(there.st_mode & 0777U, 0600U);
   }
@@ -97,18 +97,18 @@ TEST(control_server, what_a_killed_daemon_left_is_replaced) {
     const auto address = unix_address(path).value();
     ASSERT_EQ(::bind(left.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
-  const desk here(path);
+  const request_handler here(path);
   EXPECT_EQ(here.error, "");
   EXPECT_TRUE(ask_daemon(path, retry("abc")));
 }
 
 TEST(control_server, a_socket_on_which_somebody_listens_and_a_file_that_is_none_are_left_alone) {
   const scratch folder;
-  const desk first(folder.file("control"));
-  const desk second(folder.file("control"));
+  const request_handler first(folder.file("control"));
+  const request_handler second(folder.file("control"));
   EXPECT_NE(second.error.find("another godwitd"), std::string::npos) << second.error;
   EXPECT_TRUE(ask_daemon(folder.file("control"), retry("abc")));
-  const desk third(folder.write("notes", "text"));
+  const request_handler third(folder.write("notes", "text"));
   EXPECT_NE(third.error.find("is no socket"), std::string::npos) << third.error;
   EXPECT_EQ(scratch::read(folder.file("notes")), "text");
 }
@@ -116,13 +116,13 @@ TEST(control_server, a_socket_on_which_somebody_listens_and_a_file_that_is_none_
 TEST(control_server, a_path_that_is_too_long_is_an_error_on_both_sides) {
   const scratch folder;
   const auto path = folder.file(std::string(150, 'x'));
-  EXPECT_NE(desk(path).error.find("shorter"), std::string::npos);
+  EXPECT_NE(request_handler(path).error.find("shorter"), std::string::npos);
   EXPECT_FALSE(ask_daemon(path, retry("abc")));
 }
 
 TEST(control_server, a_client_that_hangs_holds_up_nobody) {
   const scratch folder;
-  const desk here(folder.file("control"));
+  const request_handler here(folder.file("control"));
   const raw_client half(folder.file("control"));
   half.say("{\"do\": ");
   const raw_client silent(folder.file("control"));
@@ -131,7 +131,7 @@ TEST(control_server, a_client_that_hangs_holds_up_nobody) {
 
 TEST(control_server, a_request_without_an_answer_is_answered_by_the_socket) {
   const scratch folder;
-  const desk here(folder.file("control"), false, {.answer_timeout = 30ms});
+  const request_handler here(folder.file("control"), false, {.answer_timeout = 30ms});
   const auto answer = ask_daemon(folder.file("control"), retry("abc"));
   ASSERT_TRUE(answer) << answer.error();
   EXPECT_EQ(answer->at("ok"), false);
@@ -139,7 +139,7 @@ TEST(control_server, a_request_without_an_answer_is_answered_by_the_socket) {
 
 TEST(control_server, requests_in_one_piece_are_answered_one_after_the_other) {
   const scratch folder;
-  const desk here(folder.file("control"));
+  const request_handler here(folder.file("control"));
   const raw_client hasty(folder.file("control"));
   hasty.say(retry("1").dump() + "\n" + retry("2").dump() + "\nnonsense\n" + retry("3").dump() + "\n");
   EXPECT_EQ(hasty.hear(), R"({"ok":true,"key":"1"})");
@@ -150,7 +150,7 @@ TEST(control_server, requests_in_one_piece_are_answered_one_after_the_other) {
 
 TEST(control_server, a_line_that_is_too_long_ends_the_connection_with_a_sentence) {
   const scratch folder;
-  const desk here(folder.file("control"));
+  const request_handler here(folder.file("control"));
   const raw_client loud(folder.file("control"));
   loud.say(std::string(5'000, 'x'));
   EXPECT_NE(loud.hear().find("4096 bytes"), std::string::npos);
@@ -159,7 +159,7 @@ TEST(control_server, a_line_that_is_too_long_ends_the_connection_with_a_sentence
 
 TEST(control_server, who_comes_when_all_places_are_taken_is_told_so) {
   const scratch folder;
-  const desk here(folder.file("control"), true, {.max_clients = 1});
+  const request_handler here(folder.file("control"), true, {.max_clients = 1});
   const raw_client first(folder.file("control"));
   first.say(retry("1").dump() + "\n");
   EXPECT_NE(first.hear(), "");
@@ -169,14 +169,14 @@ TEST(control_server, who_comes_when_all_places_are_taken_is_told_so) {
 
 TEST(control_server, a_silent_client_is_closed_after_a_while) {
   const scratch folder;
-  const desk here(folder.file("control"), true, {.idle_timeout = 30ms});
+  const request_handler here(folder.file("control"), true, {.idle_timeout = 30ms});
   const raw_client silent(folder.file("control"));
   EXPECT_EQ(silent.hear(), "");
 }
 
 TEST(control_server, an_answer_for_somebody_who_has_left_goes_nowhere) {
   const scratch folder;
-  desk here(folder.file("control"), false);
+  request_handler here(folder.file("control"), false);
   {
     const raw_client leaves(folder.file("control"));
     leaves.say(retry("1").dump() + "\n");

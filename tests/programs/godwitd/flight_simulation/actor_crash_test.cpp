@@ -43,11 +43,11 @@ void fly_with_throws(std::uint64_t seed, crash_point point) {
   flight_simulation flight({.who = who, .seed = seed});
   std::size_t part = 0;
   const auto plan_next = [&] {
-    if (part < parts.size() && flight.standing().now == parts[part] && flight.process() != nullptr) {
+    if (part < parts.size() && flight.status().now == parts[part] && flight.process() != nullptr) {
       flight.process()->crash_at(actor, point);
       ++part;
     }
-    return executor::is_at_rest(flight.standing().now) || flight.standing().now == phase::paused;
+    return executor::is_at_rest(flight.status().now) || flight.status().now == phase::paused;
   };
   (void)flight.run_until(plan_next, 120);
   EXPECT_TRUE(fly_with_help(flight)) << flight.story();

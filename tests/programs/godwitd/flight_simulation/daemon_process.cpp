@@ -39,7 +39,7 @@ struct daemon_process::parts {
     meets.host = &facts;
     meets.process = outside.process;
     meets.say = [this](std::string_view part, const std::string& sentence, bool) { outside.say(part, sentence); };
-    meets.on_standing = [this](const executor::stood& now) { outside.on_standing(now); };
+    meets.on_phase_status = [this](const executor::phase_status& now) { outside.on_phase_status(now); };
   }
 
   // As composition::open() does it: what may fail before the actors, the links behind them.
@@ -81,9 +81,9 @@ bool daemon_process::step(std::uint64_t choice) {
   return parts_->world.step(choice / map_share) || parts_->map->step();
 }
 
-void daemon_process::settle() {
+void daemon_process::resolve() {
   do
-    parts_->world.settle();
+    parts_->world.resolve();
   while (parts_->map->step());
 }
 
@@ -95,7 +95,7 @@ simulated_wire& daemon_process::ground_wire() { return *parts_->ground_wire; }
 
 const std::shared_ptr<simulated_service_port>& daemon_process::service_port() const { return parts_->service_port; }
 
-void daemon_process::say(const operator_words::word& what) { parts_->world.tell(parts_->flight.executor, what); }
+void daemon_process::say(const operators::command& what) { parts_->world.tell(parts_->flight.executor, what); }
 
 void daemon_process::see(const mapobjects_store::sighting& what) { parts_->world.tell(parts_->base.store, what); }
 
@@ -123,7 +123,7 @@ std::optional<runtime::exit_request> daemon_process::wants_exit() const { return
 runtime::child_report daemon_process::look_at(const std::string& actor) {
   const auto asked =
       parts_->world.ask(parts_->world.actors().guardian(), std::chrono::seconds(1), runtime::get_children{});
-  settle();
+  resolve();
   const auto found = std::ranges::find(asked->answer.list, actor, &runtime::child_report::name);
   GODWIT_ASSERT(found != asked->answer.list.end(), "test: the actor is one of the process's");
   return *found;

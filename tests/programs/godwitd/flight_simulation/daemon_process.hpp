@@ -32,7 +32,7 @@ struct process_surroundings {
   executor::supervision::circumstances process; // of the next one
   std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
   std::function<void(std::string_view part, const std::string& sentence)> say;
-  std::function<void(const executor::stood& now)> on_standing;
+  std::function<void(const executor::phase_status& now)> on_phase_status;
 };
 
 class daemon_process {
@@ -52,7 +52,7 @@ public:
   // False: nothing can, without time passing.
   bool step(std::uint64_t choice);
   // All of them, the journal behind the messages: the order that costs least.
-  void settle();
+  void resolve();
   [[nodiscard]] bool has_uncommitted() const;
 
   [[nodiscard]] simulated_wire& vehicle_wire();
@@ -60,7 +60,7 @@ public:
   [[nodiscard]] const std::shared_ptr<simulated_service_port>& service_port() const;
 
   // -- people, and what else comes from beside
-  void say(const operator_words::word& what);
+  void say(const operators::command& what);
   void see(const mapobjects_store::sighting& what);
 
   // -- faults

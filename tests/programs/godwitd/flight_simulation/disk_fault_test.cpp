@@ -64,14 +64,14 @@ TEST_P(disk_fault, does_not_keep_the_vehicle_from_being_held) {
   set_fault(true);
   flight.run_for(1);
   const auto since_ns = flight.now_ns();
-  flight.say(operator_words::verb::pause);
+  flight.say(operators::command_kind::pause);
   EXPECT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();
-  EXPECT_EQ(flight.standing().cause, executor::pause_cause::asked) << flight.story();
+  EXPECT_EQ(flight.status().cause, executor::pause_cause::asked) << flight.story();
   EXPECT_GE(moves_since(flight, since_ns), 1) << flight.story();
   expect_no_crash();
   flight.run_for(0.1);
   const auto held_ns = flight.now_ns();
-  flight.say(operator_words::verb::resume);
+  flight.say(operators::command_kind::resume);
   flight.run_for(10);
   EXPECT_EQ(moves_since(flight, held_ns), 0) << "to go on waits for the disk\n" << flight.story();
   set_fault(false);
@@ -81,20 +81,20 @@ TEST_P(disk_fault, does_not_keep_the_vehicle_from_being_held) {
 
 TEST_P(disk_fault, leaves_a_pause_the_last_word_behind_a_resume_that_waited) {
   fly_past("w1");
-  flight.say(operator_words::verb::pause);
+  flight.say(operators::command_kind::pause);
   EXPECT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();
   flight.run_for(1);
   set_fault(true);
   const auto held_ns = flight.now_ns();
-  flight.say(operator_words::verb::resume);
+  flight.say(operators::command_kind::resume);
   flight.run_for(0.5);
-  flight.say(operator_words::verb::pause);
+  flight.say(operators::command_kind::pause);
   flight.run_for(1);
   set_fault(false);
   flight.run_for(10);
-  EXPECT_EQ(flight.standing().cause, executor::pause_cause::asked) << flight.story();
+  EXPECT_EQ(flight.status().cause, executor::pause_cause::asked) << flight.story();
   EXPECT_LE(moves_since(flight, held_ns), 1) << "nothing but the hold\n" << flight.story();
-  flight.say(operator_words::verb::resume);
+  flight.say(operators::command_kind::resume);
   EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
   expect_no_crash();
 }
@@ -113,10 +113,10 @@ TEST_P(disk_fault, for_good_ends_nothing_and_the_plan_is_flown_to_its_end) {
 // Who resumed has gone home meanwhile: nobody expects the vehicle to move.
 TEST_P(disk_fault, behind_which_it_writes_again_after_a_while_sends_nothing_that_is_late) {
   fly_past("w1");
-  flight.say(operator_words::verb::pause);
+  flight.say(operators::command_kind::pause);
   ASSERT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();
   set_fault(true);
-  flight.say(operator_words::verb::resume);
+  flight.say(operators::command_kind::resume);
   flight.run_for(60);
   flight.switch_mode(pilot_mode(GetParam().who));
   flight.run_for(5);

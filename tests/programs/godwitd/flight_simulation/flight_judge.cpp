@@ -81,13 +81,13 @@ std::string flaw_of_reports(flight_simulation& flight) {
     return "a report came again with another content";
   const auto reports = flight.reports();
   auto flaw = flaw_of_order(reports);
-  if (flaw.empty() && flight.standing().now == executor::phase::done)
+  if (flaw.empty() && flight.status().now == executor::phase::done)
     flaw = flaw_of_items(reports, flight.service().mission(flight.mission_id()));
   return flaw;
 }
 
 std::string flaw_of_end(const flight_simulation& flight) {
-  const auto& at = flight.standing();
+  const auto& at = flight.status();
   if (executor::is_at_rest(at.now))
     return {};
   if (at.now != executor::phase::paused)

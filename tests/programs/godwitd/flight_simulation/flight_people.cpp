@@ -6,7 +6,7 @@ using executor::phase;
 
 namespace {
 
-// The last word about the mission is at the service.
+// The last command about the mission is at the service.
 bool is_told(flight_simulation& flight) {
   const auto reports = flight.reports();
   return !reports.empty() && (reports.back().kind == mission::progress_kind::complete ||
@@ -19,9 +19,9 @@ bool fly_with_help(flight_simulation& flight) {
   constexpr int most_times = 60;
   constexpr double patience_s = 30;
   constexpr double delivery_s = 60; // five tries with their back-off
-  const auto is_at_rest = [&] { return executor::is_at_rest(flight.standing().now); };
+  const auto is_at_rest = [&] { return executor::is_at_rest(flight.status().now); };
   const auto waits = [&] { // for a person: to be resumed, or to be started again
-    const auto& at = flight.standing();
+    const auto& at = flight.status();
     return at.now == phase::paused || (at.now == phase::ready && !at.reason.empty());
   };
   for (int i = 0; i < most_times && !is_at_rest(); ++i) {
@@ -30,13 +30,13 @@ bool fly_with_help(flight_simulation& flight) {
       break;
     if (!flight.vehicle().describe().in_air)
       flight.vehicle().set_battery(100, flight.now_ns());
-    if (executor::needs_hand_back(flight.standing().cause))
-      flight.say(operator_words::verb::hand_back);
+    if (executor::needs_hand_back(flight.status().cause))
+      flight.say(operators::command_kind::hand_back);
     flight.run_for(1);
-    if (flight.standing().now == phase::paused)
-      flight.say(operator_words::verb::resume);
+    if (flight.status().now == phase::paused)
+      flight.say(operators::command_kind::resume);
     else if (waits())
-      flight.say(operator_words::verb::start);
+      flight.say(operators::command_kind::start);
     flight.run_for(1);
   }
   return is_at_rest() && flight.run_until([&] { return is_told(flight); }, delivery_s);

@@ -38,7 +38,7 @@ daemon::daemon_settings settings_for(const std::string& mission_id, bool starts_
 flight_simulation::flight_simulation(const options& wanted) : flight_simulation(wanted, short_mission(wanted.who)) {}
 
 flight_simulation::flight_simulation(const options& wanted, const mission::document& mission)
-    : seed_(wanted.seed), dice_(wanted.seed), is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id),
+    : seed_(wanted.seed), test_rng_(wanted.seed), is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id),
       service_(daemon_process::wall_began_ns), station_([this](std::span<const std::byte> frame) {
         if (process_)
           process_->ground_wire().receive(frame);
@@ -61,7 +61,7 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   outside_.say = [this](std::string_view part, const std::string& sentence) {
     note(std::string(part) + ": " + sentence);
   };
-  outside_.on_standing = [this](const executor::stood& now) { standing_ = now; };
+  outside_.on_phase_status = [this](const executor::phase_status& now) { status_ = now; };
   begins_ns_ = now_ns_;
 }
 
@@ -83,11 +83,11 @@ void flight_simulation::step(std::int64_t end_ns) {
     vehicle_->on_time(now_ns_);
   service_.on_time(now_ns_);
   station_.on_time(now_ns_);
-  settle();
+  resolve();
 }
 
 // Until nothing more happens without time passing.
-void flight_simulation::settle() {
+void flight_simulation::resolve() {
   do
     run_process();
   while (exchange());
@@ -96,8 +96,8 @@ void flight_simulation::settle() {
 
 void flight_simulation::run_process() {
   if (process_ && !is_shuffled_ && !planned_kill_)
-    return process_->settle();
-  while (process_ && process_->step(dice_()))
+    return process_->resolve();
+  while (process_ && process_->step(test_rng_()))
     if (is_time_to_die())
       kill_process();
 }
@@ -120,10 +120,10 @@ bool flight_simulation::exchange() {
 void flight_simulation::begin_process() {
   note("process " + std::to_string(++processes_));
   ledger_.emplace(folder_.file("godwit.starts"), outside_.settings.restarts);
-  const auto verdict = ledger_->begin({"boot", now_ns_ / 1'000'000}, standing_.in_flight);
+  const auto verdict = ledger_->begin({"boot", now_ns_ / 1'000'000}, status_.in_flight);
   GODWIT_ASSERT(verdict.may_start, "test: it ends less often than the guard allows");
   outside_.process = {verdict.may_end_fast, verdict.is_reduced};
-  process_ = std::make_unique<daemon_process>(outside_, now_ns_, dice_());
+  process_ = std::make_unique<daemon_process>(outside_, now_ns_, test_rng_());
 }
 
 void flight_simulation::kill_process() {
@@ -154,11 +154,11 @@ bool flight_simulation::give_up(const std::string& actor, double most_s) {
         if (process_ == nullptr || processes_ != before)
           return true;
         (void)process_->kill(actor);
-        settle();
+        resolve();
         return process_ == nullptr || process_->look_at(actor).phase == runtime::child_phase::given_up;
       },
       most_s);
-  settle();
+  resolve();
   return is_done;
 }
 
@@ -172,7 +172,7 @@ bool flight_simulation::is_time_to_die() {
     return false;
   const bool is_done = commits() >= planned_kill_->commit;
   const bool is_now =
-      is_done || (planned_kill_->where == side::before && process_->has_uncommitted() && dice_() % 4 == 0);
+      is_done || (planned_kill_->where == side::before && process_->has_uncommitted() && test_rng_() % 4 == 0);
   if (is_now)
     planned_kill_.reset();
   return is_now;
@@ -206,11 +206,11 @@ void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
 
 void flight_simulation::switch_mode(std::uint32_t custom_mode) {
   note("a pilot switches to mode " + std::to_string(custom_mode));
-  mavlink::set_mode wish;
-  wish.target_system = 1;
-  wish.base_mode = 1;
-  wish.custom_mode = custom_mode;
-  const auto frame = mavlink::encode(wish, pilot, 0);
+  mavlink::set_mode wanted;
+  wanted.target_system = 1;
+  wanted.base_mode = 1;
+  wanted.custom_mode = custom_mode;
+  const auto frame = mavlink::encode(wanted, pilot, 0);
   vehicle_->on_frame(frame.view(), now_ns_);
 }
 
@@ -221,14 +221,14 @@ void flight_simulation::cut_line(double seconds) {
 
 // -- people -----------------------------------------------------------------------------------------
 
-void flight_simulation::say(operator_words::verb what) {
-  operator_words::word word;
-  word.verb = what;
-  say(std::move(word));
+void flight_simulation::say(operators::command_kind what) {
+  operators::command command;
+  command.kind = what;
+  say(std::move(command));
 }
 
-void flight_simulation::say(operator_words::word what) {
-  note("the operator says " + std::string(io::name_of(what.verb)));
+void flight_simulation::say(operators::command what) {
+  note("the operator says " + std::string(io::name_of(what.kind)));
   what.by = "test";
   if (process_)
     process_->say(what);

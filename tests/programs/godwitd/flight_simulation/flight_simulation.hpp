@@ -23,7 +23,7 @@
 #include "messages/mission/progress.hpp"
 #include "programs/godwit-sim/line/faulty_line.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
-#include "programs/godwitd/start_ledger.hpp"
+#include "programs/godwitd/crash_loop_guard.hpp"
 #include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
 #include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
 #include "tests/programs/godwitd/flight_simulation/simulated_station.hpp"
@@ -72,7 +72,7 @@ public:
     (void)run_until([] { return false; }, seconds);
   }
   bool run_until_phase(executor::phase wanted, double most_s = 600) {
-    return run_until([&] { return standing().now == wanted; }, most_s);
+    return run_until([&] { return status().now == wanted; }, most_s);
   }
 
   // -- what is to go wrong
@@ -94,15 +94,15 @@ public:
   // None while it is down.
   [[nodiscard]] daemon_process* process() { return process_.get(); }
   [[nodiscard]] process_surroundings& outside() { return outside_; }
-  void say(operator_words::verb what);
-  void say(operator_words::word what);
+  void say(operators::command_kind what);
+  void say(operators::command what);
 
   // -- what has happened
   [[nodiscard]] std::int64_t now_ns() const { return now_ns_; }
   [[nodiscard]] std::int64_t wall_ns() const { return daemon_process::wall_began_ns + now_ns_; }
   [[nodiscard]] const std::string& mission_id() const { return mission_id_; }
   // As the executor has told it last.
-  [[nodiscard]] const executor::stood& standing() const { return standing_; }
+  [[nodiscard]] const executor::phase_status& status() const { return status_; }
   [[nodiscard]] const std::vector<vehicle_order>& orders() const { return orders_; }
   [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
   [[nodiscard]] int processes() const { return processes_; }
@@ -117,7 +117,7 @@ public:
 private:
   void step(std::int64_t end_ns);
   [[nodiscard]] std::int64_t next_due_ns() const;
-  void settle();
+  void resolve();
   void run_process();
   // True: something was moved.
   bool exchange();
@@ -129,13 +129,13 @@ private:
   void note(const std::string& sentence);
 
   std::uint64_t seed_;
-  std::mt19937_64 dice_;
+  std::mt19937_64 test_rng_;
   bool is_shuffled_;
   std::string mission_id_;
   std::int64_t now_ns_ = 1'000'000'000;
   test::scratch folder_;
   std::vector<std::string> told_;
-  executor::stood standing_;
+  executor::phase_status status_;
   std::vector<vehicle_order> orders_;
 
   simulated_service service_;
@@ -147,8 +147,8 @@ private:
   process_surroundings outside_;
   std::unique_ptr<daemon_process> process_;
   int processes_ = 0;
-  std::optional<daemon::start_ledger> ledger_; // of the process that runs
-  std::int64_t begins_ns_ = 0;                 // the next process, when there is none
+  std::optional<daemon::crash_loop_guard> ledger_; // of the process that runs
+  std::int64_t begins_ns_ = 0;                     // the next process, when there is none
   struct planned_kill {
     std::uint64_t commit = 0;
     side where = side::after;

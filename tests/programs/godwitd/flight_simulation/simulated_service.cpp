@@ -6,8 +6,8 @@
 
 #include "io/http/content_type.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
-#include "programs/godwit-sim/missions/desk.hpp"
 #include "programs/godwit-sim/missions/mission_table.hpp"
+#include "programs/godwit-sim/missions/service_operations.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::tests {
@@ -121,19 +121,19 @@ void simulated_service::deliver(const open_call& each) {
 // -- its people -------------------------------------------------------------------------------------
 
 void simulated_service::add_mission(const mission::document& what) {
-  const auto added = missions::desk::add_mission(*file_, what);
+  const auto added = missions::service_operations::add_mission(*file_, what);
   GODWIT_ASSERT(added.has_value(), "test: the mission is a good one");
 }
 
 void simulated_service::set_map_objects(const std::string& mission_id,
                                         const std::vector<mission::map_object>& objects) {
-  const auto set = missions::desk::set_map_objects(*file_, mission_id, objects);
+  const auto set = missions::service_operations::set_map_objects(*file_, mission_id, objects);
   GODWIT_ASSERT(set.has_value(), "test: the objects are good ones");
 }
 
-bool simulated_service::assign(const std::string& mission_id, const missions::assignment_wish& wish,
+bool simulated_service::assign(const std::string& mission_id, const missions::assignment_request& wanted,
                                std::int64_t now_ns) {
-  if (!missions::desk::assign(*file_, mission_id, wish, ++assigned_))
+  if (!missions::service_operations::assign(*file_, mission_id, wanted, ++assigned_))
     return false;
   for (auto& each : open_)
     if (each.at == stage::held) // a long poll has its news

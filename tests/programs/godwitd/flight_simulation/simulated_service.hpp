@@ -18,7 +18,7 @@
 #include "actors/mission_client/service_port.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/map_objects.hpp"
-#include "programs/godwit-sim/missions/assignment_wish.hpp"
+#include "programs/godwit-sim/missions/assignment_request.hpp"
 #include "programs/godwit-sim/missions/fault_book.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"
@@ -81,7 +81,7 @@ public:
   void add_mission(const mission::document& what);
   void set_map_objects(const std::string& mission_id, const std::vector<mission::map_object>& objects);
   // False: the wish makes no sense for the mission as it is.
-  bool assign(const std::string& mission_id, const sim::missions::assignment_wish& wish, std::int64_t now_ns);
+  bool assign(const std::string& mission_id, const sim::missions::assignment_request& wanted, std::int64_t now_ns);
   void set_fault(std::string_view words);
   void clear_faults() { faults_.clear(); }
 

@@ -30,11 +30,11 @@ void simulated_station::receive(std::span<const std::byte> bytes) {
 
 void simulated_station::start_mission() {
   start_answer_.reset();
-  mavlink::command_long wish;
-  wish.target_system = 1;
-  wish.target_component = 0;
-  wish.command = mavlink::number(mavlink::mav_cmd::mission_start);
-  send(wish);
+  mavlink::command_long wanted;
+  wanted.target_system = 1;
+  wanted.target_component = 0;
+  wanted.command = mavlink::number(mavlink::mav_cmd::mission_start);
+  send(wanted);
 }
 
 } // namespace godwit::tests

@@ -27,10 +27,10 @@ protected:
   void take_off() {
     ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
     flight.run_for(part_holds_s);
-    ASSERT_TRUE(flight.standing().in_flight) << flight.story();
+    ASSERT_TRUE(flight.status().in_flight) << flight.story();
   }
   void land() {
-    ASSERT_TRUE(flight.run_until([&] { return !flight.standing().in_flight; }, 600)) << flight.story();
+    ASSERT_TRUE(flight.run_until([&] { return !flight.status().in_flight; }, 600)) << flight.story();
     flight.run_for(part_holds_s);
   }
   runtime::child_report look_at(const std::string& actor) { return flight.process()->look_at(actor); }
@@ -62,14 +62,14 @@ TEST_F(supervised, in_flight_the_table_of_the_flight_holds_when_it_has_lasted) {
 }
 
 TEST_F(supervised, the_executor_killed_at_each_change_of_phase_leaves_the_flight_undisturbed) {
-  auto last = flight.standing().now;
+  auto last = flight.status().now;
   int killed = 0;
   const auto is_over = [&] {
-    if (flight.process() != nullptr && flight.standing().now != last && flight.process()->kill("executor")) {
-      last = flight.standing().now;
+    if (flight.process() != nullptr && flight.status().now != last && flight.process()->kill("executor")) {
+      last = flight.status().now;
       ++killed;
     }
-    return executor::is_at_rest(flight.standing().now);
+    return executor::is_at_rest(flight.status().now);
   };
   (void)flight.run_until(is_over, 600);
   EXPECT_GE(killed, 5);
@@ -103,8 +103,8 @@ TEST_F(supervised, in_flight_an_actor_that_is_not_essential_is_given_up_and_is_b
     other.run_for(part_holds_s);
     ASSERT_TRUE(other.give_up(actor)) << other.story();
     EXPECT_EQ(other.process()->look_at(actor).phase, child_phase::given_up) << actor;
-    EXPECT_TRUE(other.standing().in_flight) << actor << other.story();
-    ASSERT_TRUE(other.run_until([&] { return !other.standing().in_flight; }, 600)) << actor << other.story();
+    EXPECT_TRUE(other.status().in_flight) << actor << other.story();
+    ASSERT_TRUE(other.run_until([&] { return !other.status().in_flight; }, 600)) << actor << other.story();
     other.run_for(part_holds_s);
     EXPECT_EQ(other.process()->look_at(actor).phase, child_phase::running) << actor << other.story();
     EXPECT_TRUE(fly_with_help(other)) << actor << other.story();
@@ -163,12 +163,12 @@ TEST_F(supervised_to_go_on, without_a_failsafe_the_mission_is_flown_and_no_new_p
   ASSERT_NO_FATAL_FAILURE(give_up_twice("failsafe"));
   flight.run_for(3);
   EXPECT_TRUE(flight.was_told("the failsafe can not be kept up")) << flight.story();
-  sim::missions::assignment_wish wish;
-  wish.replace_after_item_id = "w2";
-  wish.items = {place("n1", 20, 20, 20), mission::return_home{"home_again"}};
-  ASSERT_TRUE(flight.service().assign(flight.mission_id(), wish, flight.now_ns()));
+  sim::missions::assignment_request wanted;
+  wanted.replace_after_item_id = "w2";
+  wanted.items = {place("n1", 20, 20, 20), mission::return_home{"home_again"}};
+  ASSERT_TRUE(flight.service().assign(flight.mission_id(), wanted, flight.now_ns()));
   const auto since_ns = flight.now_ns();
-  ASSERT_TRUE(flight.run_until([&] { return !flight.standing().in_flight; }, 600)) << flight.story();
+  ASSERT_TRUE(flight.run_until([&] { return !flight.status().in_flight; }, 600)) << flight.story();
   EXPECT_EQ(moves_since(flight, since_ns), 0) << "nothing is uploaded and nobody returns it" << flight.story();
 }
 
@@ -187,7 +187,7 @@ TEST_F(supervised, the_vehicle_link_is_restarted_for_ever_when_the_process_may_n
   take_off();
   ASSERT_NO_FATAL_FAILURE(end_process_by("vehicle_link"));
   ASSERT_FALSE(flight.give_up("vehicle_link", 25)) << flight.story();
-  ASSERT_TRUE(flight.standing().in_flight) << flight.story();
+  ASSERT_TRUE(flight.status().in_flight) << flight.story();
   EXPECT_GT(flight.process()->crashes("vehicle_link"), 2 * runtime::restart_policy{}.intensity - 2);
   EXPECT_EQ(flight.processes(), 2) << flight.story();
   flight.run_for(6);
@@ -216,7 +216,7 @@ TEST_F(supervised, behind_ten_abnormal_ends_in_flight_only_what_flies_runs_until
     flight.kill_process();
     flight.run_for(0.6);
   }
-  ASSERT_TRUE(flight.standing().in_flight) << flight.story();
+  ASSERT_TRUE(flight.status().in_flight) << flight.story();
   for (const auto* actor : {"mission_client", "mapobjects_store"})
     EXPECT_EQ(look_at(actor).phase, child_phase::absent) << actor;
   for (const auto* actor : {"vehicle_link", "failsafe", "executor", "ground_port"})

@@ -35,13 +35,13 @@ protected:
     });
   }
   static void assign(flight_simulation& flight) {
-    sim::missions::assignment_wish wish;
+    sim::missions::assignment_request wanted;
     const double up_m = GetParam() == sim::personality::rover ? 0 : 20;
-    wish.replace_after_item_id = "w2";
-    wish.items = {place("n1", 20, 20, up_m), place("n2", -30, 20, up_m)};
+    wanted.replace_after_item_id = "w2";
+    wanted.items = {place("n1", 20, 20, up_m), place("n2", -30, 20, up_m)};
     if (GetParam() != sim::personality::rover)
-      wish.items.emplace_back(mission::return_home{"home_again"});
-    ASSERT_TRUE(flight.service().assign(flight.mission_id(), wish, flight.now_ns()));
+      wanted.items.emplace_back(mission::return_home{"home_again"});
+    ASSERT_TRUE(flight.service().assign(flight.mission_id(), wanted, flight.now_ns()));
   }
   // False: the upload has no such step.
   static bool flies_with_crash_at(int step, crash_point point);

@@ -19,7 +19,7 @@ protected:
   flight_simulation flight{{.who = GetParam()}};
 
   void expect_sound_end() {
-    EXPECT_TRUE(executor::is_at_rest(flight.standing().now)) << flight.story();
+    EXPECT_TRUE(executor::is_at_rest(flight.status().now)) << flight.story();
     EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
   }
   // On its way to an item in the middle.
@@ -61,12 +61,12 @@ TEST_P(whole_flight, what_was_seen_on_the_way_is_delivered_once_behind_the_fligh
 
 TEST_P(whole_flight, an_assignment_on_the_way_is_flown_and_answered_once) {
   fly_past("w1");
-  sim::missions::assignment_wish wish;
-  wish.replace_after_item_id = "w2";
-  wish.items = {place(GetParam(), "n1", 20, 20), place(GetParam(), "n2", -30, 20)};
+  sim::missions::assignment_request wanted;
+  wanted.replace_after_item_id = "w2";
+  wanted.items = {place(GetParam(), "n1", 20, 20), place(GetParam(), "n2", -30, 20)};
   if (GetParam() != sim::personality::rover)
-    wish.items.push_back(way_home(GetParam(), "home_again"));
-  ASSERT_TRUE(flight.service().assign(flight.mission_id(), wish, flight.now_ns()));
+    wanted.items.push_back(way_home(GetParam(), "home_again"));
+  ASSERT_TRUE(flight.service().assign(flight.mission_id(), wanted, flight.now_ns()));
   EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
   expect_sound_end();
   EXPECT_EQ(flight.service().rows(flight.mission_id(), row_kind::response).size(), 1U) << flight.story();
@@ -77,7 +77,7 @@ TEST_P(whole_flight, a_pilot_who_takes_the_vehicle_on_the_way_is_left_alone_unti
   fly_past("w1");
   flight.switch_mode(pilot_mode(GetParam()));
   ASSERT_TRUE(flight.run_until_phase(phase::paused, 5)) << flight.story();
-  EXPECT_EQ(flight.standing().cause, executor::pause_cause::taken_over) << flight.story();
+  EXPECT_EQ(flight.status().cause, executor::pause_cause::taken_over) << flight.story();
   const auto since_ns = flight.now_ns();
   flight.run_for(20);
   EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
@@ -88,7 +88,7 @@ TEST_P(whole_flight, a_pilot_who_takes_the_vehicle_on_the_way_is_left_alone_unti
 TEST_P(whole_flight, a_map_that_can_not_be_pulled_keeps_it_on_the_ground_and_the_reason_is_said) {
   flight.service().set_fault("status 503 on get-mapobjects");
   flight.run_for(60);
-  EXPECT_FALSE(flight.standing().in_flight) << flight.story();
+  EXPECT_FALSE(flight.status().in_flight) << flight.story();
   EXPECT_FALSE(flight.vehicle().describe().armed) << flight.story();
   EXPECT_TRUE(flight.reports().empty());
   EXPECT_NE(flight.story().find("map could not be pulled"), std::string::npos) << flight.story();

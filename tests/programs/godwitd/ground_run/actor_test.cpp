@@ -96,7 +96,7 @@ protected:
             on<mc::pull_map>([](const mc::pull_map&) {}),
             on<mc::push_map>([this](const mc::push_map& m) {
               ++log_->pushes;
-              tell(log_->run, mc::mission_settled{m.mission_id, 0, 0});
+              tell(log_->run, mc::mission_resolved{m.mission_id, 0, 0});
             }),
             on<mc::report_progress>([](const mc::report_progress&) {}),
             on<mc::respond_to_assignment>([this](const mc::respond_to_assignment& m) { log_->responses.push_back(m); }),
@@ -143,18 +143,18 @@ struct process {
     for (int word = 0; word < 2; ++word) // there is something; all is read
       EXPECT_TRUE(woken_up.try_acquire_for(20s));
     auto& actors = world.actors();
-    const auto others = std::make_shared<neighbours>();
+    const auto others = std::make_shared<peers>();
     others->store = actors.add<store_stand_in>({.name = "store"}, patient(), &all);
     others->vehicle = actors.add<vehicle_stand_in>({.name = "vehicle"}, patient());
     others->client = actors.add<client_stand_in>({.name = "client"}, patient(), &all);
     run = actors.add<actor>({.name = "ground_run"}, patient(), settings{this_mission, true, true, true},
-                            std::shared_ptr<const neighbours>(others), feed,
+                            std::shared_ptr<const peers>(others), feed,
                             run_world{[this](const announce& what) { said += what.sentence + "\n"; },
                                       [this](const finish& how) { ends.push_back(how); }});
     all.run = run;
     world.start();
     if (runs)
-      world.settle();
+      world.resolve();
   }
   bool ends_in(std::chrono::seconds virtual_time) {
     for (std::int64_t ms = 0; ms < virtual_time / 1ms && ends.empty(); ms += 100) {
@@ -241,12 +241,12 @@ TEST(ground_run_actor, a_vehicle_that_never_came_is_said_once) {
 TEST(ground_run_actor, an_assignment_is_turned_down_with_the_same_key_each_time) {
   run_log all;
   process p(all);
-  mission_client::assignment_arrived wish;
-  wish.mission_id = this_mission;
-  wish.assignment.assignment_id = "0b8f7c36-3a5f-4c0b-8f0e-5e5f2f6f9b11";
+  mission_client::assignment_arrived wanted;
+  wanted.mission_id = this_mission;
+  wanted.assignment.assignment_id = "0b8f7c36-3a5f-4c0b-8f0e-5e5f2f6f9b11";
   for (int time = 0; time < 2; ++time) {
-    p.world.tell(p.run, wish);
-    p.world.settle();
+    p.world.tell(p.run, wanted);
+    p.world.resolve();
   }
   ASSERT_EQ(all.responses.size(), 2U);
   EXPECT_EQ(all.responses[0].response.outcome, mission::assignment_outcome::rejected);

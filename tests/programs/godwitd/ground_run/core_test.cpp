@@ -57,7 +57,7 @@ TEST(ground_run_core, a_run_is_load_pull_see_push_and_the_end) {
   EXPECT_NE(find<announce>(run.on_loaded(loaded())), nullptr);
   EXPECT_NE(find<see>(run.on_pulled(pulled(), 1.0)), nullptr);
   EXPECT_NE(find<push>(run.on_sightings_over({7, 0, 0})), nullptr);
-  EXPECT_NE(find<count_owed>(run.on_settled({id, 0, 0})), nullptr);
+  EXPECT_NE(find<count_owed>(run.on_resolved({id, 0, 0})), nullptr);
   const auto last = run.on_owed(owed(0));
   ASSERT_NE(find<finish>(last), nullptr);
   EXPECT_TRUE(find<finish>(last)->well);
@@ -76,29 +76,29 @@ TEST(ground_run_core, after_a_restart_it_goes_on_from_what_mission_client_knows)
 TEST(ground_run_core, the_word_of_an_earlier_run_does_not_end_this_one) {
   core run(once);
   (void)run.on_start();
-  EXPECT_TRUE(run.on_settled({id, 0, 0}).empty());
+  EXPECT_TRUE(run.on_resolved({id, 0, 0}).empty());
   run = seeing(once);
-  EXPECT_TRUE(run.on_settled({id, 0, 0}).empty());
+  EXPECT_TRUE(run.on_resolved({id, 0, 0}).empty());
   (void)run.on_sightings_over({1, 0, 0});
-  EXPECT_TRUE(run.on_settled({"another", 0, 0}).empty());
+  EXPECT_TRUE(run.on_resolved({"another", 0, 0}).empty());
   EXPECT_EQ(run.now(), phase::pushing);
 }
 
 TEST(ground_run_core, while_the_store_owes_anything_for_the_mission_it_is_pushed_again) {
   auto run = seeing(once);
   (void)run.on_sightings_over({1, 0, 0});
-  (void)run.on_settled({id, 0, 0});
+  (void)run.on_resolved({id, 0, 0});
   const auto again = run.on_owed(owed(1));
   EXPECT_NE(find<push>(again), nullptr);
   EXPECT_EQ(find<finish>(again), nullptr);
-  (void)run.on_settled({id, 0, 0});
+  (void)run.on_resolved({id, 0, 0});
   EXPECT_NE(find<finish>(run.on_owed(owed(5, "another"))), nullptr);
 }
 
 TEST(ground_run_core, what_is_orphaned_or_expired_is_no_good_end) {
   auto run = seeing(once);
   (void)run.on_sightings_over({1, 0, 0});
-  (void)run.on_settled({id, 1, 2});
+  (void)run.on_resolved({id, 1, 2});
   const auto last = run.on_owed(owed(0));
   ASSERT_NE(find<finish>(last), nullptr);
   EXPECT_FALSE(find<finish>(last)->well);
@@ -108,9 +108,9 @@ TEST(ground_run_core, what_is_orphaned_or_expired_is_no_good_end) {
 TEST(ground_run_core, what_a_push_does_not_move_is_not_pushed_for_ever) {
   auto run = seeing(once);
   (void)run.on_sightings_over({1, 0, 0});
-  (void)run.on_settled({id, 0, 0});
+  (void)run.on_resolved({id, 0, 0});
   EXPECT_NE(find<push>(run.on_owed(owed(3))), nullptr);
-  (void)run.on_settled({id, 0, 0});
+  (void)run.on_resolved({id, 0, 0});
   const auto last = run.on_owed(owed(3));
   EXPECT_EQ(find<push>(last), nullptr);
   ASSERT_NE(find<finish>(last), nullptr);
@@ -120,7 +120,7 @@ TEST(ground_run_core, what_a_push_does_not_move_is_not_pushed_for_ever) {
 TEST(ground_run_core, what_the_map_keeps_as_orphaned_is_no_good_end_either) {
   auto run = seeing(once);
   (void)run.on_sightings_over({1, 0, 0});
-  (void)run.on_settled({id, 0, 0});
+  (void)run.on_resolved({id, 0, 0});
   auto left = owed(0);
   left.missions.front().orphaned = 3;
   const auto last = run.on_owed(left);
@@ -132,7 +132,7 @@ TEST(ground_run_core, a_sighting_that_was_not_taken_is_no_good_end) {
   for (const sighting_counts& counts : {sighting_counts{5, 1, 0}, sighting_counts{5, 0, 1}}) {
     auto run = seeing(once);
     (void)run.on_sightings_over(counts);
-    (void)run.on_settled({id, 0, 0});
+    (void)run.on_resolved({id, 0, 0});
     EXPECT_FALSE(find<finish>(run.on_owed(owed(0)))->well);
   }
 }
@@ -140,7 +140,7 @@ TEST(ground_run_core, a_sighting_that_was_not_taken_is_no_good_end) {
 TEST(ground_run_core, without_once_it_stays_when_all_is_delivered) {
   auto run = seeing(forever);
   (void)run.on_sightings_over({1, 0, 0});
-  (void)run.on_settled({id, 0, 0});
+  (void)run.on_resolved({id, 0, 0});
   EXPECT_EQ(find<finish>(run.on_owed(owed(0))), nullptr);
   EXPECT_EQ(run.now(), phase::over);
 }

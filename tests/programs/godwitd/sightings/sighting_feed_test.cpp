@@ -43,7 +43,7 @@ TEST(sighting_feed, all_lines_come_in_their_order_and_then_it_is_over) {
     const auto each = from.next();
     ASSERT_TRUE(each) << number;
     EXPECT_EQ(each->seen.id, test::sighting_id(number));
-    from.feed->settle(each->number, true);
+    from.feed->resolve(each->number, true);
   }
   EXPECT_FALSE(from.next());
   EXPECT_TRUE(from.feed->is_over());
@@ -55,15 +55,15 @@ TEST(sighting_feed, what_was_taken_and_not_settled_comes_again_in_its_order) {
   reader from(folder.write("seen", sighting_lines(3)));
   for (int number = 0; number < 3; ++number)
     ASSERT_TRUE(from.next());
-  from.feed->settle(2, true);
+  from.feed->resolve(2, true);
   EXPECT_FALSE(from.feed->is_over());
   from.feed->take_back_all();
   EXPECT_EQ(from.next()->number, 1U);
   EXPECT_EQ(from.next()->number, 3U);
   from.feed->take_back(3);
   EXPECT_EQ(from.next()->number, 3U);
-  from.feed->settle(1, true);
-  from.feed->settle(3, false);
+  from.feed->resolve(1, true);
+  from.feed->resolve(3, false);
   EXPECT_FALSE(from.next());
   EXPECT_EQ(from.feed->counts().recorded, 2U);
   EXPECT_EQ(from.feed->counts().refused, 1U);
@@ -74,7 +74,7 @@ TEST(sighting_feed, a_line_that_is_no_sighting_is_passed_over_counted_and_named)
   const auto file = folder.write("seen", "{}\n\n" + sighting_lines(1) + std::string(10'000, 'x') + "\nlast");
   reader from(file);
   ASSERT_TRUE(from.next());
-  from.feed->settle(1, true);
+  from.feed->resolve(1, true);
   EXPECT_FALSE(from.next());
   from.feed->stop();
   EXPECT_EQ(from.feed->counts().unreadable, 3U);

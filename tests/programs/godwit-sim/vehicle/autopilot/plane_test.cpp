@@ -132,13 +132,13 @@ TEST(plane, circles_around_the_place_of_a_reposition_as_command_int) {
   plane_with world;
   ASSERT_TRUE(world.fly_to(2));
   const auto there = moved(world.home(), {90, 400});
-  mavlink::command_int wish;
-  wish.param2 = 1; // change mode
-  wish.frame = mavlink::number(mavlink::mav_frame::global_relative_alt);
-  wish.x = static_cast<std::int32_t>(there.latitude_deg * 1e7);
-  wish.y = static_cast<std::int32_t>(there.longitude_deg * 1e7);
-  wish.z = 80;
-  EXPECT_EQ(world.command_int(mav_cmd::do_reposition, wish), mav_result::accepted);
+  mavlink::command_int wanted;
+  wanted.param2 = 1; // change mode
+  wanted.frame = mavlink::number(mavlink::mav_frame::global_relative_alt);
+  wanted.x = static_cast<std::int32_t>(there.latitude_deg * 1e7);
+  wanted.y = static_cast<std::int32_t>(there.longitude_deg * 1e7);
+  wanted.z = 80;
+  EXPECT_EQ(world.command_int(mav_cmd::do_reposition, wanted), mav_result::accepted);
   EXPECT_TRUE(world.is_in("GUIDED"));
   world.run_for(90 * s);
   EXPECT_NEAR(between(world.picture().where, there).distance_m, 60, 6);

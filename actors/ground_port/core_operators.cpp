@@ -1,0 +1,67 @@
+// The part of the core that is about commands of operators. What an order means is in word_reading.hpp, what a
+// repetition hears in command_dedup.hpp.
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "actors/ground_port/command_reading.hpp"
+#include "actors/ground_port/core.hpp"
+#include "actors/ground_port/decision_context.hpp"
+
+namespace godwit::ground_port {
+
+using mavlink::mav_result;
+
+std::optional<double> core::home_altitude_m() const {
+  constexpr double mm_per_m = 1'000;
+  const auto& home = gate_.newest(mavlink::home_position::message_id);
+  if (!home)
+    return std::nullopt;
+  return std::get<mavlink::home_position>(*home).altitude / mm_per_m;
+}
+
+void core::say_word(decision_context& t, const vehicle_role::order& what) {
+  const auto now_ns = t.now.monotonic_ns;
+  if (const auto heard = words_.heard_before(what, now_ns))
+    return answer(t, what, *heard);
+  const auto command = read_word(what, home_altitude_m());
+  if (!command)
+    return refuse(t, what, command.error().result, command.error().text);
+  const auto reject_for_now = [&](const std::string& why) {
+    refuse(t, what, mav_result::temporarily_rejected, name_for_people(what) + ": " + why);
+  };
+  if (!has_executor_)
+    return reject_for_now("no executor is there");
+  if (!words_.may_begin(what.from, now_ns))
+    return reject_for_now("another command is under way");
+  t.done.emplace_back(word_to_say{words_.begin(what, now_ns), *command});
+}
+
+effects core::on_word_answer(std::uint64_t request, const operators::answer& m, instant now) {
+  decision_context t(*this, now);
+  if (m.is_taken)
+    end_word(t, request, mav_result::accepted, {});
+  else
+    end_word(t, request, mav_result::temporarily_rejected, m.reason.empty() ? "refused" : m.reason);
+  finish(t);
+  return std::move(t.done);
+}
+
+effects core::on_word_failed(std::uint64_t request, const std::string& reason, instant now) {
+  decision_context t(*this, now);
+  end_word(t, request, mav_result::temporarily_rejected, reason);
+  finish(t);
+  return std::move(t.done);
+}
+
+void core::end_word(decision_context& t, std::uint64_t request, mav_result result, const std::string& reason) {
+  const auto asked = words_.resolve(request, result, t.now.monotonic_ns);
+  if (!asked)
+    return;
+  if (result == mav_result::accepted)
+    answer(t, *asked, result);
+  else
+    refuse(t, *asked, result, name_for_people(*asked) + ": " + reason);
+}
+
+} // namespace godwit::ground_port

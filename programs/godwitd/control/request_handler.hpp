@@ -1,0 +1,83 @@
+// The control request_handler: asks the actors what somebody at the control socket wants to know or to have done, and
+// answers when all of them have, or have not.
+//
+// The socket's thread can tell actors but not ask them; this actor can. An actor that does not answer in time is in the
+// answer as an error; whoever waits gets one in any case, but for a crash of the request_handler: then the socket's own
+// time-out says so. Errors: in the answers. Thread: as actor_base.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "messages/executor/handle.hpp"
+#include "messages/failsafe/types.hpp"
+#include "messages/mapobjects_store/handle.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "messages/vehicle_link/handle.hpp"
+#include "programs/godwitd/control/messages.hpp"
+#include "programs/godwitd/control/response_queue.hpp"
+#include "programs/godwitd/ground_run/handle.hpp"
+#include "programs/godwitd/sightings/messages.hpp"
+#include "runtime/actor_base.hpp"
+#include "runtime/supervision/handle.hpp"
+
+namespace godwit::control {
+
+using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
+using request_handle = runtime::mailbox<runtime::tells<control_request>>;
+
+using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
+
+struct peers {
+  mission_client::operator_handle client; // none without a service
+  mapobjects_store::operator_handle store;
+  vehicle_handle vehicle;
+  std::optional<ground_run::status_handle> run;      // of a run on the ground
+  std::optional<executor::operator_handle> flight;   // else
+  std::optional<override_handle> failsafe;           // with a flight
+  std::optional<sightings::status_handle> sightings; // with a flight
+  runtime::guardian_handle guardian;
+  std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
+};
+
+class request_handler final : public runtime::actor_base<request_handle> {
+public:
+  static constexpr std::chrono::seconds answer_timeout{3}; // below that of the socket
+
+  request_handler(runtime::spawn_context context, peers others, std::shared_ptr<response_queue> answers);
+  ~request_handler() override;
+
+protected:
+  behavior_type handlers() override;
+
+private:
+  struct half_answer {
+    nlohmann::json document;
+    int missing = 0;
+  };
+
+  void take(const control_request& asked);
+  void collect_status(std::uint64_t ticket);
+  void retry(const control_request& asked);
+  void say(const control_request& asked);
+  void override_rule(const control_request& asked);
+  void crash(const control_request& asked);
+  template <class Answer, class Handle, class Question, class Reader>
+  void pass_on(std::uint64_t ticket, const Handle& who, const Question& question, Reader taken_and_why);
+  template <class Handle, class Question>
+  void collect(std::uint64_t ticket, const char* part, const Handle& who, Question question);
+  void put(std::uint64_t ticket, const char* part, nlohmann::json what);
+  void answer_with(std::uint64_t ticket, const nlohmann::json& document);
+
+  peers others_;
+  std::shared_ptr<response_queue> answers_;
+  std::map<std::uint64_t, half_answer> collecting_; // by ticket: at most one for each client of the socket
+};
+
+} // namespace godwit::control

@@ -1,0 +1,190 @@
+// The control request_handler: who answers it, who does not.
+#include "programs/godwitd/control/request_handler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/eventfd.h>
+
+#include "runtime/actor_base.hpp"
+#include "runtime/simulation/simulation.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::control;
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+// Answers all that the request_handler asks, or nothing at all.
+using everybody_handle = runtime::mailbox<runtime::asks<mission_client::retry_outbox, mission_client::retry_answer>,
+                                          runtime::asks<mission_client::get_service, mission_client::service_status>,
+                                          runtime::asks<vehicle_link::get_connection, vehicle_link::connection>,
+                                          runtime::asks<ground_run::get_run, ground_run::run_status>,
+                                          runtime::asks<operators::command, operators::answer>,
+                                          runtime::asks<executor::get_flight, executor::flight_status>,
+                                          runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
+
+class everybody final : public runtime::actor_base<everybody_handle> {
+public:
+  everybody(runtime::spawn_context context, bool answers) : actor_base(std::move(context)), answers_(answers) {}
+
+private:
+  template <class Q, class F>
+  auto late(F make) {
+    using answer = std::invoke_result_t<F, const Q&>;
+    return on_deferred<Q, answer>([this, make](const Q& question, std::uint64_t request) {
+      if (answers_)
+        answer_later(request, make(question));
+    });
+  }
+
+protected:
+  behavior_type handlers() override {
+    return {late<mission_client::retry_outbox>([](const auto& m) {
+              return mission_client::retry_answer{2, 1, m.key};
+            }),
+            late<mission_client::get_service>([](const auto&) { return mission_client::service_status{}; }),
+            late<vehicle_link::get_connection>([](const auto&) { return vehicle_link::connection{}; }),
+            late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; }),
+            late<operators::command>([](const auto& m) {
+              const bool is_start = m.kind == operators::command_kind::start;
+              return operators::answer{is_start, is_start ? "" : "not now"};
+            }),
+            late<executor::get_flight>([](const auto&) { return executor::flight_status{}; }),
+            late<failsafe::override_rule>([](const auto& m) {
+              return failsafe::override_answer{m.until_ns > 0, m.reason};
+            })};
+  }
+
+private:
+  bool answers_;
+};
+
+class map_stand_in final : public runtime::actor_base<mapobjects_store::operator_handle> {
+public:
+  using actor_base::actor_base;
+
+protected:
+  behavior_type handlers() override {
+    namespace ms = mapobjects_store;
+    return {on<ms::operator_verdict>([](const ms::operator_verdict&) { return ms::verdict_answer{}; }),
+            on<ms::acknowledge_fallback>([](const ms::acknowledge_fallback&) { return ms::map_answer{}; }),
+            on<ms::requeue_mission>([](const ms::requeue_mission&) { return ms::moved_rows{}; }),
+            on<ms::get_owed>([](const ms::get_owed&) { return ms::owed_list{}; }),
+            on<ms::get_map>([](const ms::get_map&) { return ms::map_status{}; })};
+  }
+};
+
+struct process {
+  explicit process(bool answers, bool has_service = true, bool flies = false) : world(disk, 1) {
+    const auto all = world.actors().add<everybody>({.name = "everybody"}, {}, answers);
+    peers others;
+    others.store = world.actors().add<map_stand_in>({.name = "map"}, {});
+    others.vehicle = all;
+    others.guardian = world.actors().guardian();
+    if (flies) {
+      others.flight = all;
+      others.failsafe = all;
+      others.crash = [](const std::string& name) { return name == "executor"; };
+    } else {
+      others.run = all;
+    }
+    if (has_service)
+      others.client = all;
+    who = world.actors().add<request_handler>({.name = "control_desk"}, {}, others, box);
+    world.start();
+    world.resolve();
+  }
+  json ask(control_request asked) {
+    asked.ticket = 7;
+    world.tell(who, std::move(asked));
+    world.advance(4s);
+    const auto answers = box->take();
+    EXPECT_EQ(answers.size(), 1U);
+    return answers.size() == 1 && answers.front().ticket == 7 ? json::parse(answers.front().line) : json();
+  }
+  std::shared_ptr<response_queue> box =
+      std::make_shared<response_queue>(io::link::descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)));
+  runtime::simulated_disk disk;
+  runtime::simulation world;
+  request_handle who;
+};
+
+TEST(control_requests, a_status_is_the_word_of_all_parts) {
+  const auto answer = process(true).ask({});
+  for (const auto* part : {"run", "map", "vehicle", "service", "actors"})
+    EXPECT_TRUE(answer.contains(part)) << part;
+  EXPECT_EQ(answer.at("ok"), true);
+  EXPECT_FALSE(process(true, false).ask({}).contains("service"));
+}
+
+TEST(control_requests, a_status_has_each_actor_as_the_guardian_sees_it) {
+  const auto actors = process(true).ask({}).at("actors").at("list");
+  ASSERT_EQ(actors.size(), 3U);
+  EXPECT_EQ(actors[2].at("name"), "control_desk");
+  EXPECT_EQ(actors[2].at("phase"), "running");
+  EXPECT_EQ(actors[2].at("incarnation"), 1);
+  EXPECT_EQ(actors[2].at("health"), "green");
+}
+
+TEST(control_requests, a_part_that_does_not_answer_holds_up_nobody_and_is_said) {
+  const auto answer = process(false).ask({});
+  EXPECT_EQ(answer.at("map").at("sync"), "fresh_boot");
+  EXPECT_TRUE(answer.at("vehicle").contains("error"));
+}
+
+TEST(control_requests, a_retry_is_mission_clients_answer) {
+  const auto all = process(true).ask({0, request_kind::outbox_retry, "", {}, {}, 0});
+  EXPECT_EQ(all.at("ok"), true);
+  EXPECT_EQ(all.at("tried_now"), 2);
+  EXPECT_EQ(process(true).ask({0, request_kind::outbox_retry, "no such row", {}, {}, 0}).at("ok"), false);
+  EXPECT_EQ(process(false).ask({0, request_kind::outbox_retry, "", {}, {}, 0}).at("ok"), false);
+  EXPECT_EQ(process(true, false).ask({0, request_kind::outbox_retry, "", {}, {}, 0}).at("ok"), false);
+}
+
+control_request command(operators::command_kind what) {
+  control_request result;
+  result.what = request_kind::command;
+  result.said.kind = what;
+  return result;
+}
+
+TEST(control_requests, a_word_is_taken_or_refused_with_the_executors_reason) {
+  EXPECT_EQ(process(true, true, true).ask(command(operators::command_kind::start)).at("ok"), true);
+  const auto refused = process(true, true, true).ask(command(operators::command_kind::pause));
+  EXPECT_EQ(refused.at("ok"), false);
+  EXPECT_EQ(refused.at("error"), "not now");
+  EXPECT_EQ(process(false, true, true).ask(command(operators::command_kind::start)).at("ok"), false) << "no answer";
+}
+
+TEST(control_requests, who_runs_on_the_ground_takes_no_word) {
+  EXPECT_EQ(process(true).ask(command(operators::command_kind::start)).at("ok"), false);
+  control_request override_it;
+  override_it.what = request_kind::override_rule;
+  EXPECT_EQ(process(true).ask(override_it).at("ok"), false);
+}
+
+TEST(control_requests, an_override_goes_to_the_failsafe_with_its_end) {
+  control_request asked;
+  asked.what = request_kind::override_rule;
+  asked.lasts_s = 60;
+  EXPECT_EQ(process(true, true, true).ask(asked).at("ok"), true);
+}
+
+TEST(control_requests, a_flight_is_a_part_of_the_status) {
+  const auto answer = process(true, true, true).ask({});
+  EXPECT_TRUE(answer.contains("flight"));
+  EXPECT_FALSE(answer.contains("run"));
+}
+
+TEST(control_requests, a_crash_is_for_drills_and_of_an_actor_that_runs) {
+  control_request crash;
+  crash.what = request_kind::crash;
+  crash.key = "executor";
+  EXPECT_EQ(process(true).ask(crash).at("ok"), false) << "not allowed";
+  EXPECT_EQ(process(true, true, true).ask(crash).at("ok"), true);
+  crash.key = "nobody";
+  EXPECT_EQ(process(true, true, true).ask(crash).at("ok"), false);
+}
+
+} // namespace

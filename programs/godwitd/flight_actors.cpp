@@ -9,6 +9,7 @@
 #include "actors/mapobjects_store/actor.hpp"
 #include "actors/mission_client/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
+#include "io/sqlite/work_queue.hpp"
 #include "programs/godwitd/child_policies.hpp"
 
 namespace godwit::daemon {
@@ -20,7 +21,9 @@ constexpr const char* failsafe_name = "failsafe";
 executor::host_status read_host_status(const actor_surroundings& outside) {
   executor::host_status result;
   result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
-  result.journal.is_writable = !outside.journal->status().failing;
+  const auto journal = outside.journal->status();
+  result.journal.is_writable = !journal.failing;
+  result.journal.is_nearly_full = journal.fill >= io::sqlite::nearly_full;
   result.journal.free_bytes = outside.host->free_bytes();
   return result;
 }

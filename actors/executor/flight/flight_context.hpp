@@ -48,6 +48,7 @@ struct flight_context {
   task_runner runner;
   std::optional<failsafe::failsafe_status> failsafe_status; // none: not told to this incarnation yet
   bool is_failsafe_gone = false;                            // in this flight: no plan is changed
+  bool is_journal_nearly_full = false;                      // what waits for the disk is near its bound
   command_queue wanted;
   homing_state homing;
   bool was_up = false; // it has been in the air, as far as this incarnation knows

@@ -59,6 +59,9 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
     return refused(std::move(what.error()));
   if (auto why = why_not_changed(*what, now); !why.empty())
     return refused(std::move(why));
+  if (flight_.is_journal_nearly_full && m.kind != command_kind::cancel)
+    return refused(
+        "the plan is not changed while so much waits for the journal's disk; say it again when it is written");
   flight_.wanted.put_change(*std::move(what));
   return {true, {}};
 }

@@ -99,6 +99,11 @@ std::string preparation::why_not_start(effects& out, instant now) {
 
 // -- the way to a plan that is ready ----------------------------------------------------------------
 
+void preparation::on_host_status(host_status seen) {
+  flight_.is_journal_nearly_full = seen.journal.is_nearly_full;
+  host_status_ = std::move(seen);
+}
+
 preparation::result preparation::advance(effects& out, instant now) {
   const auto at = flight_.s.status.now;
   const bool is_prepared =

@@ -37,7 +37,7 @@ public:
   // The sentence says why the flight may not be started now; empty: it may.
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
 
-  void on_host_status(host_status seen) { host_status_ = std::move(seen); }
+  void on_host_status(host_status seen);
   void on_mission() { refusal_.clear(); }
   void on_refused(const std::string& reason) { refusal_ = reason; }
   void on_map(const mission_client::map_pulled& m);

@@ -74,6 +74,7 @@ struct mission_facts {
 struct journal_facts {
   bool is_writable = false;                // the last write reached the disk
   bool is_sound = false;                   // the integrity check passed
+  bool is_nearly_full = false;             // what waits to be written is near its bound: the disk is too slow
   std::optional<std::uint64_t> free_bytes; // of its disk; absent: the system does not tell
 };
 

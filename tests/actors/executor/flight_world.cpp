@@ -74,9 +74,14 @@ void flight_world::begin_executor() {
 
 executor::host_status flight_world::host_status() const {
   executor::host_status result;
-  result.journal = {true, true, 10ULL << 30U};
+  result.journal = {true, true, is_journal_nearly_full_, 10ULL << 30U};
   result.actors = {{"vehicle_link", true}};
   return result;
+}
+
+void flight_world::set_journal_nearly_full(bool is_so) {
+  is_journal_nearly_full_ = is_so;
+  core_->on_host_status(host_status());
 }
 
 void flight_world::load(const mission::document& what) {

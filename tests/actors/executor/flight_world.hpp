@@ -125,6 +125,7 @@ public:
   // stand_bys() is not.
   [[nodiscard]] int orders() const { return orders_; }
   void set_loss(double share) { lost_ = share; }
+  void set_journal_nearly_full(bool is_so);
   // The next so many of this MAV_CMD do not come to the vehicle.
   void lose_command(std::uint16_t command, int times) { losses_ = {command, times}; }
   // None of these comes to the vehicle any more, or from it; 0: all do again.
@@ -227,6 +228,7 @@ private:
   std::vector<std::uint16_t> commands_;
   int stand_bys_ = 0;
   int orders_ = 0;
+  bool is_journal_nearly_full_ = false;
   std::pair<std::uint16_t, int> losses_; // MAV_CMD, how many more
   std::uint32_t lost_message_ = 0;
   std::vector<failsafe::command_vehicle> reactions_;

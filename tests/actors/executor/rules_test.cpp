@@ -193,6 +193,24 @@ TEST_P(rule, while_a_pilot_flies_no_word_of_an_operator_is_taken) {
   }
 }
 
+TEST_P(rule, while_too_much_waits_for_the_journal_no_plan_is_changed_and_a_pause_goes_out) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  world.set_journal_nearly_full(true);
+  operators::command there;
+  there.kind = command_kind::go_to;
+  there.place = std::get<mission::waypoint>(tests::place(GetParam(), "", -40, -20)).at;
+  const auto refusal = world.say(there);
+  EXPECT_FALSE(refusal.is_taken);
+  EXPECT_NE(refusal.reason.find("journal"), std::string::npos) << refusal.reason;
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
+  EXPECT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 30)) << world.story();
+  world.set_journal_nearly_full(false);
+  EXPECT_TRUE(world.say(there).is_taken);
+}
+
 TEST_P(rule_of_long_replans, to_come_home_does_not_wait_for_a_replan) {
   flight_world world({.who = GetParam(), .most_delay_ms = 100});
   ASSERT_TRUE(fly(world));

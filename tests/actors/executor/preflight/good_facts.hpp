@@ -49,7 +49,7 @@ inline facts good_facts() {
   all.mission.spare_percent = 20;
   all.mission.straight_return.emplace();
   all.mission.map = mission_client::pull_state::synced;
-  all.journal = {true, true, 8'000'000'000};
+  all.journal = {true, true, false, 8'000'000'000};
   all.wall_ns = in_2026_ns;
   all.actors = {{"vehicle_link", true}, {"failsafe", true}};
   all.camera = camera_state::ready;

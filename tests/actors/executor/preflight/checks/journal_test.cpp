@@ -22,5 +22,11 @@ TEST(journal_check, fails_when_it_can_not_be_written) { EXPECT_EQ(with(false, tr
 
 TEST(journal_check, fails_when_it_is_damaged) { EXPECT_EQ(with(true, false), verdict::fail); }
 
+TEST(journal_check, fails_while_what_waits_to_be_written_is_near_its_bound) {
+  auto seen = good_facts();
+  seen.journal.is_nearly_full = true;
+  EXPECT_EQ(look_at_journal(seen, {}).how, verdict::fail);
+}
+
 } // namespace
 } // namespace godwit::executor::preflight

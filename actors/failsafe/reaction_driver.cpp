@@ -64,10 +64,12 @@ void reaction_driver::take_verdict(command_verdict verdict, std::int64_t now_ns)
     if (current_->what == action::do_land_start) // the plan on the vehicle has none after all
       current_->what = action::return_home;
     break;
+  case command_verdict::outdated: // judged anew with the heartbeat that is on its way here; that was no try
+    current_->tries -= current_->tries > 0 ? 1 : 0;
+    break;
   case command_verdict::not_sent:
   case command_verdict::already_running:
   case command_verdict::too_many:
-  case command_verdict::outdated: // judged anew with the heartbeat that is on its way here
     break;
   }
   enter(reaction_phase::to_send, now_ns);

@@ -68,6 +68,7 @@ public:
 
   // An order, of the executor or of the failsafe itself.
   void expect(const std::vector<std::uint32_t>& modes, std::int64_t lasts_ms, instant now);
+  void withdraw(const std::vector<std::uint32_t>& modes) { authority_.withdraw(modes); }
   void set_plan_end(const flight::plan_end& end);
   // A failsafe acts: from here on the plan leads nowhere by itself.
   void forget_the_plan() { authority_.forget_plan_end(); }

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::int64_t ns_per_ms = 1'000'000;
 
+constexpr const char* has_changed = "the vehicle has changed its mode, or was armed or disarmed";
+
 // Before a vehicle is known: nearly every vehicle is system 1, and a heartbeat has to come from somewhere.
 constexpr std::uint8_t usual_system = 1;
 
@@ -279,9 +281,7 @@ effects core::on_time(instant now) {
   if (const auto outcome = current_.on_time(now.monotonic_ns))
     t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
   if (current_.wants_repetition(now.monotonic_ns) && watch_.vehicle())
-    t.send(mavlink::mission_set_current{.target_system = watch_.vehicle()->system,
-                                        .target_component = watch_.vehicle()->component,
-                                        .seq = current_.sequence()});
+    announce_current(t);
   if (transfers_)
     go_on(t, transfers_->on_time(now.monotonic_ns));
   ask_for_streams(t);
@@ -326,14 +326,29 @@ std::int64_t core::next_deadline_ns() const {
 
 // -- what others ask for --------------------------------------------------------------------------
 
+bool core::is_outdated(const std::optional<seen_state>& only_while) const {
+  return only_while && seen_ && only_while != seen_;
+}
+
+// For who knows no command for it; it has no answer.
+void core::announce_current(decision_context& t) {
+  if (is_outdated(current_.only_while())) {
+    t.done.emplace_back(
+        resolved_command{{asker_kind::outside, current_.request_id()}, current_.end_outdated(has_changed)});
+    return;
+  }
+  t.send(mavlink::mission_set_current{.target_system = watch_.vehicle()->system,
+                                      .target_component = watch_.vehicle()->component,
+                                      .seq = current_.sequence()});
+}
+
 std::optional<command_outcome> core::refusal(const send_command& what) const {
   if (watch_.phase() == connection_phase::down)
     return unsent(what.command, command_verdict::not_sent, "the link to the vehicle is down: " + watch_.reason());
   if (!watch_.vehicle())
     return unsent(what.command, command_verdict::not_sent, "no vehicle was heard on the link yet");
-  if (what.only_while && seen_ && what.only_while != seen_)
-    return unsent(what.command, command_verdict::outdated,
-                  "the vehicle has changed its mode, or was armed or disarmed");
+  if (is_outdated(what.only_while))
+    return unsent(what.command, command_verdict::outdated, has_changed);
   if (what.target_component == 0)
     return unsent(what.command, command_verdict::invalid, "a command needs one component that answers it, not all");
   // The simulation build of ArduPilot aborts on NaN in COMMAND_LONG, and no build of it gives NaN a meaning.
@@ -379,9 +394,7 @@ void core::resolve(decision_context& t, const resolved_command& done) {
     if (const auto outcome = current_.on_outcome(done.outcome, t.now.monotonic_ns))
       t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
     else
-      t.send(mavlink::mission_set_current{.target_system = watch_.vehicle()->system,
-                                          .target_component = watch_.vehicle()->component,
-                                          .seq = current_.sequence()});
+      announce_current(t);
     return;
   }
 }
@@ -417,7 +430,7 @@ effects core::on_cancel(const cancel_command& what, instant now) {
 
 effects core::on_set_mode(const set_mode& what, instant now) {
   decision_context t(*this, now);
-  if (watch_.vehicle())
+  if (watch_.vehicle() && !is_outdated(what.only_while))
     t.send(mavlink::set_mode{
         .target_system = watch_.vehicle()->system, .base_mode = what.base_mode, .custom_mode = what.custom_mode});
   return std::move(t.done);
@@ -431,7 +444,7 @@ effects core::on_set_current(std::uint64_t request_id, const set_current_item& w
                        "another item is being made the current one")});
     return std::move(t.done);
   }
-  give(t, {asker_kind::current_item, request_id}, current_.begin(request_id, what.sequence));
+  give(t, {asker_kind::current_item, request_id}, current_.begin(request_id, what));
   return std::move(t.done);
 }
 
@@ -462,7 +475,8 @@ void core::go_on(decision_context& t, transfer::step next) {
 }
 
 template <class Begin>
-effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type, instant now, Begin begin) {
+effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type,
+                             const std::optional<seen_state>& only_while, instant now, Begin begin) {
   decision_context t(*this, now);
   const auto refuse = [&](std::string why) {
     transfer::outcome outcome;
@@ -478,6 +492,8 @@ effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type
     refuse("no vehicle was heard on the link yet");
   else if (!transfers_->is_idle())
     refuse("another transfer with the vehicle is under way");
+  else if (is_outdated(only_while))
+    refuse(has_changed);
   else {
     transfer_request_ = request_id;
     go_on(t, begin(*transfers_));
@@ -486,18 +502,18 @@ effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type
 }
 
 effects core::on_upload(std::uint64_t request_id, const upload_plan& what, instant now) {
-  return begin_transfer(request_id, what.mission_type, now, [&](transfer::client& client) {
+  return begin_transfer(request_id, what.mission_type, what.only_while, now, [&](transfer::client& client) {
     return client.upload(what.mission_type, what.items, now.monotonic_ns);
   });
 }
 
 effects core::on_download(std::uint64_t request_id, const download_plan& what, instant now) {
-  return begin_transfer(request_id, what.mission_type, now,
+  return begin_transfer(request_id, what.mission_type, {}, now,
                         [&](transfer::client& client) { return client.download(what.mission_type, now.monotonic_ns); });
 }
 
 effects core::on_clear(std::uint64_t request_id, const clear_plan& what, instant now) {
-  return begin_transfer(request_id, what.mission_type, now,
+  return begin_transfer(request_id, what.mission_type, {}, now,
                         [&](transfer::client& client) { return client.clear(what.mission_type, now.monotonic_ns); });
 }
 

@@ -96,14 +96,16 @@ private:
   void change_phase(decision_context& t, const std::optional<connection_changed>& change);
   void restart_conversation(decision_context& t);
   void give(decision_context& t, asker who, const send_command& what);
+  [[nodiscard]] bool is_outdated(const std::optional<seen_state>& only_while) const;
+  void announce_current(decision_context& t);
   void send_out(decision_context& t, const send_command& what);
   void resolve(decision_context& t, const resolved_command& done);
   void ask_for_streams(decision_context& t);
   void raise_alert(decision_context& t);
   [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what) const;
   template <class Begin>
-  [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type, instant now,
-                                       Begin begin);
+  [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type,
+                                       const std::optional<seen_state>& only_while, instant now, Begin begin);
   void go_on(decision_context& t, transfer::step next);
   [[nodiscard]] bool speaks_v1_only(std::int64_t now_ns) const;
 

@@ -4,7 +4,8 @@
 //                       │ └─────refused, timed out────> done
 //                       └─unsupported──> announced ──MISSION_CURRENT says so──> done
 //                                            │  └─announce_again_ms: MISSION_SET_CURRENT once more
-//                                            └──announce_timeout_ms────> done (timed_out)
+//                                            ├──announce_timeout_ms────> done (timed_out)
+//                                            └──another mode before either send──> done (outdated)
 //
 // DO_SET_MISSION_CURRENT has an answer; PX4 does not know it (MAV_RESULT_UNSUPPORTED) and takes MISSION_SET_CURRENT,
 // to which the answer is the broadcast MISSION_CURRENT, and a refusal is a status text only.
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "actors/vehicle_link/command_dedup.hpp"
 #include "io/mavlink/enums.hpp"
@@ -30,14 +32,22 @@ public:
   [[nodiscard]] std::uint16_t sequence() const { return sequence_; }
 
   // The command to send first.
-  [[nodiscard]] send_command begin(std::uint64_t request_id, std::uint16_t sequence) {
+  [[nodiscard]] send_command begin(std::uint64_t request_id, const set_current_item& wanted) {
     step_ = step::commanded;
     request_id_ = request_id;
-    sequence_ = sequence;
+    sequence_ = wanted.sequence;
+    only_while_ = wanted.only_while;
     send_command what;
     what.command = command;
-    what.param1 = static_cast<float>(sequence);
+    what.param1 = static_cast<float>(sequence_);
+    what.only_while = only_while_;
     return what;
+  }
+  [[nodiscard]] const std::optional<seen_state>& only_while() const { return only_while_; }
+
+  // The vehicle is not as it was when it was decided.
+  [[nodiscard]] command_outcome end_outdated(std::string reason) {
+    return end({.command = command, .verdict = command_verdict::outdated, .reason = std::move(reason)});
   }
 
   // The end of that command. The outcome for the asker, or nothing: announce the sequence with MISSION_SET_CURRENT now.
@@ -94,6 +104,7 @@ private:
   step step_ = step::idle;
   std::uint64_t request_id_ = 0;
   std::uint16_t sequence_ = 0;
+  std::optional<seen_state> only_while_;
   std::optional<std::int64_t> again_ns_;
   std::int64_t deadline_ns_ = 0;
 };

@@ -113,16 +113,20 @@ struct cancel_command {
 struct set_mode {
   std::uint8_t base_mode = 0; // MAV_MODE_FLAG
   std::uint32_t custom_mode = 0;
-  static constexpr auto fields = io::table("vehicle_link.set_mode", io::field("base_mode", &set_mode::base_mode),
-                                           io::field("custom_mode", &set_mode::custom_mode));
+  std::optional<seen_state> only_while = {}; // as in send_command; else nothing is sent
+  static constexpr auto fields =
+      io::table("vehicle_link.set_mode", io::field("base_mode", &set_mode::base_mode),
+                io::field("custom_mode", &set_mode::custom_mode), io::field("only_while", &set_mode::only_while));
 };
 
 // Makes SEQUENCE the current item of the vehicle's mission: DO_SET_MISSION_CURRENT, and MISSION_SET_CURRENT where the
 // vehicle does not know that. Accepted means that the vehicle acknowledged it, or broadcasts this sequence.
 struct set_current_item {
-  std::uint16_t sequence = 0; // as the vehicle counts
+  std::uint16_t sequence = 0;                // as the vehicle counts
+  std::optional<seen_state> only_while = {}; // as in send_command, and looked at before MISSION_SET_CURRENT again
   static constexpr auto fields =
-      io::table("vehicle_link.set_current_item", io::field("sequence", &set_current_item::sequence));
+      io::table("vehicle_link.set_current_item", io::field("sequence", &set_current_item::sequence),
+                io::field("only_while", &set_current_item::only_while));
 };
 
 // Gives our signing key to the vehicle, or with `off` an all-zero one that ends signing. Only over a link that is

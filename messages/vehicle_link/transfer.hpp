@@ -12,6 +12,7 @@
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/mission.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
+#include "messages/vehicle_link/command.hpp"
 
 namespace godwit::vehicle_link::transfer {
 
@@ -139,9 +140,10 @@ namespace godwit::vehicle_link {
 struct upload_plan {
   io::mavlink::mav_mission_type mission_type = io::mavlink::mav_mission_type::mission;
   std::vector<io::mavlink::mission_item_int> items;
+  std::optional<seen_state> only_while = {}; // as in send_command: else it is not begun
   static constexpr auto fields =
       io::table("vehicle_link.upload_plan", io::field("mission_type", &upload_plan::mission_type),
-                io::field("items", &upload_plan::items));
+                io::field("items", &upload_plan::items), io::field("only_while", &upload_plan::only_while));
 };
 
 struct download_plan {

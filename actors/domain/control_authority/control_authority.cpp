@@ -59,6 +59,10 @@ void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std
   expected_until_ns_ = std::max(expected_until_ns_, until_ns);
 }
 
+void control_authority::withdraw(const std::vector<std::uint32_t>& modes) {
+  std::erase_if(expected_, [&](auto each) { return std::ranges::find(modes, each) != modes.end(); });
+}
+
 bool control_authority::expects(const flight_mode& mode, std::int64_t now_ns) const {
   return now_ns < expected_until_ns_ && std::ranges::find(expected_, mode.custom_mode) != expected_.end();
 }

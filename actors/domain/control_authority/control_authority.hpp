@@ -62,6 +62,8 @@ public:
   void expect(std::vector<std::uint32_t> modes, std::int64_t until_ns);
   // Behind what is expected already, whose effect may still come.
   void expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns, std::int64_t until_ns);
+  // The order for them was not sent after all.
+  void withdraw(const std::vector<std::uint32_t>& modes);
   // Of the plan on the vehicle. What MISSION_CURRENT said before was about another one.
   void set_plan_end(plan_end end);
   // What the plan says of itself counts no more: something else brings the vehicle down.

@@ -83,4 +83,17 @@ TEST(failsafe_core, more_overrides_between_two_ticks_than_there_is_room_for_get_
   EXPECT_EQ(world.answered.size(), max_waiting_overrides);
 }
 
+TEST(failsafe_core, what_was_outdated_before_it_was_sent_alerts_nobody) {
+  flight_world world;
+  world.run_s(5);
+  world.refuses = command_verdict::outdated;
+  world.battery_percent = 22;
+  world.run_s(8);
+  ASSERT_FALSE(world.sent.empty());
+  EXPECT_FALSE(world.has_warned_of("does not get through"));
+  world.refuses.reset();
+  world.run_s(3);
+  EXPECT_EQ(world.mode.kind, mode_kind::returning);
+}
+
 } // namespace

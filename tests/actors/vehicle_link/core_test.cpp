@@ -239,6 +239,24 @@ TEST(vehicle_link_core, a_command_that_was_decided_in_another_mode_is_not_sent) 
   }
 }
 
+TEST(vehicle_link_core, nothing_that_was_decided_in_another_mode_is_sent) {
+  connected c;
+  const seen_state decided{7, true};
+  const auto flag = mavlink::number(mavlink::mav_mode_flag::safety_armed);
+  (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = 2, .autopilot = 12, .base_mode = flag, .custom_mode = 8}, s);
+  EXPECT_TRUE(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, decided}, at(s))).empty());
+  EXPECT_EQ(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{8, true}}, at(s))).size(), 1U);
+  const auto current = c.it.on_set_current(3, {2, decided}, at(s));
+  ASSERT_EQ(current.size(), 1U);
+  EXPECT_EQ(std::get<resolved_command>(current[0]).outcome.verdict, command_verdict::outdated);
+  EXPECT_EQ(c.it.on_set_current(4, {2, seen_state{8, true}}, at(s)).size(), 1U) << "it is not busy";
+  const auto upload = c.it.on_upload(5, {mavlink::mav_mission_type::mission, {{}}, decided}, at(s));
+  ASSERT_EQ(upload.size(), 1U);
+  const auto& outcome = std::get<resolved_transfer>(upload[0]).outcome;
+  EXPECT_EQ(outcome.verdict, transfer::verdict::not_begun);
+  EXPECT_EQ(outcome.holding, transfer::holding::unchanged);
+}
+
 TEST(vehicle_link_core, a_position_travels_in_integers) {
   connected c;
   auto what = command(192);

@@ -19,7 +19,7 @@ command_outcome refused(mav_result why) {
 
 TEST(current_setter, a_vehicle_that_knows_the_command_answers_it) {
   current_setter setter;
-  EXPECT_EQ(setter.begin(5, 3).param1, 3.0F);
+  EXPECT_EQ(setter.begin(5, {3, {}}).param1, 3.0F);
   EXPECT_TRUE(setter.is_busy());
   command_outcome accepted;
   accepted.verdict = command_verdict::accepted;
@@ -29,13 +29,13 @@ TEST(current_setter, a_vehicle_that_knows_the_command_answers_it) {
 
 TEST(current_setter, a_refusal_is_not_tried_around) {
   current_setter setter;
-  (void)setter.begin(5, 3);
+  (void)setter.begin(5, {3, {}});
   EXPECT_EQ(setter.on_outcome(refused(mav_result::denied), 0)->verdict, command_verdict::refused);
 }
 
 TEST(current_setter, a_vehicle_that_does_not_know_it_answers_by_its_broadcast) {
   current_setter setter;
-  (void)setter.begin(5, 3);
+  (void)setter.begin(5, {3, {}});
   EXPECT_FALSE(setter.on_outcome(refused(mav_result::unsupported), 0));
   EXPECT_FALSE(setter.on_mission_current(2));
   EXPECT_EQ(setter.on_mission_current(3)->verdict, command_verdict::accepted);
@@ -44,14 +44,14 @@ TEST(current_setter, a_vehicle_that_does_not_know_it_answers_by_its_broadcast) {
 
 TEST(current_setter, a_broadcast_of_before_is_not_the_answer_to_the_command) {
   current_setter setter;
-  (void)setter.begin(5, 3);
+  (void)setter.begin(5, {3, {}});
   EXPECT_FALSE(setter.on_mission_current(3));
   EXPECT_TRUE(setter.is_busy());
 }
 
 TEST(current_setter, is_announced_twice_and_then_given_up) {
   current_setter setter;
-  (void)setter.begin(5, 3);
+  (void)setter.begin(5, {3, {}});
   (void)setter.on_outcome(refused(mav_result::unsupported), 0);
   EXPECT_EQ(setter.next_deadline_ns(), announce_again_ms * ms);
   EXPECT_TRUE(setter.wants_repetition(announce_again_ms * ms));

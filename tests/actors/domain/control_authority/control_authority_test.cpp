@@ -66,6 +66,13 @@ TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more)
   EXPECT_EQ(behind(who, brake, 5 * s), holder::person);
 }
 
+TEST(control_authority, what_was_not_sent_is_not_expected) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 5 * s);
+  who.withdraw({brake.custom_mode});
+  EXPECT_EQ(behind(who, brake, s), holder::person);
+}
+
 TEST(control_authority, a_person_who_puts_the_mode_back_still_has_it) {
   auto who = in_flight();
   who.on_mode(copter, loiter, false, 0);

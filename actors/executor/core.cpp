@@ -18,7 +18,7 @@ constexpr std::int64_t check_period_ns = 1'000'000'000;
 // -- the arbiter ------------------------------------------------------------------------------------
 
 // The first that has something to do keeps the others waiting. Above: who has the vehicle, and words that stop it.
-const std::array<core::rule, 15> core::rules{
+const std::array<core::rule, 16> core::rules{
     &core::look,              // a new incarnation, at the vehicle
     &core::heed,              // somebody else has it, or may have
     &core::come_home,         // around the fences
@@ -27,6 +27,7 @@ const std::array<core::rule, 15> core::rules{
     &core::run_task,          // the one under way
     &core::end_flight,        // the vehicle is down
     &core::stand_by,          // left in its mission mode, disarmed
+    &core::keep_home,         // where a return leads
     &core::answer_assignment, // of the service
     &core::deploy_arrived,    // a new revision, in flight
     &core::follow_started,    // our plan is flown, and nobody here has started it
@@ -146,6 +147,11 @@ effects core::on_vehicle(const io::mavlink::statustext& m, instant now) {
 effects core::on_vehicle(const io::mavlink::sys_status& m, instant now) {
   flight_.view.take(m);
   return energy_.on_battery(now);
+}
+
+effects core::on_vehicle(const io::mavlink::home_position& m, instant now) {
+  flight_.view.take(m, now.now_ns);
+  return return_place_.on_home();
 }
 
 // -- orders that waited for the disk, and what became of orders -------------------------------------

@@ -40,6 +40,7 @@
 #include "actors/executor/flight/plan_changes.hpp"
 #include "actors/executor/flight/preparation.hpp"
 #include "actors/executor/flight/recovery.hpp"
+#include "actors/executor/flight/return_place.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/operator/types.hpp"
@@ -69,6 +70,7 @@ public:
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_item_reached& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::statustext& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::sys_status& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::home_position& m, instant now);
   template <class M>
   [[nodiscard]] effects on_vehicle(const M& m, instant now) {
     if constexpr (requires { flight_.view.take(m, now.now_ns); })
@@ -138,7 +140,7 @@ public:
 private:
   // True: something is under way, and the rest waits.
   using rule = bool (core::*)(effects&, instant);
-  static const std::array<rule, 15> rules;
+  static const std::array<rule, 16> rules;
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
   [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now); }
@@ -148,6 +150,7 @@ private:
   [[nodiscard]] bool run_task(effects& out, instant now) { return tasks_.run(out, now); }
   [[nodiscard]] bool end_flight(effects& out, instant now) { return end_.end_flight(out, now); }
   [[nodiscard]] bool stand_by(effects& out, instant now) { return end_.leave_mission_mode(out, now); }
+  [[nodiscard]] bool keep_home(effects& out, instant now) { return return_place_.advance(out, now); }
   [[nodiscard]] bool answer_assignment(effects& out, instant now) { return changes_.answer_assignment(out, now); }
   [[nodiscard]] bool deploy_arrived(effects& out, instant now) { return changes_.deploy_arrived(out, now); }
   [[nodiscard]] bool follow_started(effects& out, instant) { return start_.follow(out); }
@@ -169,6 +172,7 @@ private:
   homecoming homecoming_{flight_, phases_, tasks_};
   operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_};
   flight_end end_{flight_, phases_, tasks_, watch_};
+  return_place return_place_{flight_, tasks_};
   gcs_view stations_{flight_, phases_, tasks_};
 };
 

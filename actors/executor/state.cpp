@@ -1,5 +1,6 @@
 #include "actors/executor/state.hpp"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -62,6 +63,24 @@ void forget_wish(state& s, const std::string& assignment_id) {
   s.last_assignment = assignment_id;
 }
 
+void keep_wish(state& s, const std::string& assignment_id) {
+  const auto found = std::ranges::find(s.waiting, assignment_id, &mission::assignment::assignment_id);
+  if (s.brings && found != s.waiting.end())
+    s.brings->asked = *found;
+  forget_wish(s, assignment_id);
+}
+
+// Whoever died in its upload has not answered it: it waits again, or is carried out by the mission as before.
+void try_again(state& s, const progress::upload_intended& intent) {
+  ++s.cut_off_uploads;
+  if (s.brings && s.brings->asked) {
+    s.waiting.insert(s.waiting.begin(), *s.brings->asked);
+    s.last_assignment.reset();
+  } else {
+    s.assigned = intent.assignment->assignment_id;
+  }
+}
+
 template <class M>
 concept of_progress = std::is_constructible_v<progress::event, M>;
 
@@ -70,14 +89,22 @@ effects take(state& s, const M& happened, std::int64_t now_ns) {
   const auto generation = s.progress.last_generation;
   const bool was_uploading = s.progress.upload.has_value();
   const bool was_assigned = was_uploading && s.progress.upload->intent.assignment.has_value();
+  const auto intent = was_assigned ? std::optional(s.progress.upload->intent) : std::nullopt;
   effects out;
   for (const auto& each : progress::apply(s.progress, progress::event(happened), now_ns))
     std::visit([&](const auto& what) { give(out, what); }, each);
   if constexpr (std::is_same_v<M, progress::upload_intended>) {
     if (happened.assignment)
-      forget_wish(s, happened.assignment->assignment_id);
+      keep_wish(s, happened.assignment->assignment_id);
     s.assigned.reset();
   }
+  bool is_tried_again = false;
+  if constexpr (requires { happened.is_tried_again; })
+    is_tried_again = happened.is_tried_again && s.progress.last_generation == generation;
+  if (was_assigned && !s.progress.upload && is_tried_again)
+    try_again(s, *intent);
+  else if (was_assigned && !s.progress.upload)
+    s.cut_off_uploads = 0; // it is answered
   if (was_uploading)
     settle_deployment(s, generation, was_assigned);
   return out;
@@ -113,6 +140,7 @@ effects take(state& s, const assignment_kept& happened, std::int64_t) {
 
 effects take(state& s, const assignment_rejected& happened, std::int64_t) {
   forget_wish(s, happened.assignment_id);
+  s.cut_off_uploads = 0;
   return {turned_down(s, happened.assignment_id, happened.reason)};
 }
 
@@ -124,6 +152,7 @@ effects take(state& s, const mission_arrived& happened, std::int64_t) {
 effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
   if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
     s.awaits_word = false;
+    s.home.reset();
     s.supervision.has_landed = false;
   }
   s.mission = happened.mission;
@@ -207,6 +236,8 @@ effects take(state& s, const phase_status& happened, std::int64_t) {
   const bool has_landed = s.status.in_flight && !happened.in_flight;
   const bool is_resumed = s.status.now == phase::paused && happened.now == phase::connected;
   s.awaits_word = s.awaits_word || has_landed || is_resumed;
+  if (s.home && has_landed)
+    s.home->is_resolved = true;
   if (s.status.in_flight != happened.in_flight)
     supervision::change_in_flight(s.supervision, happened.in_flight);
   s.status = happened;
@@ -215,6 +246,16 @@ effects take(state& s, const phase_status& happened, std::int64_t) {
 
 effects take(state& s, const supervision::failsafe_missed& happened, std::int64_t) {
   supervision::apply(s.supervision, happened);
+  return {};
+}
+
+effects take(state& s, const home_kept& happened, std::int64_t) {
+  s.home = happened.where;
+  return {};
+}
+
+effects take(state& s, const home_commanded& happened, std::int64_t) {
+  s.has_commanded_home = happened.is_ours;
   return {};
 }
 

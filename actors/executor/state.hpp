@@ -13,6 +13,7 @@
 //   phase_status                  the flight's phase and why, to whoever watches
 //   start_resolved                 start_answer to who asked
 //   supervision::failsafe_missed  none
+//   home_kept, home_commanded     none
 //
 // A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
 #pragma once
@@ -34,6 +35,7 @@
 #include "io/fields/field_table.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/flight/flight_mode.hpp"
+#include "messages/flight/home_place.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/types.hpp"
 #include "runtime/effect_kind.hpp"
@@ -48,7 +50,8 @@ enum class task_kind {
   come_home,
   come_home_by_plan, // hold, and then bring the way around the fences and fly it
   stand_down,        // behind a start that failed
-  stand_by           // disarmed in its mission mode: into one in which it begins nothing
+  stand_by,          // disarmed in its mission mode: into one in which it begins nothing
+  free_home          // behind a mission whose home was commanded: arming moves it again
 };
 
 constexpr auto enum_names(task_kind) {
@@ -59,7 +62,8 @@ constexpr auto enum_names(task_kind) {
                                {task_kind::come_home, "come_home"},
                                {task_kind::come_home_by_plan, "come_home_by_plan"},
                                {task_kind::stand_down, "stand_down"},
-                               {task_kind::stand_by, "stand_by"}});
+                               {task_kind::stand_by, "stand_by"},
+                               {task_kind::free_home, "free_home"}});
 }
 
 // It brings a plan to the vehicle.
@@ -84,9 +88,11 @@ struct deployment {
   std::vector<io::mavlink::mission_item_int> items;
   std::optional<std::uint16_t> landing_sequence;
   std::vector<plan::planned_survey> surveys;
-  static constexpr auto fields = io::table(
-      "executor.deployment", io::field("mission", &deployment::mission), io::field("items", &deployment::items),
-      io::field("landing_sequence", &deployment::landing_sequence), io::field("surveys", &deployment::surveys));
+  std::optional<mission::assignment> asked = {}; // that it carries out in flight, until the upload is resolved
+  static constexpr auto fields =
+      io::table("executor.deployment", io::field("mission", &deployment::mission),
+                io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence),
+                io::field("surveys", &deployment::surveys), io::field("asked", &deployment::asked));
 };
 
 // The plan of a ground station that is the mission, or the one that comes next.
@@ -229,6 +235,27 @@ struct station_plan_dropped {
   static constexpr auto fields = io::table("executor.station_plan_dropped");
 };
 
+// Where the vehicle's home was at the first take-off of the mission: there its returns lead, and from there its
+// altitudes count. Until that flight has ended it is wherever the vehicle says; from then on it stays.
+struct kept_home {
+  flight::home_place at;
+  bool is_resolved = false;
+  static constexpr auto fields = io::table("executor.kept_home", io::field("at", &kept_home::at),
+                                           io::field("is_settled", &kept_home::is_resolved));
+  friend bool operator==(const kept_home&, const kept_home&) = default;
+};
+
+struct home_kept {
+  kept_home where;
+  static constexpr auto fields = io::table("executor.home_kept", io::field("where", &home_kept::where));
+};
+
+// The vehicle's home is, or is no longer, where a command of ours has put it: arming does not move it then.
+struct home_commanded {
+  bool is_ours = false;
+  static constexpr auto fields = io::table("executor.home_commanded", io::field("is_ours", &home_commanded::is_ours));
+};
+
 // What the service wants while something else goes on. More are turned down.
 inline constexpr std::size_t max_waiting = 8;
 
@@ -238,6 +265,7 @@ struct state {
   std::vector<mission::assignment> waiting;   // oldest first, bounded by max_waiting
   std::optional<std::string> assigned;        // carried out by the mission, and by no plan yet
   std::optional<std::string> last_assignment; // that was answered, or will be with its upload
+  std::uint32_t cut_off_uploads = 0;          // of the assignment under way: by a crash, and then tried again
   std::optional<mission_change> change;       // that the service was asked for, and has not resolved
   std::vector<mission::item> set_aside;       // by go_to: what the mission had left
   std::optional<station_plan> station;
@@ -248,21 +276,24 @@ struct state {
   std::uint64_t last_task = 0;
   phase_status status;
   bool awaits_word = false; // this mission has flown, or was resumed on the ground: a person starts it, nothing else
+  std::optional<kept_home> home;   // of this mission
+  bool has_commanded_home = false; // and has not freed it
   preflight::state preflight;
   progress::state progress;
   supervision::state supervision;
 
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
-                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
-                io::field("last_assignment", &state::last_assignment), io::field("change", &state::change),
-                io::field("set_aside", &state::set_aside), io::field("station", &state::station),
-                io::field("station_fences", &state::station_fences), io::field("brings", &state::brings),
-                io::field("flown", &state::flown), io::field("doing", &state::doing),
-                io::field("last_task", &state::last_task), io::field("standing", &state::status),
-                io::field("awaits_word", &state::awaits_word), io::field("preflight", &state::preflight),
-                io::field("progress", &state::progress), io::field("supervision", &state::supervision));
+  static constexpr auto fields = io::table(
+      "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+      io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+      io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
+      io::field("change", &state::change), io::field("set_aside", &state::set_aside),
+      io::field("station", &state::station), io::field("station_fences", &state::station_fences),
+      io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
+      io::field("last_task", &state::last_task), io::field("standing", &state::status),
+      io::field("awaits_word", &state::awaits_word), io::field("home", &state::home),
+      io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
+      io::field("progress", &state::progress), io::field("supervision", &state::supervision));
 };
 
 // From the decision to start on.
@@ -281,7 +312,8 @@ struct durable_core {
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
                    preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_resolved,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
-                   task_begun, task_ended, phase_status, start_resolved, supervision::failsafe_missed>;
+                   task_begun, task_ended, phase_status, start_resolved, supervision::failsafe_missed, home_kept,
+                   home_commanded>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

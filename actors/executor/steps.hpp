@@ -4,10 +4,12 @@
 //   deploy, under way, with plan ids     note upload, upload, guard, mission mode
 //   deploy, under way, without           hold, note upload, upload, guard, choose the first item, mission mode
 //   start                                guard, (guided or hold, arm,) start
+//   start behind a landing on the way    guard, set home, (arm,) see home, start; ArduPilot has it in the plan
 //   hold, resume, come home              that mode
 //   come home by plan                    hold; then as deploy, with the way home
 //   stand down                           disarm
 //   stand by                             the standing mode, on the ground
+//   free home                            set home where it stands
 //
 // A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
 // the vehicle to show it; then it has failed, and with it the task. Thread: plain values.
@@ -36,13 +38,17 @@ struct bring_plan {}; // the deployment of the task; its intent is noted by then
 struct set_current_item {
   std::uint16_t sequence = 0;
 };
+struct set_home {}; // to that of the mission, by a command: arming does not move it then
+struct see_home {}; // it is there, in the vehicle's own words
+struct free_home {};
 struct arm {};
 struct disarm {};
 struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, stand_by, guard, bring_plan, set_current_item, arm, disarm, start_plan>;
+using step = std::variant<change_mode, stand_by, guard, bring_plan, set_current_item, set_home, see_home, free_home,
+                          arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step

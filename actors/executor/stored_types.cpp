@@ -7,6 +7,8 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_kept);
 GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_rejected);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_asked);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_resolved);
+GODWIT_DEFINE_MESSAGE(godwit::executor::home_commanded);
+GODWIT_DEFINE_MESSAGE(godwit::executor::home_kept);
 GODWIT_DEFINE_MESSAGE(godwit::executor::mission_arrived);
 GODWIT_DEFINE_MESSAGE(godwit::executor::mission_taken);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_resolved);

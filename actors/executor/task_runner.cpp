@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/domain/home/home.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -43,6 +44,7 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   at_ = 0;
   intent_ = std::move(intent);
   tries_ = 0;
+  outdated_ = 0;
   must_ask_ = false;
   is_intent_noted_ = false;
   has_armed_ = false;
@@ -74,6 +76,7 @@ void task_runner::next_step() {
   has_armed_ = has_armed_ || (tries_ > 0 && std::holds_alternative<arm>(way_[at_]));
   ++at_;
   tries_ = 0;
+  outdated_ = 0;
   must_ask_ = false;
   is_intent_noted_ = false;
   enter(stage::begin);
@@ -96,7 +99,7 @@ task_runner::verdict task_runner::advance(const world& w) {
     const auto before = std::pair(at_, stage_);
     if (stage_ == stage::begin)
       begin_step(w);
-    else if (stage_ == stage::showing && is_shown(w.view))
+    else if (stage_ == stage::showing && is_shown(w))
       was_obeyed(w);
     else if (stage_ == stage::showing && is_overdue(w))
       was_not_done(w, last_reason_.empty() ? "the vehicle does not show it" : last_reason_, false);
@@ -123,7 +126,8 @@ bool task_runner::has_intent() const {
          std::holds_alternative<start_plan>(what);
 }
 
-bool task_runner::is_shown(const vehicle_view& view) const {
+bool task_runner::is_shown(const world& w) const {
+  const auto& view = w.view;
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
     return view.obeys(mode->to) && (tries_ == 0 ? !must_ask_ : view.heartbeats() > asked_at_heartbeat_);
@@ -131,6 +135,11 @@ bool task_runner::is_shown(const vehicle_view& view) const {
     const auto status = flight::standing_mode(view.owner());
     return status && view.is_in_one_of({*status});
   }
+  if (std::holds_alternative<set_home>(what) || std::holds_alternative<free_home>(what))
+    return tries_ > 0 && was_accepted_;
+  if (std::holds_alternative<see_home>(what))
+    return tries_ > 0 && view.home_heard_ns() > asked_ns_ && w.durable.home &&
+           flight::is_same_home(plan::place_of(*view.home()), w.durable.home->at);
   if (std::holds_alternative<arm>(what))
     return view.is_armed();
   if (std::holds_alternative<disarm>(what))
@@ -154,27 +163,10 @@ bool task_runner::is_start_shown(const vehicle_view& view) const {
   return !was_in_mission_before_ || was_accepted_ || says(mission_state::active);
 }
 
-std::string task_runner::what_is_asked() const {
-  const auto& what = way_[at_];
-  if (const auto* mode = std::get_if<change_mode>(&what))
-    return "to change to " + std::string(io::name_of(mode->to));
-  if (const auto* item = std::get_if<set_current_item>(&what))
-    return "to go to item " + std::to_string(item->sequence);
-  if (std::holds_alternative<stand_by>(what))
-    return "to leave its mission mode on the ground";
-  if (std::holds_alternative<arm>(what))
-    return "to arm";
-  if (std::holds_alternative<disarm>(what))
-    return "to disarm";
-  if (std::holds_alternative<guard>(what))
-    return "to be guarded";
-  return std::holds_alternative<bring_plan>(what) ? "to take the plan" : "to start the mission";
-}
-
 void task_runner::begin_step(const world& w) {
   const bool begins_anew =
       std::holds_alternative<start_plan>(way_[at_]) || std::holds_alternative<set_current_item>(way_[at_]);
-  if (is_shown(w.view) && (!begins_anew || tries_ > 0))
+  if (is_shown(w) && (!begins_anew || tries_ > 0))
     return was_obeyed(w);
   if (const auto why = why_not_now(w.view); !why.empty())
     return fail(why);
@@ -229,67 +221,6 @@ void task_runner::ask(const world& w) {
   std::visit([&](const auto& what) { ask(w, what); }, way_[at_]);
 }
 
-void task_runner::ask(const world& w, const change_mode& what) {
-  const auto command = flight::mode_command(w.view.owner(), what.to);
-  if (!command)
-    return fail("this vehicle has no mode " + what_is_asked().substr(std::string("to change to ").size()));
-  expect(w, flight::modes_obeying(w.view.owner(), what.to));
-  give_order(w, *command);
-}
-
-void task_runner::ask(const world& w, const stand_by&) {
-  const auto mode = flight::standing_mode(w.view.owner());
-  if (!mode)
-    return fail("this vehicle has no mode in which it stands");
-  expect(w, {*mode});
-  give_order(w, flight::mode_command(w.view.owner(), *mode));
-}
-
-// The plan and the failsafe count heights from the same place, the vehicle's home.
-void task_runner::ask(const world& w, const guard&) {
-  failsafe::guard_mission limits;
-  if (w.durable.flown) {
-    limits.geofences = w.durable.flown->mission.geofences;
-    limits.land_start = w.durable.flown->landing_sequence;
-    limits.plan_end = end_of_plan(w.view.owner(), w.durable);
-  }
-  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), std::move(limits)});
-}
-
-void task_runner::ask(const world& w, const bring_plan&) {
-  if (tries_ == 1)
-    uploads_.begin(w.now_ns);
-  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-                           vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items}});
-}
-
-void task_runner::ask(const world& w, const set_current_item& what) {
-  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-                           vehicle_link::set_current_item{what.sequence}});
-}
-
-void task_runner::ask(const world& w, const arm&) {
-  vehicle_link::send_command command;
-  command.command = number(mav_cmd::component_arm_disarm);
-  command.param1 = 1;
-  give_order(w, command);
-}
-
-// Without force: what flies stays armed.
-void task_runner::ask(const world& w, const disarm&) {
-  vehicle_link::send_command command;
-  command.command = number(mav_cmd::component_arm_disarm);
-  give_order(w, command);
-}
-
-// All items: ArduPilot denies other values, and the plan says where it begins.
-void task_runner::ask(const world& w, const start_plan&) {
-  vehicle_link::send_command command;
-  command.command = number(mav_cmd::mission_start);
-  expect(w, flight::modes_of_start(w.view.owner()));
-  give_order(w, command);
-}
-
 // Nothing that lets the vehicle go on is sent before its reason is on the disk; a stop does not wait for that.
 goes task_runner::urgency() const {
   const auto kind = task_->kind;
@@ -310,29 +241,11 @@ bool task_runner::awaits(std::uint64_t order) const {
   return task_ && !ended_ && stage_ == stage::asked && order == last_order_;
 }
 
-// Also told to the failsafe, with the command.
-void task_runner::expect(const world& w, std::vector<std::uint32_t> modes) {
-  if (is_stop()) // it may have given up another order, which still comes through
-    w.authority.expect_also(modes, w.now_ns, w.now_ns + flight::order_is_expected_ns);
-  else
-    w.authority.expect(modes, w.now_ns + flight::order_is_expected_ns);
-  expected_ = std::move(modes);
-}
-
 // It goes out at once, and is said again as soon as it seems lost.
 bool task_runner::is_stop() const { return urgency() == goes::at_once && task_->kind != task_kind::stand_down; }
 
 bool task_runner::is_overdue(const world& w) const {
   return w.now_ns >= deadline_ns_ || w.view.heartbeats() >= show_before_heartbeat_;
-}
-
-void task_runner::give_order(const world& w, vehicle_link::send_command what) {
-  what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
-  if (is_stop())
-    what.timeout_ms = stop_answer_ms;
-  if (w.view.mode())
-    what.only_while = vehicle_link::seen_state{w.view.mode()->custom_mode, w.view.is_armed()};
-  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), what});
 }
 
 void task_runner::on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome) {
@@ -343,19 +256,34 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   const bool may_have_acted =
       outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
   was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
-  if (outcome.verdict == command_verdict::outdated && tries_ < max_tries_of_lost)
-    return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
+  if (outcome.verdict == command_verdict::outdated && was_outdated(w))
+    return;
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<set_current_item>(way_[at_]))
     return was_obeyed(w);
   was_accepted_ = outcome.verdict == command_verdict::accepted;
-  if (!was_accepted_ && is_stop() && !is_shown(w.view)) {
+  if (!was_accepted_ && is_stop() && !is_shown(w)) {
     show_before_heartbeat_ = 0; // lost, as far as anybody can tell; the mode is still the one in which it was said
     return enter(stage::showing, w.now_ns);
   }
   show_before_heartbeat_ = w.view.heartbeats() + (was_accepted_ ? heartbeats_to_show : 1);
   enter(stage::showing, w.now_ns + shown_within_ns);
+}
+
+// It has not gone out: that was no try, and nothing comes of it. True: it is judged anew with the heartbeat that is on
+// its way here.
+bool task_runner::was_outdated(const world& w) {
+  const auto unsent = std::exchange(last_expected_, {});
+  if (!unsent.empty()) {
+    w.authority.withdraw(unsent);
+    w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{unsent, 0, true}});
+  }
+  if (++outdated_ >= max_tries_of_lost)
+    return false;
+  --tries_;
+  enter(stage::pausing, w.now_ns + until_heartbeat_ns);
+  return true;
 }
 
 void task_runner::on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final) {

@@ -28,6 +28,9 @@ namespace godwit::executor {
 // How the plan on the vehicle ends.
 [[nodiscard]] flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s);
 
+// For HOME_POSITION.
+[[nodiscard]] vehicle_link::send_command home_request();
+
 class task_runner {
 public:
   // What a step sees and leaves behind.
@@ -97,6 +100,9 @@ private:
   void ask(const world& w, const guard& what);
   void ask(const world& w, const bring_plan& what);
   void ask(const world& w, const set_current_item& what);
+  void ask(const world& w, const set_home& what);
+  void ask(const world& w, const see_home& what);
+  void ask(const world& w, const free_home& what);
   void ask(const world& w, const arm& what);
   void ask(const world& w, const disarm& what);
   void ask(const world& w, const start_plan& what);
@@ -105,11 +111,12 @@ private:
   void was_obeyed(const world& w);
   void was_not_done(const world& w, const std::string& why, bool is_final);
   void resolve_upload(const world& w);
+  [[nodiscard]] bool was_outdated(const world& w);
 
   [[nodiscard]] bool has_intent() const;
   [[nodiscard]] std::string why_not_now(const vehicle_view& view) const;
   [[nodiscard]] bool is_overdue(const world& w) const;
-  [[nodiscard]] bool is_shown(const vehicle_view& view) const;
+  [[nodiscard]] bool is_shown(const world& w) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
   [[nodiscard]] std::string what_is_asked() const;
 
@@ -131,8 +138,10 @@ private:
   std::uint64_t last_order_ = 0;
   bool must_ask_ = false;
   std::uint64_t asked_at_heartbeat_ = 0;
-  std::uint64_t show_before_heartbeat_ = 0; // the number of the one that has to show it
-  std::vector<std::uint32_t> expected_;     // by the order that is made
+  std::uint64_t show_before_heartbeat_ = 0;  // the number of the one that has to show it
+  std::vector<std::uint32_t> expected_;      // by the order that is made
+  std::vector<std::uint32_t> last_expected_; // by the last order, and by no earlier one
+  int outdated_ = 0;                         // the step under way, so often
   std::uint32_t generation_before_ = 0;
   std::string last_reason_;
   std::optional<verdict> ended_;

@@ -62,7 +62,8 @@ void vehicle_view::take(const io::mavlink::global_position_int& m, std::int64_t 
   place_heard_ns_ = now_ns;
 }
 
-void vehicle_view::take(const io::mavlink::home_position& m) {
+void vehicle_view::take(const io::mavlink::home_position& m, std::int64_t now_ns) {
+  home_heard_ns_ = now_ns;
   home_ = plan::vehicle_home{m.latitude * degrees_of_unit, m.longitude * degrees_of_unit, m.altitude * metres_of_mm, 0};
 }
 

@@ -35,7 +35,7 @@ public:
   void take(const io::mavlink::sys_status& m);
   void take(const io::mavlink::gps_raw_int& m);
   void take(const io::mavlink::global_position_int& m, std::int64_t now_ns);
-  void take(const io::mavlink::home_position& m);
+  void take(const io::mavlink::home_position& m, std::int64_t now_ns);
   void take(const io::mavlink::extended_sys_state& m);
   void take(const io::mavlink::mission_current& m, std::int64_t now_ns);
   void take(const io::mavlink::ekf_status_report& m, std::int64_t now_ns) { take_estimate(m.flags, now_ns); }
@@ -77,6 +77,7 @@ public:
 
   [[nodiscard]] std::optional<mission::position> place(std::int64_t now_ns) const;
   [[nodiscard]] const std::optional<plan::vehicle_home>& home() const { return home_; }
+  [[nodiscard]] std::int64_t home_heard_ns() const { return home_heard_ns_; }
   [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
   // MISSION_CURRENT says so; false before it was heard.
   [[nodiscard]] bool says_complete() const;
@@ -114,6 +115,7 @@ private:
   double speed_mps_ = 0; // over the ground
   std::int64_t place_heard_ns_ = 0;
   std::optional<plan::vehicle_home> home_;
+  std::int64_t home_heard_ns_ = 0;
   std::optional<io::mavlink::mission_current> current_;
   std::int64_t current_heard_ns_ = 0;
   std::optional<std::int32_t> battery_percent_;

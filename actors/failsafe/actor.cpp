@@ -73,6 +73,7 @@ actor::behavior_type actor::handlers() {
           hears<mavlink::heartbeat>(),
           hears<mavlink::extended_sys_state>(),
           hears<mavlink::global_position_int>(),
+          hears<mavlink::home_position>(),
           hears<mavlink::sys_status>(),
           hears<mavlink::mission_current>(),
           hears<mavlink::statustext>(),
@@ -173,7 +174,8 @@ void actor::command(const command_vehicle& command) {
 // a later heartbeat says, as after a command without an answer.
 void actor::resolve(const command_vehicle& command, command_verdict verdict) {
   if (verdict == command_verdict::already_running)
-    if (const auto words = mode_words_for(command, owner_)) {
+    if (auto words = mode_words_for(command, owner_)) {
+      words->only_while = seen_;
       tell(vehicle_, *words);
       verdict = command_verdict::timed_out;
     }

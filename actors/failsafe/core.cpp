@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/domain/home/home.hpp"
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/failsafe/sentences.hpp"
 #include "actors/failsafe/vehicle_texts.hpp"
@@ -30,7 +31,7 @@ core::core(const settings& configured, const state& restored, instant now)
       battery_(configured.battery_critical_percent, configured.battery_low_percent),
       link_(configured, memory_for(restored.now), now), overrides_(restored.now.overridden, now),
       latches_(restored.now.latches), reaction_(restored.now.reacts, restored.now.last_number, now.monotonic_ns),
-      limits_(restored.limits), kept_(restored.now) {
+      limits_(restored.limits), home_(restored.now.home), kept_(restored.now) {
   if (auto fences = geofence::fence_set::build(limits_.geofences))
     fences_.set(std::move(*fences));
   else
@@ -46,7 +47,10 @@ void core::take(const event& heard, instant now) {
   std::visit([&](const auto& what) { take_one(what, now); }, heard);
 }
 
+// Autopilots move their home when they are armed.
 void core::take_one(const heartbeat& what, instant now) {
+  if (heartbeat_ns_ != 0 && what.armed && !newest_.armed)
+    home_.reset();
   newest_ = what;
   heartbeat_ns_ = now.monotonic_ns;
   flight_.on_heartbeat(what.what, what.armed, now.monotonic_ns);
@@ -58,6 +62,8 @@ void core::take_one(const position& what, instant now) {
   fences_.on_position(what, now.monotonic_ns);
   flight_.on_speed(std::hypot(what.north_mps, what.east_mps));
 }
+
+void core::take_one(const home_told& what, instant) { home_ = what.where; }
 
 void core::take_one(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }
 
@@ -74,7 +80,12 @@ void core::take_one(const autopilot_text& what, instant now) {
     failsafe_text_ = {what.what, now};
 }
 
-void core::take_one(const command_resolved& what, instant) { reaction_.on_resolved(what); }
+void core::take_one(const command_resolved& what, instant) {
+  const auto& current = reaction_.current();
+  if (what.verdict == vehicle_link::command_verdict::outdated && current && what.number == reaction_.last_number())
+    orders_.push_back({modes_for(current->what, owner()), 0, true}); // it was not sent
+  reaction_.on_resolved(what);
+}
 
 void core::take_one(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
 
@@ -195,8 +206,12 @@ void core::watch_pilot(const view& seen, instant now, effects& out) {
     pilot_.on_text(owner(), text->what, text->at);
   if (const auto place = std::exchange(place_, std::nullopt))
     pilot_.on_place(place->what.sequence, place->what.is_complete, place->at);
-  for (const auto& each : std::exchange(orders_, {}))
-    pilot_.expect(each.modes, each.lasts_ms, now);
+  for (const auto& each : std::exchange(orders_, {})) {
+    if (each.is_withdrawn)
+      pilot_.withdraw(each.modes);
+    else
+      pilot_.expect(each.modes, each.lasts_ms, now);
+  }
   if (seen.flight.link_up)
     pilot_.evaluate(seen.flight, {owner(), newest_.mode, newest_.is_critical, heartbeat_ns_}, now);
   if (!was_autopilots && pilot_.is_autopilots())
@@ -233,7 +248,12 @@ void core::judge_rules(const view& seen, effects& out) {
   }
 }
 
-void core::act(rule why, action what, const view& seen, effects& out) {
+// Behind a landing on the way: home is where the vehicle was armed again, or nobody knows where.
+bool core::returns_elsewhere() const { return limits_.home && !(home_ && flight::is_same_home(*home_, *limits_.home)); }
+
+void core::act(rule why, action wanted, const view& seen, effects& out) {
+  const bool holds_instead = wanted == action::return_home && returns_elsewhere();
+  const auto what = holds_instead ? action::hold : wanted;
   const auto cause = cause_of(why, seen.battery, seen.fences);
   const auto& current = reaction_.current();
   if (leaves_it_to_pilot()) {
@@ -252,7 +272,9 @@ void core::act(rule why, action what, const view& seen, effects& out) {
     reaction_.raise(why);
   else
     reaction_.begin(why, what);
-  out.emplace_back(warning{mav_severity::critical, cause + ": " + deed_of(what)});
+  out.emplace_back(warning{mav_severity::critical,
+                           cause + ": " + deed_of(what) +
+                               (holds_instead ? ", because its return does not lead to the mission's home" : "")});
 }
 
 // Behind a return some vehicles hold by themselves, and a person may hold there too: neither is told to return again.
@@ -333,7 +355,7 @@ void core::tell_health(const view& seen, effects& out) {
 
 void core::keep(bool in_flight, effects& out) {
   standing now{in_flight,        latches_.all(),  reaction_.current(), reaction_.last_number(),
-               overrides_.all(), pilot_.memory(), link_.memory()};
+               overrides_.all(), pilot_.memory(), link_.memory(),      home_};
   if (now == kept_ && !has_new_limits_)
     return;
   kept_ = std::move(now);

@@ -71,6 +71,7 @@ private:
   void take_one(const heartbeat& what, instant now);
   void take_one(const landed& what, instant now);
   void take_one(const position& what, instant now);
+  void take_one(const home_told& what, instant now);
   void take_one(const battery& what, instant now);
   void take_one(const mission_current& what, instant now);
   void take_one(const autopilot_text& what, instant now);
@@ -95,6 +96,7 @@ private:
   [[nodiscard]] bool leaves_it_to_pilot() const;
   [[nodiscard]] flight::mode_owner owner() const { return {newest_.autopilot, newest_.what}; }
   void judge_rules(const view& seen, effects& out);
+  [[nodiscard]] bool returns_elsewhere() const;
   void act(rule why, action what, const view& seen, effects& out);
   void drive(const view& seen, instant now, effects& out);
   void warn_of_link(const view& seen, effects& out);
@@ -118,6 +120,7 @@ private:
   std::optional<std::uint16_t> sequence_; // of the newest limits' plan
   std::int64_t sequence_ns_ = 0;
   guard_mission limits_;
+  std::optional<flight::home_place> home_;
   bool limits_refused_ = false; // the newest ones; those from before still count
 
   // What came since the last tick.

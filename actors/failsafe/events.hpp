@@ -36,6 +36,11 @@ struct position {
   double down_mps = 0;
 };
 
+// Where its own return leads.
+struct home_told {
+  flight::home_place where;
+};
+
 struct battery {
   int percent = -1; // -1: the autopilot does not know
 };
@@ -78,7 +83,8 @@ struct asked_guard {
   guard_mission what;
 };
 
-using event = std::variant<heartbeat, landed, position, battery, mission_current, autopilot_text, command_resolved,
-                           operator_heard, asked_override, hand_back, asked_guard, expect_mode, taken_over, following>;
+using event =
+    std::variant<heartbeat, landed, position, home_told, battery, mission_current, autopilot_text, command_resolved,
+                 operator_heard, asked_override, hand_back, asked_guard, expect_mode, taken_over, following>;
 
 } // namespace godwit::failsafe

@@ -47,6 +47,10 @@ position sense(const mavlink::global_position_int& m) {
           m.vx * mps_from_cm, m.vy * mps_from_cm, m.vz * mps_from_cm};
 }
 
+home_told sense(const mavlink::home_position& m) {
+  return {{m.latitude * degrees_e7, m.longitude * degrees_e7, m.altitude * metres_from_mm}};
+}
+
 battery sense(const mavlink::sys_status& m) { return {m.battery_remaining}; }
 
 mission_current sense(const mavlink::mission_current& m) {

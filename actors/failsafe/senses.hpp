@@ -14,6 +14,7 @@ namespace godwit::failsafe {
 [[nodiscard]] heartbeat sense(const io::mavlink::heartbeat& m);
 [[nodiscard]] landed sense(const io::mavlink::extended_sys_state& m);
 [[nodiscard]] position sense(const io::mavlink::global_position_int& m);
+[[nodiscard]] home_told sense(const io::mavlink::home_position& m);
 [[nodiscard]] battery sense(const io::mavlink::sys_status& m);
 [[nodiscard]] autopilot_text sense(const io::mavlink::statustext& m);
 [[nodiscard]] mission_current sense(const io::mavlink::mission_current& m);

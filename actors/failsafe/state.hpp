@@ -30,12 +30,13 @@ struct standing {
   std::vector<standing_override> overridden; // at most one for each rule
   pilot_memory pilot;
   link_memory link;
+  std::optional<flight::home_place> home = {}; // as the vehicle told it last
 
-  static constexpr auto fields =
-      io::table("failsafe.standing", io::field("in_flight", &standing::in_flight),
-                io::field("latches", &standing::latches), io::field("reacts", &standing::reacts),
-                io::field("last_number", &standing::last_number), io::field("overridden", &standing::overridden),
-                io::field("pilot", &standing::pilot), io::field("link", &standing::link));
+  static constexpr auto fields = io::table(
+      "failsafe.standing", io::field("in_flight", &standing::in_flight), io::field("latches", &standing::latches),
+      io::field("reacts", &standing::reacts), io::field("last_number", &standing::last_number),
+      io::field("overridden", &standing::overridden), io::field("pilot", &standing::pilot),
+      io::field("link", &standing::link), io::field("home", &standing::home));
   friend bool operator==(const standing&, const standing&) = default;
 };
 

@@ -21,9 +21,9 @@ using handle = runtime::mailbox<runtime::asks<guard_mission, guard_answer>, runt
 // What the vehicle says. vehicle_link tells its listeners.
 using telemetry_handle =
     runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
-                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::sys_status>,
-                     runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::statustext>,
-                     runtime::tells<vehicle_link::connection_changed>>;
+                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::home_position>,
+                     runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::mission_current>,
+                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>>;
 
 // All of it; ground_port tells operator_link.
 using own_handle =
@@ -31,10 +31,10 @@ using own_handle =
                      runtime::tells<taken_over>, runtime::tells<following>, runtime::tells<hand_back>,
                      runtime::asks<override_rule, override_answer>, runtime::asks<get_failsafe_status, failsafe_status>,
                      runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
-                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::sys_status>,
-                     runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::statustext>,
-                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<ground_port::operator_link>,
-                     runtime::tells<tick>>;
+                     runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::home_position>,
+                     runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::mission_current>,
+                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>,
+                     runtime::tells<ground_port::operator_link>, runtime::tells<tick>>;
 
 // What the failsafe needs of the link to the vehicle.
 using vehicle_handle =

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
+#include "messages/flight/home_place.hpp"
 #include "messages/flight/plan_end.hpp"
 #include "messages/mission/document.hpp"
 
@@ -48,10 +49,13 @@ struct guard_mission {
   std::vector<mission::geofence> geofences;
   std::optional<std::uint16_t> land_start; // sequence of DO_LAND_START in the plan on the vehicle, as that counts
   flight::plan_end plan_end;               // of that plan
+  // Where a return has to lead, behind a landing on the way: a vehicle whose home is elsewhere holds in its place.
+  std::optional<flight::home_place> home = {};
 
   static constexpr auto fields =
       io::table("failsafe.guard_mission", io::field("geofences", &guard_mission::geofences),
-                io::field("land_start", &guard_mission::land_start), io::field("plan_end", &guard_mission::plan_end));
+                io::field("land_start", &guard_mission::land_start), io::field("plan_end", &guard_mission::plan_end),
+                io::field("home", &guard_mission::home));
   friend bool operator==(const guard_mission&, const guard_mission&) = default;
 };
 
@@ -69,9 +73,11 @@ struct guard_answer {
 struct expect_mode {
   std::vector<std::uint32_t> modes; // HEARTBEAT.custom_mode, in the order in which they may come
   std::int64_t lasts_ms = 0;
+  bool is_withdrawn = false; // the command was not sent: they are expected no more
 
-  static constexpr auto fields = io::table("failsafe.expect_mode", io::field("modes", &expect_mode::modes),
-                                           io::field("lasts_ms", &expect_mode::lasts_ms));
+  static constexpr auto fields =
+      io::table("failsafe.expect_mode", io::field("modes", &expect_mode::modes),
+                io::field("lasts_ms", &expect_mode::lasts_ms), io::field("is_withdrawn", &expect_mode::is_withdrawn));
 };
 
 // The executor has seen that a pilot took the vehicle.

@@ -39,6 +39,7 @@ struct start_flight {
 
 struct command_queue {
   std::optional<task_kind> halt; // hold or come_home
+  std::string why_halt;          // where no operator has said it
   bool hand_back = false;
   bool finish_replan = false;
   bool guard_again = false;
@@ -69,6 +70,7 @@ struct command_queue {
 private:
   void drop_words() {
     halt.reset();
+    why_halt.clear();
     change.reset();
     go_on = false;
   }

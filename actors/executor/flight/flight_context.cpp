@@ -1,8 +1,11 @@
 #include "actors/executor/flight/flight_context.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/home/home.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/preflight/report.hpp"
@@ -99,7 +102,7 @@ bool flight_context::came_down_as_planned(instant now) const {
   const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
   if (last.command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
-    return view.home() && view.is_within(metres, plan::point_of(*view.home()), now.now_ns);
+    return view.home() && !returns_elsewhere() && view.is_within(metres, plan::point_of(*view.home()), now.now_ns);
   constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
   return (last.x == 0 && last.y == 0) || view.is_within(metres, {last.x / units, last.y / units}, now.now_ns);
 }
@@ -111,6 +114,20 @@ bool flight_context::is_complete_credible(instant now) const {
     return came_down_as_planned(now);
   const bool flies_plan = view.is_in(mode_kind::mission) || view.is_in_one_of(end_of_plan(view.owner(), s).modes);
   return flies_plan && view.is_under_way();
+}
+
+bool flight_context::returns_elsewhere() const {
+  const bool is_known = is_home_told && view.home();
+  return keeps_home() && is_in_flight() &&
+         !(is_known && flight::is_same_home(plan::place_of(*view.home()), s.home->at));
+}
+
+std::string flight_context::home_sentence() const {
+  if (!keeps_home() || !is_home_told || !view.home())
+    return "the vehicle does not tell where its home is";
+  const auto away_m = geo::distance_m(plan::point_of(*view.home()), plan::point_of(s.home->at));
+  return "a return of the vehicle leads to a place " + std::to_string(std::lround(away_m)) +
+         " m from the home of the mission";
 }
 
 bool flight_context::is_same_mission(const mission::document& next) const {
@@ -139,10 +156,26 @@ std::optional<plan::plan_setting> flight_context::setting(instant now) const {
   result.home = *view.home();
   result.start = *place;
   result.is_under_way = view.is_under_way();
+  place_home(result);
   result.own_loiter_radius_m = configured.own_loiter_radius_m;
   result.return_altitude_m = configured.return_altitude_m;
   result.marks_landings = configured.marks_landings;
   return result;
+}
+
+// The mission counts altitudes from its own home, and the vehicle from where its home is now.
+void flight_context::place_home(plan::plan_setting& where) const {
+  if (!keeps_home() || (where.is_under_way && flight::is_same_home(plan::place_of(where.home), s.home->at)))
+    return;
+  const auto& kept = s.home->at;
+  const double rise_m = where.home.above_sea_m - kept.above_sea_m;
+  where.start.altitude_m += rise_m;
+  if (where.is_under_way) {
+    where.home.above_mission_zero_m = rise_m;
+    return;
+  }
+  where.home = {kept.latitude, kept.longitude, kept.above_sea_m, 0};
+  where.is_home_set_again = true;
 }
 
 tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(const mission::document& mission,

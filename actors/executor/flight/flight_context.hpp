@@ -51,7 +51,8 @@ struct flight_context {
   bool is_journal_nearly_full = false;                      // what waits for the disk is near its bound
   command_queue wanted;
   homing_state homing;
-  bool was_up = false; // it has been in the air, as far as this incarnation knows
+  bool is_home_told = false; // by the vehicle, since it was armed for this flight
+  bool was_up = false;       // it has been in the air, as far as this incarnation knows
 
   // The vehicle flies our plan, and godwit has it from here on.
   void adopt_flight();
@@ -94,6 +95,15 @@ struct flight_context {
   // plan leads: on the ground there, or in the air in a mode of the plan.
   [[nodiscard]] bool is_complete_credible(instant now) const;
 
+  // -- home
+  // Behind a landing on the way autopilots have moved their home to where they were armed; the mission's is kept.
+  [[nodiscard]] bool keeps_home() const { return s.home && s.home->is_resolved; }
+  // In flight: a return leads elsewhere than to the mission's home, or may.
+  [[nodiscard]] bool returns_elsewhere() const;
+  // By a command before it is armed; ArduPilot has it in the plan.
+  [[nodiscard]] bool commands_home() const { return keeps_home() && !is_ardupilot(); }
+  [[nodiscard]] std::string home_sentence() const; // where its returns lead, and how far that is off
+
   // -- what is left of a mission
   [[nodiscard]] bool is_same_mission(const mission::document& next) const;
   [[nodiscard]] bool has_nothing_left(const mission::document& next) const;
@@ -109,6 +119,9 @@ struct flight_context {
                                                                             instant now) const;
   // What an operator sends it around the fences by.
   [[nodiscard]] way_request way_between(const mission::position& from, const mission::position& to) const;
+
+private:
+  void place_home(plan::plan_setting& where) const;
 };
 
 } // namespace godwit::executor

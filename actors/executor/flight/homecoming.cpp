@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/way_home.hpp"
 
 namespace godwit::executor {
@@ -33,10 +34,23 @@ void homecoming::begin(effects& out, instant now) {
 // The autopilot's own, which is straight.
 void homecoming::begin_return(effects& out) {
   flight_.homing = {};
+  if (flight_.returns_elsewhere())
+    return hold_instead(out, flight_.home_sentence());
   tasks_.begin(out, task_kind::come_home, {change_mode{mode_kind::returning}});
 }
 
+void homecoming::hold_instead(effects& out, const std::string& why) {
+  const auto sentence = "called home, and it holds: " + why;
+  out.emplace_back(announce{sentence, true});
+  flight_.wanted.why_halt = sentence;
+  tasks_.begin(out, task_kind::hold, {change_mode{mode_kind::hold}});
+}
+
 void homecoming::begin_straight(effects& out, const std::string& why) {
+  if (flight_.returns_elsewhere()) {
+    flight_.homing = {};
+    return hold_instead(out, flight_.home_sentence() + "; no way is flown to the mission's: " + why);
+  }
   out.emplace_back(announce{"the vehicle returns straight home, whatever fence lies there: " + why, true});
   begin_return(out);
 }
@@ -45,14 +59,17 @@ homecoming::turns_or_why homecoming::turns(instant now) const {
   const auto& view = flight_.view;
   const auto& mission = flight_.s.mission;
   const bool is_flown = flight_.is_in_flight() && view.is_under_way() && !view.obeys(mode_kind::returning);
-  if (!is_flown || !mission || mission->geofences.empty())
+  const bool needs_plan = flight_.returns_elsewhere() && view.owner().vehicle != flight::vehicle_class::fixed_wing;
+  if (!is_flown || !mission || (mission->geofences.empty() && !needs_plan))
     return std::vector<mission::waypoint>();
-  const auto here = view.place(now.now_ns);
-  if (!here || !view.home())
+  const auto where = flight_.setting(now);
+  if (!where)
     return tl::make_unexpected(std::string("the vehicle does not tell where it is, or where its home is"));
-  const double altitude_m = std::max(here->altitude_m, flight_.configured.return_altitude_m);
-  const mission::position home{view.home()->latitude, view.home()->longitude, altitude_m};
-  const auto places = turns_home(flight_.way_between(*here, home), mission->geofences);
+  const auto& here = where->start;
+  const double altitude_m = std::max(here.altitude_m, flight_.configured.return_altitude_m);
+  auto home = this->home().value();
+  home.altitude_m = altitude_m;
+  const auto places = turns_home(flight_.way_between(here, home), mission->geofences);
   if (!places)
     return tl::make_unexpected(places.error());
   if (!places->empty() && is_battery_low())
@@ -60,7 +77,16 @@ homecoming::turns_or_why homecoming::turns(instant now) const {
   std::vector<mission::waypoint> result;
   for (const auto& each : *places)
     result.push_back(turn_at(each, altitude_m, {}, view.owner().vehicle));
+  if (needs_plan)
+    result.push_back(turn_at(plan::point_of(home), altitude_m, {}, view.owner().vehicle));
   return result;
+}
+
+std::optional<mission::position> homecoming::home() const {
+  if (flight_.keeps_home())
+    return mission::position{flight_.s.home->at.latitude, flight_.s.home->at.longitude, 0};
+  const auto& told = flight_.view.home();
+  return told ? std::optional(mission::position{told->latitude, told->longitude, 0}) : std::nullopt;
 }
 
 // Also while an operator has told the failsafe to wait: a longer way is nothing for this battery.
@@ -139,7 +165,7 @@ void homecoming::bring(effects& out, const std::vector<mission::waypoint>& turns
     way.front().at.latitude = where.start.latitude;
     way.front().at.longitude = where.start.longitude;
   }
-  tasks_.begin_way_home(out, plan::way_home(way, where));
+  tasks_.begin_way_home(out, plan::way_home(way, where, flight_.returns_elsewhere() ? home() : std::nullopt));
 }
 
 // What flies lands by itself. A rover would stand in its mission mode.

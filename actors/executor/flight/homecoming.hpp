@@ -11,12 +11,15 @@
 // It holds in the turn in which the command is given. The way begins where the vehicle holds, at the altitude that it has
 // or at that of a return, and ends with the autopilot's own return, which lands; a rover is told to hold at home. The
 // plan is a generation of its own, and no item of the mission belongs to it: what is reached on it is no progress, and
-// the mission is over. A command that comes later takes its place; come-home said again changes nothing. Pure. Thread: one
-// at a time.
+// the mission is over. A command that comes later takes its place; come-home said again changes nothing.
+//
+// Where the vehicle's own return leads elsewhere than to the home of the mission (return_place.hpp), the plan lands
+// there, also on a straight way; where no plan is flown it holds. Pure. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +51,8 @@ private:
   [[nodiscard]] bool is_coming_home() const; // by a plan
   [[nodiscard]] std::string why_not_by_plan(instant now) const;
   void begin_return(effects& out);
+  void hold_instead(effects& out, const std::string& why);
+  [[nodiscard]] std::optional<mission::position> home() const; // above the mission's zero
   void begin_straight(effects& out, const std::string& why);
   void bring(effects& out, const std::vector<mission::waypoint>& turns, instant now);
   [[nodiscard]] bool go_on(effects& out, instant now);

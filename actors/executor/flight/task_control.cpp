@@ -41,6 +41,7 @@ void task_control::begin_plan(effects& out, const task& doing, const mission::do
     intent.assignment = progress::assignment_key{*assignment, ids::derived_uuid(*assignment, mission.mission_id)};
   out.emplace_back(note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys}}});
   flight_.wanted.set_current_item = false;
+  flight_.wanted.finish_replan = flight_.wanted.finish_replan && !doing.goes_on;
   deploying_over_ = flight_.s.progress.last_generation;
   deploys_behind_end_ = flight_.is_plan_finished();
   flight_.runner.begin(doing, deploy_steps(flight_, what.map, doing.goes_on), std::move(intent));
@@ -48,6 +49,8 @@ void task_control::begin_plan(effects& out, const task& doing, const mission::do
 
 void task_control::begin_start(effects& out, std::optional<std::uint64_t> key) {
   const task what{flight_.s.last_task + 1, task_kind::start, false, key};
+  if (flight_.commands_home())
+    out.emplace_back(note{home_commanded{true}});
   out.emplace_back(note{task_begun{what, {}}});
   flight_.runner.begin(what, start_steps(flight_), {});
 }
@@ -121,7 +124,7 @@ void task_control::finish(effects& out, const task& what) {
     phases_.go(out, trigger::started);
     return;
   case task_kind::hold:
-    phases_.go(out, trigger::held);
+    phases_.go(out, trigger::held, std::exchange(flight_.wanted.why_halt, {}));
     return;
   case task_kind::resume:
     phases_.go(out, trigger::resumed);
@@ -132,6 +135,9 @@ void task_control::finish(effects& out, const task& what) {
     return;
   case task_kind::come_home_by_plan:
     finish_way_home(out);
+    return;
+  case task_kind::free_home:
+    out.emplace_back(note{home_commanded{false}});
     return;
   case task_kind::stand_down:
   case task_kind::stand_by:
@@ -175,6 +181,9 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
     return warn("the vehicle stays armed: ");
   case task_kind::stand_by:
     return warn("do not arm the vehicle: it stands in its mission mode and would move. ");
+  case task_kind::free_home:
+    out.emplace_back(note{home_commanded{false}});
+    return warn("the vehicle's home stays where the mission began, also when it is armed elsewhere: set it there. ");
   case task_kind::hold:
   case task_kind::come_home:
     warn("not obeyed: ");

@@ -47,6 +47,9 @@ bool starts_in_mission_mode(const flight_context& flight) {
 
 steps start_steps(const flight_context& flight) {
   steps result{guard{}};
+  const bool commands_home = flight.commands_home();
+  if (commands_home)
+    result.emplace_back(set_home{});
   if (!flight.view.is_armed()) {
     for (auto& each : out_of_mission_steps(flight))
       result.push_back(std::move(each));
@@ -54,6 +57,8 @@ steps start_steps(const flight_context& flight) {
       result.emplace_back(change_mode{mode_kind::guided});
     result.emplace_back(arm{});
   }
+  if (commands_home)
+    result.emplace_back(see_home{});
   result.emplace_back(start_plan{flight.s.progress.plan->map.start_sequence});
   return result;
 }

@@ -46,7 +46,7 @@ std::optional<plan_error> item_planner::write(std::size_t index, std::uint32_t l
   writer_.begin_item(mission::id_of(item), static_cast<std::uint32_t>(index));
   if (take_off_first_m_) {
     auto up = writer_.start();
-    up.altitude_m = *take_off_first_m_;
+    up.altitude_m = take_off_altitude_m(*take_off_first_m_);
     writer_.climb_to(up.altitude_m);
     writer_.add_take_off(takeoff_item(up, setting_));
   }
@@ -64,6 +64,11 @@ bool item_planner::stands_at(const mission::position& at) const {
 bool item_planner::returns_by_itself() const {
   const auto& goal = mission_.return_point;
   return is_same_place(goal, setting_.home) && (writer_.began_under_way() || is_same_place(goal, writer_.start()));
+}
+
+// Behind a landing on higher ground: so much above the ground there, and never less above home than was asked for.
+double item_planner::take_off_altitude_m(double asked_m) const {
+  return setting_.is_home_set_again ? asked_m + std::max(0.0, writer_.start().altitude_m) : asked_m;
 }
 
 item_planner::outcome item_planner::why_not_flown() const {
@@ -115,8 +120,8 @@ item_planner::outcome item_planner::plan(const mission::takeoff& item) {
                    "put a waypoint behind it, in the direction of the runway");
     towards = {next->latitude, next->longitude, 0};
   }
-  towards.altitude_m = item.altitude_m;
-  writer_.climb_to(item.altitude_m);
+  towards.altitude_m = take_off_altitude_m(item.altitude_m);
+  writer_.climb_to(towards.altitude_m);
   writer_.add_take_off(takeoff_item(towards, setting_));
   return std::nullopt;
 }

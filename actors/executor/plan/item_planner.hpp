@@ -85,6 +85,7 @@ private:
   // It stands there, and has not moved since.
   [[nodiscard]] bool stands_at(const mission::position& at) const;
   [[nodiscard]] bool returns_by_itself() const;
+  [[nodiscard]] double take_off_altitude_m(double asked_m) const;
 
   const mission::document& mission_;
   const plan_setting& setting_;

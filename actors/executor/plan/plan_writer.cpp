@@ -45,6 +45,10 @@ plan_writer::plan_writer(const plan_setting& setting, const mission::position& s
     plan_.items.push_back(home_item(setting));
   plan_.map.first_sequence = sequence_of(plan_.items.size());
   plan_.map.start_sequence = plan_.map.first_sequence;
+  if (sets_home_in_plan(setting) && !is_under_way)
+    plan_.items.push_back(set_home_item(setting));
+  for (std::size_t i = 0; i < plan_.items.size(); ++i)
+    plan_.items[i].seq = sequence_of(i);
 }
 
 void plan_writer::begin_item(const std::string& id, std::uint32_t index) {

@@ -4,6 +4,7 @@
 
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
+#include "messages/flight/home_place.hpp"
 #include "messages/flight/vehicle_class.hpp"
 #include "messages/mission/place.hpp"
 
@@ -21,6 +22,10 @@ struct vehicle_home {
   double above_mission_zero_m = 0;
 };
 
+[[nodiscard]] inline flight::home_place place_of(const vehicle_home& home) {
+  return {home.latitude, home.longitude, home.above_sea_m};
+}
+
 struct plan_setting {
   vehicle_class vehicle = vehicle_class::multirotor;
   // PX4 and ArduPilot are treated as they are, all others by the MAVLink text.
@@ -28,6 +33,8 @@ struct plan_setting {
   vehicle_home home;
   mission::position start;   // where the vehicle is when the first plan begins; altitude as in the mission
   bool is_under_way = false; // it flies, or is a rover that has begun to drive; else it stands, and home moves to there
+  // Behind a landing on the way: `home` is that of the mission, and is set again for the flight that begins here.
+  bool is_home_set_again = false;
 
   // Of the vehicle's own circles, where an item leaves the radius to it. PX4 has 80 m (NAV_LOITER_RAD), ArduPilot 60 m
   // (WP_LOITER_RAD), if nobody changed it. Decides what is looked at when circles are compared with fences.

@@ -45,6 +45,14 @@ mission_item_int placed_item(mav_cmd command, const four_params& params, const m
   return item;
 }
 
+mission_item_int item_at_home(mav_cmd command, const plan_setting& setting) {
+  auto item = item_of(command, mav_frame::global, {});
+  item.x = scaled(setting.home.latitude);
+  item.y = scaled(setting.home.longitude);
+  item.z = static_cast<float>(setting.home.above_sea_m);
+  return item;
+}
+
 mission_item_int bare_item(mav_cmd command, const four_params& params) {
   return item_of(command, mav_frame::mission, params);
 }
@@ -65,17 +73,15 @@ bool is_ardupilot(const plan_setting& setting) {
 
 bool keeps_home_as_item(const plan_setting& setting) { return is_ardupilot(setting); }
 
+bool sets_home_in_plan(const plan_setting& setting) { return setting.is_home_set_again && is_ardupilot(setting); }
+
 double longest_wait_s(const plan_setting& setting) {
   return is_ardupilot(setting) ? std::numeric_limits<std::uint16_t>::max() : std::numeric_limits<double>::infinity();
 }
 
-mission_item_int home_item(const plan_setting& setting) {
-  auto item = item_of(mav_cmd::nav_waypoint, mav_frame::global, {});
-  item.x = scaled(setting.home.latitude);
-  item.y = scaled(setting.home.longitude);
-  item.z = static_cast<float>(setting.home.above_sea_m);
-  return item;
-}
+mission_item_int home_item(const plan_setting& setting) { return item_at_home(mav_cmd::nav_waypoint, setting); }
+
+mission_item_int set_home_item(const plan_setting& setting) { return item_at_home(mav_cmd::do_set_home, setting); }
 
 mission_item_int takeoff_item(const mission::position& towards, const plan_setting& setting) {
   return placed_item(mav_cmd::nav_takeoff, {0, 0, 0, any_yaw(setting)}, towards, setting);

@@ -20,9 +20,13 @@ using io::mavlink::mission_item_int;
 [[nodiscard]] bool is_ardupilot(const plan_setting& setting);
 // The plan begins with home, which has sequence 0 and is not flown to.
 [[nodiscard]] bool keeps_home_as_item(const plan_setting& setting);
+// The command locks home until the autopilot starts again, the item does not.
+[[nodiscard]] bool sets_home_in_plan(const plan_setting& setting);
 [[nodiscard]] double longest_wait_s(const plan_setting& setting);
 
 [[nodiscard]] mission_item_int home_item(const plan_setting& setting);
+// Moves home there when the plan comes to it.
+[[nodiscard]] mission_item_int set_home_item(const plan_setting& setting);
 [[nodiscard]] mission_item_int takeoff_item(const mission::position& towards, const plan_setting& setting);
 [[nodiscard]] mission_item_int waypoint_item(const mission::position& at, double hold_s, double accept_radius_m,
                                              const plan_setting& setting);

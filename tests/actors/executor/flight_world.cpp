@@ -583,6 +583,8 @@ void flight_world::disarm_by_hand() {
   send_by_hand(400, 0, 0, force);
 }
 
+void flight_world::set_home_by_hand() { send_by_hand(179, 1); }
+
 std::optional<std::uint32_t> flight_world::heard_mode() const {
   const auto& mode = core_->view().mode();
   return mode ? std::optional(mode->custom_mode) : std::nullopt;

@@ -147,7 +147,10 @@ public:
   void vehicle_restarts();
   void vehicle_tells(const vehicle_link::observation& what);
   void arm_by_hand();
-  void disarm_by_hand(); // also in the air
+  void disarm_by_hand();   // also in the air
+  void set_home_by_hand(); // where it is
+  // The home that the executor has heard last.
+  [[nodiscard]] const std::optional<executor::plan::vehicle_home>& told_home() const { return core_->view().home(); }
   // The mode that the executor has heard last.
   [[nodiscard]] std::optional<std::uint32_t> heard_mode() const;
 

@@ -15,7 +15,7 @@ constexpr std::int64_t now_ns = 1'000'000'000;
 vehicle_view seen_at(double north_m, std::int16_t speed_cmps) {
   constexpr double units_a_metre = 1e7 / 111'195.0;
   vehicle_view result;
-  result.take(io::mavlink::home_position{.latitude = 473'977'420, .longitude = 85'455'940});
+  result.take(io::mavlink::home_position{.latitude = 473'977'420, .longitude = 85'455'940}, 0);
   io::mavlink::global_position_int at;
   at.lat = 473'977'420 + static_cast<std::int32_t>(north_m * units_a_metre);
   at.lon = 85'455'940;

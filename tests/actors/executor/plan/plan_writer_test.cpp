@@ -21,6 +21,30 @@ TEST(plan_writer, a_speed_that_is_owed_stands_in_front_of_the_first_flight_behin
   EXPECT_EQ(plan.map.items[1].first_nav_sequence, 2);
 }
 
+TEST(plan_writer, home_that_is_set_again_is_an_ardupilots_first_item_and_belongs_to_no_item_of_the_mission) {
+  for (auto setting : {ardupilot_copter, px4_copter}) {
+    setting.is_home_set_again = true;
+    const bool is_item = is_ardupilot(setting);
+    plan_writer writer(setting, at(100, 0, 30), false, {});
+    writer.begin_item("up", 0);
+    writer.add_take_off(takeoff_item(at(100, 0, 30), setting));
+    const auto plan = writer.finished();
+    EXPECT_EQ(commands_of(plan), is_item ? (std::vector<int>{179, 22}) : (std::vector<int>{22}));
+    EXPECT_EQ(plan.map.start_sequence, is_item ? 1 : 0);
+    EXPECT_EQ(plan.map.total, is_item ? 2 : 1);
+    EXPECT_EQ(plan.items.at(plan.map.start_sequence).current, 1);
+    if (is_item) {
+      EXPECT_EQ(plan.items[1].seq, 1);
+      EXPECT_EQ(plan.items[1].x, plan.items[0].x);
+      EXPECT_EQ(plan.items[1].z, plan.items[0].z) << "above the sea";
+    }
+    plan_writer in_flight(setting, at(100, 0, 30), true, {});
+    in_flight.begin_item("w", 0);
+    in_flight.add_nav(waypoint_item(at(0, 0, 30), 0, 0, setting));
+    EXPECT_EQ(in_flight.finished().items.size(), is_item ? 2U : 1U);
+  }
+}
+
 TEST(plan_writer, a_new_speed_ends_what_is_owed) {
   plan_writer writer(px4_copter, at(0, 0, 30), true, 6.0);
   writer.begin_item("slow", 0);

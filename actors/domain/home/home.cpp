@@ -1,0 +1,16 @@
+#include "actors/domain/home/home.hpp"
+
+#include <cmath>
+
+#include "actors/domain/geo/geodesic.hpp"
+
+namespace godwit::flight {
+
+bool is_same_home(const home_place& one, const home_place& other) {
+  const geo::point here{one.latitude, one.longitude};
+  const geo::point there{other.latitude, other.longitude};
+  return std::abs(one.above_sea_m - other.above_sea_m) <= same_home_height_within_m && geo::is_valid(here) &&
+         geo::is_valid(there) && geo::distance_m(here, there) <= same_home_within_m;
+}
+
+} // namespace godwit::flight

@@ -1,0 +1,20 @@
+#include "actors/domain/home/home.hpp"
+
+#include <gtest/gtest.h>
+
+namespace godwit::flight {
+namespace {
+
+constexpr double metres_of_latitude = 111'200;
+
+TEST(home, is_the_same_within_15_m_and_2_m_of_height) {
+  const home_place home{47, 8, 400};
+  EXPECT_TRUE(is_same_home(home, home));
+  EXPECT_TRUE(is_same_home(home, {47 + 14 / metres_of_latitude, 8, 402}));
+  EXPECT_FALSE(is_same_home(home, {47 + 16 / metres_of_latitude, 8, 400}));
+  EXPECT_FALSE(is_same_home(home, {47, 8, 403}));
+  EXPECT_FALSE(is_same_home(home, {470, 8, 400})) << "a place that is none";
+}
+
+} // namespace
+} // namespace godwit::flight

@@ -1,5 +1,6 @@
 #include "actors/executor/flight/recovery.hpp"
 
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -50,9 +51,11 @@ bool recovery::look(effects& out, instant now) {
     if (std::holds_alternative<progress::look_at_vehicle>(each)) {
       on_news(progress::look_at_vehicle{}, now);
       may_upload_go_on_ = true;
-    } else if (std::holds_alternative<progress::read_plan_back>(each))
+      was_cut_off_ = true;
+    } else if (std::holds_alternative<progress::read_plan_back>(each)) {
       on_news(progress::read_plan_back{}, now);
-    else if (const auto* start = std::get_if<progress::resolve_start>(&each))
+      was_cut_off_ = true;
+    } else if (const auto* start = std::get_if<progress::resolve_start>(&each))
       on_news(*start, now);
   if (flight_.view.is_under_way())
     recover_in_flight(out, now);
@@ -98,8 +101,17 @@ std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) c
   return result;
 }
 
+// The task is ended by the first restart; a second one behind it still finds the vehicle held for it.
+std::optional<task> recovery::was_doing() const {
+  const auto& s = flight_.s;
+  const bool is_cut_off = s.progress.upload || (s.cut_off_uploads > 0 && !s.waiting.empty());
+  if (s.doing || !is_cut_off || !flight_.is_in_flight() || s.status.now != phase::flying)
+    return s.doing;
+  return task{s.last_task, task_kind::deploy, true, {}};
+}
+
 void recovery::recover_in_flight(effects& out, instant now) {
-  const auto doing = flight_.s.doing;
+  const auto doing = was_doing();
   const bool was_starting = flight_.is_starting();
   if (was_starting && !flight_.is_in_flight() && !flight_.view.is_moving())
     return recover_on_ground(out, now); // a rover that is armed and stands
@@ -155,6 +167,7 @@ void recovery::find_called_home(effects& out, instant now) {
 // -- what was left open -----------------------------------------------------------------------------
 
 void recovery::on_news(const progress::look_at_vehicle&, instant now) {
+  was_cut_off_ = false;
   looking_ = question::plan_id;
   looking_since_ns_ = now.now_ns;
 }
@@ -207,8 +220,26 @@ void recovery::resolve_plan_id(effects& out, instant now, bool is_news) {
   if (view.keeps_plan_ids() && !is_news)
     return;
   looking_ = question::none;
-  out.emplace_back(note{
-      progress::vehicle_looked_at{view.keeps_plan_ids() ? std::optional(view.current()->mission_id) : std::nullopt}});
+  const auto id = view.keeps_plan_ids() ? std::optional(view.current()->mission_id) : std::nullopt;
+  out.emplace_back(note{progress::vehicle_looked_at{id, tries_again()}});
+}
+
+// An upload that kills whoever makes it is not tried for ever.
+bool recovery::tries_again() const {
+  return was_cut_off_ && flight_.s.cut_off_uploads + 1 < static_cast<std::uint32_t>(max_uploads);
+}
+
+bool recovery::is_mixture(const std::vector<io::mavlink::mission_item_int>& items) const {
+  const auto& [brings, flown] = std::tie(flight_.s.brings, flight_.s.flown);
+  if (!brings || !flown)
+    return false;
+  const auto has = [&](const deployment& of, std::size_t i) {
+    return i < of.items.size() && io::mavlink::means_the_same(of.items[i], items[i]);
+  };
+  for (std::size_t i = flight_.plan_has_home() ? 1 : 0; i < items.size(); ++i)
+    if (!has(*brings, i) && !has(*flown, i))
+      return false;
+  return true;
 }
 
 void recovery::resolve_start(effects& out, bool is_news) {
@@ -241,7 +272,10 @@ void recovery::take_read_back(effects& out, std::uint64_t number, const transfer
   else if (is_same(flight_.s.flown))
     match = progress::read_back_match::before;
   looking_ = question::none;
-  out.emplace_back(note{progress::plan_read_back{match}});
+  const bool may_try = match == progress::read_back_match::before ||
+                       (match == progress::read_back_match::other && is_mixture(outcome.items));
+  out.emplace_back(note{progress::plan_read_back{match, may_try && tries_again()}});
+  was_cut_off_ = false;
 }
 
 // -- what was meant ---------------------------------------------------------------------------------

@@ -49,6 +49,11 @@ private:
   void read_back(effects& out, instant now);
   void resolve_plan_id(effects& out, instant now, bool is_news);
   void resolve_start(effects& out, bool is_news);
+  [[nodiscard]] std::optional<task> was_doing() const;
+  // What the incarnation before has not seen the end of, and may be tried again.
+  [[nodiscard]] bool tries_again() const;
+  // An upload that was cut off has left items of both plans on a vehicle that replaces them one by one.
+  [[nodiscard]] bool is_mixture(const std::vector<io::mavlink::mission_item_int>& items) const;
   // Where the vehicle may be, when nobody else has touched it since.
   [[nodiscard]] std::vector<std::uint32_t> left_in(const std::optional<task>& doing) const;
   void begin_at_start(effects& out);
@@ -65,6 +70,7 @@ private:
   std::uint64_t last_reading_back_ = first_reading_back;
   std::int64_t read_again_ns_ = 0;
   bool may_upload_go_on_ = false;      // in the link: one that the incarnation before has begun
+  bool was_cut_off_ = false;           // what is looked at: an upload of the incarnation before
   std::uint64_t last_task_before_ = 0; // this incarnation began
 };
 

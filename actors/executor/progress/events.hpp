@@ -90,8 +90,10 @@ struct upload_ended {
 // The answer to look_at_vehicle. Told when no transfer is under way any more: one that goes on would make it untrue.
 struct vehicle_looked_at {
   std::optional<std::uint32_t> plan_id; // absent: none, or it keeps no ids
+  bool is_tried_again = false;          // where the plan did not come nobody is told that the upload failed
   static constexpr auto fields =
-      io::table("executor.progress_vehicle_looked_at", io::field("plan_id", &vehicle_looked_at::plan_id));
+      io::table("executor.progress_vehicle_looked_at", io::field("plan_id", &vehicle_looked_at::plan_id),
+                io::field("is_tried_again", &vehicle_looked_at::is_tried_again));
 };
 
 enum class read_back_match {
@@ -108,8 +110,10 @@ constexpr auto enum_names(read_back_match) {
 // The answer to read_plan_back.
 struct plan_read_back {
   read_back_match match = read_back_match::other;
+  bool is_tried_again = false; // as in vehicle_looked_at
   static constexpr auto fields =
-      io::table("executor.progress_plan_read_back", io::field("match", &plan_read_back::match));
+      io::table("executor.progress_plan_read_back", io::field("match", &plan_read_back::match),
+                io::field("is_tried_again", &plan_read_back::is_tried_again));
 };
 
 // What became of the command: whether the vehicle has begun where start_intended said.

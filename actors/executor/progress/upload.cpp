@@ -11,6 +11,7 @@ namespace godwit::executor::progress {
 namespace {
 
 constexpr const char* another_plan = "the vehicle holds another plan";
+constexpr const char* not_come = "the plan did not come to the vehicle";
 
 void answer_rejected(decision_context& t, const assignment_key& key, const std::string& reason) {
   t.out.emplace_back(assignment_answered{.mission_id = t.s.mission->mission_id,
@@ -24,19 +25,19 @@ void answer_rejected(decision_context& t, const assignment_key& key, const std::
 
 // The vehicle has never left the old plan, so what it said meanwhile was of that one; a MISSION_CURRENT with another id
 // comes again if it is true.
-void fail(decision_context& t, const std::string& reason) {
+void fail(decision_context& t, const std::string& reason, bool is_tried_again = false) {
   const auto upload = *std::exchange(t.s.upload, std::nullopt);
   t.s.held.clear();
   if (upload.unconfirmed_reached)
     take(t, reached_told{*upload.unconfirmed_reached});
-  if (upload.intent.assignment)
+  if (upload.intent.assignment && !is_tried_again)
     answer_rejected(t, *upload.intent.assignment, reason);
   tell(t, progress_event_kind::upload_failed, reason);
 }
 
-void fail_with_other(decision_context& t, const std::string& reason) {
+void fail_with_other(decision_context& t, const std::string& reason, bool is_tried_again = false) {
   t.s.upload->unconfirmed_reached.reset();
-  fail(t, reason);
+  fail(t, reason, is_tried_again);
   pause(t, pause_reason::foreign_plan);
 }
 
@@ -80,7 +81,7 @@ void take(decision_context& t, const vehicle_looked_at& what) {
     return;
   t.s.upload->id_seen = what.plan_id == 0U ? std::nullopt : what.plan_id;
   if (is_surely_unchanged(t.s))
-    fail(t, "the plan did not come to the vehicle");
+    fail(t, not_come, what.is_tried_again);
   else
     t.out.emplace_back(read_plan_back{});
 }
@@ -92,9 +93,9 @@ void take(decision_context& t, const plan_read_back& what) {
   case read_back_match::pending:
     return cut_over(t, t.s.upload->id_seen);
   case read_back_match::before:
-    return fail(t, "the plan did not come to the vehicle");
+    return fail(t, not_come, what.is_tried_again);
   case read_back_match::other:
-    return fail_with_other(t, another_plan);
+    return fail_with_other(t, another_plan, what.is_tried_again);
   }
 }
 

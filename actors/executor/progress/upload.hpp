@@ -12,8 +12,8 @@
 //
 // A plan with the same content has the same id, so that the old id does not resolve it unless the new plan is of
 // another length: while the vehicle holds the plan, nobody is told that the upload failed. Failed: the plan before
-// stays in force, and an assignment is rejected. An answer to a question that is resolved, or was never asked, changes
-// nothing. Thread: one at a time.
+// stays in force, and an assignment is rejected, unless whoever looked tries it again. An answer to a question that is
+// resolved, or was never asked, changes nothing. Thread: one at a time.
 #pragma once
 
 #include "actors/executor/progress/decision_context.hpp"

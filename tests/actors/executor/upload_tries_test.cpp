@@ -165,6 +165,59 @@ TEST_P(every_upload, whose_link_has_died_and_that_is_given_up_by_a_word_is_answe
   }
 }
 
+// A person goes on with what is held, or has items of both plans.
+bool is_answered(flight_world& world) {
+  const auto& at = world.durable().status;
+  if (at.now == phase::paused && !needs_hand_back(at.cause))
+    static_cast<void>(world.say(operators::command_kind::resume));
+  return !world.answers().empty();
+}
+
+// Of the executor, or of the process: what came to the vehicle counts, and else it is brought again.
+TEST_P(every_upload, of_an_assignment_that_is_cut_off_by_a_crash_is_tried_again_and_answered_once) {
+  for (const bool is_process : {false, true})
+    for (int moment = 0; moment < 30; ++moment) {
+      flight_world world({.who = GetParam(), .speed = 2, .most_delay_ms = 60});
+      const auto mission = tests::short_mission(GetParam());
+      world.load(mission);
+      ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+      world.assign(other_tail(mission, GetParam()));
+      ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 60)) << world.story();
+      world.run_for(0.02 * moment);
+      if (is_process)
+        world.crash_all();
+      else
+        world.crash();
+      ASSERT_TRUE(world.run_until([&] { return is_answered(world); }, 120))
+          << is_process << " " << moment << world.story();
+      EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::accepted)
+          << is_process << " " << moment << world.story();
+      const auto is_done = [&] { return is_answered(world) && world.durable().status.now == phase::done; };
+      ASSERT_TRUE(world.run_until(is_done, 600)) << is_process << " " << moment << world.story();
+      EXPECT_EQ(world.answers().size(), 1U) << moment << world.story();
+      EXPECT_EQ(world.durable().mission->revision, 2) << moment << world.story();
+    }
+}
+
+TEST_P(every_upload, of_an_assignment_that_kills_godwit_each_time_is_answered_in_the_end) {
+  flight_world world({.who = GetParam(), .speed = 2, .most_delay_ms = 60});
+  const auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+  world.assign(other_tail(mission, GetParam()));
+  int deaths = 0;
+  const auto dies_until_answered = [&] {
+    if (world.is_uploading() && world.durable().progress.upload && deaths < 10) {
+      world.crash_all();
+      ++deaths;
+    }
+    return is_answered(world);
+  };
+  ASSERT_TRUE(world.run_until(dies_until_answered, 300)) << world.story();
+  world.run_for(60);
+  EXPECT_EQ(world.answers().size(), 1U) << world.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(vehicles, every_upload,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });

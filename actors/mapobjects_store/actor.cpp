@@ -88,6 +88,7 @@ actor::behavior_type actor::handlers() {
               [](map_tables& t, const get_batches&) { return all_open(t.q); },
               [](open_batches& answer, const std::vector<open_batch>& found) { answer.batches = found; }),
           on_change<batch_delivered, map_answer>(mapobjects_store::deliver, nothing_to_fill),
+          on_change<return_batch, map_answer>(give_back, nothing_to_fill),
           on_change<delete_mission, moved_rows>(forget, count_rows),
           on_change<orphan_mission, moved_rows>(orphan, count_rows),
           on_change<requeue_mission, moved_rows>(requeue, count_rows),

@@ -1,6 +1,7 @@
 #include "actors/mapobjects_store/deliveries.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "actors/mapobjects_store/ignore_list.hpp"
@@ -18,6 +19,8 @@ struct delivery_statements {
   const char* leave_queue;
   const char* orphans_are_delivered; // the answer came after all
   const char* drop_orphans;
+  const char* give_back;
+  const char* give_orphans_back;
 };
 
 constexpr delivery_statements observation_statements{
@@ -28,7 +31,11 @@ constexpr delivery_statements observation_statements{
     .orphans_are_delivered = "INSERT INTO observation SELECT number, id, mission_id, object_id, kind, class_group, "
                              "latitude_deg, longitude_deg, altitude_m, at_ns, confidence, 'delivered', NULL "
                              "FROM orphaned_observation WHERE batch = ?",
-    .drop_orphans = "DELETE FROM orphaned_observation WHERE batch = ?"};
+    .drop_orphans = "DELETE FROM orphaned_observation WHERE batch = ?",
+    .give_back = "UPDATE observation SET delivery = 'pending', batch = NULL WHERE batch = ?",
+    .give_orphans_back = "INSERT INTO observation SELECT number, id, mission_id, object_id, kind, class_group, "
+                         "latitude_deg, longitude_deg, altitude_m, at_ns, confidence, 'pending', NULL "
+                         "FROM orphaned_observation WHERE batch = ?"};
 
 // The row of an ignored item is also the entry of the ignore list, which an orphan stays.
 constexpr delivery_statements ignored_item_statements{
@@ -38,7 +45,11 @@ constexpr delivery_statements ignored_item_statements{
     .leave_queue = "UPDATE ignored_item SET delivery = 'delivered', batch = NULL WHERE batch = ?",
     .orphans_are_delivered = "UPDATE ignored_item SET delivery = 'delivered' WHERE generation = 0 AND id IN "
                              "(SELECT id FROM orphaned_ignored_item WHERE batch = ?)",
-    .drop_orphans = "DELETE FROM orphaned_ignored_item WHERE batch = ?"};
+    .drop_orphans = "DELETE FROM orphaned_ignored_item WHERE batch = ?",
+    .give_back = "UPDATE ignored_item SET delivery = 'pending', batch = NULL WHERE batch = ?",
+    .give_orphans_back = "INSERT INTO ignored_item SELECT number, id, 0, mission_id, mgrs_cell, class_group, since_ns, "
+                         "'pending', NULL FROM orphaned_ignored_item WHERE batch = ? "
+                         "ON CONFLICT DO UPDATE SET delivery = 'pending'"};
 
 const delivery_statements& statements_of(destination to) {
   return to == destination::observations ? observation_statements : ignored_item_statements;
@@ -116,6 +127,23 @@ map_result<void> check_same(const known_batch& known, const take_batch& asked) {
     return refused("batch " + asked.key + " is one of " + std::string(io::name_of(known.to)) + " of mission " +
                    known.mission_id);
   return {};
+}
+
+// Nothing is under the key any more, which is remembered. STEPS_OF(delivery_statements): what becomes of its rows.
+template <class Steps>
+map_result<void> close(map_tables& t, const std::string& key, Steps steps_of) {
+  const auto known = check_id(key, "key").and_then([&] { return batch_with(t.q, key); });
+  if (!known)
+    return tl::unexpected(known.error());
+  if (!*known || (*known)->state == delivery_state::delivered)
+    return {};
+  const auto number = (*known)->number;
+  for (const auto* each : steps_of(statements_of((*known)->to)))
+    if (auto done = t.q.run(each, number); !done)
+      return done;
+  return t.q.run("UPDATE batch SET state = 'delivered' WHERE number = ?", number).and_then([&] {
+    return t.q.run("DELETE FROM batch WHERE state = 'delivered' AND number <= ?", number - max_delivered_keys);
+  });
 }
 
 // Missions with the number of their rows; one for each state, because each has an index of its own.
@@ -196,18 +224,14 @@ map_result<std::vector<open_batch>> all_open(sql& q) {
 }
 
 map_result<void> deliver(map_tables& t, const batch_delivered& said) {
-  const auto known = check_id(said.key, "key").and_then([&] { return batch_with(t.q, said.key); });
-  if (!known)
-    return tl::unexpected(known.error());
-  if (!*known || (*known)->state == delivery_state::delivered)
-    return {};
-  const auto number = (*known)->number;
-  const auto& statements = statements_of((*known)->to);
-  for (const auto* each : {statements.leave_queue, statements.orphans_are_delivered, statements.drop_orphans})
-    if (auto done = t.q.run(each, number); !done)
-      return done;
-  return t.q.run("UPDATE batch SET state = 'delivered' WHERE number = ?", number).and_then([&] {
-    return t.q.run("DELETE FROM batch WHERE state = 'delivered' AND number <= ?", number - max_delivered_keys);
+  return close(t, said.key, [](const delivery_statements& all) {
+    return std::array{all.leave_queue, all.orphans_are_delivered, all.drop_orphans};
+  });
+}
+
+map_result<void> give_back(map_tables& t, const return_batch& said) {
+  return close(t, said.key, [](const delivery_statements& all) {
+    return std::array{all.give_back, all.give_orphans_back, all.drop_orphans};
   });
 }
 

@@ -29,6 +29,8 @@ inline constexpr std::int64_t max_listed_batches = 1024;
 
 [[nodiscard]] map_result<void> deliver(map_tables& t, const batch_delivered& said);
 
+[[nodiscard]] map_result<void> give_back(map_tables& t, const return_batch& said);
+
 // One line for each mission and destination that has something.
 [[nodiscard]] map_result<std::vector<owed>> all_owed(sql& q);
 

@@ -13,7 +13,7 @@ namespace godwit::mission_client {
 namespace {
 
 runtime::delivery_state state_of(const row_noted& noted) {
-  if (noted.how == noted_as::delivered)
+  if (noted.how == noted_as::delivered || noted.how == noted_as::returned)
     return runtime::delivery_state::delivered;
   if (noted.how == noted_as::dropped || noted.row.state == row_state::orphaned)
     return runtime::delivery_state::orphaned;
@@ -70,6 +70,7 @@ actor::~actor() = default;
 actor::behavior_type actor::handlers() {
   return {hears<begin_mission>(),
           hears<pull_map>(),
+          hears<accept_copy>(),
           hears<push_map>(),
           hears<report_progress>(),
           hears<respond_to_assignment>(),

@@ -112,6 +112,9 @@ void store_operations::plan(planning_context& d) {
   case store_operation_kind::requeue_mission:
     asked = store::requeue_mission{current_.mission_id};
     break;
+  case store_operation_kind::accept_copy:
+    asked = store::acknowledge_fallback{current_.mission_id};
+    break;
   }
   attempt_.waiting = d.ask(*this, std::move(asked));
 }

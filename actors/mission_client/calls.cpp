@@ -34,6 +34,10 @@ service_call get_mission(const settings& by, const std::string& mission_id) {
   return get(by, path_of(mission_id), mission::max_mission_bytes);
 }
 
+service_call get_progress(const settings& by, const std::string& mission_id) {
+  return get(by, path_of(mission_id) + "/progress", mission::max_answer_bytes);
+}
+
 service_call get_assignments(const settings& by, const std::string& mission_id, std::int32_t after) {
   auto result = get(by,
                     path_of(mission_id) + "/assignments?after=" + std::to_string(after) +

@@ -35,8 +35,13 @@ void take(decision_context& t, const mission_fetched& m) {
     return;
   s.now = phase::pulling;
   s.pull = pull_state::in_flight;
-  note_of(s, s.mission_id).is_deleted = false;
+  auto& note = note_of(s, s.mission_id);
+  note.is_deleted = false;
+  // The service may know more of it than this journal: another one was lost.
+  note.service_report_no = std::max(note.service_report_no, m.last_report_no.value_or(0));
+  s.refused.reset();
   s.revision = m.document.revision;
+  s.asks_after = m.document.revision;
   s.schema_version = m.document.schema_version;
   s.last_fetch_ns = t.now_ns;
   t.tell(mission_loaded{load_cause::fetched, m.document});
@@ -47,6 +52,7 @@ void take(decision_context& t, const fetch_failed& m) {
   if (s.now != phase::fetching || s.mission_id != m.refusal.mission_id)
     return;
   s.now = phase::refused;
+  s.refused = m.refusal;
   t.tell(m.refusal);
 }
 
@@ -57,6 +63,11 @@ void take(decision_context& t, const pull_map& m) {
     return;
   s.now = phase::pulling;
   s.pull = pull_state::in_flight;
+}
+
+void take(decision_context& t, const accept_copy& m) {
+  if (t.s.mission_id == m.mission_id && t.s.pull == pull_state::cached_fallback)
+    add_store_operation(t.s, store_operation_kind::accept_copy, m.mission_id, {});
 }
 
 void take(decision_context& t, const pull_ended& m) {
@@ -112,14 +123,17 @@ void take(decision_context& t, const assignments_seen& m) {
   for (const auto& each : m.assignments) {
     const bool is_known = std::ranges::any_of(
         s.assignments, [&](const open_assignment& known) { return known.what.assignment_id == each.assignment_id; });
-    if (is_known)
+    if (is_known) {
+      s.asks_after = std::max(s.asks_after, each.revision);
       continue;
+    }
     if (s.assignments.size() >= max_open_assignments) {
       const auto resolved = std::ranges::find_if(s.assignments, &open_assignment::is_responded);
       if (resolved == s.assignments.end())
         return;
       s.assignments.erase(resolved);
     }
+    s.asks_after = std::max(s.asks_after, each.revision);
     s.assignments.push_back({each, false});
     t.tell(assignment_arrived{m.mission_id, each});
   }
@@ -142,7 +156,8 @@ void take(decision_context& t, const mission_gone& m) {
     s.looks_up = false;
     if (s.now == phase::fetching) {
       s.now = phase::refused;
-      t.tell(mission_refused{m.mission_id, refusal::deleted, reason, {}});
+      s.refused = mission_refused{m.mission_id, refusal::deleted, reason, {}};
+      t.tell(*s.refused);
     } else if (s.now == phase::pulling) {
       s.now = phase::ready;
       s.pull = pull_state::failed;

@@ -5,6 +5,7 @@
 
 #include "actors/domain/mission/write.hpp"
 #include "actors/mission_client/decision_context.hpp"
+#include "actors/mission_client/keys.hpp"
 #include "actors/mission_client/retry_policy.hpp"
 
 namespace godwit::mission_client {
@@ -62,6 +63,25 @@ void expire_or_wait(decision_context& t, const std::vector<outbox_row*>& failed,
                                   (to == destination::progress || has_expired(each.first_failure_ns, t.now_ns));
                          }),
               row_state::expired, reason);
+}
+
+// In front of this one. Of a mission whose note was forgotten the service has said how many there were.
+std::uint32_t reports_missing(const mission_note& note, std::uint32_t report_no) {
+  const auto known = note.last_report_no != 0 ? note.last_report_no : note.service_report_no;
+  return report_no > known + 1 ? report_no - known - 1 : 0;
+}
+
+// Of a report that was taken.
+std::uint32_t number_at_service(const mission_note& note, std::uint32_t report_no) {
+  const auto behind = note.last_report_no > report_no ? note.last_report_no - report_no : 0;
+  return note.service_report_no > behind ? note.service_report_no - behind : 1;
+}
+
+// After a batch that went well larger ones are tried again.
+void grow(state& s, const outbox_row& delivered) {
+  auto& note = note_of(s, delivered.mission_id);
+  const auto limit = note.limit(delivered.to);
+  note.set_limit(delivered.to, limit >= largest_batch / 2 ? 0 : limit * 2);
 }
 
 void take_change(decision_context& t, const std::string& mission_id, destination to, const std::string& key,
@@ -122,31 +142,40 @@ void give_up(decision_context& t, const std::string& key, row_state as, const st
   give_up_all(t, {key}, as, reason);
 }
 
+// The service numbers reports without a gap, and goes on from what it had before this journal began. One that was lost
+// on the way here, or for which there was no room, is left out of that.
 void take(decision_context& t, const report_progress& m) {
   auto& note = note_of(t.s, m.report.mission_id);
   if (m.report.report_no <= note.last_report_no || find_row(t.s.rows, m.key) != nullptr)
     return;
-  if (!add_row(t,
-               {.key = m.key,
-                .to = destination::progress,
-                .mission_id = m.report.mission_id,
-                .body = mission::to_text(m.report)},
-               0))
+  auto report = m.report;
+  report.report_no = note.service_report_no + 1;
+  const bool is_renumbered = report.report_no != m.report.report_no;
+  const auto key = is_renumbered ? derived_key({m.key, std::to_string(report.report_no)}) : m.key;
+  if (!add_row(
+          t,
+          {.key = key, .to = destination::progress, .mission_id = report.mission_id, .body = mission::to_text(report)},
+          0))
     return;
+  note.lost_reports += reports_missing(note, m.report.report_no);
   note.last_report_no = m.report.report_no;
+  note.service_report_no = report.report_no;
   if (note.is_deleted)
-    give_up(t, m.key, row_state::orphaned, std::string(mission_is_deleted));
+    give_up(t, key, row_state::orphaned, std::string(mission_is_deleted));
 }
 
 void take(decision_context& t, const respond_to_assignment& m) {
   auto& s = t.s;
   const auto& key = m.response.idempotency_key;
+  auto response = m.response;
+  if (response.last_progress)
+    response.last_progress->report_no = number_at_service(note_of(s, m.mission_id), response.last_progress->report_no);
   if (is_repetition(s, key) || !add_row(t,
                                         {.key = key,
                                          .to = destination::assignment_response,
                                          .mission_id = m.mission_id,
                                          .subject = m.assignment_id,
-                                         .body = mission::to_text(m.response)},
+                                         .body = mission::to_text(response)},
                                         outbox_reserve))
     return;
   for (auto& each : s.assignments) {
@@ -180,7 +209,15 @@ void take(decision_context& t, const batch_empty& m) {
   }
 }
 
-void take(decision_context& t, const rows_delivered& m) { remove_rows(t, m.keys, noted_as::delivered); }
+// Its rows are pending in the store again, and are taken under another key.
+void take(decision_context& t, const batch_returned& m) { remove_row(t, m.key, noted_as::returned); }
+
+void take(decision_context& t, const rows_delivered& m) {
+  for (const auto& key : m.keys)
+    if (const auto* row = find_row(t.s.rows, key); row != nullptr && is_map(row->to))
+      grow(t.s, *row);
+  remove_rows(t, m.keys, noted_as::delivered);
+}
 
 void take(decision_context& t, const rows_failed& m) {
   std::vector<outbox_row*> failed;
@@ -199,9 +236,17 @@ void take(decision_context& t, const rows_failed& m) {
 }
 
 void take(decision_context& t, const rows_refused& m) {
-  const auto* head = m.keys.empty() ? nullptr : find_row(t.s.rows, m.keys.front());
+  auto* head = m.keys.empty() ? nullptr : find_row(t.s.rows, m.keys.front());
   if (head == nullptr)
     return;
+  if (is_map(head->to) && !m.ends_lane && m.rows > 1) { // one row may be what is wrong: it is looked for in halves
+    head->goes_back = true;
+    ++head->tries;
+    head->last_error = cut_error(m.reason);
+    head->next_try_ns = t.now_ns;
+    note_of(t.s, head->mission_id).set_limit(head->to, m.rows / 2);
+    return t.tell(row_noted{*head, noted_as::waiting});
+  }
   const auto to = head->to;
   const auto mission_id = head->mission_id;
   give_up_all(t, m.keys, row_state::orphaned, m.reason);
@@ -251,6 +296,8 @@ void take(decision_context& t, const retry_outbox& m) {
     if (!m.key.empty() && each.key != m.key)
       continue;
     each.next_try_ns = t.now_ns;
+    // What a service has refused it refuses under that key for ever.
+    each.goes_back = each.goes_back || (each.state == row_state::orphaned && is_map(each.to));
     if (std::exchange(each.state, row_state::pending) == row_state::pending) {
       ++answer.tried_now;
     } else {

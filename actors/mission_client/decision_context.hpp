@@ -17,6 +17,9 @@ inline constexpr std::string_view mission_is_deleted = "the service has deleted 
 // at, who sees the reason.
 inline constexpr std::ptrdiff_t max_refused_batches = 8;
 
+// Rows of a batch, above which the setting counts alone (settings::batch_limit, the contract's bound).
+inline constexpr std::uint32_t largest_batch = 500;
+
 struct decision_context {
   state& s;
   std::int64_t now_ns;
@@ -64,6 +67,7 @@ void take(decision_context& t, const rows_failed& m);
 void take(decision_context& t, const rows_refused& m);
 void take(decision_context& t, const batch_planned& m);
 void take(decision_context& t, const batch_empty& m);
+void take(decision_context& t, const batch_returned& m);
 void take(decision_context& t, const change_done& m);
 void take(decision_context& t, const change_failed& m);
 void take(decision_context& t, const clock_jumped& m);

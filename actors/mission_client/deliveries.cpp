@@ -91,13 +91,21 @@ void deliveries::plan_batches(planning_context& d, const heads& known) {
 }
 
 void deliveries::start(planning_context& d, lane& l, const outbox_row& head) {
+  if (is_map(head.to) && head.goes_back) {
+    l.is_at_service = false;
+    l.keys = {head.key};
+    return ask(d, l, store::return_batch{head.key});
+  }
   if (is_map(head.to)) {
+    const auto* note = find_note(d.s, head.mission_id);
+    const auto smaller = note == nullptr ? 0 : note->limit(head.to);
+    const auto limit = smaller == 0 ? d.set.batch_limit : std::min(smaller, d.set.batch_limit);
     const bool same = l.keys.size() == 1 && l.keys.front() == head.key;
     l.is_at_service = l.is_at_service && same;
     l.keys = {head.key};
     if (l.is_at_service)
       return ask(d, l, store::batch_delivered{head.key});
-    return ask(d, l, store::take_batch{head.key, head.mission_id, destination_of(head.to), d.set.batch_limit});
+    return ask(d, l, store::take_batch{head.key, head.mission_id, destination_of(head.to), limit});
   }
   const auto cut = cut_from(d.s.rows, head, head.to == destination::progress ? reports_per_call : 1);
   l.keys.clear();
@@ -158,11 +166,14 @@ void deliveries::take_row_answer(planning_context& d, const lane_id& id, lane& l
   case judgement::gone:
     return d.happened(mission_gone{id.second});
   case judgement::not_found:
-    return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, true});
-  case judgement::conflict: // with a report all that come behind it are refused too
-    return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, false});
+    return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, true, 0});
+  case judgement::conflict:
+    if (is_map(id.first))
+      return d.happened(rows_refused{l.keys, why, false, l.batch_rows});
+    // With a report all that come behind it are refused too.
+    return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, false, 0});
   case judgement::wrong:
-    return d.happened(rows_refused{l.keys, why, false});
+    return d.happened(rows_refused{l.keys, why, false, is_map(id.first) ? l.batch_rows : 0});
   case judgement::not_allowed:
     l.is_blocked = true;
     break;
@@ -201,8 +212,12 @@ void deliveries::on_store(planning_context& d, ticket number, const store_answer
   if (failure_of(answer) != store::map_failure::none)
     return take_store_failure(d, id, l, answer);
   l.store_failed = 0;
+  const auto* row = find_row(d.s.rows, l.keys.front());
   if (const auto* rows = std::get_if<store::batch>(&answer)) {
     take_batch(d, l, *rows);
+  } else if (row != nullptr && row->goes_back) {
+    l.batch_rows = 0;
+    d.happened(batch_returned{l.keys.front()});
   } else if (l.is_at_service) {
     l.is_at_service = false;
     l.batch_rows = 0;
@@ -223,7 +238,7 @@ void deliveries::take_store_failure(planning_context& d, const lane_id& id, lane
   case store::map_failure::delivered: // under this key, in an earlier life
     return d.happened(rows_delivered{l.keys});
   case store::map_failure::refused:
-    return d.happened(rows_refused{l.keys, sentence_of(answer), true});
+    return d.happened(rows_refused{l.keys, sentence_of(answer), true, 0});
   default:
     break;
   }

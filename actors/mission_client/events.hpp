@@ -32,8 +32,10 @@ struct owed_found {
 
 struct mission_fetched {
   mission::document document;
+  std::optional<std::uint32_t> last_report_no; // that the service has of it; absent: it does not say
   static constexpr auto fields =
-      io::table("mission_client.mission_fetched", io::field("document", &mission_fetched::document));
+      io::table("mission_client.mission_fetched", io::field("document", &mission_fetched::document),
+                io::field("last_report_no", &mission_fetched::last_report_no));
 };
 
 struct fetch_failed {
@@ -85,9 +87,10 @@ struct rows_refused {
   std::vector<std::string> keys; // of one lane
   std::string reason;
   bool ends_lane = false; // nor what comes behind them
-  static constexpr auto fields =
-      io::table("mission_client.rows_refused", io::field("keys", &rows_refused::keys),
-                io::field("reason", &rows_refused::reason), io::field("ends_lane", &rows_refused::ends_lane));
+  std::uint32_t rows = 0; // of the map, in the one batch
+  static constexpr auto fields = io::table(
+      "mission_client.rows_refused", io::field("keys", &rows_refused::keys), io::field("reason", &rows_refused::reason),
+      io::field("ends_lane", &rows_refused::ends_lane), io::field("rows", &rows_refused::rows));
 };
 
 // 410: the service does not know the mission any more.
@@ -111,6 +114,12 @@ struct batch_planned {
 struct batch_empty {
   std::string key;
   static constexpr auto fields = io::table("mission_client.batch_empty", io::field("key", &batch_empty::key));
+};
+
+// The store has the rows of the batch back.
+struct batch_returned {
+  std::string key;
+  static constexpr auto fields = io::table("mission_client.batch_returned", io::field("key", &batch_returned::key));
 };
 
 // The answer to an insert or a tail.
@@ -143,19 +152,26 @@ struct clock_jumped {
   static constexpr auto fields = io::table("mission_client.clock_jumped", io::field("by_ns", &clock_jumped::by_ns));
 };
 
-using event =
-    std::variant<begin_mission, pull_map, push_map, report_progress, respond_to_assignment, insert_waypoint,
-                 replace_tail, retry_outbox, earlier_delivered, owed_found, mission_fetched, fetch_failed, pull_ended,
-                 mission_looked_up, assignments_seen, rows_delivered, rows_failed, rows_refused, mission_gone,
-                 batch_planned, batch_empty, change_done, change_failed, store_operation_done, clock_jumped>;
+using event = std::variant<begin_mission, pull_map, accept_copy, push_map, report_progress, respond_to_assignment,
+                           insert_waypoint, replace_tail, retry_outbox, earlier_delivered, owed_found, mission_fetched,
+                           fetch_failed, pull_ended, mission_looked_up, assignments_seen, rows_delivered, rows_failed,
+                           rows_refused, mission_gone, batch_planned, batch_empty, batch_returned, change_done,
+                           change_failed, store_operation_done, clock_jumped>;
 
 // -- effects, beside what the listener is told ----------------------------------------------------
 
-enum class noted_as { waiting, delivered, dropped };
+enum class noted_as {
+  waiting,
+  delivered,
+  returned, // nothing of it is owed under this key any more
+  dropped
+};
 
 constexpr auto enum_names(noted_as) {
-  return io::names<noted_as>(
-      {{noted_as::waiting, "waiting"}, {noted_as::delivered, "delivered"}, {noted_as::dropped, "dropped"}});
+  return io::names<noted_as>({{noted_as::waiting, "waiting"},
+                              {noted_as::delivered, "delivered"},
+                              {noted_as::returned, "returned"},
+                              {noted_as::dropped, "dropped"}});
 }
 
 // For people: the row as the journal's table of deliveries is to show it.

@@ -1,5 +1,7 @@
 #include "actors/mission_client/fetching.hpp"
 
+#include <utility>
+
 #include "actors/domain/mission/read.hpp"
 #include "actors/mission_client/calls.hpp"
 #include "actors/mission_client/judgement.hpp"
@@ -30,9 +32,10 @@ void fetching::plan(planning_context& d) {
   if (d.s.now != phase::fetching || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
     mission_id_ = d.s.mission_id;
+    mission_.reset();
   }
   if (d.s.now == phase::fetching && attempt_.may_start(d))
-    attempt_.waiting = d.call(*this, get_mission(d.set, mission_id_));
+    attempt_.waiting = d.call(*this, mission_ ? get_progress(d.set, mission_id_) : get_mission(d.set, mission_id_));
 }
 
 void fetching::on_answer(planning_context& d, ticket number, const service_answer& answer) {
@@ -40,16 +43,47 @@ void fetching::on_answer(planning_context& d, ticket number, const service_answe
     return;
   if (d.s.now != phase::fetching || mission_id_ != d.s.mission_id) // another mission was begun meanwhile
     return;
-  const auto verdict = judge(answer);
-  if (verdict == judgement::success) {
-    auto mission = mission_in(answer, mission_id_);
-    if (!mission)
-      return refuse(d, refusal::invalid, mission.error().reason, mission.error().sample);
-    d.went_well(fetch_kind);
-    return d.happened(mission_fetched{std::move(*mission)});
+  if (mission_)
+    take_progress(d, answer);
+  else if (judge(answer) == judgement::success)
+    take_mission(d, answer);
+  else
+    take_failure(d, answer);
+}
+
+void fetching::take_mission(planning_context& d, const service_answer& answer) {
+  auto mission = mission_in(answer, mission_id_);
+  if (!mission)
+    return refuse(d, refusal::invalid, mission.error().reason, mission.error().sample);
+  mission_ = *std::move(mission);
+  attempt_.succeed();
+}
+
+void fetching::take_progress(planning_context& d, const service_answer& answer) {
+  switch (judge(answer)) {
+  case judgement::success:
+    break;
+  case judgement::not_found:
+  case judgement::wrong: // 405: there is no such call
+    return end(d, {});
+  default:
+    return take_failure(d, answer);
   }
+  const auto told = mission::read<mission::progress_status>(answer.body);
+  if (!told)
+    return refuse(d, refusal::invalid, "what the service sent is no state of the progress: " + told.error().message(),
+                  told.error().sample);
+  end(d, told->last_report_no);
+}
+
+void fetching::end(planning_context& d, std::optional<std::uint32_t> last_report_no) {
+  d.went_well(fetch_kind);
+  d.happened(mission_fetched{*std::exchange(mission_, {}), last_report_no});
+}
+
+void fetching::take_failure(planning_context& d, const service_answer& answer) {
   const auto why = sentence_of(answer);
-  switch (verdict) {
+  switch (judge(answer)) {
   case judgement::gone:
     d.count_fetch_error();
     return d.happened(mission_gone{d.s.mission_id});

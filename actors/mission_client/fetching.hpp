@@ -1,10 +1,13 @@
 // Fetches the mission: at its begin, where it is refused after a few tries, and when the fate of a change is not known,
-// where there is no hurry and no end.
+// where there is no hurry and no end. At the begin the service also says up to which number it has reports of this
+// mission: a journal that was lost has taken the numbers with it. A service that does not know that call says 404.
 //
 // Nothing that is not a valid mission of this id and of our major version comes further than this. Thread: one at a
 // time.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -28,10 +31,15 @@ public:
   void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
 
 private:
+  void take_mission(planning_context& d, const service_answer& answer);
+  void take_progress(planning_context& d, const service_answer& answer);
+  void take_failure(planning_context& d, const service_answer& answer);
   void refuse(planning_context& d, refusal why, std::string reason, std::string sample = {});
+  void end(planning_context& d, std::optional<std::uint32_t> last_report_no);
 
   attempt attempt_;
-  std::string mission_id_; // that was asked for
+  std::string mission_id_;                   // that was asked for
+  std::optional<mission::document> mission_; // it came; how many reports of it the service has is being asked
 };
 
 class looking_up final : public part {

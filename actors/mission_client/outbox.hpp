@@ -3,6 +3,7 @@
 //                 tried, and the service has it
 //   [pending] ────────────────────────────────────> (gone from here; "delivered" in the journal's table)
 //    ^  │  │
+//    │  │  ├─ a batch of several rows is refused ───────> (its rows are the store's again, and go out in halves)
 //    │  │  └─ a try fails 24 h after the first failure ─> [expired]
 //    │  └──── the service will never take it ───────────> [orphaned]
 //    └──────────────── a person queues it again ──────────────┘
@@ -63,13 +64,15 @@ struct outbox_row {
   std::int64_t next_try_ns = 0;
   std::int64_t first_failure_ns = 0; // 0: it has not failed yet
   row_state state = row_state::pending;
+  bool goes_back = false; // of the map: the service will not have it under this key; the store gets its rows back
   static constexpr auto fields =
       io::table("mission_client.outbox_row", io::field("key", &outbox_row::key), io::field("to", &outbox_row::to),
                 io::field("mission_id", &outbox_row::mission_id), io::field("subject", &outbox_row::subject),
                 io::field("body", &outbox_row::body), io::field("order", &outbox_row::order),
                 io::field("created_ns", &outbox_row::created_ns), io::field("tries", &outbox_row::tries),
                 io::field("last_error", &outbox_row::last_error), io::field("next_try_ns", &outbox_row::next_try_ns),
-                io::field("first_failure_ns", &outbox_row::first_failure_ns), io::field("state", &outbox_row::state));
+                io::field("first_failure_ns", &outbox_row::first_failure_ns), io::field("state", &outbox_row::state),
+                io::field("goes_back", &outbox_row::goes_back));
 };
 
 // 3 h of reports, two a second, for a service that is down: 10 MB of state.

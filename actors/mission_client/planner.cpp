@@ -4,6 +4,17 @@
 
 namespace godwit::mission_client {
 
+namespace {
+
+std::uint64_t lost_reports(const state& s) {
+  std::uint64_t result = 0;
+  for (const auto& note : s.missions)
+    result += note.lost_reports;
+  return result;
+}
+
+} // namespace
+
 requests planner::plan(const state& s, instant now) {
   planning_context d(s, now, settings_, book_, random_);
   for (part* each : std::initializer_list<part*>{&deliveries_, &store_operations_, &backlog_, &fetching_, &looking_up_,
@@ -70,7 +81,10 @@ service_status planner::status(const state& s) const {
           .expired = counts.expired,
           .last_error = last_error(),
           .delivery_error = last_error(delivering),
-          .may_deliver = !deliveries_.is_blocked(s.mission_id)};
+          .may_deliver = !deliveries_.is_blocked(s.mission_id),
+          .refused = s.refused ? s.refused->reason : std::string(),
+          .refused_sample = s.refused ? s.refused->sample : std::string(),
+          .lost_reports = lost_reports(s)};
 }
 
 runtime::condition planner::health(const state& s) const {
@@ -90,6 +104,8 @@ runtime::condition planner::health(const state& s) const {
   };
   add(counts.orphaned, "are orphaned");
   add(counts.expired, "are expired");
+  if (const auto lost = lost_reports(s); lost != 0)
+    reason.append(reason.empty() ? "" : "; ").append(std::to_string(lost)).append(" reports of progress are lost");
   if (s.pull == pull_state::failed || s.pull == pull_state::cached_fallback)
     reason.append(reason.empty() ? "" : "; ").append("the map is not the service's");
   if (is_deleted(s, s.mission_id))

@@ -12,13 +12,8 @@ namespace {
 
 constexpr const char* kind = "asking for assignments";
 
-// The newest revision that the one who flies knows of, as its own or as an assignment's.
-std::int32_t newest_known(const state& s) {
-  auto result = s.revision;
-  for (const auto& each : s.assignments)
-    result = std::max(result, each.what.revision);
-  return result;
-}
+// An insert that was taken meanwhile does not hide an assignment of before it. 0: in a journal of an earlier version.
+std::int32_t asks_after(const state& s) { return s.asks_after != 0 ? s.asks_after : s.revision; }
 
 bool is_new(const state& s, const mission::assignment& seen) {
   return std::ranges::none_of(
@@ -44,7 +39,7 @@ void polling::plan(planning_context& d) {
       !attempt_.may_start(d))
     return;
   started_ns_ = d.now.monotonic_ns;
-  attempt_.waiting = d.call(*this, get_assignments(d.set, mission_id_, newest_known(d.s)));
+  attempt_.waiting = d.call(*this, get_assignments(d.set, mission_id_, asks_after(d.s)));
 }
 
 void polling::on_answer(planning_context& d, ticket number, const service_answer& answer) {

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,20 +45,33 @@ inline constexpr std::size_t max_store_operations = 2 * max_mission_notes;
 struct mission_note {
   std::string mission_id;
   bool is_deleted = false;
-  bool is_pushing = false;   // what the map store owes for it is being delivered
-  bool was_asked = false;    // by push_map: somebody waits for mission_resolved
-  bool seen_done = false;    // of its observations the store has no more, or they can not be delivered
-  bool ignored_done = false; // the same of its ignored items
-  std::uint32_t last_report_no = 0;
-  static constexpr auto fields =
-      io::table("mission_client.mission_note", io::field("mission_id", &mission_note::mission_id),
-                io::field("is_deleted", &mission_note::is_deleted), io::field("is_pushing", &mission_note::is_pushing),
-                io::field("was_asked", &mission_note::was_asked), io::field("seen_done", &mission_note::seen_done),
-                io::field("ignored_done", &mission_note::ignored_done),
-                io::field("last_report_no", &mission_note::last_report_no));
+  bool is_pushing = false;             // what the map store owes for it is being delivered
+  bool was_asked = false;              // by push_map: somebody waits for mission_resolved
+  bool seen_done = false;              // of its observations the store has no more, or they can not be delivered
+  bool ignored_done = false;           // the same of its ignored items
+  std::uint32_t last_report_no = 0;    // as whoever flies numbers them
+  std::uint32_t service_report_no = 0; // as the service does: without a gap, and on from what it had before
+  std::uint32_t lost_reports = 0;      // that did not come here, or for which there was no room
+  std::uint32_t seen_limit = 0;        // rows of the next batch, because larger ones were refused; 0: as it is set
+  std::uint32_t ignored_limit = 0;     // the same of ignored items
+  static constexpr auto fields = io::table(
+      "mission_client.mission_note", io::field("mission_id", &mission_note::mission_id),
+      io::field("is_deleted", &mission_note::is_deleted), io::field("is_pushing", &mission_note::is_pushing),
+      io::field("was_asked", &mission_note::was_asked), io::field("seen_done", &mission_note::seen_done),
+      io::field("ignored_done", &mission_note::ignored_done),
+      io::field("last_report_no", &mission_note::last_report_no),
+      io::field("service_report_no", &mission_note::service_report_no),
+      io::field("lost_reports", &mission_note::lost_reports), io::field("seen_limit", &mission_note::seen_limit),
+      io::field("ignored_limit", &mission_note::ignored_limit));
 
   [[nodiscard]] bool is_done(destination to) const {
     return to == destination::observations ? seen_done : ignored_done;
+  }
+  [[nodiscard]] std::uint32_t limit(destination to) const {
+    return to == destination::observations ? seen_limit : ignored_limit;
+  }
+  void set_limit(destination to, std::uint32_t rows) {
+    (to == destination::observations ? seen_limit : ignored_limit) = rows;
   }
   void set_done(destination to, bool done) { (to == destination::observations ? seen_done : ignored_done) = done; }
 };
@@ -70,12 +84,13 @@ struct open_assignment {
 };
 
 // What the map store has to be told, until it has confirmed it.
-enum class store_operation_kind { delete_mission, orphan_mission, requeue_mission };
+enum class store_operation_kind { delete_mission, orphan_mission, requeue_mission, accept_copy };
 
 constexpr auto enum_names(store_operation_kind) {
   return io::names<store_operation_kind>({{store_operation_kind::delete_mission, "delete_mission"},
                                           {store_operation_kind::orphan_mission, "orphan_mission"},
-                                          {store_operation_kind::requeue_mission, "requeue_mission"}});
+                                          {store_operation_kind::requeue_mission, "requeue_mission"},
+                                          {store_operation_kind::accept_copy, "accept_copy"}});
 }
 
 struct store_operation {
@@ -94,7 +109,9 @@ struct state {
   std::string schema_version;     // of the last mission that the service sent
   std::int64_t last_fetch_ns = 0; // 0: never
   pull_state pull = pull_state::not_started;
-  bool looks_up = false; // the fate of a change is not known: the mission has to be fetched
+  std::optional<mission_refused> refused; // the last one that was fetched for nothing, until one is taken
+  std::int32_t asks_after = 0;            // assignments up to this revision are known; 0: see polling.cpp
+  bool looks_up = false;                  // the fate of a change is not known: the mission has to be fetched
   std::vector<mission_note> missions;
   std::vector<outbox_row> rows;                  // in the order in which they came
   std::vector<open_assignment> assignments;      // of mission_id, oldest first
@@ -108,6 +125,7 @@ struct state {
       "mission_client.state", io::field("now", &state::now), io::field("mission_id", &state::mission_id),
       io::field("revision", &state::revision), io::field("schema_version", &state::schema_version),
       io::field("last_fetch_ns", &state::last_fetch_ns), io::field("pull", &state::pull),
+      io::field("refused", &state::refused), io::field("asks_after", &state::asks_after),
       io::field("looks_up", &state::looks_up), io::field("missions", &state::missions), io::field("rows", &state::rows),
       io::field("assignments", &state::assignments), io::field("errands", &state::store_operations),
       io::field("settled_keys", &state::resolved_keys), io::field("next_order", &state::next_order),

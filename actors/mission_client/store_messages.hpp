@@ -10,10 +10,10 @@ namespace godwit::mission_client {
 
 namespace store = mapobjects_store;
 
-using store_question =
-    std::variant<store::choose_mission, store::begin_load, store::load_page, store::finish_load, store::pull_failed,
-                 store::get_map, store::take_batch, store::batch_delivered, store::get_batches, store::get_owed,
-                 store::delete_mission, store::orphan_mission, store::requeue_mission>;
+using store_question = std::variant<store::choose_mission, store::begin_load, store::load_page, store::finish_load,
+                                    store::pull_failed, store::acknowledge_fallback, store::get_map, store::take_batch,
+                                    store::batch_delivered, store::return_batch, store::get_batches, store::get_owed,
+                                    store::delete_mission, store::orphan_mission, store::requeue_mission>;
 
 // It did not answer, or nobody knows what it did: the same is asked again.
 struct store_silent {

@@ -6,6 +6,7 @@
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::assignments_seen);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::batch_empty);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::batch_planned);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::batch_returned);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_done);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_failed);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::clock_jumped);

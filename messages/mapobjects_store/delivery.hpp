@@ -27,11 +27,12 @@ constexpr auto enum_names(destination) {
 //
 //               take_batch          batch_delivered
 //   [pending] ─────────────> [taken] ─────────────> [delivered]
-//     ^    │                    │                        ^
+//     ^  ^ │                 │  │                        ^
+//     │  └─────return_batch──┘  │                        │
 //     │    └── the mission ─────┤                        │ batch_delivered
 //     │        is gone          v                        │
 //     └─ requeue_mission ── [orphaned] ──────────────────┘
-//        (without a batch)
+//        (without a batch), return_batch
 enum class delivery_state { pending, taken, delivered, orphaned };
 
 constexpr auto enum_names(delivery_state) {
@@ -100,6 +101,14 @@ struct open_batches {
 struct batch_delivered {
   std::string key;
   static constexpr auto fields = io::table("mapobjects_store.batch_delivered", io::field("key", &batch_delivered::key));
+};
+
+// Answered with map_answer. The service will not have the batch under this key: its rows are pending again, orphans
+// too, and can be taken under other keys, in smaller batches. The key counts as delivered. One that is not known (any
+// more) is a repetition.
+struct return_batch {
+  std::string key;
+  static constexpr auto fields = io::table("mapobjects_store.return_batch", io::field("key", &return_batch::key));
 };
 
 // Answered with owed_list.

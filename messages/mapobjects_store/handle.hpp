@@ -23,8 +23,9 @@ using operator_handle =
 using client_handle =
     runtime::mailbox<runtime::asks<choose_mission, map_answer>, runtime::asks<begin_load, load_answer>,
                      runtime::asks<load_page, load_answer>, runtime::asks<finish_load, load_answer>,
-                     runtime::asks<pull_failed, map_answer>, runtime::asks<take_batch, batch>,
-                     runtime::asks<get_batches, open_batches>, runtime::asks<batch_delivered, map_answer>,
+                     runtime::asks<pull_failed, map_answer>, runtime::asks<acknowledge_fallback, map_answer>,
+                     runtime::asks<take_batch, batch>, runtime::asks<get_batches, open_batches>,
+                     runtime::asks<batch_delivered, map_answer>, runtime::asks<return_batch, map_answer>,
                      runtime::asks<delete_mission, moved_rows>, runtime::asks<orphan_mission, moved_rows>,
                      runtime::asks<requeue_mission, moved_rows>, runtime::asks<get_owed, owed_list>,
                      runtime::asks<get_map, map_status>>;
@@ -37,9 +38,9 @@ using handle =
                      runtime::asks<load_page, load_answer>, runtime::asks<finish_load, load_answer>,
                      runtime::asks<pull_failed, map_answer>, runtime::asks<take_batch, batch>,
                      runtime::asks<get_batches, open_batches>, runtime::asks<batch_delivered, map_answer>,
-                     runtime::asks<delete_mission, moved_rows>, runtime::asks<orphan_mission, moved_rows>,
-                     runtime::asks<requeue_mission, moved_rows>, runtime::asks<get_owed, owed_list>,
-                     runtime::asks<get_map, map_status>>;
+                     runtime::asks<return_batch, map_answer>, runtime::asks<delete_mission, moved_rows>,
+                     runtime::asks<orphan_mission, moved_rows>, runtime::asks<requeue_mission, moved_rows>,
+                     runtime::asks<get_owed, owed_list>, runtime::asks<get_map, map_status>>;
 
 // The writer's thread.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;

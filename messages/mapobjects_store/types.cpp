@@ -34,6 +34,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::pass_answer);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::pass_end);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::pull_failed);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::requeue_mission);
+GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::return_batch);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::sighting);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::sighting_answer);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::take_batch);

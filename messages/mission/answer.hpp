@@ -20,6 +20,15 @@ struct receipt {
   friend bool operator==(const receipt&, const receipt&) = default;
 };
 
+// How far the service was told of a mission.
+struct progress_status {
+  std::uint32_t last_report_no = 0; // 0: there is no report of it
+
+  static constexpr auto fields =
+      io::table("mission.progress_status", io::field("last_report_no", &progress_status::last_report_no));
+  friend bool operator==(const progress_status&, const progress_status&) = default;
+};
+
 struct wrong_place {
   std::string pointer; // JSON pointer (RFC 6901) into the body that was sent
   std::string detail;

@@ -3,6 +3,7 @@
 #include "messages/mission_client/port.hpp"
 #include "runtime/define_message.hpp"
 
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::accept_copy);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::assignment_arrived);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::begin_mission);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::change_outcome);

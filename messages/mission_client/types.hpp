@@ -34,6 +34,14 @@ struct pull_map {
   static constexpr auto fields = io::table("mission_client.pull_map", io::field("mission_id", &pull_map::mission_id));
 };
 
+// An operator flies with the copy from before (pull_state cached_fallback): what is seen counts from it. Said again, or
+// when the map is not such a copy, it changes nothing.
+struct accept_copy {
+  std::string mission_id;
+  static constexpr auto fields =
+      io::table("mission_client.accept_copy", io::field("mission_id", &accept_copy::mission_id));
+};
+
 // The flight is over: deliver what the map store owes for it. Said again, it looks again. Answered by
 // mission_resolved.
 struct push_map {
@@ -130,6 +138,9 @@ struct service_status {
   std::string last_error;     // sentence for people; empty when the last call of each kind went well
   std::string delivery_error; // what of it is about deliveries
   bool may_deliver = true;    // false: a delivery for this mission was answered with 401 or 403, and waits for a person
+  std::string refused;        // why the last mission that was asked for was not taken; empty: it was
+  std::string refused_sample; // the beginning of what came instead of one, at most 1 KiB; kept over restarts
+  std::uint64_t lost_reports = 0; // of progress, that were never delivered; what came behind them was
   static constexpr auto fields = io::table(
       "mission_client.service_status", io::field("mission_id", &service_status::mission_id),
       io::field("revision", &service_status::revision), io::field("schema_version", &service_status::schema_version),
@@ -139,7 +150,9 @@ struct service_status {
       io::field("pending", &service_status::pending), io::field("orphaned", &service_status::orphaned),
       io::field("expired", &service_status::expired), io::field("last_error", &service_status::last_error),
       io::field("delivery_error", &service_status::delivery_error),
-      io::field("may_deliver", &service_status::may_deliver));
+      io::field("may_deliver", &service_status::may_deliver), io::field("refused", &service_status::refused),
+      io::field("refused_sample", &service_status::refused_sample),
+      io::field("lost_reports", &service_status::lost_reports));
 };
 
 // -- told to the one who flies --------------------------------------------------------------------

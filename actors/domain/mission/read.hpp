@@ -67,6 +67,8 @@ inline constexpr document_form form_of<map_object_bundle>{"map_object_bundle", m
 template <>
 inline constexpr document_form form_of<receipt>{"receipt", max_answer_bytes};
 template <>
+inline constexpr document_form form_of<progress_status>{"progress_status", max_answer_bytes};
+template <>
 inline constexpr document_form form_of<problem>{"problem", max_answer_bytes, judge::valijson, true};
 
 template <class T>

@@ -198,6 +198,8 @@ document_problems broken_rules(const map_object_bundle& value) {
 
 document_problems broken_rules(const receipt&) { return {}; }
 
+document_problems broken_rules(const progress_status&) { return {}; }
+
 document_problems broken_rules(const problem&) { return {}; }
 
 } // namespace godwit::mission

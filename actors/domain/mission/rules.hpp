@@ -39,6 +39,7 @@ using document_problems = std::vector<document_problem>;
 [[nodiscard]] document_problems broken_rules(const ignored_item_batch& value);
 [[nodiscard]] document_problems broken_rules(const map_object_bundle& value);
 [[nodiscard]] document_problems broken_rules(const receipt& value);
+[[nodiscard]] document_problems broken_rules(const progress_status& value);
 [[nodiscard]] document_problems broken_rules(const problem& value);
 
 // Whether a document with this `schema_version` can be read at all: the same major version.

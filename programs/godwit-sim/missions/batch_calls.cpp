@@ -41,6 +41,11 @@ answer put_reports(service_file& file, const call& at, const std::vector<mission
 
 } // namespace
 
+answer get_progress(service_file&, const call& at) {
+  const mission::progress_status told{static_cast<std::uint32_t>(at.mission.last_report_no)};
+  return {.body = mission::to_text(told), .headers = {}};
+}
+
 answer post_progress(service_file& file, const call& at) {
   return post_once<mission::progress_batch>(
       file, at, [&](const mission::progress_batch& body) { return put_reports(file, at, body.reports); });

@@ -7,6 +7,8 @@
 
 namespace godwit::sim::missions {
 
+// The number of the last report.
+[[nodiscard]] answer get_progress(service_file& file, const call& at);
 [[nodiscard]] answer post_progress(service_file& file, const call& at);
 [[nodiscard]] answer post_map_objects(service_file& file, const call& at);
 [[nodiscard]] answer post_ignored(service_file& file, const call& at);

@@ -28,7 +28,7 @@ constexpr std::array handlers{
     handler_row{endpoint::get_ignored, get_ignored},         handler_row{endpoint::post_ignored, post_ignored},
     handler_row{endpoint::post_waypoints, post_waypoint},    handler_row{endpoint::post_tail, post_tail},
     handler_row{endpoint::post_progress, post_progress},     handler_row{endpoint::get_assignments, get_assignments},
-    handler_row{endpoint::post_response, post_response},
+    handler_row{endpoint::post_response, post_response},     handler_row{endpoint::get_progress, get_progress},
 };
 
 call_handler handler_of(endpoint where) {

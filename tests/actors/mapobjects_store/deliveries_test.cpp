@@ -131,6 +131,18 @@ TEST_F(deliveries, of_delivered_keys_the_newest_are_remembered) {
   EXPECT_EQ(count("batch"), max_delivered_keys);
 }
 
+TEST_F(deliveries, a_batch_that_is_given_back_is_taken_again_in_smaller_ones_under_other_keys) {
+  for (std::uint64_t i = 1; i <= 4; ++i)
+    record(seen(i, place(static_cast<double>(i) * 100)));
+  EXPECT_EQ(ids_of(take(901)).size(), 4U);
+  for (int i = 0; i < 2; ++i) // said again it changes nothing
+    EXPECT_TRUE(store->transact([](map_tables& t) { return give_back(t, {uuid(901)}); }));
+  EXPECT_EQ(ids_of(take(902, 2)), (std::vector{uuid(1), uuid(2)}));
+  EXPECT_EQ(ids_of(take(903, 2)), (std::vector{uuid(3), uuid(4)}));
+  EXPECT_TRUE(store->transact([](map_tables& t) { return give_back(t, {uuid(901)}); }));
+  EXPECT_TRUE(ids_of(take(904)).empty());
+}
+
 TEST_F(deliveries, observations_and_ignored_items_do_not_wait_for_each_other) {
   record_many(1);
   decline(50);

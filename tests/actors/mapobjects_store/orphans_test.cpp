@@ -59,6 +59,19 @@ TEST_F(orphans, a_batch_is_not_queued_again_because_its_key_may_be_known_to_the_
   EXPECT_EQ(ids_of(take(901)), std::vector{uuid(1)});
 }
 
+TEST_F(orphans, a_batch_of_them_that_is_given_back_is_pending_again) {
+  record(seen(1, place(0)));
+  decline(50);
+  take(901);
+  take(902, 10, mission_a, destination::ignored_items);
+  orphan_all();
+  for (const auto key : {901, 902})
+    EXPECT_TRUE(store->transact([&](map_tables& t) { return give_back(t, {uuid(static_cast<std::uint64_t>(key))}); }));
+  EXPECT_EQ(count("orphaned_observation"), 0);
+  EXPECT_EQ(ids_of(take(903)), std::vector{uuid(1)});
+  EXPECT_EQ(ids_of(take(904, 10, mission_a, destination::ignored_items)), std::vector{uuid(50)});
+}
+
 TEST_F(orphans, an_ignored_item_still_ignores_and_can_be_queued_again) {
   decline(50);
   EXPECT_EQ(orphan_all(), 1U);

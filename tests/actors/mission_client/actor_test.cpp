@@ -73,7 +73,7 @@ TEST(mission_client_actor, reports_go_out_in_order_and_many_together) {
   ASSERT_EQ(reports.size(), 250U);
   for (std::uint32_t i = 0; i < reports.size(); ++i)
     EXPECT_EQ(reports[i].report_no, i + 1);
-  EXPECT_LE(around.service.count("/progress"), 5);
+  EXPECT_LE(around.service.posts("/progress"), 5);
   EXPECT_EQ(around.service.at_once, 1);
   EXPECT_EQ(p.status().pending, 0U);
 }
@@ -88,7 +88,7 @@ TEST(mission_client_actor, a_report_that_is_told_again_goes_out_once) {
     p.advance(1s);
   }
   EXPECT_EQ(around.service.at(mission_a).reports.size(), 1U);
-  EXPECT_EQ(around.service.count("/progress"), 1);
+  EXPECT_EQ(around.service.posts("/progress"), 1);
 }
 
 TEST(mission_client_actor, an_acknowledged_insert_replaces_the_mission_in_memory) {
@@ -245,7 +245,7 @@ TEST(mission_client_actor, nothing_is_delivered_that_is_not_on_the_disk) {
   p.world.journal().fail_writes(true);
   p.say(report(mission_a, 1));
   p.advance(1s);
-  EXPECT_EQ(around.service.count("/progress"), 0);
+  EXPECT_EQ(around.service.posts("/progress"), 0);
   p.world.journal().fail_writes(false);
   p.advance(1s);
   EXPECT_EQ(around.service.at(mission_a).reports.size(), 1U);

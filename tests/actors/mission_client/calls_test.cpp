@@ -25,6 +25,8 @@ outbox_row report_row(std::uint32_t number) {
 TEST(mission_client_calls, gets_name_what_they_want) {
   const settings by;
   EXPECT_EQ(get_mission(by, mission_id).target, "/missions/" + mission_id);
+  EXPECT_EQ(get_progress(by, mission_id).target, "/missions/" + mission_id + "/progress");
+  EXPECT_FALSE(get_progress(by, mission_id).is_post);
   const auto poll = get_assignments(by, mission_id, 7);
   EXPECT_EQ(poll.target, "/missions/" + mission_id + "/assignments?after=7&wait_s=30");
   EXPECT_GT(poll.read_timeout, std::chrono::seconds(30));

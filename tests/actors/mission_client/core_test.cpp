@@ -53,7 +53,7 @@ state ready() {
   state s;
   (void)durable_core::apply(s, begin_mission{mission_a}, 1);
   (void)durable_core::apply(s, earlier_delivered{}, 2);
-  (void)durable_core::apply(s, mission_fetched{document(1)}, 3);
+  (void)durable_core::apply(s, mission_fetched{document(1), {}}, 3);
   (void)durable_core::apply(s, pull_ended{{mission_a, pull_state::synced, 0, 0, {}}}, 4);
   return s;
 }
@@ -64,7 +64,7 @@ TEST(mission_client_core, the_phases_follow_each_other_and_each_is_told) {
   EXPECT_EQ(s.now, phase::delivering_earlier);
   (void)durable_core::apply(s, earlier_delivered{}, 2);
   EXPECT_EQ(s.now, phase::fetching);
-  EXPECT_EQ(only<mission_loaded>(durable_core::apply(s, mission_fetched{document(5)}, 3)).size(), 1U);
+  EXPECT_EQ(only<mission_loaded>(durable_core::apply(s, mission_fetched{document(5), {}}, 3)).size(), 1U);
   EXPECT_EQ(s.now, phase::pulling);
   EXPECT_EQ(s.revision, 5);
   EXPECT_EQ(only<map_pulled>(durable_core::apply(s, pull_ended{{mission_a, pull_state::synced, 1, 2, {}}}, 4)).size(),
@@ -76,7 +76,7 @@ TEST(mission_client_core, an_event_that_comes_in_the_wrong_phase_or_twice_change
   auto s = ready();
   const auto before = io::to_json(s);
   EXPECT_TRUE(durable_core::apply(s, earlier_delivered{}, 9).empty());
-  EXPECT_TRUE(durable_core::apply(s, mission_fetched{document(7)}, 9).empty());
+  EXPECT_TRUE(durable_core::apply(s, mission_fetched{document(7), {}}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, fetch_failed{{mission_a, refusal::invalid, "x", {}}}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, pull_ended{{mission_a, pull_state::failed, 0, 0, "x"}}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, begin_mission{mission_a}, 9).empty());
@@ -99,6 +99,23 @@ TEST(mission_client_core, a_key_that_is_known_changes_nothing_before_and_after_d
   EXPECT_TRUE(durable_core::apply(s, report(1), 12).empty());
   EXPECT_TRUE(durable_core::apply(s, insert("k"), 12).empty());
   EXPECT_TRUE(s.rows.empty());
+}
+
+TEST(mission_client_core, reports_for_which_there_was_no_room_leave_no_gap_behind_them) {
+  auto s = ready();
+  (void)durable_core::apply(s, report(1), 10);
+  outbox_row other;
+  other.mission_id = "b";
+  s.rows.resize(max_outbox_rows, other);
+  (void)durable_core::apply(s, report(2), 11);
+  (void)durable_core::apply(s, report(3), 12);
+  EXPECT_EQ(s.rows.size(), max_outbox_rows);
+  s.rows.pop_back(); // delivered
+  (void)durable_core::apply(s, report(4), 13);
+  ASSERT_EQ(s.rows.size(), max_outbox_rows);
+  EXPECT_NE(s.rows.back().body.find(R"("report_no":2)"), std::string::npos) << s.rows.back().body;
+  EXPECT_EQ(s.missions.at(0).lost_reports, 2U);
+  EXPECT_EQ(s.refused_rows, 2U);
 }
 
 TEST(mission_client_core, the_window_counts_power_off_time_and_still_gives_one_more_try) {

@@ -60,7 +60,7 @@ TEST(mission_client_answers, not_allowed_waits_for_a_person_and_shows_red) {
   around.service.faults.push_back({.what = fault::status_answer, .status = 401, .posts_only = true});
   p.say(report(mission_a, 1));
   p.advance(120s);
-  EXPECT_EQ(around.service.count("/progress"), 1);
+  EXPECT_EQ(around.service.posts("/progress"), 1);
   EXPECT_EQ(p.health().colour, health_colour::red);
   EXPECT_FALSE(p.status().may_deliver);
   EXPECT_NE(p.status().delivery_error.find("401"), std::string::npos);
@@ -81,7 +81,7 @@ TEST(mission_client_answers, what_the_service_calls_wrong_is_not_repeated) {
   around.service.faults.push_back({.where = "/progress", .what = fault::status_answer, .status = 422});
   p.say(report(mission_a, 1));
   p.advance(60s);
-  EXPECT_EQ(around.service.count("/progress"), 1);
+  EXPECT_EQ(around.service.posts("/progress"), 1);
   EXPECT_EQ(p.status().orphaned, 1U);
 }
 
@@ -97,7 +97,7 @@ TEST(mission_client_answers, a_gap_that_the_service_sees_orphans_what_is_behind_
     p.say(report(mission_a, i));
   p.advance(60s);
   EXPECT_EQ(p.status().orphaned, 4U);
-  EXPECT_LE(around.service.count("/progress"), 5);
+  EXPECT_LE(around.service.posts("/progress"), 5);
 }
 
 TEST(mission_client_answers, a_stale_insert_is_told_and_the_newest_mission_is_fetched) {
@@ -160,7 +160,7 @@ TEST(mission_client_answers, retry_after_is_the_least_that_is_waited) {
                                    .times = 1});
   p.say(report(mission_a, 1));
   p.advance(89s);
-  EXPECT_EQ(around.service.count("/progress"), 1);
+  EXPECT_EQ(around.service.posts("/progress"), 1);
   p.advance(3s);
   EXPECT_EQ(around.service.at(mission_a).reports.size(), 1U);
 }
@@ -177,6 +177,29 @@ TEST(mission_client_answers, two_hundred_from_a_portal_on_the_way_is_no_receipt)
   p.advance(10s);
   EXPECT_EQ(p.status().pending, 0U);
   EXPECT_EQ(around.service.at(mission_a).reports.size(), 1U);
+}
+
+TEST(mission_client_answers, an_assignment_that_an_insert_overtakes_is_told_all_the_same) {
+  outside around;
+  auto& m = around.service.add(sample_mission(mission_a));
+  process p(around);
+  begin(p, mission_a);
+  around.service.faults.push_back({.where = "/assignments", .what = fault::lost_answer, .gets_only = true});
+  p.advance(40s); // the poll that was under way has ended
+  around.service.assign(mission_a, sample_assignment(m.document, 1));
+  p.say(insert(mission_a, 1, 1));
+  p.advance(5s);
+  ASSERT_EQ(around.listener.loaded.size(), 2U);
+  EXPECT_EQ(around.listener.loaded[1].document.revision, 2);
+  EXPECT_TRUE(around.listener.arrived.empty());
+  around.service.faults.clear();
+  p.advance(120s);
+  ASSERT_EQ(around.listener.arrived.size(), 1U);
+  const auto& told = around.listener.arrived[0].assignment;
+  p.say(response(mission_a, told, mission::assignment_outcome::rejected, 1));
+  p.advance(60s);
+  EXPECT_EQ(m.responses.size(), 1U);
+  EXPECT_EQ(around.listener.arrived.size(), 1U);
 }
 
 // -- the pull -------------------------------------------------------------------------------------

@@ -46,6 +46,14 @@ TEST(mission_client_failures, a_mission_of_another_schema_is_refused_with_the_be
   EXPECT_EQ(p.health().colour, health_colour::red);
   EXPECT_EQ(around.service.count("GET"), 1);
   EXPECT_TRUE(around.listener.loaded.empty());
+  process again(around);
+  EXPECT_EQ(again.status().refused_sample, around.listener.refused[0].sample) << "kept for analysis, over restarts";
+  EXPECT_NE(again.status().refused, "");
+  m.document.schema_version = "1.0.0";
+  begin(again, mission_a);
+  EXPECT_EQ(again.status().refused_sample, "");
+  EXPECT_EQ(again.status().schema_version, "1.0.0");
+  EXPECT_GT(again.status().last_fetch_ns, 0);
 }
 
 TEST(mission_client_failures, a_map_of_another_schema_fails_the_pull_with_the_beginning_of_what_came) {
@@ -87,6 +95,37 @@ TEST(mission_client_failures, a_pull_that_fails_with_a_copy_is_a_cached_fallback
   p.advance(30s);
   ASSERT_EQ(around.listener.pulled.size(), 1U);
   EXPECT_EQ(around.listener.pulled[0].state, pull_state::cached_fallback);
+  EXPECT_EQ(around.store.sync, store::sync_state::degraded);
+}
+
+TEST(mission_client_failures, a_copy_that_an_operator_accepts_is_accepted_at_the_store_also_when_that_is_busy) {
+  outside around;
+  around.service.add(sample_mission(mission_a));
+  around.store.has_copy = true;
+  around.service.faults.push_back({.where = "/mapobjects"});
+  {
+    process p(around);
+    begin(p, mission_a);
+    p.advance(30s);
+    around.store.is_busy = true;
+    p.say(accept_copy{mission_a});
+    p.advance(1s);
+    EXPECT_EQ(around.store.sync, store::sync_state::degraded);
+  } // SIGKILL
+  around.store.is_busy = false;
+  process again(around);
+  again.advance(10s);
+  EXPECT_EQ(around.store.sync, store::sync_state::cached_fallback);
+}
+
+TEST(mission_client_failures, a_map_that_is_synced_has_no_copy_to_accept) {
+  outside around;
+  around.service.add(sample_mission(mission_a));
+  process p(around);
+  begin(p, mission_a);
+  p.say(accept_copy{mission_a});
+  p.advance(1s);
+  EXPECT_EQ(around.store.sync, store::sync_state::synced);
 }
 
 TEST(mission_client_failures, an_insert_that_fails_ends_within_two_seconds_and_leaves_the_decision) {
@@ -227,7 +266,7 @@ TEST(mission_client_failures, service_down_for_three_hours_then_all_is_delivered
   EXPECT_LE(around.service.count("POST /missions/" + mission_a + "/progress"), bound);
   EXPECT_LE(around.service.calls["POST /missions/" + mission_a + "/mapobjects"], bound);
   EXPECT_LE(around.service.calls["POST /missions/" + mission_a + "/mapobjects/ignored"], bound);
-  EXPECT_GE(around.service.count("/progress"), 30);
+  EXPECT_GE(around.service.posts("/progress"), 30);
   around.service.faults.clear();
   p.advance(400s, 100ms);
   const auto& m = around.service.at(mission_a);

@@ -249,7 +249,7 @@ TEST(mission_client_planner, the_load_begins_before_the_first_page_is_asked_for)
   EXPECT_EQ(wanted.calls[0].call.target, "/missions/" + mission_a);
   mission::document document;
   document.mission_id = mission_a;
-  d.happens(mission_fetched{document});
+  d.happens(mission_fetched{document, {}});
   wanted = d.plan();
   EXPECT_TRUE(std::holds_alternative<store::choose_mission>(wanted.questions.at(0).question));
   wanted = d.hear(wanted.questions[0].number, store::map_answer{});

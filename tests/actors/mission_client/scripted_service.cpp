@@ -55,6 +55,14 @@ int scripted_service::count(const std::string& part) const {
   return result;
 }
 
+int scripted_service::posts(const std::string& part) const {
+  int result = 0;
+  for (const auto& [lane, times] : calls)
+    if (lane.starts_with("POST ") && lane.find(part) != std::string::npos)
+      result += times;
+  return result;
+}
+
 // -- time -----------------------------------------------------------------------------------------
 
 void scripted_service::run(const std::shared_ptr<scripted_port>& port, std::int64_t now_ns,
@@ -156,6 +164,9 @@ std::optional<service_answer> scripted_service::handle(const service_call& call,
   if (!call.is_post) {
     if (rest.empty())
       return plain(200, mission::to_text(m.document));
+    if (rest == "/progress")
+      return plain(knows_progress_call ? 200 : 404,
+                   mission::to_text(mission::progress_status{static_cast<std::uint32_t>(m.reports.size())}));
     if (rest != "/assignments")
       return page(m, rest, query);
     mission::assignment_list list;
@@ -288,6 +299,9 @@ service_answer scripted_service::take_map(service_mission& m, const std::string&
     const auto batch = mission::read<mission::observation_batch>(body);
     if (!batch)
       return problem(422, "the batch is wrong");
+    for (const auto& each : batch->observations)
+      if (poison.contains(each.observation_id))
+        return problem(422, "this observation is wrong");
     for (const auto& each : batch->observations)
       ++(m.observations.try_emplace(each.observation_id, each).second ? stored : repeated);
   }

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,8 @@ public:
   std::vector<planned_fault> faults;
   std::int64_t latency_ns = 20'000'000;
   std::uint32_t page_rows = 1'000'000; // of a page at most, beside what is asked for
+  bool knows_progress_call = true;     // GET .../progress; an older service does not
+  std::set<std::string> poison;        // ids of observations that it will never take
 
   // What was seen.
   std::map<std::string, int> calls; // by "GET /missions/ID/..." without the query
@@ -101,6 +104,7 @@ public:
   std::uint64_t repeated_rows = 0;
   int at_once = 0; // most posts of one lane that were under way at the same time: never above 1
   [[nodiscard]] int count(const std::string& part) const;
+  [[nodiscard]] int posts(const std::string& part) const; // of these, those that deliver something
 
 private:
   struct open_call {

@@ -131,6 +131,31 @@ store::map_answer scripted_store::deliver(const store::batch_delivered& m) {
   return {};
 }
 
+store::map_answer scripted_store::give_back(const store::return_batch& m) {
+  if (is_busy)
+    return busy();
+  const auto found = batches.find(m.key);
+  if (found == batches.end())
+    return {};
+  const auto& what = found->second.what;
+  auto& seen = observations[what.mission_id];
+  seen.insert(seen.begin(), what.observations.begin(), what.observations.end());
+  auto& rest = ignored[what.mission_id];
+  rest.insert(rest.begin(), what.ignored_items.begin(), what.ignored_items.end());
+  batches.erase(found);
+  delivered_keys.push_back(m.key);
+  return {};
+}
+
+store::map_answer scripted_store::accept_copy(const store::acknowledge_fallback& m) {
+  if (is_busy)
+    return busy();
+  if (chosen != m.mission_id || (sync != store::sync_state::degraded && sync != store::sync_state::cached_fallback))
+    return {store::map_failure::refused, "there is nothing to acknowledge"};
+  sync = store::sync_state::cached_fallback;
+  return {};
+}
+
 store::moved_rows scripted_store::set_aside(const std::string& mission) {
   auto& rows = observations[mission];
   orphans[mission].insert(orphans[mission].end(), rows.begin(), rows.end());
@@ -179,9 +204,11 @@ store_actor::behavior_type store_actor::handlers() {
           on<store::load_page>([this](const auto& m) { return held_->put(m); }),
           on<store::finish_load>([this](const auto& m) { return held_->finish(m); }),
           on<store::pull_failed>([this](const auto& m) { return held_->fail(m); }),
+          on<store::acknowledge_fallback>([this](const auto& m) { return held_->accept_copy(m); }),
           on<store::take_batch>([this](const auto& m) { return held_->take(m); }),
           on<store::get_batches>([this](const auto&) { return held_->open(); }),
           on<store::batch_delivered>([this](const auto& m) { return held_->deliver(m); }),
+          on<store::return_batch>([this](const auto& m) { return held_->give_back(m); }),
           on<store::delete_mission>([this](const auto& m) {
             held_->deleted_missions.push_back(m.mission_id);
             return held_->set_aside(m.mission_id);

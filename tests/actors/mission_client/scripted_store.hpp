@@ -57,6 +57,8 @@ struct scripted_store {
   store::batch take(const store::take_batch& m);
   [[nodiscard]] store::open_batches open() const;
   store::map_answer deliver(const store::batch_delivered& m);
+  store::map_answer give_back(const store::return_batch& m);
+  store::map_answer accept_copy(const store::acknowledge_fallback& m);
   store::moved_rows set_aside(const std::string& mission);
   store::moved_rows requeue(const store::requeue_mission& m);
   [[nodiscard]] store::owed_list list_owed() const;

@@ -35,6 +35,7 @@ constexpr std::array judges{
     judge_row{endpoint::post_ignored, judge<mission::receipt>},
     judge_row{endpoint::post_waypoints, judge<mission::document>},
     judge_row{endpoint::post_tail, judge<mission::document>},
+    judge_row{endpoint::get_progress, judge<mission::progress_status>},
     judge_row{endpoint::post_progress, judge<mission::receipt>},
     judge_row{endpoint::get_assignments, judge<mission::assignment_list>},
     judge_row{endpoint::post_response, judge<mission::receipt>},

@@ -22,6 +22,7 @@ TEST(missions_route, each_call_of_the_contract_is_known) {
       {"POST", "/mapobjects/ignored", endpoint::post_ignored},
       {"POST", "/waypoints", endpoint::post_waypoints},
       {"POST", "/tail", endpoint::post_tail},
+      {"GET", "/progress", endpoint::get_progress},
       {"POST", "/progress", endpoint::post_progress},
       {"GET", "/assignments?after=1", endpoint::get_assignments},
       {"POST", "/assignments/" + uuid(1) + "/response", endpoint::post_response},

@@ -56,6 +56,7 @@ protected:
             on<ms::pull_failed>([](const ms::pull_failed&) { return ms::map_answer{}; }),
             on<ms::take_batch>([](const ms::take_batch&) { return ms::batch{}; }),
             on<ms::get_batches>([](const ms::get_batches&) { return ms::open_batches{}; }),
+            on<ms::return_batch>([](const ms::return_batch&) { return ms::map_answer{}; }),
             on<ms::batch_delivered>([](const ms::batch_delivered&) { return ms::map_answer{}; }),
             on<ms::delete_mission>([](const ms::delete_mission&) { return ms::moved_rows{}; }),
             on<ms::orphan_mission>([](const ms::orphan_mission&) { return ms::moved_rows{}; }),
@@ -94,6 +95,7 @@ protected:
     namespace mc = mission_client;
     return {on<mc::begin_mission>([this](const mc::begin_mission&) { ++log_->begins; }),
             on<mc::pull_map>([](const mc::pull_map&) {}),
+            on<mc::accept_copy>([](const mc::accept_copy&) {}),
             on<mc::push_map>([this](const mc::push_map& m) {
               ++log_->pushes;
               tell(log_->run, mc::mission_resolved{m.mission_id, 0, 0});

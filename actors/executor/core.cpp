@@ -45,12 +45,14 @@ effects core::on_start() {
   return out;
 }
 
-effects core::on_client_back() const {
+effects core::on_client_back() {
   const auto& s = flight_.s;
   effects out;
+  service_.forget_told();
   if (flight_.configured.has_service && !flight_.configured.mission_id.empty())
     out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
-  if (flight_.configured.has_service && s.status.now == phase::post_flight && s.mission)
+  const bool has_ended = s.status.now == phase::post_flight || s.status.now == phase::aborted;
+  if (flight_.configured.has_service && has_ended && s.mission)
     out.emplace_back(say_to_client{mission_client::push_map{s.mission->mission_id}});
   return out;
 }
@@ -63,6 +65,7 @@ std::int64_t core::next_deadline_ns(instant now) const {
 // What follows from a note is decided when it is applied.
 effects core::advance(instant now) {
   effects out;
+  service_.ask_again(out, now);
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(std::ranges::any_of(rules, [&](rule each) { return (this->*each)(out, now); }));
@@ -225,7 +228,7 @@ effects core::on_guarded(std::uint64_t number, const failsafe::guard_answer& ans
 // -- the service ------------------------------------------------------------------------------------
 
 effects core::on_mission(const mission_client::mission_loaded& m, instant) {
-  preparation_.on_mission();
+  service_.on_mission();
   const auto& s = flight_.s;
   if (s.mission && s.mission->mission_id == m.document.mission_id && m.document.revision <= s.mission->revision)
     return {};
@@ -236,13 +239,13 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant) {
   return {note{mission_arrived{m.document}}};
 }
 
-effects core::on_refused(const mission_client::mission_refused& m, instant) {
-  preparation_.on_refused(m.reason);
+effects core::on_refused(const mission_client::mission_refused& m, instant now) {
+  service_.on_refused(m, now);
   return {announce{"mission " + m.mission_id + ": " + m.reason, true}};
 }
 
 effects core::on_map(const mission_client::map_pulled& m, instant) {
-  preparation_.on_map(m);
+  service_.on_map(m);
   return {};
 }
 
@@ -250,8 +253,25 @@ effects core::on_assignment(const mission_client::assignment_arrived& m, instant
 
 effects core::on_change(const mission_client::change_outcome& m, instant) { return changes_.on_change(m); }
 
+// Of an earlier mission only what was seen for it is concerned.
 effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
-  return {announce{"the service has deleted mission " + m.mission_id + "; what goes on goes on", true}};
+  const auto& s = flight_.s;
+  const bool is_current = s.mission && s.mission->mission_id == m.mission_id;
+  effects out;
+  std::string what_follows = "what was seen for it is kept on board";
+  if (is_current || m.mission_id == flight_.configured.mission_id) {
+    out.emplace_back(note{deletion_told{m.mission_id}});
+    what_follows = "it is not flown any more";
+  }
+  if (is_current && flight_.is_in_flight()) {
+    const bool comes_home = flight_.configured.deleted_mission == deletion_policy::come_home && !flight_.has_person() &&
+                            !flight_.is_coming_down();
+    if (comes_home)
+      flight_.wanted.put_halt(task_kind::come_home);
+    what_follows = comes_home ? "the vehicle is called home" : "what goes on goes on";
+  }
+  out.emplace_back(announce{"the service has deleted mission " + m.mission_id + "; " + what_follows, true});
+  return out;
 }
 
 effects core::on_delivered(const mission_client::mission_resolved& m, instant) {
@@ -270,7 +290,10 @@ operators::answer core::on_operator(const operators::command& m, instant now) {
     preparation_.acknowledge({m.report, m.by});
   else if (m.kind == command_kind::check)
     preparation_.check_again();
-  else
+  else if (m.kind == command_kind::pull) {
+    auto why = service_.pull();
+    return {why.empty(), std::move(why)};
+  } else
     return operators_.take(m, recovery_.has_looked(), now);
   return {true, {}};
 }

@@ -41,6 +41,7 @@
 #include "actors/executor/flight/preparation.hpp"
 #include "actors/executor/flight/recovery.hpp"
 #include "actors/executor/flight/return_place.hpp"
+#include "actors/executor/flight/service_view.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/operator/types.hpp"
@@ -104,13 +105,13 @@ public:
   [[nodiscard]] effects on_refused(const mission_client::mission_refused& m, instant now);
   [[nodiscard]] effects on_map(const mission_client::map_pulled& m, instant now);
   // How the service stands; asked for while a flight is prepared, because a restart forgets what was told.
-  void on_service(const mission_client::service_status& m) { preparation_.on_service(m); }
-  [[nodiscard]] bool wants_service() const { return preparation_.wants_service(); }
+  void on_service(const mission_client::service_status& m) { service_.on_status(m); }
+  [[nodiscard]] bool wants_service() const { return service_.wants_status(); }
   [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m, instant now);
   [[nodiscard]] effects on_change(const mission_client::change_outcome& m, instant now);
   [[nodiscard]] effects on_deleted(const mission_client::mission_deleted& m, instant now);
   // mission_client was away, and what it was told meanwhile is lost.
-  [[nodiscard]] effects on_client_back() const;
+  [[nodiscard]] effects on_client_back();
   // The same of ground_port.
   void on_port_back() { stations_.forget_told(); }
   [[nodiscard]] effects on_delivered(const mission_client::mission_resolved& m, instant now);
@@ -166,7 +167,8 @@ private:
   control_watch watch_{flight_, phases_, tasks_};
   recovery recovery_{flight_, phases_, tasks_, watch_};
   energy_control energy_{flight_};
-  preparation preparation_{flight_, phases_, tasks_, energy_};
+  service_view service_{flight_};
+  preparation preparation_{flight_, phases_, tasks_, energy_, service_};
   flight_start start_{flight_, phases_, tasks_, watch_, preparation_};
   plan_changes changes_{flight_, phases_, tasks_};
   homecoming homecoming_{flight_, phases_, tasks_};

@@ -51,7 +51,9 @@ struct give_up_transfer {};
 
 // To mission_client.
 struct say_to_client {
-  std::variant<mission_client::begin_mission, mission_client::pull_map, mission_client::push_map> what;
+  std::variant<mission_client::begin_mission, mission_client::pull_map, mission_client::accept_copy,
+               mission_client::push_map>
+      what;
 };
 
 // For people; a warning asks for one.

@@ -37,6 +37,14 @@ constexpr auto enum_names(failsafe_gone_policy) {
       {{failsafe_gone_policy::come_home, "return"}, {failsafe_gone_policy::go_on, "continue"}});
 }
 
+// What follows in flight when the service has deleted the mission. In both cases people are told then, and when the
+// vehicle is down.
+enum class deletion_policy { go_on, come_home };
+
+constexpr auto enum_names(deletion_policy) {
+  return io::names<deletion_policy>({{deletion_policy::go_on, "continue"}, {deletion_policy::come_home, "return"}});
+}
+
 struct settings {
   std::string mission_id; // that the service is asked for, or of the file; empty: ground stations bring missions
   bool has_service = true;
@@ -45,6 +53,7 @@ struct settings {
   // Behind a landing on the way, and whenever else this mission has flown before.
   start_policy takeoff_again = start_policy::on_command;
   refusal_policy refused_inserts = refusal_policy::go_on;
+  deletion_policy deleted_mission = deletion_policy::go_on;
   failsafe_gone_policy failsafe_gone = failsafe_gone_policy::come_home;
   double max_altitude_m = 500;    // above home: of a place to which an operator sends the vehicle
   double max_distance_m = 20'000; // from home: the same

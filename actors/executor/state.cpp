@@ -144,7 +144,14 @@ effects take(state& s, const assignment_rejected& happened, std::int64_t) {
   return {turned_down(s, happened.assignment_id, happened.reason)};
 }
 
+effects take(state& s, const deletion_told& happened, std::int64_t) {
+  s.deleted_mission = happened.mission_id;
+  return {};
+}
+
 effects take(state& s, const mission_arrived& happened, std::int64_t) {
+  if (s.deleted_mission == happened.mission.mission_id)
+    s.deleted_mission.clear();
   s.arrived = happened.mission;
   return {};
 }

@@ -4,7 +4,7 @@
 //   event                         effects, by their kinds
 //   those of progress/events.hpp  reports and answers for the service, and what progress wants looked at
 //   those of preflight            what operators have to know
-//   mission_arrived, _taken       none
+//   mission_arrived, _taken, deletion_told: none
 //   assignment_kept, _rejected    the answer that turns it down
 //   station_plan_taken, _dropped, and station_fence_taken: none
 //   change_asked                  what the service is to change; _resolved: none
@@ -184,6 +184,13 @@ struct arrival_refused {
       io::table("executor.arrival_refused", io::field("revision", &arrival_refused::revision));
 };
 
+// The service does not know this mission any more.
+struct deletion_told {
+  std::string mission_id;
+  static constexpr auto fields =
+      io::table("executor.deletion_told", io::field("mission_id", &deletion_told::mission_id));
+};
+
 struct task_begun {
   task what;
   std::optional<deployment> brings;
@@ -281,6 +288,7 @@ struct state {
   preflight::state preflight;
   progress::state progress;
   supervision::state supervision;
+  std::string deleted_mission; // the last one of which the service has said so
 
   static constexpr int version = 1;
   static constexpr auto fields = io::table(
@@ -293,7 +301,8 @@ struct state {
       io::field("last_task", &state::last_task), io::field("standing", &state::status),
       io::field("awaits_word", &state::awaits_word), io::field("home", &state::home),
       io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
-      io::field("progress", &state::progress), io::field("supervision", &state::supervision));
+      io::field("progress", &state::progress), io::field("supervision", &state::supervision),
+      io::field("deleted_mission", &state::deleted_mission));
 };
 
 // From the decision to start on.
@@ -310,7 +319,7 @@ struct durable_core {
                    progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
                    progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked,
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
-                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, change_asked, change_resolved,
+                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_resolved,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
                    task_begun, task_ended, phase_status, start_resolved, supervision::failsafe_missed, home_kept,
                    home_commanded>;

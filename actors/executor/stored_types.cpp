@@ -9,6 +9,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::change_asked);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_resolved);
 GODWIT_DEFINE_MESSAGE(godwit::executor::home_commanded);
 GODWIT_DEFINE_MESSAGE(godwit::executor::home_kept);
+GODWIT_DEFINE_MESSAGE(godwit::executor::deletion_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::mission_arrived);
 GODWIT_DEFINE_MESSAGE(godwit::executor::mission_taken);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_resolved);

@@ -23,7 +23,8 @@ enum class command_kind {
   check,       // look at the preflight checks anew
   go_to,       // fly to `place` now, and stay there
   cancel,      // of the last go_to: the mission goes on with its first item that is not done
-  insert       // a waypoint at `place`, behind item `after`
+  insert,      // a waypoint at `place`, behind item `after`
+  pull         // on the ground: ask the service again, for a mission that it refused or a map whose pull failed
 };
 
 constexpr auto enum_names(command_kind) {
@@ -36,7 +37,8 @@ constexpr auto enum_names(command_kind) {
                                   {command_kind::check, "check"},
                                   {command_kind::go_to, "go_to"},
                                   {command_kind::cancel, "cancel"},
-                                  {command_kind::insert, "insert"}});
+                                  {command_kind::insert, "insert"},
+                                  {command_kind::pull, "pull"}});
 }
 
 struct command {

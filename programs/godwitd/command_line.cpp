@@ -86,6 +86,8 @@ constexpr verb_row verbs[] = {
     {operators::command_kind::come_home, "come-home", "Returns, and ends the mission."},
     {operators::command_kind::hand_back, "hand-back", "After a pilot or a failsafe: godwit has the vehicle again."},
     {operators::command_kind::check, "check", "Looks at the preflight checks anew."},
+    {operators::command_kind::pull, "pull",
+     "Asks the service again, for a mission it refused or a map whose pull failed."},
     {operators::command_kind::acknowledge, "ack", "Flies although this preflight report is degraded."},
     {operators::command_kind::go_to, "goto",
      "Flies there, clear of the fences, and stays; `cancel` goes on with the mission."},

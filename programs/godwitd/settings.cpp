@@ -129,6 +129,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
   to.flight.checks.asks_for_straight_return = flight.at("ask_straight_return").get<bool>();
   to.flight.checks.battery_margin_percent = flight.at("battery_margin_percent").get<std::int32_t>();
+  to.flight.deleted_mission = io::value_of<executor::deletion_policy>(text(flight, "deleted_mission")).value();
   if (to.flight.start == executor::start_policy::automatic && !to.flight.arm_on_start)
     return wrong("start", "automatic starts a flight without a person, and so has to be allowed to arm: set "
                           "--arm-on-start as well, or leave it on_command");

@@ -21,11 +21,19 @@ std::string run_line(const json& run) {
          " recorded, " + number(seen, "refused") + " refused, " + number(seen, "unreadable") + " unreadable";
 }
 
+// Of a mission that was asked for and not taken; the beginning of what came instead is for analysis.
+std::string refused_text(const json& service) {
+  const auto why = text(service, "refused");
+  const auto sample = text(service, "refused_sample");
+  return why.empty() ? "" : "; refused: " + why + (sample.empty() ? "" : "; it began with: " + sample);
+}
+
 std::string service_line(const json& service) {
   return text(service, "connection") + ", mission revision " + number(service, "revision") + ", map " +
          text(service, "pull") + "; outbox: " + number(service, "pending") + " pending, " +
          number(service, "orphaned") + " orphaned, " + number(service, "expired") + " expired" +
-         in_brackets(text(service, "last_error"));
+         (number(service, "lost_reports") == "0" ? "" : "; reports lost: " + number(service, "lost_reports")) +
+         in_brackets(text(service, "last_error")) + refused_text(service);
 }
 
 std::string map_line(const json& map) {

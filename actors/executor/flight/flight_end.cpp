@@ -77,6 +77,10 @@ void flight_end::close(effects& out) {
   flight_.was_up = false;
   if (flight_.s.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::flight_ended{}});
+  if (flight_.s.mission && flight_.s.deleted_mission == flight_.s.mission->mission_id)
+    out.emplace_back(announce{"the flight has ended, and the service has deleted its mission " +
+                                  flight_.s.deleted_mission + " meanwhile: what was seen and done is kept on board",
+                              true});
   if (flight_.is_mission_finished() || flight_.was_called_home())
     end_mission(out);
   else

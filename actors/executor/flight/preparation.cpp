@@ -9,31 +9,11 @@
 namespace godwit::executor {
 namespace {
 
-using mission_client::pull_state;
-
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
 } // namespace
 
 // -- what is known ----------------------------------------------------------------------------------
-
-void preparation::on_map(const mission_client::map_pulled& m) {
-  map_ = m.state;
-  map_problem_ = m.reason;
-}
-
-void preparation::on_service(const mission_client::service_status& m) {
-  if (!flight_.s.mission || m.mission_id != flight_.s.mission->mission_id)
-    return;
-  map_ = m.pull;
-  if (map_ == pull_state::synced)
-    map_problem_.clear();
-}
-
-bool preparation::wants_service() const {
-  return flight_.configured.has_service && !flight_.is_in_flight() && flight_.s.mission && map_ != pull_state::synced &&
-         !is_over(flight_.s.status.now);
-}
 
 preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
   const auto& view = flight_.view;
@@ -60,10 +40,11 @@ preflight::report preparation::look_at_all(instant now) {
   preflight::facts seen;
   seen.vehicle = look_at_vehicle(now);
   seen.mission.document = mission ? &*mission : nullptr;
-  seen.mission.refusal = refusal_;
+  seen.mission.refusal = service_.refusal();
+  seen.mission.is_deleted = service_.is_deleted();
   seen.mission.has_service = flight_.configured.has_service;
-  seen.mission.map = map_;
-  seen.mission.map_problem = map_problem_;
+  seen.mission.map = service_.map();
+  seen.mission.map_problem = service_.map_problem();
   if (const auto where = flight_.setting(now); where && mission) {
     plans_ = plan::build_plans(*mission, *where, flight_.going_on(*mission, flight_.first_item(*mission)));
     seen.mission.plans = &*plans_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "actors/executor/flight/energy_control.hpp"
+#include "actors/executor/flight/service_view.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "actors/executor/preflight/facts.hpp"
 #include "actors/executor/preflight/report.hpp"
@@ -25,8 +26,9 @@ struct host_status {
 
 class preparation {
 public:
-  preparation(flight_context& flight, phase_machine& phases, task_control& tasks, const energy_control& energy)
-      : flight_(flight), phases_(phases), tasks_(tasks), energy_(energy) {}
+  preparation(flight_context& flight, phase_machine& phases, task_control& tasks, const energy_control& energy,
+              const service_view& service)
+      : flight_(flight), phases_(phases), tasks_(tasks), energy_(energy), service_(service) {}
 
   enum class result {
     nothing,
@@ -38,11 +40,6 @@ public:
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
 
   void on_host_status(host_status seen);
-  void on_mission() { refusal_.clear(); }
-  void on_refused(const std::string& reason) { refusal_ = reason; }
-  void on_map(const mission_client::map_pulled& m);
-  void on_service(const mission_client::service_status& m);
-  [[nodiscard]] bool wants_service() const;
   void check_again() { wants_checks_ = true; }
   void acknowledge(preflight::acknowledged what) { acknowledged_ = std::move(what); }
 
@@ -57,11 +54,9 @@ private:
   phase_machine& phases_;
   task_control& tasks_;
   const energy_control& energy_;
+  const service_view& service_;
   bool wants_checks_ = false;
   std::optional<preflight::acknowledged> acknowledged_;
-  mission_client::pull_state map_ = mission_client::pull_state::not_started;
-  std::string map_problem_;
-  std::string refusal_;
   std::optional<preflight::plan_result> plans_;  // of the mission, from its first remaining item on
   std::vector<plan::return_crossing> crossings_; // of these plans, by a straight return
   std::int64_t checked_ns_ = 0;

@@ -390,6 +390,25 @@ TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_report
   EXPECT_TRUE(last.item_id == "b" || last.item_id == "end") << world.story();
 }
 
+// A rover's mission is over where it ends; what flies waits there.
+TEST_P(every_vehicle, z_assigned_behind_b_the_last_item_is_flown) {
+  if (GetParam() == sim::personality::rover)
+    return;
+  flight_world world({.who = GetParam()});
+  auto mission = a_then_b(GetParam());
+  mission.items.pop_back();
+  world.load(mission);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "b"); }, 600)) << world.story();
+  world.run_for(1);
+  auto assignment = z_instead_of_b(mission, GetParam());
+  assignment.replace_after_item_id = "b";
+  world.assign(assignment);
+  ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "z"); }, 600)) << world.story();
+  EXPECT_EQ(told_of_b_and_z(world), (std::vector<std::string>{"b of revision 1", "z of revision 2"})) << world.story();
+  ASSERT_EQ(world.answers().size(), 1U);
+  EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::accepted) << world.story();
+}
+
 // -- sent elsewhere by an operator ---------------------------------------------------------------------
 
 operators::command go_there(sim::personality who) {

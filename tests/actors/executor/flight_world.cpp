@@ -39,6 +39,7 @@ flight_world::flight_world(const options& wanted)
   settings_.arm_on_start = wanted.arm_on_start;
   settings_.takeoff_again = wanted.takeoff_again;
   settings_.refused_inserts = wanted.refused_inserts;
+  settings_.deleted_mission = wanted.deleted_mission;
   settings_.shows_home = wanted.shows_home;
   settings_.marks_landings = wanted.marks_landings;
   settings_.checks.asks_for_straight_return = true;
@@ -107,6 +108,16 @@ void flight_world::tell_map(const std::string& mission_id) {
 
 void flight_world::assign(const mission::assignment& assignment) {
   take(core_->on_assignment({state_.mission->mission_id, assignment}, now()));
+  resolve();
+}
+
+void flight_world::delete_mission(const std::string& id) {
+  take(core_->on_deleted({id}, now()));
+  resolve();
+}
+
+void flight_world::refuse_mission(mission_client::refusal why) {
+  take(core_->on_refused({settings_.mission_id, why, "as the test wants it", {}}, now()));
   resolve();
 }
 
@@ -420,6 +431,12 @@ void flight_world::take(const executor::order& each) {
 }
 
 void flight_world::take(const executor::say_to_client& each) {
+  begins_ += std::holds_alternative<mission_client::begin_mission>(each.what) ? 1 : 0;
+  if (std::holds_alternative<mission_client::pull_map>(each.what)) {
+    ++pulls_;
+    map_ = mission_client::pull_state::in_flight; // until the test says how it ends
+  }
+  accepted_copies_ += std::holds_alternative<mission_client::accept_copy>(each.what) ? 1 : 0;
   if (std::holds_alternative<mission_client::push_map>(each.what)) {
     ++pushes_;
     mission_client::mission_resolved resolved;

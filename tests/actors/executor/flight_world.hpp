@@ -39,6 +39,7 @@ public:
     bool shows_home = false;
     bool marks_landings = false; // of a plane
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
+    executor::deletion_policy deleted_mission = executor::deletion_policy::go_on;
     failsafe::settings failsafe = {};
     mission_client::pull_state map = mission_client::pull_state::synced; // what is told of it as a mission is loaded
     double battery_percent = sim::vehicle_settings{}.battery_percent;
@@ -62,6 +63,8 @@ public:
   // What becomes of the map's pull, now and for missions that are loaded later.
   void pull_map(mission_client::pull_state outcome);
   void assign(const mission::assignment& assignment);
+  void delete_mission(const std::string& id);
+  void refuse_mission(mission_client::refusal why);
   // As far as the core is told: it can not be kept up.
   void lose_failsafe(bool is_gone) { core_->on_failsafe_gone(is_gone); }
   // What a ground station uploads, clears and starts; and what it is shown.
@@ -135,6 +138,10 @@ public:
   // What the failsafe watches over.
   [[nodiscard]] const std::vector<mission::geofence>& guarded() const { return record_.limits.geofences; }
   [[nodiscard]] int pushes() const { return pushes_; }
+  // What mission_client was asked for besides: missions that it begins, pulls, copies that are accepted.
+  [[nodiscard]] int begins() const { return begins_; }
+  [[nodiscard]] int pulls() const { return pulls_; }
+  [[nodiscard]] int accepted_copies() const { return accepted_copies_; }
   // "waypoint 2 reached, ..." for messages of tests.
   [[nodiscard]] std::string story() const;
   // Somebody arms it, takes off (what flies) and goes on in this mode.
@@ -242,6 +249,9 @@ private:
   std::vector<std::uint16_t> shown_reached_;
   std::vector<executor::start_answer> start_answers_;
   int pushes_ = 0;
+  int begins_ = 0;
+  int pulls_ = 0;
+  int accepted_copies_ = 0;
   int still_ = 0; // steps in which no time passed
 };
 

@@ -62,6 +62,19 @@ TEST(status_text, each_actor_is_a_line_with_what_the_guardian_knows_of_it) {
             "           mission_client: absent, not wanted, incarnation 0, 0 restarts; green");
 }
 
+TEST(status_text, a_refused_mission_is_told_with_the_beginning_of_what_came) {
+  const auto text = status_text({{"service",
+                                  {{"connection", "reachable"},
+                                   {"revision", 0},
+                                   {"pull", "not_started"},
+                                   {"lost_reports", 2},
+                                   {"refused", "what the service sent is no mission"},
+                                   {"refused_sample", "<html>"}}}});
+  EXPECT_NE(text.find("; reports lost: 2"), std::string::npos) << text;
+  EXPECT_NE(text.find("refused: what the service sent is no mission; it began with: <html>"), std::string::npos)
+      << text;
+}
+
 TEST(status_text, a_retry_tells_how_many_rows_it_found) {
   EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
 }

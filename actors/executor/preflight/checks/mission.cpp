@@ -9,6 +9,8 @@ result look_at_mission(const facts& seen, const settings&) {
   if (now.document == nullptr)
     return now.refusal.empty() ? fail("No mission is loaded; upload one, or ask the missions service for one.")
                                : fail("No mission is loaded: " + now.refusal);
+  if (now.is_deleted)
+    return fail("The missions service has deleted this mission; give the vehicle another one.");
   if (now.plans == nullptr)
     return fail("The mission is loaded and not planned yet; it is as soon as the vehicle tells where it is.");
   if (!*now.plans)

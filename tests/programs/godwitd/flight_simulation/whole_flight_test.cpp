@@ -100,6 +100,42 @@ TEST_P(whole_flight, a_pull_that_is_late_delays_the_flight_and_does_not_end_it) 
   expect_sound_end();
 }
 
+TEST_P(whole_flight, a_map_whose_pull_failed_is_pulled_again_by_itself_and_the_mission_is_flown) {
+  flight.service().set_fault("status 503 on get-mapobjects times 5");
+  flight.run_for(30);
+  ASSERT_NE(flight.story().find("map could not be pulled"), std::string::npos) << flight.story();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  expect_sound_end();
+}
+
+TEST_P(whole_flight, a_map_whose_pull_failed_is_pulled_at_once_when_an_operator_says_so) {
+  flight.service().set_fault("status 503 on get-mapobjects times 5");
+  flight.run_for(30);
+  ASSERT_NE(flight.story().find("map could not be pulled"), std::string::npos) << flight.story();
+  flight.say(operators::command_kind::pull);
+  EXPECT_TRUE(flight.run_until_phase(phase::flying, 15)) << flight.story();
+}
+
+TEST_P(whole_flight, a_mission_that_was_refused_is_asked_for_again_after_a_minute) {
+  flight.service().set_fault("status 503 on get-mission times 5");
+  flight.run_for(40);
+  EXPECT_FALSE(flight.status().in_flight) << flight.story();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 400)) << flight.story();
+  expect_sound_end();
+}
+
+TEST_P(whole_flight, with_the_service_down_from_take_off_to_landing_it_is_flown_to_its_end_and_told_afterwards) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  flight.service().set_fault("drop");
+  EXPECT_TRUE(flight.run_until_phase(phase::post_flight, 300)) << flight.story();
+  EXPECT_FALSE(flight.vehicle().describe().in_air) << flight.story();
+  flight.run_for(120);
+  EXPECT_EQ(flight.status().now, phase::post_flight) << "what is owed is not delivered\n" << flight.story();
+  flight.service().clear_faults();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 400)) << flight.story();
+  expect_sound_end();
+}
+
 TEST_P(whole_flight, a_disk_without_room_keeps_it_on_the_ground) {
   flight.outside().free_disk_bytes = 1;
   flight.run_for(60);

@@ -35,8 +35,11 @@ struct stand_by {
 };
 struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
+// Shown by MISSION_CURRENT, where the vehicle is not in its mission mode and so does not go on at once; by an item
+// behind it, where it is a command that moves nothing.
 struct set_current_item {
   std::uint16_t sequence = 0;
+  std::uint16_t total = 0; // of the plan, as MISSION_CURRENT counts it; 0: not looked at
 };
 struct set_home {}; // to that of the mission, by a command: arming does not move it then
 struct see_home {}; // it is there, in the vehicle's own words

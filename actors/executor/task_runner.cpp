@@ -145,7 +145,8 @@ bool task_runner::is_shown(const world& w) const {
   if (std::holds_alternative<disarm>(what))
     return !view.is_armed();
   if (const auto* item = std::get_if<set_current_item>(&what))
-    return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->seq == item->sequence;
+    return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->seq >= item->sequence &&
+           (item->total == 0 || view.current()->total == 0 || view.current()->total == item->total);
   return std::holds_alternative<start_plan>(what) && is_start_shown(view);
 }
 
@@ -260,7 +261,9 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
     return;
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));
-  if (outcome.verdict == command_verdict::accepted && std::holds_alternative<set_current_item>(way_[at_]))
+  const bool goes_on_at_once = w.view.is_in(flight::mode_kind::mission);
+  if (outcome.verdict == command_verdict::accepted && std::holds_alternative<set_current_item>(way_[at_]) &&
+      goes_on_at_once)
     return was_obeyed(w);
   was_accepted_ = outcome.verdict == command_verdict::accepted;
   if (!was_accepted_ && is_stop() && !is_shown(w)) {

@@ -1,9 +1,10 @@
 // Do two plans mean the same to a vehicle?
 //
 // ArduPilot does not give back what was sent: it keeps its own home as item 0, gives frame 3 for frame 6, rounds the
-// altitude to a centimetre, and drops parameters that it does not use. So what is compared is what moves the vehicle:
-// command, position, and the kind of altitude. Parameters are not, and a plan that differs in nothing else counts as
-// the same. Source: seen on ArduPilot 4.7 and PX4 1.17. Thread: pure.
+// altitude to a centimetre, cuts times to whole seconds, and drops parameters that it does not use. So what is compared
+// is what moves the vehicle: command, position, the kind of altitude, the speed of DO_CHANGE_SPEED, and how long it
+// stays; a time that comes back as 0 counts as dropped. Other parameters are not compared. Source: seen on
+// ArduPilot 4.7 and PX4 1.17. Thread: pure.
 #pragma once
 
 #include <optional>
@@ -16,6 +17,8 @@ namespace godwit::io::mavlink {
 // 1e-7 degrees: 10 of them are 0.11 m. A vehicle that keeps floats loses more, and would not be trusted anyway.
 inline constexpr std::int32_t position_tolerance = 10;
 inline constexpr float altitude_tolerance_m = 0.02F;
+inline constexpr float speed_tolerance_mps = 0.05F;
+inline constexpr float time_tolerance_s = 1;
 
 [[nodiscard]] bool means_the_same(const mission_item_int& a, const mission_item_int& b);
 

@@ -29,7 +29,7 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
     return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
   steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
   if (flight.is_ardupilot()) {
-    result.emplace_back(set_current_item{map.start_sequence});
+    result.emplace_back(set_current_item{map.start_sequence, map.total});
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
   } else if (goes_on) {
@@ -82,10 +82,11 @@ steps going_on_steps(const flight_context& flight) {
 }
 
 steps at_start_steps(const flight_context& flight, bool may_start) {
-  const auto start = flight.s.progress.plan->generation.start_sequence;
+  const auto& plan = *flight.s.progress.plan;
+  const auto start = plan.generation.start_sequence;
   if (may_start && starts_in_mission_mode(flight))
     return {start_plan{start}};
-  return {set_current_item{start}, change_mode{mode_kind::mission}};
+  return {set_current_item{start, plan.map.total}, change_mode{mode_kind::mission}};
 }
 
 } // namespace godwit::executor

@@ -388,6 +388,28 @@ TEST_P(rule, a_vehicle_without_plan_ids_is_held_while_its_plan_is_replaced) {
   EXPECT_EQ(is_held, GetParam() != sim::personality::px4) << world.story();
 }
 
+// DO_SET_MISSION_CURRENT is acknowledged also by a vehicle that holds another plan.
+TEST_P(rule, behind_a_replan_an_ardupilot_goes_on_only_when_it_shows_the_item_of_the_new_plan) {
+  if (GetParam() != sim::personality::ardupilot)
+    return;
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  world.lose_message(io::mavlink::mission_current::message_id);
+  world.assign(another_tail(1));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().progress.start.has_value(); }, 60)) << world.story();
+  const auto commands = world.commands().size();
+  EXPECT_TRUE(world.run_until_phase(phase::paused, 40)) << world.story();
+  EXPECT_EQ(
+      std::count(world.commands().begin() + static_cast<std::ptrdiff_t>(commands), world.commands().end(), set_mode), 0)
+      << "it stays held\n"
+      << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::not_done) << world.story();
+  world.lose_message(0);
+  world.run_for(3);
+  EXPECT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(each, rule_of_long_replans, testing::Values(sim::personality::px4));
 INSTANTIATE_TEST_SUITE_P(each, rule,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,

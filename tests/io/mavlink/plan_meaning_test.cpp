@@ -65,6 +65,32 @@ TEST(meaning, not_a_number_comes_back_as_zero) {
   EXPECT_TRUE(means_the_same(ours, theirs));
 }
 
+TEST(meaning, another_speed_is_another_meaning) {
+  mission_item_int ours;
+  ours.command = 178; // DO_CHANGE_SPEED
+  ours.param2 = 5;
+  auto theirs = ours;
+  theirs.param2 = 5.001F;
+  EXPECT_TRUE(means_the_same(ours, theirs));
+  theirs.param2 = 8;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, to_stay_longer_is_another_meaning_but_for_a_time_that_is_not_kept) {
+  for (const std::uint16_t command : {16, 19, 93}) { // NAV_WAYPOINT, NAV_LOITER_TIME, NAV_DELAY
+    auto ours = mission_of(1).front();
+    ours.command = command;
+    ours.param1 = 10.5F;
+    auto theirs = ours;
+    theirs.param1 = 10; // whole seconds
+    EXPECT_TRUE(means_the_same(ours, theirs)) << command;
+    theirs.param1 = 0;
+    EXPECT_TRUE(means_the_same(ours, theirs)) << command;
+    theirs.param1 = 60;
+    EXPECT_FALSE(means_the_same(ours, theirs)) << command;
+  }
+}
+
 TEST(meaning, positions_at_both_ends_of_the_range_do_not_overflow) {
   auto ours = mission_of(1).front();
   auto theirs = ours;

@@ -37,6 +37,9 @@ constexpr const char* upsert_outbox =
 constexpr const char* insert_dead_letter =
     "INSERT INTO dead_letter(actor, at_ns, message_id, cause_id, sender, type, body, attempts, reason) "
     "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr const char* drop_old_dead_letters =
+    "DELETE FROM dead_letter WHERE actor = ?1 AND id <= (SELECT id FROM dead_letter WHERE actor = ?1 "
+    "ORDER BY id DESC LIMIT 1 OFFSET ?2)";
 constexpr const char* select_last = "SELECT max(coalesce((SELECT number FROM actor_snapshot WHERE actor = ?1), 0), "
                                     "coalesce((SELECT max(number) FROM actor_event WHERE actor = ?1), 0))";
 constexpr const char* select_snapshot = "SELECT number, at_ns, version, body FROM actor_snapshot WHERE actor = ?";
@@ -197,7 +200,7 @@ result<void> record_store::add_dead_letters(const journal_write& write) {
     if (!done)
       return done;
   }
-  return {};
+  return write.dead_letters.empty() ? result<void>{} : run(drop_old_dead_letters, write.actor, max_dead_letters);
 }
 
 result<recovered> record_store::read(const std::string& actor) {

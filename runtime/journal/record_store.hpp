@@ -3,6 +3,7 @@
 // Thread: the one of its database.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <unordered_map>
 
@@ -13,6 +14,9 @@
 namespace godwit::runtime {
 
 [[nodiscard]] const char* to_string(delivery_state state);
+
+// Of one actor: the oldest go first. With 64 KiB each they are 64 MiB at most.
+inline constexpr std::int64_t max_dead_letters = 1'000;
 
 class record_store {
 public:

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <thread>
 
 #include "runtime/journal/journal_reader.hpp"
+#include "runtime/journal/record_store.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
 
 namespace godwit::tests {
@@ -253,6 +255,27 @@ TEST_F(sqlite_journal_test, an_outbox_row_is_replaced_by_its_key_and_commits_wit
   const auto letters = *reader->dead_letters("mission_client");
   ASSERT_EQ(letters.size(), 1U);
   EXPECT_EQ(letters[0].reason, "threw");
+}
+
+TEST_F(sqlite_journal_test, of_one_actors_dead_letters_the_newest_are_kept) {
+  auto journal = open_journal(options());
+  auto other = event_write("b", 1);
+  other.dead_letters = {{1, 2, 3, "sender", "type", "{}", 3, "threw"}};
+  ASSERT_TRUE(commit(*journal, std::move(other)));
+  auto many = event_write("a", 1);
+  for (std::int64_t i = 0; i < max_dead_letters; ++i)
+    many.dead_letters.push_back({static_cast<std::uint64_t>(i), 2, 3, "sender", "type", "{}", 3, "threw"});
+  ASSERT_TRUE(commit(*journal, std::move(many)));
+  auto more = event_write("a", 2);
+  more.dead_letters = {{5'000, 2, 3, "sender", "type", "{}", 3, "threw"}};
+  ASSERT_TRUE(commit(*journal, std::move(more)));
+  auto reader = journal_reader::open(options().path);
+  ASSERT_TRUE(reader);
+  const auto letters = *reader->dead_letters("a");
+  ASSERT_EQ(letters.size(), static_cast<std::size_t>(max_dead_letters));
+  EXPECT_TRUE(std::none_of(letters.begin(), letters.end(), [](const auto& each) { return each.message_id == 0; }));
+  EXPECT_TRUE(std::any_of(letters.begin(), letters.end(), [](const auto& each) { return each.message_id == 5'000; }));
+  EXPECT_EQ(reader->dead_letters("b")->size(), 1U);
 }
 
 TEST_F(sqlite_journal_test, the_queue_is_bounded_in_writes_and_in_bytes) {

@@ -21,6 +21,10 @@ struct identity {
   std::uint8_t type = static_cast<std::uint8_t>(mavlink::mav_type::onboard_controller);
 };
 
+inline constexpr identity ground_station_identity{255,
+                                                  static_cast<std::uint8_t>(mavlink::mav_component::missionplanner),
+                                                  static_cast<std::uint8_t>(mavlink::mav_type::gcs)};
+
 // What godwit needs to know of a flight, at rates that a 57600 baud line carries beside a mission transfer.
 [[nodiscard]] std::vector<wanted_stream> default_streams();
 

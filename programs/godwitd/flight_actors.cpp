@@ -64,7 +64,7 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
   made.of_vehicle = std::make_shared<vehicle_link::listeners>();
   made.of_client = std::make_shared<mission_client::peers>();
   made.of_failsafe = std::make_shared<failsafe::peers>();
-  vehicle_link::settings link;
+  auto link = settings.link;
   link.watch.system = settings.vehicle_system;
   if (settings.flies)
     link.liveness_reporters = {executor_name, failsafe_name};

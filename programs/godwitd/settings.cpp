@@ -105,6 +105,10 @@ checked read_vehicle(const json& vehicle, daemon_settings& to) {
   to.vehicle = *std::move(parsed);
   to.vehicle_system = vehicle.at("system").get<std::uint8_t>();
   to.signing_key_file = text(vehicle, "key_file");
+  to.link.command_timeout_ms = vehicle.at("command_timeout_ms").get<std::int64_t>();
+  to.link.watch.lost_after_ms = vehicle.at("lost_after_ms").get<std::int64_t>();
+  if (vehicle.at("as_ground_station").get<bool>())
+    to.link.as = vehicle_link::ground_station_identity;
   return {};
 }
 
@@ -125,11 +129,11 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.allow_partial = to.allow_partial;
   to.flight.marks_landings = flight.at("marks_landings").get<bool>();
   to.flight.refused_inserts = io::value_of<executor::refusal_policy>(text(flight, "refused_inserts")).value();
+  to.flight.deleted_mission = io::value_of<executor::deletion_policy>(text(flight, "deleted_mission")).value();
   to.flight.failsafe_gone = io::value_of<executor::failsafe_gone_policy>(text(flight, "failsafe_gone")).value();
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
   to.flight.checks.asks_for_straight_return = flight.at("ask_straight_return").get<bool>();
   to.flight.checks.battery_margin_percent = flight.at("battery_margin_percent").get<std::int32_t>();
-  to.flight.deleted_mission = io::value_of<executor::deletion_policy>(text(flight, "deleted_mission")).value();
   if (to.flight.start == executor::start_policy::automatic && !to.flight.arm_on_start)
     return wrong("start", "automatic starts a flight without a person, and so has to be allowed to arm: set "
                           "--arm-on-start as well, or leave it on_command");
@@ -143,6 +147,8 @@ checked read_failsafe(const json& given, daemon_settings& to) {
   result.link_lost_ms = given.at("link_lost_ms").get<std::int64_t>();
   result.battery_low_percent = given.at("battery_low_percent").get<std::int32_t>();
   result.battery_critical_percent = given.at("battery_critical_percent").get<std::int32_t>();
+  result.following_extra_ms = given.at("following_extra_ms").get<std::int64_t>();
+  result.moving_mps = given.at("moving_mps").get<double>();
   result.failsafe_in_manual = given.at("in_manual").get<bool>();
   to.flight.checks.battery_return_percent = result.battery_low_percent;
   if (const auto objection = failsafe::objection_to(result))

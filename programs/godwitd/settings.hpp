@@ -14,6 +14,7 @@
 #include "actors/failsafe/settings.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mission_client/settings.hpp"
+#include "actors/vehicle_link/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
 #include "programs/godwitd/crash_loop_guard.hpp"
@@ -31,6 +32,7 @@ struct daemon_settings {
   bool allow_partial = false;
   io::link::uri vehicle;
   std::uint8_t vehicle_system = 0;
+  vehicle_link::settings link;  // without the system
   std::string signing_key_file; // empty: nothing is signed
   bool flies = true;            // false: a run on the ground
   executor::settings flight;

@@ -62,6 +62,40 @@ TEST(vehicle_link_core, speaks_with_the_system_id_of_the_vehicle_it_is_on) {
   EXPECT_EQ(std::get<transmission>(done[0]).frame.view().from(), (mavlink::sender{42, 191}));
 }
 
+TEST(vehicle_link_core, poses_as_a_ground_station_when_it_is_told_to) {
+  auto configured = quiet();
+  configured.as = ground_station_identity;
+  connected c(configured);
+  const auto done = c.it.on_time(at(s));
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(std::get<transmission>(done[0]).frame.view().from(), (mavlink::sender{255, 190}));
+  const auto beats = sent_of<mavlink::heartbeat>(done);
+  ASSERT_EQ(beats.size(), 1U);
+  EXPECT_EQ(beats[0].type, mavlink::number(mavlink::mav_type::gcs));
+}
+
+TEST(vehicle_link_core, who_asks_is_told_ages_numbers_and_errors_by_kind) {
+  connected c;
+  EXPECT_EQ(c.it.describe(at(700 * ms)).last_heartbeat_age_ms, 700);
+  const auto before = c.it.describe(at(s));
+  (void)c.vehicle.beat(c.it, s);
+  (void)c.vehicle.beat(c.it, 2 * s);
+  auto damaged = mavlink::encode(mavlink::heartbeat{}, {1, 1}, 9);
+  std::vector<std::byte> bytes(damaged.span().begin(), damaged.span().end());
+  bytes.back() ^= std::byte{0xff};
+  (void)c.it.on_bytes(link::only_peer, true, bytes, at(2 * s));
+  (void)c.vehicle.beat(c.it, 2 * s); // a frame behind it, so that the damaged one is not waited for
+  const auto beats = sent_of<mavlink::heartbeat>(c.it.on_time(at(2 * s))).size();
+  const auto now = c.it.describe(at(2 * s));
+  EXPECT_EQ(now.last_heartbeat_age_ms, 0);
+  EXPECT_EQ(now.rx_seq, static_cast<std::uint8_t>(before.rx_seq + 3));
+  EXPECT_EQ(now.tx_seq, static_cast<std::uint8_t>(before.tx_seq + beats));
+  EXPECT_FALSE(now.signing_enabled);
+  EXPECT_EQ(now.parse_errors_total, 1U);
+  ASSERT_EQ(now.kind_errors.size(), 1U);
+  EXPECT_EQ(now.kind_errors[0].count, 1U);
+}
+
 TEST(vehicle_link_core, the_first_heartbeat_goes_out_as_soon_as_the_link_is_up) {
   core it(quiet(), {}, {});
   (void)it.on_time(at(s));

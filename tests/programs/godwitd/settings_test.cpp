@@ -75,6 +75,37 @@ TEST(daemon_settings, a_flight_begins_on_command_and_arms_nothing_unless_it_is_t
   EXPECT_TRUE(settings(both));
 }
 
+TEST(daemon_settings, the_link_has_its_own_time_outs_and_poses_as_a_ground_station_only_when_told_to) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  const auto plain = settings_from(configuration).value().link;
+  EXPECT_EQ(plain.command_timeout_ms, 1'000);
+  EXPECT_EQ(plain.watch.lost_after_ms, 5'000);
+  EXPECT_EQ(plain.as.system, 0) << "the vehicle's own";
+  EXPECT_EQ(plain.as.component, 191);
+  auto& vehicle = configuration["vehicle"];
+  vehicle["command_timeout_ms"] = 2'500;
+  vehicle["lost_after_ms"] = 8'000;
+  vehicle["as_ground_station"] = true;
+  const auto other = settings_from(configuration).value().link;
+  EXPECT_EQ(other.command_timeout_ms, 2'500);
+  EXPECT_EQ(other.watch.lost_after_ms, 8'000);
+  EXPECT_EQ(other.as.system, 255);
+  EXPECT_EQ(other.as.component, 190);
+  EXPECT_EQ(other.as.type, 6);
+}
+
+TEST(daemon_settings, what_follows_when_the_service_has_deleted_the_mission_is_a_setting) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  EXPECT_EQ(settings_from(configuration).value().flight.deleted_mission, executor::deletion_policy::go_on);
+  configuration["flight"]["deleted_mission"] = "return";
+  configuration["failsafe"]["following_extra_ms"] = 1'000;
+  configuration["failsafe"]["moving_mps"] = 0.5;
+  const auto other = settings_from(configuration).value();
+  EXPECT_EQ(other.flight.deleted_mission, executor::deletion_policy::come_home);
+  EXPECT_EQ(other.failsafe.following_extra_ms, 1'000);
+  EXPECT_EQ(other.failsafe.moving_mps, 0.5);
+}
+
 TEST(daemon_settings, once_is_a_run_on_the_ground) {
   auto options = usual();
   options["once"] = "true";

@@ -418,5 +418,43 @@ class Shell(Tree):
         self.assertEqual(self.run_script("check_format", "io/bad.cpp", "int *x=nullptr ;\n"), 1)
 
 
+class Requirements(Tree):
+    def page(self, proof, requirement="X1", more=""):
+        self.write("docs/requirements.md", f"| Id | R | P |\n|---|---|---|\n| XX{requirement[1:]} | words | {proof} |\n{more}")
+
+    def setUp(self):
+        super().setUp()
+        self.write("tests/a_test.cpp", "TEST(kite, flies) {}\nTEST_P(kite, falls) {}\nRC_GTEST_PROP(line, holds, ()) {}\n")
+        self.write("tests/b_test.py", "class Wind(unittest.TestCase):\n    def test_it_blows(self):\n        pass\n")
+        self.write("tests/CMakeLists.txt", "add_test(NAME drill.flight COMMAND x)\nforeach(script checks demo)\n")
+
+    def test_each_kind_of_test_can_be_named(self):
+        self.page("`kite.flies`, `kite.falls`, `line.holds`, `Wind.test_it_blows`, `drill.flight`, `scripts.demo`, `kite.*`")
+        self.assertIn("1 requirements, 7 tests named", self.accepts("requirements"))
+
+    def test_a_test_that_does_not_exist_is_found(self):
+        self.page("`kite.flies`, `kite.sinks`, `boat.*`")
+        self.finds("requirements", "there is no test kite.sinks", "there is no test boat.*")
+
+    def test_a_name_in_a_comment_is_no_test(self):
+        self.write("tests/a_test.cpp", "// TEST(kite, flies) {}\n")
+        self.page("`kite.flies`")
+        self.finds("requirements", "there is no test kite.flies")
+
+    def test_a_row_names_a_test_or_a_gap(self):
+        self.page("open: roadmap, Pieces")
+        self.accepts("requirements")
+        self.page("surely")
+        self.finds("requirements", "XX1 names no test and no gap")
+
+    def test_an_id_stands_once(self):
+        self.page("`kite.flies`", more="| XX1 | again | `kite.falls` |\n")
+        self.finds("requirements", "XX1 stands twice")
+
+    def test_a_page_without_rows_is_no_page(self):
+        self.write("docs/requirements.md", "# Requirements\n")
+        self.finds("requirements", "there is no requirement")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -40,6 +40,7 @@ actor::behavior_type actor::handlers() {
         then(core_->on_clear(request_id, what, now()));
       }),
       on<cancel_transfer>([this, then](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
+      on<relayed_frame>([this, then](const relayed_frame& what) { then(core_->on_relayed(what, now())); }),
       on<liveness_report>([this](const liveness_report& what) {
         core_->on_liveness_report(what, now());
         wake_at(core_->next_deadline_ns());

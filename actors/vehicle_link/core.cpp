@@ -1,8 +1,10 @@
 #include "actors/vehicle_link/core.hpp"
+#include "actors/vehicle_link/relay_gate.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace godwit::vehicle_link {
@@ -154,13 +156,43 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     t.done.emplace_back(observation(mavlink::decode<mavlink::radio_status>(frame)));
     return;
   }
+  const bool is_relayed = relay(t, frame);
   const auto take_message = [&](const auto& message) { take(t, message); };
   if (!watch_.is_vehicle(from.system, from.component) ||
       !(told_messages::visit(frame, take_message) || used_messages::visit(frame, take_message))) {
-    ++not_accepted_;
+    if (!is_relayed)
+      ++not_accepted_;
     return;
   }
   streams_.on_message(frame.id());
+}
+
+// True: it goes on to the ground stations.
+bool core::relay(decision_context& t, const mavlink::frame_view& frame) {
+  if (!settings_.relays || !watch_.vehicle() || frame.from().system != watch_.vehicle()->system ||
+      frame.from() == ourselves() || !goes_to_stations(frame, {watch_.vehicle()->system, watch_.vehicle()->component}))
+    return false;
+  ++relayed_to_stations_;
+  t.announce(as_said(frame));
+  return true;
+}
+
+// Whoever speaks with the vehicle's own system id is no station, and gets nowhere.
+effects core::on_relayed(const relayed_frame& what, instant now) {
+  decision_context t(*this, now);
+  const auto payload = std::as_bytes(std::span(what.payload));
+  const mavlink::sender who{what.system, what.component};
+  const bool is_station = watch_.vehicle() && what.system != watch_.vehicle()->system;
+  auto frame = is_station && watch_.phase() != connection_phase::down
+                   ? channel_.pack_as_said(what.message, payload, who, now.wall_ns)
+                   : std::nullopt;
+  if (frame) {
+    ++relayed_to_vehicle_;
+    t.done.emplace_back(transmission{vehicle_peer_, *frame});
+  } else {
+    ++relays_dropped_;
+  }
+  return std::move(t.done);
 }
 
 bool core::is_late_heartbeat(const mavlink::frame_view& frame, instant now) {
@@ -547,6 +579,9 @@ connection core::describe(instant now) const {
   result.tx_seq = channel_.next_sequence(ourselves());
   result.heartbeat_held_back = heartbeat_held_back_;
   result.not_accepted = not_accepted_;
+  result.relayed_to_vehicle = relayed_to_vehicle_;
+  result.relayed_to_stations = relayed_to_stations_;
+  result.relays_dropped = relays_dropped_;
   result.vehicle_restarts = watch_.restarts();
   result.late_heartbeats = late_heartbeats_;
   result.reconnects = reconnects_;

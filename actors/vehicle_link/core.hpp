@@ -62,6 +62,8 @@ public:
   [[nodiscard]] effects on_download(std::uint64_t request_id, const download_plan& what, instant now);
   [[nodiscard]] effects on_clear(std::uint64_t request_id, const clear_plan& what, instant now);
   [[nodiscard]] effects on_cancel_transfer(instant now);
+  // Of a ground station, to the vehicle; whoever tells it has let it pass.
+  [[nodiscard]] effects on_relayed(const relayed_frame& what, instant now);
   void on_liveness_report(const liveness_report& what, instant now);
 
   [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
@@ -91,6 +93,7 @@ private:
   void take(decision_context& t, const M& message);
   template <mavlink::message M>
   void take(decision_context& t, const M& message);
+  [[nodiscard]] bool relay(decision_context& t, const mavlink::frame_view& frame);
   void note_boot_time(decision_context& t, std::uint32_t boot_ms);
 
   void change_phase(decision_context& t, const std::optional<connection_changed>& change);
@@ -129,6 +132,9 @@ private:
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;
+  std::uint64_t relayed_to_vehicle_ = 0;
+  std::uint64_t relayed_to_stations_ = 0;
+  std::uint64_t relays_dropped_ = 0; // no vehicle is there, or an id that is not known
   std::optional<std::int64_t> first_v1_ns_;
   std::uint64_t alerted_rejections_ = 0;
   std::optional<std::int64_t> last_alert_ns_;

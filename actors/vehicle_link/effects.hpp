@@ -10,6 +10,7 @@
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/vehicle_link/connection.hpp"
+#include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 
 namespace godwit::vehicle_link {
@@ -28,7 +29,8 @@ struct resolved_transfer {
 };
 
 // For whoever listens to the vehicle.
-using announcement = std::variant<connection_changed, vehicle_restarted, signing_alert, transfer::progress>;
+using announcement =
+    std::variant<connection_changed, vehicle_restarted, signing_alert, transfer::progress, relayed_frame>;
 
 using effect = std::variant<transmission, resolved_command, resolved_transfer, observation, announcement>;
 using effects = std::vector<effect>;

@@ -60,6 +60,9 @@ struct connection {
   std::uint64_t signing_rejected = 0;
   std::vector<named_count> signing_errors; // by cause
   std::uint64_t not_accepted = 0;          // good frames that are not on the list of what we take
+  std::uint64_t relayed_to_vehicle = 0;    // frames of ground stations
+  std::uint64_t relayed_to_stations = 0;   // frames of the vehicle's components
+  std::uint64_t relays_dropped = 0;        // of ground stations, with no vehicle there
   std::uint64_t dropped_in = 0;            // bytes that came faster than they were read
   std::uint64_t dropped_out = 0;           // frames that the link had no room for
   std::uint64_t vehicle_restarts = 0;
@@ -79,8 +82,10 @@ struct connection {
       io::field("parse_errors", &connection::parse_errors), io::field("kind_errors", &connection::kind_errors),
       io::field("signing_rejected", &connection::signing_rejected),
       io::field("signing_errors", &connection::signing_errors), io::field("not_accepted", &connection::not_accepted),
-      io::field("dropped_in", &connection::dropped_in), io::field("dropped_out", &connection::dropped_out),
-      io::field("vehicle_restarts", &connection::vehicle_restarts),
+      io::field("relayed_to_vehicle", &connection::relayed_to_vehicle),
+      io::field("relayed_to_stations", &connection::relayed_to_stations),
+      io::field("relays_dropped", &connection::relays_dropped), io::field("dropped_in", &connection::dropped_in),
+      io::field("dropped_out", &connection::dropped_out), io::field("vehicle_restarts", &connection::vehicle_restarts),
       io::field("late_heartbeats", &connection::late_heartbeats), io::field("reconnects", &connection::reconnects),
       io::field("missing_streams", &connection::missing_streams));
 };

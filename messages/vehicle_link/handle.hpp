@@ -24,7 +24,10 @@ using handle =
 // The link's thread.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
+// Who passes on to the vehicle what ground stations say.
+using relay_handle = runtime::mailbox<runtime::tells<relayed_frame>>;
+
 // All of it.
-using own_handle = runtime::combine<handle, wake_handle>;
+using own_handle = runtime::combine<handle, relay_handle, wake_handle>;
 
 } // namespace godwit::vehicle_link

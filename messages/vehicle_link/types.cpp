@@ -2,6 +2,7 @@
 #include "messages/vehicle_link/command.hpp"
 #include "messages/vehicle_link/connection.hpp"
 #include "messages/vehicle_link/port.hpp"
+#include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 #include "runtime/define_message.hpp"
 
@@ -13,6 +14,7 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection_changed);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::download_plan);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::get_connection);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::relayed_frame);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::send_command);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_current_item);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_mode);

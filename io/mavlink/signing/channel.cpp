@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/mavlink/ids.hpp"
+
 namespace godwit::io::mavlink {
 
 namespace {
@@ -77,6 +79,20 @@ bool channel::is_believed(const frame_view& frame, instant now) {
   }
   ++frames_in_;
   return true;
+}
+
+std::optional<frame_buffer> channel::pack_as_said(std::uint32_t id, byte_view payload, sender who,
+                                                  std::int64_t wall_ns) {
+  const auto* const known = find_message(id);
+  if (known == nullptr || payload.empty() || payload.size() > max_payload_size)
+    return std::nullopt;
+  auto& sequence = sequence_of(who);
+  frame_buffer frame(id, known->crc_extra, payload, who, sequence, signer_.has_value());
+  if (signer_ && !signer_->sign(frame, wall_ns))
+    return std::nullopt;
+  ++sequence;
+  ++frames_out_;
+  return frame;
 }
 
 std::optional<signing_time> channel::wanted_reservation(std::int64_t wall_ns) {

@@ -25,9 +25,10 @@ namespace godwit::io::mavlink {
 // As many as a UDP link remembers. The one that was silent longest makes room.
 inline constexpr std::size_t max_scanned_peers = 16;
 
-// As whom one process speaks on one link: itself, the autopilot that it stands in for, and each of them once more after
-// the vehicle's system id became known. The one that spoke first makes room, and would begin at 0 again.
-inline constexpr std::size_t max_numbered_speakers = 4;
+// As whom one process speaks on one link: itself, the autopilot that it stands in for, each of them once more after the
+// vehicle's system id became known, and those whose frames it passes on. The one that spoke first makes room, and would
+// begin at 0 again.
+inline constexpr std::size_t max_numbered_speakers = 24;
 
 // A stream that was silent for so long has lost the rest of what it began: let go of it. Longer than any pause inside a
 // frame, 280 bytes at 9600 baud being 0.3 s.
@@ -86,6 +87,11 @@ public:
     ++frames_out_;
     return frame;
   }
+
+  // A message of WHO that is passed on: PAYLOAD as it came, numbered and signed anew. Nothing: no such id is known, or
+  // as above.
+  [[nodiscard]] std::optional<frame_buffer> pack_as_said(std::uint32_t id, byte_view payload, sender who,
+                                                         std::int64_t wall_ns);
 
   // Calls TAKE(const frame_view&) for each frame that may be believed.
   template <class Take>

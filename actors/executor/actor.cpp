@@ -54,10 +54,11 @@ actor::behavior_type actor::handlers() {
       on_deferred<operators::command, operators::answer>(
           [this](const operators::command& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<get_flight>([this](const get_flight&) { return describe(); }),
+      on_deferred<station_act, act_answer>(
+          [this](const station_act& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),
-      on<set_current>([](const set_current&) {
-        return current_answer{current_verdict::not_now, "items can not be chosen in flight yet"};
-      }),
+      on_deferred<set_current, current_answer>(
+          [this](const set_current& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<plan_taken>([this](const plan_taken& m) { then(core_->on_station(m, now())); }),
       on<plan_cleared>([this](const plan_cleared& m) { then(core_->on_station(m, now())); }),
       hears<io::mavlink::heartbeat>(),
@@ -118,6 +119,33 @@ void actor::obey(const operators::command& m, std::uint64_t request_id) {
     answer_later(request_id, answer);
   else
     after_commit([this, request_id, answer] { answer_later(request_id, answer); });
+}
+
+// It is not held up by the disk: what is sent behind the answer has to meet nobody else's order.
+void actor::obey(const station_act& m, std::uint64_t request_id) {
+  auto [wanted, answer] = core_->on_station(m, now());
+  then(wanted);
+  answer_later(request_id, answer);
+}
+
+// Its answer comes as that of a start, with a key that no station's has; a crash forgets who waits for it.
+void actor::obey(const set_current& m, std::uint64_t request_id) {
+  currents_.insert(request_id);
+  then(core_->on_station(m, keys_of_currents | request_id, now()));
+}
+
+bool actor::answer_current(const start_answer& m) {
+  if ((m.key & keys_of_currents) == 0)
+    return false;
+  const auto request_id = m.key & ~keys_of_currents;
+  if (currents_.erase(request_id) == 0)
+    return true;
+  const auto verdict = m.verdict == start_verdict::started        ? current_verdict::going
+                       : m.verdict == start_verdict::no_such_item ? current_verdict::no_such_item
+                       : m.verdict == start_verdict::failed       ? current_verdict::failed
+                                                                  : current_verdict::not_now;
+  answer_later(request_id, current_answer{verdict, m.reason});
+  return true;
 }
 
 // What is told at a change may have been told to the incarnation before.
@@ -400,7 +428,7 @@ void actor::dispatch(const durable_core::effect& each) {
           if constexpr (std::is_same_v<M, mission_client::report_progress>)
             show_reached(m.report);
         } else if constexpr (std::is_same_v<M, start_answer>) {
-          if (others_->port)
+          if (!answer_current(m) && others_->port)
             tell(*others_->port, m);
         } else if constexpr (std::is_same_v<M, phase_status>) {
           show_phase_status(m);

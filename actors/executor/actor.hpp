@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -56,6 +57,8 @@ public:
   // The guardian has its turns, or the process ends.
   static constexpr std::chrono::milliseconds guardian_patience{1'000};
   static constexpr std::int64_t liveness_report_every_ns = 1'000'000'000;
+  // Above those of starts, which count nanoseconds since 1970.
+  static constexpr std::uint64_t keys_of_currents = std::uint64_t{1} << 63U;
   static constexpr int max_decisions_per_turn = 1'000;
 
   actor(runtime::spawn_context context, settings configured, std::shared_ptr<const peers> others, outside_world world);
@@ -73,6 +76,9 @@ private:
   auto hears();
   void then(const effects& wanted);
   void obey(const operators::command& m, std::uint64_t request_id);
+  void obey(const station_act& m, std::uint64_t request_id);
+  void obey(const set_current& m, std::uint64_t request_id);
+  [[nodiscard]] bool answer_current(const start_answer& m);
   void after_turn();
   void carry_out(const effects& wanted);
   void carry_out(const note& each) { commit(each.what); }
@@ -124,7 +130,8 @@ private:
   bool is_asking_failsafe_status_ = false;
   bool is_asking_children_ = false;
   bool is_sending_table_ = false;
-  std::uint64_t revoked_ = 0; // orders that waited for the disk and were not meant any more
+  std::uint64_t revoked_ = 0;        // orders that waited for the disk and were not meant any more
+  std::set<std::uint64_t> currents_; // set_current requests that wait for their answer
 };
 
 } // namespace godwit::executor

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <utility>
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "io/mavlink/enums.hpp"
@@ -296,6 +298,24 @@ operators::answer core::on_operator(const operators::command& m, instant now) {
   } else
     return operators_.take(m, recovery_.has_looked(), now);
   return {true, {}};
+}
+
+// What is paused stays so: whoever chooses an item has not said that it goes on.
+effects core::on_station(const set_current& m, std::uint64_t key, instant now) {
+  if (flight_.is_in_flight() && flight_.s.status.now != phase::paused)
+    return stations_.on_start({key, m.index, std::numeric_limits<std::uint16_t>::max(), m.plan_id, m.asked_by,
+                               now.wall_ns + order_is_worth_ns},
+                              now);
+  effects out;
+  tasks_.answer_start(out, key, start_verdict::not_ready,
+                      flight_.is_in_flight() ? "the flight is paused; resume it first" : "the mission does not run");
+  return out;
+}
+
+std::pair<effects, act_answer> core::on_station(const station_act& m, instant now) {
+  effects out;
+  auto answer = acts_.take(out, m, recovery_.has_looked(), now);
+  return {std::move(out), std::move(answer)};
 }
 
 // -- what a note has led to -------------------------------------------------------------------------

@@ -42,6 +42,7 @@
 #include "actors/executor/flight/recovery.hpp"
 #include "actors/executor/flight/return_place.hpp"
 #include "actors/executor/flight/service_view.hpp"
+#include "actors/executor/flight/station_acts.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/operator/types.hpp"
@@ -120,6 +121,10 @@ public:
   [[nodiscard]] effects on_station(const start_mission& m, instant now) { return stations_.on_start(m, now); }
   [[nodiscard]] effects on_station(const plan_taken& m, instant now) { return stations_.on_plan(m, now); }
   [[nodiscard]] effects on_station(const plan_cleared& m, instant) { return stations_.on_cleared(m); }
+  // As a start in flight: what it is answered with comes as a start_answer with KEY, or at once.
+  [[nodiscard]] effects on_station(const set_current& m, std::uint64_t key, instant now);
+  // What a person does through a station; the answer is given behind the effects.
+  [[nodiscard]] std::pair<effects, act_answer> on_station(const station_act& m, instant now);
   // What stations are to be told, when it has changed and once a second; to be asked after everything else.
   [[nodiscard]] effects tell_stations(instant now) { return stations_.tell(now); }
   // The answer tells whether the command is taken; what comes of it is told by the status of the flight.
@@ -172,10 +177,11 @@ private:
   flight_start start_{flight_, phases_, tasks_, watch_, preparation_};
   plan_changes changes_{flight_, phases_, tasks_};
   homecoming homecoming_{flight_, phases_, tasks_};
-  operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_};
+  operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_, watch_};
   flight_end end_{flight_, phases_, tasks_, watch_};
   return_place return_place_{flight_, tasks_};
-  gcs_view stations_{flight_, phases_, tasks_};
+  gcs_view stations_{flight_, phases_, tasks_, watch_};
+  station_acts acts_{flight_, watch_, preparation_, operators_};
 };
 
 } // namespace godwit::executor

@@ -248,7 +248,14 @@ effects take(state& s, const phase_status& happened, std::int64_t) {
   if (s.status.in_flight != happened.in_flight)
     supervision::change_in_flight(s.supervision, happened.in_flight);
   s.status = happened;
+  if (!needs_hand_back(happened.cause))
+    s.person.reset();
   return {happened};
+}
+
+effects take(state& s, const station_took_over& happened, std::int64_t) {
+  s.person = happened.by;
+  return {};
 }
 
 effects take(state& s, const supervision::failsafe_missed& happened, std::int64_t) {

@@ -12,6 +12,7 @@
 //                                 return and stand down
 //   phase_status                  the flight's phase and why, to whoever watches
 //   start_resolved                 start_answer to who asked
+//   station_took_over             none
 //   supervision::failsafe_missed  none
 //   home_kept, home_commanded     none
 //
@@ -237,6 +238,12 @@ struct station_fence_taken {
       io::table("executor.station_fence_taken", io::field("fences", &station_fence_taken::fences));
 };
 
+// Its own message has made the vehicle its person's, until it is handed back.
+struct station_took_over {
+  station by;
+  static constexpr auto fields = io::table("executor.station_took_over", io::field("by", &station_took_over::by));
+};
+
 // Its plan was cleared.
 struct station_plan_dropped {
   static constexpr auto fields = io::table("executor.station_plan_dropped");
@@ -282,6 +289,8 @@ struct state {
   std::optional<task> doing;
   std::uint64_t last_task = 0;
   phase_status status;
+  std::optional<executor::station>
+      person;               // through which the person acts who has the vehicle; none: another way, or nobody has
   bool awaits_word = false; // this mission has flown, or was resumed on the ground: a person starts it, nothing else
   std::optional<kept_home> home;   // of this mission
   bool has_commanded_home = false; // and has not freed it
@@ -299,7 +308,7 @@ struct state {
       io::field("station", &state::station), io::field("station_fences", &state::station_fences),
       io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
       io::field("last_task", &state::last_task), io::field("standing", &state::status),
-      io::field("awaits_word", &state::awaits_word), io::field("home", &state::home),
+      io::field("person", &state::person), io::field("awaits_word", &state::awaits_word), io::field("home", &state::home),
       io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
       io::field("progress", &state::progress), io::field("supervision", &state::supervision),
       io::field("deleted_mission", &state::deleted_mission));
@@ -321,7 +330,7 @@ struct durable_core {
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
                    preflight::restarted, mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_resolved,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
-                   task_begun, task_ended, phase_status, start_resolved, supervision::failsafe_missed, home_kept,
+                   task_begun, task_ended, phase_status, station_took_over, start_resolved, supervision::failsafe_missed, home_kept,
                    home_commanded>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,

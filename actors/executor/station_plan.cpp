@@ -53,6 +53,22 @@ std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool
   return result;
 }
 
+std::optional<std::uint16_t> vehicle_sequence_of(const state& s, std::uint16_t index, bool with_home) {
+  if (!s.progress.plan)
+    return std::nullopt;
+  const auto& map = s.progress.plan->map;
+  if (!shows_upload(s)) {
+    const auto sequence = static_cast<std::uint32_t>(index) + (with_home ? 0U : map.first_sequence);
+    const auto behind_home = std::max<std::uint32_t>(sequence, map.first_sequence);
+    return behind_home < end_sequence(map) ? std::optional(static_cast<std::uint16_t>(behind_home)) : std::nullopt;
+  }
+  const auto& places = s.station->places;
+  const auto found = std::ranges::find_if(map.items, [&](const auto& each) {
+    return each.sequence_count != 0 && each.item_index < places.size() && places[each.item_index] >= index;
+  });
+  return found == map.items.end() ? std::nullopt : std::optional(found->first_sequence);
+}
+
 ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view, std::uint32_t plan_id,
                                              bool with_home) {
   ground_port::mission_progress result;

@@ -29,6 +29,10 @@ namespace godwit::executor {
 // Of the plan that the vehicle has, from 0 on. Empty: there is none.
 [[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home);
 
+// The item of the vehicle's plan at which what is shown as item INDEX begins, or what follows it where the vehicle has
+// none for it. Nothing: it is beyond the plan.
+[[nodiscard]] std::optional<std::uint16_t> vehicle_sequence_of(const state& s, std::uint16_t index, bool with_home);
+
 // PLAN_ID is that of what is shown.
 [[nodiscard]] ground_port::mission_progress progress_shown(const state& s, const vehicle_view& view,
                                                            std::uint32_t plan_id, bool with_home);

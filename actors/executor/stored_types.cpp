@@ -17,6 +17,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::state);
 GODWIT_DEFINE_MESSAGE(godwit::executor::station_fence_taken);
 GODWIT_DEFINE_MESSAGE(godwit::executor::station_plan_dropped);
 GODWIT_DEFINE_MESSAGE(godwit::executor::station_plan_taken);
+GODWIT_DEFINE_MESSAGE(godwit::executor::station_took_over);
 GODWIT_DEFINE_MESSAGE(godwit::executor::phase_status);
 GODWIT_DEFINE_MESSAGE(godwit::executor::task_begun);
 GODWIT_DEFINE_MESSAGE(godwit::executor::task_ended);

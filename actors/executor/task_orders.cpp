@@ -134,10 +134,14 @@ void task_runner::ask(const world& w, const disarm&) {
   give_order(w, command);
 }
 
-// All items: ArduPilot denies other values, and the plan says where it begins.
-void task_runner::ask(const world& w, const start_plan&) {
+// All items: ArduPilot denies other values, and the plan, or the item that was chosen, says where it begins. A vehicle
+// by the text alone is told.
+void task_runner::ask(const world& w, const start_plan& what) {
   vehicle_link::send_command command;
   command.command = number(mav_cmd::mission_start);
+  const auto autopilot = w.view.owner().autopilot;
+  if (autopilot != io::mavlink::mav_autopilot::px4 && autopilot != io::mavlink::mav_autopilot::ardupilotmega)
+    command.param1 = static_cast<float>(what.sequence);
   expect(w, flight::modes_of_start(w.view.owner()));
   give_order(w, command);
 }

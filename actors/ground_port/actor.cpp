@@ -55,6 +55,8 @@ actor::behavior_type actor::handlers() {
             result.counts.push_back({"dropped_out", dropped_out_});
             return result;
           }),
+          on<vehicle_link::relayed_frame>(
+              [this, then](const vehicle_link::relayed_frame& m) { then(core_->on_relayed(m, now())); }),
           hears<mavlink::heartbeat>(),
           hears<mavlink::sys_status>(),
           hears<mavlink::system_time>(),
@@ -133,13 +135,38 @@ void actor::carry_out(const word_to_say& each) {
     after_turn();
   };
   ask(
-      *others_->executor, current_patience, each.what,
+      *others_->executor, command_patience, each.what,
       [this, then, request = each.request](const operators::answer& answer) {
         then(core_->on_word_answer(request, answer, now()));
       },
       [this, then, request = each.request](const runtime::ask_error& why) {
         then(core_->on_word_failed(request, sentence_for(why.code), now()));
       });
+}
+
+void actor::carry_out(const pass_on& each) {
+  if (others_->vehicle)
+    tell(*others_->vehicle, each.what);
+}
+
+void actor::carry_out(const act_to_ask& each) {
+  const auto then = [this](const effects& wanted) {
+    carry_out(wanted);
+    after_turn();
+  };
+  ask(
+      *others_->executor, act_patience, each.what,
+      [this, then, request = each.request](const executor::act_answer& answer) {
+        then(core_->on_act_answer(request, answer, now()));
+      },
+      [this, then, request = each.request](const runtime::ask_error& why) {
+        then(core_->on_act_failed(request, sentence_for(why.code), now()));
+      });
+}
+
+void actor::carry_out(const tell_taken_over&) {
+  if (others_->failsafe)
+    tell(*others_->failsafe, failsafe::taken_over{});
 }
 
 void actor::carry_out(const operator_link& each) {

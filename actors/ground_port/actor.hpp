@@ -14,7 +14,9 @@
 #include "actors/ground_port/core.hpp"
 #include "io/link/wire.hpp"
 #include "messages/executor/handle.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/ground_port/handle.hpp"
+#include "messages/vehicle_link/handle.hpp"
 #include "runtime/durable_actor.hpp"
 
 namespace godwit::ground_port {
@@ -23,13 +25,23 @@ using io::link::wire;
 
 // So much of what came in is handled in one turn, before other mail has its own.
 inline constexpr int max_chunks_per_turn = 32;
-// The executor has answered a request or a command by then, also where the vehicle changes its mode first.
-inline constexpr std::chrono::seconds current_patience{3};
+// The executor has answered a command by then, also where the vehicle changes its mode first; and a change of the item
+// when the vehicle has taken it, with a few tries.
+inline constexpr std::chrono::seconds command_patience{3};
+inline constexpr std::chrono::seconds current_patience{10};
+
+// A person's message waits for so long for the executor, which answers it without the disk.
+inline constexpr std::chrono::milliseconds act_patience{1'000};
+
+// Who has to hear of a person that has the vehicle, where the executor does not answer.
+using takeover_listener = runtime::mailbox<runtime::tells<failsafe::taken_over>>;
 
 // Whom the port speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not
 // changed after the actors were started.
 struct peers {
-  std::optional<executor::station_handle> executor; // none: missions are taken and shown, and not started
+  std::optional<executor::station_handle> executor;  // none: missions are taken and shown, and not started
+  std::optional<vehicle_link::relay_handle> vehicle; // none: nothing is passed on
+  std::optional<takeover_listener> failsafe;
   std::vector<operator_ear> operator_ears;
 };
 
@@ -58,6 +70,9 @@ private:
   void carry_out(const durable_event& each) { commit(each); }
   void carry_out(const start_request_to_executor& each);
   void carry_out(const word_to_say& each);
+  void carry_out(const pass_on& each);
+  void carry_out(const act_to_ask& each);
+  void carry_out(const tell_taken_over&);
   void carry_out(const operator_link& each);
   void after_turn();
   void reserve_signing_time();

@@ -37,12 +37,18 @@ std::string name_of(mavlink::sender who) {
   return "station " + std::to_string(who.system) + '/' + std::to_string(who.component);
 }
 
+} // namespace
+
 command said_by(const order& what, operators::command_kind which) {
   command result;
   result.kind = which;
   result.by = name_of(what.from);
+  result.system = what.from.system;
+  result.component = what.from.component;
   return result;
 }
+
+namespace {
 
 reading read_pause_or_continue(const order& what) {
   if (what.param1 == to_pause)

@@ -39,6 +39,9 @@ struct word_refusal {
 [[nodiscard]] tl::expected<operators::command, word_refusal> read_word(const vehicle_role::order& what,
                                                                        std::optional<double> home_altitude_m);
 
+// Without what else the command needs.
+[[nodiscard]] operators::command said_by(const vehicle_role::order& what, operators::command_kind which);
+
 // What is said about the order begins with this: "Go to", "Pause", "Continue".
 [[nodiscard]] std::string name_for_people(const vehicle_role::order& what);
 

@@ -82,6 +82,8 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
   auto* const from = stations_.hear(who, peer, t.now.monotonic_ns);
   if (from == nullptr)
     return;
+  if (route(t, *from, frame))
+    return;
   const bool is_taken = transfer_messages::visit(frame,
                                                  [&](const auto& m) {
                                                    if (is_busy_with_disk())
@@ -160,8 +162,11 @@ void core::take(decision_context& t, station& from, const mavlink::ping& m) {
 
 effects core::on_telemetry(const telemetry& m, instant now) {
   decision_context t(*this, now);
-  if (const auto* beat = std::get_if<mavlink::heartbeat>(&m))
+  if (const auto* beat = std::get_if<mavlink::heartbeat>(&m)) {
     is_armed_ = io::mavlink::is_armed(*beat);
+    owner_ = flight::owner_of(*beat);
+    mode_ = flight::mode_of(*beat);
+  }
   // In the autopilot's place we say how the mission goes: ours, and not the one that the vehicle flies by.
   const bool is_replaced = is_standing_in() && (std::holds_alternative<mavlink::mission_current>(m) ||
                                                 std::holds_alternative<mavlink::mission_item_reached>(m));
@@ -276,6 +281,13 @@ port_description core::describe(instant now) const {
                    {"commands_refused", counts_.commands_refused},
                    {"forwarded", counts_.forwarded},
                    {"held_back", gate_.held_back()},
+                   {"passed_to_vehicle", counts_.passed_to_vehicle},
+                   {"passed_to_stations", counts_.passed_to_stations},
+                   {"passing_refused", counts_.passing_refused},
+                   {"passing_dropped", to_vehicle_.dropped() + acts_.dropped() + acts_.replaced()},
+                   {"not_passed_to_stations", counts_.not_passed_to_stations},
+                   {"acts_asked", acts_.asked()},
+                   {"acts_unanswered", counts_.acts_unanswered},
                    {"not_sent", counts_.not_sent},
                    {"texts_dropped", texts_.dropped()},
                    {"transfers_dropped", server_->dropped() + counts_.waiting_for_disk + counts_.held_dropped},

@@ -3,15 +3,17 @@
 //   bytes ──> channel ──frames of stations──> station_table (who is there, is the operator)
 //                          ├────> mission_server (plans up and down)
 //                          ├────> commands: start_dedup, command_dedup, start item, messages and their rates
-//                          └────> parameters, TIMESYNC, PING
+//                          ├────> parameters, TIMESYNC, PING
+//                          └────> the vehicle (core_passing.cpp)
 //   what the vehicle says ──> forward_gate ──> stations
 //   what the executor says ──> MISSION_CURRENT, MISSION_ITEM_REACHED, STATUSTEXT
 //
 // A change that a station must be able to rely on (a plan, a start, a start item) becomes a durable event first; what
-// the station is told waits for on_durable. Until then it is neither acknowledged, nor shown, nor given out. Nothing
-// from a station ever goes on to the vehicle: what it may cause, the executor is asked for. Each function takes the
-// time of its event and returns what is to be done, in order. Call on_time no later than next_deadline_ns. Pure: no
-// socket, no clock, no actor. Thread: one at a time.
+// the station is told waits for on_durable. Until then it is neither acknowledged, nor shown, nor given out. Of a
+// station's messages those go on to the vehicle that are on a list (passing/table.hpp), and what a person means only
+// when the executor has said so: from then on the vehicle is that person's. Each function takes the time of its event
+// and returns what is to be done, in order. Call on_time no later than next_deadline_ns. Pure: no socket, no clock, no
+// actor. Thread: one at a time.
 #pragma once
 
 #include <array>
@@ -19,13 +21,18 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/ground_port/command_dedup.hpp"
 #include "actors/ground_port/effects.hpp"
 #include "actors/ground_port/forward_gate.hpp"
 #include "actors/ground_port/message_allowlist.hpp"
 #include "actors/ground_port/mission_server/server.hpp"
+#include "actors/ground_port/passing/act_queue.hpp"
+#include "actors/ground_port/passing/budget.hpp"
+#include "actors/ground_port/passing/table.hpp"
 #include "actors/ground_port/settings.hpp"
 #include "actors/ground_port/start_dedup.hpp"
 #include "actors/ground_port/state.hpp"
@@ -34,6 +41,7 @@
 #include "actors/ground_port/vehicle_role/current_report.hpp"
 #include "actors/ground_port/vehicle_role/order.hpp"
 #include "actors/ground_port/vehicle_role/param_table.hpp"
+#include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
@@ -53,6 +61,13 @@ inline constexpr std::size_t max_held_messages = 64;
 inline constexpr std::int64_t answer_is_worth_ns = 2'000'000'000;
 // A port that passes no commands on says so to each station at most this often.
 inline constexpr std::int64_t command_notice_period_ns = 60'000'000'000;
+// So often a station is told that something is not passed on.
+inline constexpr std::int64_t passing_notice_period_ns = 5'000'000'000;
+// What stations only read and steer cameras with, beside what people do: parameters, logs and files, all asked for in
+// small frames. A vehicle's own line is narrower than the second; it bounds a component that has gone wild.
+inline constexpr passing::budget::rate to_vehicle_most{500, 100'000};
+inline constexpr passing::budget::rate to_stations_most{5'000, 1'000'000};
+inline constexpr std::uint32_t file_transfer_id = 110; // FILE_TRANSFER_PROTOCOL
 // The autopilot counts as present on this port so long after its last frame.
 inline constexpr std::int64_t autopilot_is_here_ns = 10'000'000'000;
 inline constexpr std::int64_t alert_lasts_ns = 10'000'000'000;
@@ -66,6 +81,8 @@ public:
   [[nodiscard]] effects on_time(instant now);
 
   [[nodiscard]] effects on_telemetry(const telemetry& m, instant now);
+  // What the vehicle's components say besides, as it came.
+  [[nodiscard]] effects on_relayed(const vehicle_link::relayed_frame& m, instant now);
 
   [[nodiscard]] effects on_progress(const mission_progress& m, instant now);
   [[nodiscard]] effects on_item_reached(const item_reached& m, instant now);
@@ -77,6 +94,9 @@ public:
   [[nodiscard]] effects on_current_failed(std::uint64_t request, const std::string& reason, instant now);
   [[nodiscard]] effects on_word_answer(std::uint64_t request, const operators::answer& m, instant now);
   [[nodiscard]] effects on_word_failed(std::uint64_t request, const std::string& reason, instant now);
+
+  [[nodiscard]] effects on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now);
+  [[nodiscard]] effects on_act_failed(std::uint64_t request, const std::string& reason, instant now);
 
   // On the disk now, in this life or an earlier one.
   [[nodiscard]] effects on_durable(const plan_resolved& m, instant now);
@@ -118,6 +138,7 @@ private:
   void take_command(decision_context& t, station& from, const M& m);
   void obey(decision_context& t, const vehicle_role::order& what, bool is_for_all_systems);
   void answer(decision_context& t, const vehicle_role::order& what, mavlink::mav_result result);
+  [[nodiscard]] mavlink::sender asked_one(std::uint8_t component) const;
   void refuse(decision_context& t, const vehicle_role::order& what, mavlink::mav_result result,
               const std::string& text);
   void start(decision_context& t, const vehicle_role::order& what);
@@ -126,9 +147,38 @@ private:
   [[nodiscard]] bool set_interval(std::uint32_t id, float interval_us, std::int64_t now_ns);
   void note_foreign_command(decision_context& t, station& from);
 
+  // core_passing.cpp
+  [[nodiscard]] bool is_passing(std::int64_t now_ns) const;
+  [[nodiscard]] bool is_allowed(std::string_view name) const;
+  [[nodiscard]] bool route(decision_context& t, station& from,
+                           const mavlink::frame_view& frame); // true: it is dealt with
+  void route_listed(decision_context& t, station& from, const passing::message_row& row,
+                    const mavlink::frame_view& frame);
+  void route_command(decision_context& t, station& from, const vehicle_role::order& what,
+                     const mavlink::frame_view& frame, bool is_for_all);
+  void route_file(decision_context& t, station& from, const mavlink::frame_view& frame);
+  void route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
+                  std::uint32_t base_mode, const mavlink::frame_view& frame);
+  void start_or_resume(decision_context& t, vehicle_role::order what);
+  [[nodiscard]] bool answers_itself(const vehicle_role::order& what) const;
+  [[nodiscard]] bool is_known(std::uint32_t id) const;
+  [[nodiscard]] static vehicle_link::relayed_frame needed_rate(mavlink::request_data_stream m, mavlink::sender who);
+  [[nodiscard]] static executor::station by(mavlink::sender who);
+  void pass(decision_context& t, vehicle_link::relayed_frame what);
+  void pass_reading(decision_context& t, vehicle_link::relayed_frame what); // within the budget
+  void ask(decision_context& t, passing::waiting_act what);
+  void pass_unanswered(decision_context& t, const passing::waiting_act& what, const std::string& reason);
+  void refuse_act(decision_context& t, const passing::waiting_act& what, const std::string& reason);
+  void refuse_passing(decision_context& t, station& from, const std::string& why);
+  void refuse_file(decision_context& t, const vehicle_link::relayed_frame& asked);
+  void read_back(decision_context& t, const vehicle_link::relayed_frame& asked);
+  [[nodiscard]] io::link::peer_id way_of(const vehicle_link::relayed_frame& m) const;
+
   // core_words.cpp
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
   void say_word(decision_context& t, const vehicle_role::order& what);
+  void say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which);
+  void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 
   // core_mission.cpp
@@ -167,6 +217,9 @@ private:
   text_queue texts_;
   start_dedup starts_;
   command_dedup words_;
+  passing::act_queue acts_;
+  passing::budget to_vehicle_{to_vehicle_most};
+  passing::budget to_stations_{to_stations_most};
   vehicle_role::current_report report_;
   vehicle_role::param_table params_;
 
@@ -194,6 +247,8 @@ private:
   bool link_is_up_ = false;
   std::string link_reason_ = "not opened";
   bool is_armed_ = false;
+  flight::mode_owner owner_; // as long as the vehicle was not heard: of no kind
+  flight::flight_mode mode_;
   bool stood_down_ = false; // from standing in: the autopilot itself was heard
   std::optional<std::int64_t> autopilot_heard_ns_;
   std::int64_t next_beat_ns_;
@@ -208,6 +263,11 @@ private:
     std::uint64_t commands_unsupported = 0;
     std::uint64_t commands_refused = 0;
     std::uint64_t forwarded = 0;
+    std::uint64_t passed_to_vehicle = 0;
+    std::uint64_t passed_to_stations = 0;
+    std::uint64_t not_passed_to_stations = 0; // over the budget, or this port does not pass on
+    std::uint64_t passing_refused = 0;
+    std::uint64_t acts_unanswered = 0;  // of the executor
     std::uint64_t not_sent = 0;         // while the link was down
     std::uint64_t waiting_for_disk = 0; // messages of stations that were not taken at the bound
     std::uint64_t held_dropped = 0;

@@ -7,7 +7,6 @@
 //   SET_MESSAGE_INTERVAL             ACCEPTED, or DENIED for what is not forwarded
 //   any other to us                  UNSUPPORTED; nothing, when all systems are meant
 //   to the autopilot                 nothing: it is not us. The station is told once a minute that none is passed on
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "actors/ground_port/about.hpp"
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
+#include "actors/ground_port/number_reading.hpp"
 
 namespace godwit::ground_port {
 
@@ -26,20 +26,6 @@ using mavlink::mav_severity;
 
 constexpr std::int64_t ns_per_us = 1'000;
 constexpr std::int64_t least_current_interval_us = 100'000; // changes are told at once, whatever is asked for
-
-// VALUE as an integer, if it is one from LEAST to MOST. Compared as floats, so that no conversion overflows.
-std::optional<std::int64_t> integer_in(float value, std::int64_t least, std::int64_t most) {
-  if (!std::isfinite(value) || std::trunc(value) != value || value < static_cast<float>(least) ||
-      value > static_cast<float>(most))
-    return std::nullopt;
-  return static_cast<std::int64_t>(value);
-}
-
-std::optional<std::uint32_t> message_id_in(float value) {
-  constexpr std::int64_t most = (1 << 24) - 1; // what a frame has room for, and a float holds exactly
-  const auto id = integer_in(value, 0, most);
-  return id ? std::optional(static_cast<std::uint32_t>(*id)) : std::nullopt;
-}
 
 } // namespace
 
@@ -100,8 +86,15 @@ void core::obey(decision_context& t, const vehicle_role::order& what, bool is_fo
   }
 }
 
+// As the one who was asked. SET_MODE has no answer.
 void core::answer(decision_context& t, const vehicle_role::order& what, mav_result result) {
-  t.send(what.from, vehicle_role::answer_to(what, result));
+  if (what.command != 0)
+    t.send_as(stations_.way_to(what.from), vehicle_role::answer_to(what, result), asked_one(what.target_component));
+}
+
+mavlink::sender core::asked_one(std::uint8_t component) const {
+  const bool is_autopilot = settings_.passes && !stood_down_ && component == autopilot().component;
+  return is_autopilot ? autopilot() : ourselves();
 }
 
 void core::refuse(decision_context& t, const vehicle_role::order& what, mav_result result, const std::string& text) {
@@ -156,7 +149,7 @@ effects core::on_durable(const start_resolved& m, instant now) {
   }
   const mavlink::sender to{record.asked.asked_by.system, record.asked.asked_by.component};
   if (!record.is_correction && now.wall_ns - record.resolved_at_ns < answer_is_worth_ns)
-    t.send(to, vehicle_role::answer_to({.from = to, .command = mavlink::number(mav_cmd::mission_start)}, result));
+    answer(t, {.from = to, .command = record.command, .target_component = record.asked_component}, result);
   t.say(result == mav_result::accepted ? mav_severity::info : mav_severity::warning, record.text);
   finish(t);
   return std::move(t.done);

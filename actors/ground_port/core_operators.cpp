@@ -27,6 +27,17 @@ void core::say_word(decision_context& t, const vehicle_role::order& what) {
   const auto command = read_word(what, home_altitude_m());
   if (!command)
     return refuse(t, what, command.error().result, command.error().text);
+  begin_word(t, what, *command);
+}
+
+void core::say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which) {
+  if (const auto heard = words_.heard_before(what, t.now.monotonic_ns))
+    return answer(t, what, *heard);
+  begin_word(t, what, said_by(what, which));
+}
+
+void core::begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command) {
+  const auto now_ns = t.now.monotonic_ns;
   const auto reject_for_now = [&](const std::string& why) {
     refuse(t, what, mav_result::temporarily_rejected, name_for_people(what) + ": " + why);
   };
@@ -34,7 +45,7 @@ void core::say_word(decision_context& t, const vehicle_role::order& what) {
     return reject_for_now("no executor is there");
   if (!words_.may_begin(what.from, now_ns))
     return reject_for_now("another command is under way");
-  t.done.emplace_back(word_to_say{words_.begin(what, now_ns), *command});
+  t.done.emplace_back(word_to_say{words_.begin(what, now_ns), command});
 }
 
 effects core::on_word_answer(std::uint64_t request, const operators::answer& m, instant now) {

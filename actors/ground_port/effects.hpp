@@ -8,9 +8,11 @@
 #include "actors/ground_port/state.hpp"
 #include "io/link/status.hpp"
 #include "io/mavlink/frame.hpp"
+#include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/operator_link.hpp"
 #include "messages/operator/types.hpp"
+#include "messages/vehicle_link/relay.hpp"
 
 namespace godwit::ground_port {
 
@@ -31,10 +33,25 @@ struct word_to_say {
   operators::command what;
 };
 
+// To the vehicle.
+struct pass_on {
+  vehicle_link::relayed_frame what;
+};
+
+// The executor is asked whether it may be passed on.
+struct act_to_ask {
+  std::uint64_t request = 0;
+  executor::station_act what;
+};
+
+// The failsafe is told that a person has the vehicle, by nobody else: the executor does not answer.
+struct tell_taken_over {};
+
 // To be made durable. What comes of it is given to on_durable.
 using durable_event = durable_core::event;
 
-using effect = std::variant<transmission, start_request_to_executor, word_to_say, durable_event, operator_link>;
+using effect = std::variant<transmission, start_request_to_executor, word_to_say, pass_on, act_to_ask, tell_taken_over,
+                            durable_event, operator_link>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::ground_port

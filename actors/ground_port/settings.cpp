@@ -1,5 +1,7 @@
 #include "actors/ground_port/settings.hpp"
 
+#include "actors/ground_port/passing/table.hpp"
+
 namespace godwit::ground_port {
 
 std::vector<forward_rate> default_rates() {
@@ -21,6 +23,9 @@ std::optional<std::string> objection_to(const settings& given) {
     return "the heartbeat needs an interval above 0";
   if (given.max_items <= 0 || given.max_items > max_plan_items)
     return "a plan has 1 to " + std::to_string(max_plan_items) + " items";
+  for (const auto& each : given.also_passes)
+    if (!passing::is_for_setting(each))
+      return "nothing is passed on under the name " + each;
   return std::nullopt;
 }
 

@@ -30,6 +30,8 @@ struct settings {
   // The composition knows that the autopilot is on the same line, because both links have the same address.
   bool autopilot_is_on_this_line = false;
   bool forwards_telemetry = true;
+  bool passes = false; // what is on the lists of passing/table.hpp goes on to the vehicle, and what it says comes back
+  std::vector<std::string> also_passes; // names of what is passed by setting only
   std::vector<forward_rate> rates = default_rates();
   std::int64_t heartbeat_ms = 1'000;
   int max_items = 1'000; // of one plan; more is answered with NO_SPACE

@@ -87,7 +87,9 @@ start_record start_dedup::begin(const vehicle_role::order& what, const vehicle_r
   next.asked.last = static_cast<std::uint16_t>(decided.last);
   next.asked.plan_id = plan_id;
   next.asked.asked_by = {what.from.system, what.from.component};
-  next.asked.obey_until_ns = now.wall_ns + answer_patience_ns;
+  next.asked.obey_until_ns = now.wall_ns + obeyed_within_ns;
+  next.command = what.command;
+  next.asked_component = what.target_component;
   next.first_item = what.param1;
   next.last_item = what.param2;
   next.asked_at_ns = now.wall_ns;

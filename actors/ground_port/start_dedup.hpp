@@ -22,8 +22,11 @@ namespace godwit::ground_port {
 
 class start_dedup {
 public:
-  // A mode change takes the vehicle up to 2 s with its repetitions, and an operator does not wait for much longer.
-  static constexpr std::int64_t answer_patience_ns = 3'000'000'000;
+  // Begun later than this it is not obeyed: who asked has gone on to something else.
+  static constexpr std::int64_t obeyed_within_ns = 3'000'000'000;
+  // Longer than what a start takes: modes, arming and the start itself, each tried again a few times. Until then
+  // repetitions hear IN_PROGRESS.
+  static constexpr std::int64_t answer_patience_ns = 20'000'000'000;
   // A station that counts its repetitions means the same order for as long.
   static constexpr std::int64_t remembered_ns = 10'000'000'000;
   // MAVSDK sends up to 4 times at 0.5 s; whoever presses the button again is slower.

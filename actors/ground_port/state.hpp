@@ -20,7 +20,7 @@
 
 #include "actors/ground_port/kept_item.hpp"
 #include "io/fields/field_table.hpp"
-#include "io/mavlink/enums/mission.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/command.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
 #include "messages/executor/types.hpp"
@@ -64,8 +64,10 @@ struct plan_resolved {
 
 // A MISSION_START that was given to the executor, and what became of it.
 struct start_record {
-  executor::start_mission asked; // its key tells starts apart
-  float first_item = 0;          // as the station sent them
+  executor::start_mission asked;                                                    // its key tells starts apart
+  std::uint16_t command = io::mavlink::number(io::mavlink::mav_cmd::mission_start); // that is answered; 0: none is
+  std::uint8_t asked_component = 0; // of the vehicle's system, which answers
+  float first_item = 0;             // as the station sent them
   float last_item = 0;
   std::int64_t asked_at_ns = 0; // ns since 1970 (UTC)
   bool is_resolved = false;
@@ -76,6 +78,7 @@ struct start_record {
   std::int64_t resolved_at_ns = 0; // ns since 1970 (UTC)
   static constexpr auto fields = io::table(
       "ground_port.start_record", io::field("asked", &start_record::asked),
+      io::field("command", &start_record::command), io::field("asked_component", &start_record::asked_component),
       io::field("first_item", &start_record::first_item), io::field("last_item", &start_record::last_item),
       io::field("asked_at_ns", &start_record::asked_at_ns), io::field("is_settled", &start_record::is_resolved),
       io::field("is_answered", &start_record::is_answered), io::field("is_correction", &start_record::is_correction),

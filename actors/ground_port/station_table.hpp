@@ -25,6 +25,7 @@ struct station {
   std::optional<std::int64_t> last_beat_ns = {};
   bool is_ground_station = false;
   std::optional<std::int64_t> told_about_commands_ns = {}; // that this port passes none on
+  std::optional<std::int64_t> told_about_passing_ns = {};  // that something is not passed on
 };
 
 class station_table {

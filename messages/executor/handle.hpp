@@ -10,6 +10,7 @@
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/mission_client/handle.hpp"
@@ -21,9 +22,10 @@
 namespace godwit::executor {
 
 // What a ground station can cause.
-using station_handle = runtime::mailbox<runtime::tells<start_mission>, runtime::asks<set_current, current_answer>,
-                                        runtime::tells<plan_taken>, runtime::tells<plan_cleared>,
-                                        runtime::asks<operators::command, operators::answer>>;
+using station_handle =
+    runtime::mailbox<runtime::tells<start_mission>, runtime::asks<set_current, current_answer>,
+                     runtime::tells<plan_taken>, runtime::tells<plan_cleared>, runtime::asks<station_act, act_answer>,
+                     runtime::asks<operators::command, operators::answer>>;
 
 // What an operator can cause, and see.
 using operator_handle =

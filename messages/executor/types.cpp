@@ -1,8 +1,10 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
 #include "messages/executor/types.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/station_act.hpp"
 #include "runtime/define_message.hpp"
 
+GODWIT_DEFINE_MESSAGE(godwit::executor::act_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::current_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::flight_status);
 GODWIT_DEFINE_MESSAGE(godwit::executor::get_flight);
@@ -11,4 +13,5 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::plan_taken);
 GODWIT_DEFINE_MESSAGE(godwit::executor::set_current);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_mission);
+GODWIT_DEFINE_MESSAGE(godwit::executor::station_act);
 GODWIT_DEFINE_MESSAGE(godwit::executor::tick);

@@ -10,6 +10,7 @@
 #include "io/mavlink/messages/version.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/types.hpp"
+#include "messages/vehicle_link/relay.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::ground_port {
@@ -30,6 +31,9 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::home_position>, runtime::tells<io::mavlink::extended_sys_state>,
                      runtime::tells<io::mavlink::statustext>>;
 
+// What its components say besides, as it came.
+using relay_handle = runtime::mailbox<runtime::tells<vehicle_link::relayed_frame>>;
+
 // The link's thread.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
@@ -37,6 +41,6 @@ using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 using operator_ear = runtime::mailbox<runtime::tells<operator_link>>;
 
 // All of it.
-using own_handle = runtime::combine<handle, telemetry_handle, wake_handle>;
+using own_handle = runtime::combine<handle, telemetry_handle, relay_handle, wake_handle>;
 
 } // namespace godwit::ground_port

@@ -45,11 +45,14 @@ struct command {
   operators::command_kind kind = operators::command_kind::pause;
   std::uint32_t report = 0;               // acknowledge
   std::string by;                         // who says it
+  std::uint8_t system = 0;                // of the ground station through which it is said; 0: none
+  std::uint8_t component = 0;             // the same
   std::optional<mission::position> place; // go_to, insert; metres above the place that the mission counts from
   std::string after;                      // insert: the id of an item; empty: the last one that is done
-  static constexpr auto fields = io::table("operator.word", io::field("verb", &command::kind),
-                                           io::field("report", &command::report), io::field("by", &command::by),
-                                           io::field("place", &command::place), io::field("after", &command::after));
+  static constexpr auto fields = io::table(
+      "operator.word", io::field("verb", &command::kind), io::field("report", &command::report),
+      io::field("by", &command::by), io::field("system", &command::system), io::field("component", &command::component),
+      io::field("place", &command::place), io::field("after", &command::after));
 };
 
 struct answer {

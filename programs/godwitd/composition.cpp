@@ -165,6 +165,8 @@ void composition::add_flight(control::peers& of_desk) {
         announce({sentence, true}, "sightings");
       });
   of_desk.flight = flight_.executor;
+  if (wanted_.ground)
+    of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
   of_desk.sightings = feeder_;
 }

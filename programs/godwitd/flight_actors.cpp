@@ -46,6 +46,8 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
   result.as.system = std::max<std::uint8_t>(settings.vehicle_system, 1);
   if (settings.speaks_as_autopilot)
     result.as.component = io::mavlink::number(io::mavlink::mav_component::autopilot1);
+  result.passes = settings.ground_passes;
+  result.also_passes = settings.ground_also_passes;
   return result;
 }
 
@@ -66,6 +68,7 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
   made.of_failsafe = std::make_shared<failsafe::peers>();
   auto link = settings.link;
   link.watch.system = settings.vehicle_system;
+  link.relays = settings.flies && settings.ground_passes && outside.ground;
   if (settings.flies)
     link.liveness_reporters = {executor_name, failsafe_name};
   made.vehicle =
@@ -97,6 +100,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
                                                  std::shared_ptr<const ground_port::peers>(of_ground));
     of_executor->port = made.ground;
     of_ground->executor = made.executor;
+    of_ground->vehicle = base.vehicle;
+    of_ground->failsafe = base.failsafe;
     of_ground->operator_ears.emplace_back(base.failsafe);
     base.of_failsafe->people.emplace_back(made.ground);
     base.of_vehicle->add(made.ground);

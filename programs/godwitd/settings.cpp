@@ -2,10 +2,12 @@
 
 #include <chrono>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "actors/domain/mission/convert/convert.hpp"
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/ground_port/passing/table.hpp"
 #include "io/fields/field_table.hpp"
 #include "programs/godwitd/option_table.hpp"
 
@@ -161,6 +163,13 @@ checked read_ground(const json& ground, daemon_settings& to) {
   to.ground_key_file = text(ground, "key_file");
   to.speaks_as_autopilot = ground.at("as_autopilot").get<bool>();
   to.flight.shows_home = to.speaks_as_autopilot;
+  to.ground_passes = text(ground, "passes") == "all";
+  std::istringstream names(text(ground, "also_passes"));
+  for (std::string each; names >> each;) {
+    if (!ground_port::passing::is_for_setting(each))
+      return wrong("ground", "ground.also_passes: nothing is passed on by the name " + each);
+    to.ground_also_passes.push_back(each);
+  }
   if (where.empty())
     return {};
   auto parsed = io::link::parse_uri(where);

@@ -40,6 +40,8 @@ struct daemon_settings {
   std::optional<io::link::uri> ground; // none: no ground station is spoken to
   bool speaks_as_autopilot = false;    // there: for stations that speak with nobody else
   std::string ground_key_file;         // empty: nothing is signed there
+  bool ground_passes = true;           // reading and what people do goes on to the vehicle
+  std::vector<std::string> ground_also_passes;
   mapobjects_store::map_writer_options map;
   std::string control_path;
   std::string sightings_file; // "-": standard input; empty: none

@@ -48,6 +48,23 @@ std::string vehicle_line(const json& vehicle) {
          in_brackets(text(vehicle, "reason"));
 }
 
+// What was dropped or refused, where there is any.
+std::string ground_line(const json& ground) {
+  auto result = ground.value("link_is_up", false) ? "up" : "down" + in_brackets(text(ground, "reason"));
+  for (const auto& each : ground.value("stations", json::array()))
+    result += ", station " + number(each, "system") + "/" + number(each, "component");
+  std::string counts;
+  constexpr const char* shown[] = {
+      "passed_to_vehicle",      "passed_to_stations", "passing_refused",  "passing_dropped",
+      "not_passed_to_stations", "acts_unanswered",    "signing_rejected", "texts_dropped",
+      "transfers_dropped",      "stations_refused",   "dropped_in",       "dropped_out"};
+  for (const auto& each : ground.value("counts", json::array()))
+    for (const auto* const name : shown)
+      if (text(each, "name") == name && each.value("count", std::uint64_t{0}) != 0)
+        counts += (counts.empty() ? "; " : ", ") + std::string(name) + " " + number(each, "count");
+  return result + counts;
+}
+
 std::string flight_line(const json& flight) {
   const auto mission = text(flight, "mission_id");
   auto result = text(flight, "sentence");
@@ -89,9 +106,9 @@ struct part_row {
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {{"run", run_line},      {"flight", flight_line},       {"service", service_line},
-                              {"map", map_line},      {"sightings", sightings_line}, {"vehicle", vehicle_line},
-                              {"actors", actor_lines}};
+constexpr part_row parts[] = {{"run", run_line},       {"flight", flight_line},       {"service", service_line},
+                              {"map", map_line},       {"sightings", sightings_line}, {"vehicle", vehicle_line},
+                              {"ground", ground_line}, {"actors", actor_lines}};
 
 } // namespace
 

@@ -119,14 +119,34 @@ void control_watch::yield(effects& out, trigger to, const std::string& why) {
   flight_.runner.drop(flight_.world({}, out));
   tasks_.end(out, why);
   flight_.wanted.drop_all_behind_takeover();
-  if (to != trigger::failsafe_acts && !flight_.failsafe_status->taken_over)
+  if (to != trigger::failsafe_acts && (!flight_.failsafe_status || !flight_.failsafe_status->taken_over))
     say_taken_over(out);
   phases_.go(out, to, why);
 }
 
 void control_watch::say_taken_over(effects& out) {
-  flight_.failsafe_status->taken_over = true;
+  if (flight_.failsafe_status)
+    flight_.failsafe_status->taken_over = true;
   out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
+}
+
+// Said again to a failsafe that may have lost it; whose it is does not change the phase twice.
+void control_watch::give_to_station(effects& out, const station_act& m) {
+  const bool is_new = flight_.s.status.cause != pause_cause::taken_over;
+  const bool stands = !flight_.is_in_flight() && !flight_.is_starting() && !flight_.view.is_moving();
+  flight_.authority.take_away(flight::holder::person);
+  if (is_new)
+    yield(out, stands ? trigger::person_acts_on_ground : trigger::person_took_over,
+          name_of(m.by) + " has the vehicle (" + m.what + "); nothing is sent until it is handed back");
+  else if (flight_.failsafe_status && !flight_.failsafe_status->taken_over)
+    say_taken_over(out);
+  if (is_new || flight_.s.person != m.by)
+    out.emplace_back(note{station_took_over{m.by}});
+}
+
+bool control_watch::may_hand_back(const station& by) const {
+  return flight_.s.status.cause == pause_cause::taken_over && flight_.s.person == by && flight_.view.is_connected() &&
+         flight_.view.mode();
 }
 
 bool control_watch::take_back(effects& out) {
@@ -139,6 +159,8 @@ bool control_watch::take_back(effects& out) {
   }
   if (flight_.is_in_flight() && flight_.view.mode())
     flight_.authority.begin(*flight_.view.mode());
+  else
+    flight_.authority.end(); // nobody is watched before a start
   phases_.go(out, trigger::handed_back);
   return true;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "actors/executor/flight/task_control.hpp"
+#include "messages/executor/station_act.hpp"
 
 namespace godwit::executor {
 
@@ -31,6 +32,10 @@ public:
 
   // True: somebody else has just got it, or it is unclear who has it.
   [[nodiscard]] bool heed(effects& out, instant now);
+  // A station's own message has made it its person's.
+  void give_to_station(effects& out, const station_act& m);
+  // A start or resume by this station hands it back, and the vehicle is heard.
+  [[nodiscard]] bool may_hand_back(const station& by) const;
   // An operator has handed it back. True: what follows from it is noted.
   [[nodiscard]] bool take_back(effects& out);
 

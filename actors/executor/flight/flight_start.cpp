@@ -2,22 +2,34 @@
 
 #include <utility>
 
+#include "actors/executor/flight/vehicle_steps.hpp"
+#include "actors/executor/station_plan.hpp"
+
 namespace godwit::executor {
 
 using flight::mode_kind;
 
-void flight_start::begin(effects& out, std::optional<std::uint64_t> key) {
+void flight_start::begin(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence) {
   phases_.go(out, trigger::start_begun);
   watch_.begin_start(out);
-  tasks_.begin_start(out, key);
+  tasks_.begin_start(out, key, sequence);
 }
+
+std::uint16_t flight_start::first_sequence() const { return flight_.s.progress.plan->map.start_sequence; }
 
 // The sentence says why not; empty: it may.
 std::string flight_start::why_not(effects& out, instant now) {
+  auto why = why_not_ready(out, now);
+  return why.empty() ? why_not_armed() : why;
+}
+
+std::string flight_start::why_not_ready(effects& out, instant now) {
   if (flight_.s.status.now != phase::ready || !flight_.s.progress.plan || !flight_.s.mission)
     return flight_.sentence();
-  if (auto why = preparation_.why_not_start(out, now); !why.empty())
-    return why;
+  return preparation_.why_not_start(out, now);
+}
+
+std::string flight_start::why_not_armed() const {
   if (!flight_.view.is_armed() && !flight_.configured.arm_on_start)
     return "the vehicle is disarmed, and starting does not arm it (arm_on_start)";
   return {};
@@ -32,18 +44,55 @@ bool flight_start::begin_wanted(effects& out, instant now) {
   else if (const auto why = why_not(out, now); !why.empty())
     out.emplace_back(announce{"the flight is not started: " + why, true});
   else
-    begin(out, {});
+    begin(out, {}, first_sequence());
   return true;
 }
 
+// -- of a flight under way --------------------------------------------------------------------------
+
+std::string flight_start::why_not_in_flight() const {
+  const auto cause = flight_.s.status.cause;
+  if (!flight_.s.progress.plan || cause == pause_cause::foreign_plan || cause == pause_cause::vehicle_restarted)
+    return flight_.sentence();
+  if (!flight_.view.is_under_way())
+    return "the vehicle stands on the ground; its flight has not ended yet";
+  if (flight_.was_called_home() || flight_.is_on_way_home())
+    return "the vehicle was called home";
+  if (flight_.has_open_intent() || flight_.authority.is_unclear())
+    return "something else is under way";
+  return {};
+}
+
+// What is paused goes on when it is started from the first item; else it goes to the item that is named.
+void flight_start::begin_in_flight(effects& out, const start_mission& asked) {
+  if (const auto why = why_not_in_flight(); !why.empty())
+    return tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
+  const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
+  if (!sequence)
+    return tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
+  const bool goes_on = asked.first == 0 && flight_.s.status.now == phase::paused;
+  tasks_.begin(out, task_kind::resume,
+               tasks_.guarded(goes_on ? going_on_steps(flight_) : jump_steps(flight_, *sequence)), false, asked.key);
+}
+
+// -- on the ground ----------------------------------------------------------------------------------
+
 void flight_start::begin_asked(effects& out, const start_mission& asked, instant now) {
-  const bool is_disarmed = !flight_.view.is_armed() && !flight_.configured.arm_on_start;
   if (now.wall_ns > asked.obey_until_ns)
     tasks_.answer_start(out, asked.key, start_verdict::too_late, "the request came too late");
-  else if (const auto why = why_not(out, now); !why.empty())
-    tasks_.answer_start(out, asked.key, is_disarmed ? start_verdict::disarmed : start_verdict::not_ready, why);
+  else if (flight_.is_in_flight())
+    begin_in_flight(out, asked);
+  else if (const auto why = why_not_ready(out, now); !why.empty())
+    tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
+  else if (const auto disarmed = why_not_armed(); !disarmed.empty())
+    tasks_.answer_start(out, asked.key, start_verdict::disarmed, disarmed);
+  else if (const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
+           !sequence && asked.first != 0)
+    tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
+  else if (asked.first != 0 && flight_.view.owner().vehicle != flight::vehicle_class::rover)
+    tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "what flies begins with its take-off");
   else
-    begin(out, asked.key);
+    begin(out, asked.key, asked.first == 0 ? first_sequence() : *sequence);
 }
 
 void flight_start::refuse(effects& out, const std::string& why) {
@@ -62,7 +111,7 @@ bool flight_start::begin_by_itself(effects& out) {
     phases_.go(out, trigger::start_waits);
   if (!is_automatic || !configured.arm_on_start || waits_for_word || !(!flight_.view.is_under_way() || is_held_rover))
     return false;
-  begin(out, {});
+  begin(out, {}, first_sequence());
   return true;
 }
 
@@ -71,7 +120,8 @@ bool flight_start::follow(effects& out) {
   const bool waits =
       status.now == phase::ready || (status.now == phase::paused && status.cause == pause_cause::restarted);
   const bool flies = flight_.view.is_under_way() && flight_.view.is_in_begun_mission();
-  if (flight_.is_in_flight() || !waits || !flies || !flight_.s.progress.plan || !flight_.s.flown)
+  if (flight_.is_in_flight() || flight_.has_person() || !waits || !flies || !flight_.s.progress.plan ||
+      !flight_.s.flown)
     return false;
   flight_.adopt_flight();
   out.emplace_back(note{preflight::took_off{}});

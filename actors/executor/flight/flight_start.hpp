@@ -24,9 +24,14 @@ public:
   void refuse(effects& out, const std::string& why);
 
 private:
-  void begin(effects& out, std::optional<std::uint64_t> key);
+  void begin(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence);
+  void begin_in_flight(effects& out, const start_mission& asked);
+  [[nodiscard]] std::string why_not_in_flight() const;
+  [[nodiscard]] std::uint16_t first_sequence() const;
   void begin_asked(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not(effects& out, instant now);
+  [[nodiscard]] std::string why_not_ready(effects& out, instant now);
+  [[nodiscard]] std::string why_not_armed() const;
 
   flight_context& flight_;
   phase_machine& phases_;

@@ -82,7 +82,7 @@ effects gcs_view::take_plan(const plan_taken& m, instant now) {
     return not_taken("missions come from " + elsewhere + " here");
   if (is_flight_begun(flight_.s))
     return not_taken("another one is flown; upload it after the flight");
-  if (flight_.has_person())
+  if (flight_.has_person() && flight_.s.person != m.by) // its own is kept, and brought behind the hand-back
     return not_taken("the vehicle has to be handed back first");
   mission::item_list_options options;
   options.mission_id = new_mission_id(m.plan_id, now.wall_ns);
@@ -102,7 +102,7 @@ effects gcs_view::take_plan(const plan_taken& m, instant now) {
   station_plan plan{taken->mission.mission_id, taken->mission.revision, m.plan_id,
                     static_cast<std::uint16_t>(m.items.size()), std::move(taken->places)};
   out.emplace_back(note{station_plan_taken{std::move(plan), std::move(taken->mission)}});
-  if (flight_.s.status.now == phase::paused)
+  if (flight_.s.status.now == phase::paused && !flight_.has_person())
     phases_.go(out, trigger::mission_changed);
   return out;
 }
@@ -133,7 +133,9 @@ effects gcs_view::on_start(const start_mission& m, instant now) {
     tasks_.answer_start(out, m.key, start_verdict::too_late, "the request came too late");
   else if (const auto why = why_not_meant(m); !why.empty())
     tasks_.answer_start(out, m.key, start_verdict::no_such_item, why);
-  else if (fly_again(out, now))
+  else if (flight_.has_person() && !watch_.may_hand_back(m.asked_by))
+    tasks_.answer_start(out, m.key, start_verdict::not_ready, flight_.s.status.reason);
+  else if (hand_back(); fly_again(out, now))
     tasks_.answer_start(out, m.key, start_verdict::not_ready,
                         "it was flown, and is prepared anew; start it when it is ready");
   else if (flight_.wanted.start || flight_.runner.is_busy())
@@ -143,12 +145,13 @@ effects gcs_view::on_start(const start_mission& m, instant now) {
   return out;
 }
 
+// The station's own arm or mode has made it its person's; its start gives it back.
+void gcs_view::hand_back() { flight_.wanted.hand_back = flight_.wanted.hand_back || flight_.has_person(); }
+
 std::string gcs_view::why_not_meant(const start_mission& m) {
   const auto& plan = shown();
   if (m.plan_id != plan.plan_id)
     return refused_upload_.empty() ? "another plan is here by now; load it from the vehicle" : refused_upload_;
-  if (m.first != 0)
-    return "a mission begins with its first item";
   if (m.last + std::size_t{1} < plan.items)
     return "a mission is flown to its last item";
   return {};

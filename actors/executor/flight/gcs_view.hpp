@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actors/executor/flight/task_control.hpp"
+#include "actors/executor/flight/control_watch.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/mission.hpp"
 
@@ -14,8 +14,8 @@ namespace godwit::executor {
 
 class gcs_view {
 public:
-  gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks)
-      : flight_(flight), phases_(phases), tasks_(tasks) {}
+  gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch)
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch) {}
 
   [[nodiscard]] effects on_plan(const plan_taken& m, instant now);
   [[nodiscard]] effects on_cleared(const plan_cleared& m);
@@ -38,12 +38,14 @@ private:
   [[nodiscard]] effects take_fence(const std::vector<io::mavlink::mission_item_int>& items);
   [[nodiscard]] effects not_taken(const std::string& why);
   [[nodiscard]] std::string why_not_meant(const start_mission& m);
+  void hand_back();
   [[nodiscard]] bool fly_again(effects& out, instant now);
   [[nodiscard]] bool begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const;
 
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
+  control_watch& watch_;
   std::optional<shown_plan> shown_;
   std::uint32_t told_plan_id_ = 0;
   std::string refused_upload_; // why the last upload of a station was not taken; empty: it was

@@ -27,7 +27,8 @@ bool needs_vehicle(command_kind what) { return what != command_kind::hand_back &
 operators::answer operator_control::take(const operators::command& m, bool has_looked, instant now) {
   if (auto why = why_not(m, has_looked); !why.empty())
     return {false, std::move(why)};
-  if (needs_vehicle(m.kind) && flight_.has_person())
+  const bool is_own = m.kind == command_kind::resume && has_looked && watch_.may_hand_back({m.system, m.component});
+  if (needs_vehicle(m.kind) && flight_.has_person() && !is_own)
     return {false, "the vehicle has to be handed back first: " + flight_.s.status.reason};
   auto& wanted = flight_.wanted;
   switch (m.kind) {
@@ -39,6 +40,7 @@ operators::answer operator_control::take(const operators::command& m, bool has_l
       wanted.start.emplace();
     break;
   case command_kind::resume:
+    wanted.hand_back = wanted.hand_back || is_own;
     wanted.put_go_on();
     break;
   case command_kind::pause:

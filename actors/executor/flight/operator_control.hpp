@@ -2,6 +2,7 @@
 // what is under way, and wait for nothing. Pure. Thread: one at a time.
 #pragma once
 
+#include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
 
@@ -10,8 +11,8 @@ namespace godwit::executor {
 class operator_control {
 public:
   operator_control(flight_context& flight, phase_machine& phases, task_control& tasks, plan_changes& changes,
-                   homecoming& returns)
-      : flight_(flight), phases_(phases), tasks_(tasks), changes_(changes), returns_(returns) {}
+                   homecoming& returns, control_watch& watch)
+      : flight_(flight), phases_(phases), tasks_(tasks), changes_(changes), returns_(returns), watch_(watch) {}
 
   // HAS_LOOKED: at the vehicle, since this incarnation began. The answer tells whether the command is taken; what comes
   // of it is told as the flight's status.
@@ -34,6 +35,7 @@ private:
   task_control& tasks_;
   plan_changes& changes_;
   homecoming& returns_;
+  control_watch& watch_;
 };
 
 } // namespace godwit::executor

@@ -47,6 +47,7 @@ enum class trigger {
   task_failed,
   // who has the vehicle
   person_took_over,
+  person_acts_on_ground, // through a station, and nothing of ours flies: what was prepared stays so
   failsafe_acts,
   autopilot_failsafe_acts,
   handed_back,
@@ -89,6 +90,7 @@ constexpr auto enum_names(trigger) {
                              {trigger::not_obeyed, "not_obeyed"},
                              {trigger::task_failed, "task_failed"},
                              {trigger::person_took_over, "person_took_over"},
+                             {trigger::person_acts_on_ground, "person_acts_on_ground"},
                              {trigger::failsafe_acts, "failsafe_acts"},
                              {trigger::autopilot_failsafe_acts, "autopilot_failsafe_acts"},
                              {trigger::handed_back, "handed_back"},

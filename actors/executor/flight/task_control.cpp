@@ -15,8 +15,8 @@ void task_control::answer_start(effects& out, std::uint64_t key, start_verdict v
 
 // -- the beginning ----------------------------------------------------------------------------------
 
-void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on) {
-  const task what{flight_.s.last_task + 1, kind, goes_on, {}};
+void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on, std::optional<std::uint64_t> key) {
+  const task what{flight_.s.last_task + 1, kind, goes_on, key};
   out.emplace_back(note{task_begun{what, {}}});
   flight_.runner.begin(what, std::move(way), {});
   if (std::exchange(gave_up_order_, false))
@@ -47,12 +47,12 @@ void task_control::begin_plan(effects& out, const task& doing, const mission::do
   flight_.runner.begin(doing, deploy_steps(flight_, what.map, doing.goes_on), std::move(intent));
 }
 
-void task_control::begin_start(effects& out, std::optional<std::uint64_t> key) {
+void task_control::begin_start(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence) {
   const task what{flight_.s.last_task + 1, task_kind::start, false, key};
   if (flight_.commands_home())
     out.emplace_back(note{home_commanded{true}});
   out.emplace_back(note{task_begun{what, {}}});
-  flight_.runner.begin(what, start_steps(flight_), {});
+  flight_.runner.begin(what, start_steps(flight_, sequence), {});
 }
 
 steps task_control::guarded(steps way) {
@@ -127,6 +127,8 @@ void task_control::finish(effects& out, const task& what) {
     phases_.go(out, trigger::held, std::exchange(flight_.wanted.why_halt, {}));
     return;
   case task_kind::resume:
+    if (what.start_key)
+      answer_start(out, *what.start_key, start_verdict::started, {});
     phases_.go(out, trigger::resumed);
     return;
   case task_kind::come_home:

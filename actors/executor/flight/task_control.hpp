@@ -16,14 +16,15 @@ class task_control {
 public:
   task_control(flight_context& flight, phase_machine& phases) : flight_(flight), phases_(phases) {}
 
-  void begin(effects& out, task_kind kind, steps way, bool goes_on = false);
+  // KEY: of the ground station's request.
+  void begin(effects& out, task_kind kind, steps way, bool goes_on = false, std::optional<std::uint64_t> key = {});
   // GOES_ON: in flight, into the new plan. ASSIGNMENT: that the plan carries out.
   void begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                     const std::optional<std::string>& assignment, bool goes_on);
   // In flight: of no mission, and flown at once.
   void begin_way_home(effects& out, const plan::flight_plan& what);
-  // KEY: of the ground station's request.
-  void begin_start(effects& out, std::optional<std::uint64_t> key);
+  // At SEQUENCE of the vehicle.
+  void begin_start(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence);
 
   // True: one is under way, or has just ended.
   [[nodiscard]] bool run(effects& out, instant now);

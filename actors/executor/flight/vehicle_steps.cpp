@@ -45,7 +45,7 @@ bool starts_in_mission_mode(const flight_context& flight) {
   return autopilot != mav_autopilot::px4 && autopilot != mav_autopilot::ardupilotmega;
 }
 
-steps start_steps(const flight_context& flight) {
+steps start_steps(const flight_context& flight, std::uint16_t sequence) {
   steps result{guard{}};
   const bool commands_home = flight.commands_home();
   if (commands_home)
@@ -59,8 +59,16 @@ steps start_steps(const flight_context& flight) {
   }
   if (commands_home)
     result.emplace_back(see_home{});
-  result.emplace_back(start_plan{flight.s.progress.plan->map.start_sequence});
+  if (sequence != flight.s.progress.plan->map.start_sequence && !starts_in_mission_mode(flight))
+    result.emplace_back(set_current_item{sequence});
+  result.emplace_back(start_plan{sequence});
   return result;
+}
+
+steps jump_steps(const flight_context& flight, std::uint16_t sequence) {
+  if (starts_in_mission_mode(flight))
+    return {start_plan{sequence}};
+  return {set_current_item{sequence}, change_mode{mode_kind::mission}};
 }
 
 steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on) {

@@ -13,7 +13,10 @@
 
 namespace godwit::executor {
 
-[[nodiscard]] steps start_steps(const flight_context& flight);
+// SEQUENCE: where the plan on the vehicle begins, or an item of it.
+[[nodiscard]] steps start_steps(const flight_context& flight, std::uint16_t sequence);
+// Of a flight under way: to this item of the plan that it flies.
+[[nodiscard]] steps jump_steps(const flight_context& flight, std::uint16_t sequence);
 [[nodiscard]] steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on);
 // Back into the plan that the vehicle holds, or into one that was brought to it in flight.
 [[nodiscard]] steps going_on_steps(const flight_context& flight);

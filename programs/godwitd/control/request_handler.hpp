@@ -17,6 +17,7 @@
 
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/ground_port/types.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
@@ -32,6 +33,7 @@ namespace godwit::control {
 using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
 using request_handle = runtime::mailbox<runtime::tells<control_request>>;
 
+using ground_handle = runtime::mailbox<runtime::asks<ground_port::get_port, ground_port::port_description>>;
 using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
 struct peers {
@@ -40,6 +42,7 @@ struct peers {
   vehicle_handle vehicle;
   std::optional<ground_run::status_handle> run;      // of a run on the ground
   std::optional<executor::operator_handle> flight;   // else
+  std::optional<ground_handle> ground;               // with a flight and a line for ground stations
   std::optional<override_handle> failsafe;           // with a flight
   std::optional<sightings::status_handle> sightings; // with a flight
   runtime::guardian_handle guardian;

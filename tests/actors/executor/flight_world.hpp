@@ -73,6 +73,13 @@ public:
     take(core_->on_station(m, now()));
     resolve();
   }
+  // What a person does through it, as ground_port asks for it; whether it goes on to the vehicle is the test's.
+  executor::act_answer station_does(executor::act_kind what, executor::station by = {255, 190}) {
+    auto [wanted, answer] = core_->on_station(executor::station_act{what, by, std::string(io::name_of(what))}, now());
+    take(wanted);
+    resolve();
+    return answer;
+  }
   [[nodiscard]] const std::vector<io::mavlink::mission_item_int>& shown_items() const { return shown_items_; }
   [[nodiscard]] int times_shown() const { return times_shown_; }
   [[nodiscard]] const std::vector<ground_port::mission_progress>& shown_progress() const { return shown_progress_; }

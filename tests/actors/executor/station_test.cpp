@@ -220,19 +220,67 @@ TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
   EXPECT_FALSE(world.say(operators::command_kind::start).is_taken);
 }
 
-TEST_P(flight_by_station, a_part_of_the_plan_is_not_started) {
+TEST_P(flight_by_station, on_the_ground_what_flies_begins_with_its_take_off_and_nothing_ends_before_the_end) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
   ASSERT_TRUE(bring(world, items));
-  auto from_the_middle = start_of(world, items);
-  from_the_middle.first = 1;
-  world.station_says(from_the_middle);
-  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
+  if (GetParam() != sim::personality::rover) {
+    auto from_the_middle = start_of(world, items);
+    from_the_middle.first = 1;
+    world.station_says(from_the_middle);
+    EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
+  }
   auto half = start_of(world, items);
   half.last = 1;
   world.station_says(half);
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
   EXPECT_EQ(world.durable().status.now, phase::ready);
+}
+
+TEST_P(flight_by_station, FR_00089_a_start_while_it_flies_restarts_at_the_item_that_is_named) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(world, items));
+  const std::uint16_t first_waypoint = GetParam() == sim::personality::rover ? 1 : 2;
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until([&] { return world.shown_progress().back().current == first_waypoint + 1; }, 600))
+      << world.story();
+  auto again = start_of(world, items);
+  again.first = first_waypoint;
+  world.station_says(again);
+  ASSERT_TRUE(world.run_until([&] { return world.start_answers().size() == 2; }, 20)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.start_answers().back().reason;
+  EXPECT_TRUE(world.run_until([&] { return world.shown_progress().back().current == first_waypoint; }, 5))
+      << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(flight_by_station, FR_00089_a_rover_may_begin_with_another_item) {
+  if (GetParam() != sim::personality::rover)
+    GTEST_SKIP() << "what flies begins with its take-off";
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(world, items));
+  auto from_the_second = start_of(world, items);
+  from_the_second.first = 2;
+  world.station_says(from_the_second);
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started);
+  EXPECT_EQ(world.shown_reached(), (std::vector<std::uint16_t>{2})) << world.story();
+}
+
+TEST_P(flight_by_station, FR_00089_failing_checks_come_before_being_disarmed) {
+  auto wanted = by_stations(GetParam());
+  wanted.arm_on_start = false;
+  flight_world world(wanted);
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(world, items));
+  world.station_says(start_of(world, items));
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::disarmed) << world.story();
+  world.vehicle().set_battery(5, world.now_ns());
+  world.run_for(10);
+  world.station_says(start_of(world, items));
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::not_ready) << world.story();
 }
 
 TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_waypoint) {

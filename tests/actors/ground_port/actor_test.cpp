@@ -62,16 +62,17 @@ struct executor_record {
   std::vector<operators::command> words;
   std::string objection; // to every word; empty: they are taken
   bool hears_words = true;
+  std::vector<std::string> story; // of what is passed on
   std::vector<operator_link> operator_news;
   bool answers = true;
   handle port; // whom it answers
 };
 
-using stand_in_handle =
-    runtime::mailbox<runtime::tells<executor::start_mission>,
-                     runtime::asks<executor::set_current, executor::current_answer>,
-                     runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>,
-                     runtime::asks<operators::command, operators::answer>, runtime::tells<operator_link>>;
+using stand_in_handle = runtime::mailbox<
+    runtime::tells<executor::start_mission>, runtime::asks<executor::set_current, executor::current_answer>,
+    runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>,
+    runtime::asks<executor::station_act, executor::act_answer>, runtime::asks<operators::command, operators::answer>,
+    runtime::tells<operator_link>, runtime::tells<vehicle_link::relayed_frame>, runtime::tells<failsafe::taken_over>>;
 
 class stand_in final : public runtime::actor_base<stand_in_handle> {
 public:
@@ -94,6 +95,16 @@ protected:
         }),
         on<executor::plan_taken>([this](const executor::plan_taken& m) { record_->plans.push_back(m.plan_id); }),
         on<executor::plan_cleared>([this](const executor::plan_cleared&) { record_->plans.push_back(0); }),
+        on_deferred<executor::station_act, executor::act_answer>(
+            [this](const executor::station_act& m, std::uint64_t request) {
+              record_->story.push_back("asked about " + m.what);
+              if (record_->answers)
+                answer_later(request, executor::act_answer{executor::act_verdict::pass, {}});
+            }),
+        on<vehicle_link::relayed_frame>([this](const vehicle_link::relayed_frame& m) {
+          record_->story.push_back("vehicle hears " + std::to_string(m.message));
+        }),
+        on<failsafe::taken_over>([this](const failsafe::taken_over&) { record_->story.push_back("taken over"); }),
         on_deferred<operators::command, operators::answer>([this](const operators::command& m, std::uint64_t request) {
           record_->words.push_back(m);
           if (record_->hears_words)
@@ -115,16 +126,18 @@ runtime::child_policy patient() {
 // A process with a ground_port and a stand-in of the executor. Destroying it is SIGKILL.
 struct process {
   process(runtime::simulated_disk& disk, executor_record& record, bool with_executor = true,
-          signing_settings signing = {})
+          signing_settings signing = {}, settings configured = {})
       : world(disk, 1) {
     const auto others = std::make_shared<peers>();
-    port = world.actors().add<actor>({.name = "ground_port"}, patient(), settings{}, std::move(signing),
+    port = world.actors().add<actor>({.name = "ground_port"}, patient(), std::move(configured), std::move(signing),
                                      std::static_pointer_cast<wire>(line), std::shared_ptr<const peers>(others));
     record.port = port;
     const auto executor = world.actors().add<stand_in>({.name = "executor"}, patient(), &record);
     if (with_executor)
       others->executor = executor;
     others->operator_ears.emplace_back(executor);
+    others->vehicle = vehicle_link::relay_handle(executor);
+    others->failsafe = takeover_listener(executor);
     world.start();
     world.resolve();
     if (line->incoming().put(io::link::link_status{io::link::link_phase::up, "", 0}))
@@ -138,6 +151,10 @@ struct process {
       message.target_system = 1;
       message.target_component = 191;
     }
+    say_as_it_is(message, from);
+  }
+  template <class M>
+  void say_as_it_is(const M& message, mavlink::sender from = station_id) {
     if (line->incoming().put(io::link::only_peer, mavlink::encode(message, from, sequence++).span(), true))
       world.tell(port, wake{});
   }
@@ -172,7 +189,7 @@ struct process {
   // As a station does it: repeats with a confirmation that rises, until there is a final answer. -1: none came.
   int start(float first = 0) {
     line->results.clear();
-    for (std::uint8_t confirmation = 0; confirmation < 8; ++confirmation) {
+    for (std::uint8_t confirmation = 0; confirmation < 48; ++confirmation) {
       say(start_command(first, 0, confirmation));
       world.advance(500ms);
       for (const auto& each : line->results)
@@ -271,6 +288,45 @@ mavlink::command_int go_to_command() {
           .z = 30};
 }
 
+// -- what people do ---------------------------------------------------------------------------------
+
+settings passing_on() {
+  settings result;
+  result.as.component = 1;
+  result.passes = true;
+  return result;
+}
+
+mavlink::command_long arm_or(mavlink::mav_cmd what, float param1) {
+  auto result = test::command(what, param1);
+  result.target_system = result.target_component = 1;
+  return result;
+}
+
+TEST(ground_port_actor, what_a_person_means_is_asked_about_before_the_vehicle_hears_it) {
+  runtime::simulated_disk disk;
+  executor_record executor;
+  process p(disk, executor, true, {}, passing_on());
+  p.say_as_it_is(arm_or(mavlink::mav_cmd::component_arm_disarm, 1));
+  p.world.advance(100ms);
+  EXPECT_EQ(executor.story, (std::vector<std::string>{"asked about Arm", "vehicle hears 76"}));
+}
+
+TEST(ground_port_actor, a_stop_goes_on_after_a_second_where_the_executor_is_silent_and_the_failsafe_hears_it_first) {
+  runtime::simulated_disk disk;
+  executor_record executor;
+  executor.answers = false;
+  process p(disk, executor, true, {}, passing_on());
+  p.say_as_it_is(arm_or(mavlink::mav_cmd::nav_return_to_launch, 0));
+  p.world.advance(900ms);
+  EXPECT_EQ(executor.story, (std::vector<std::string>{"asked about Return"}));
+  p.world.advance(200ms);
+  EXPECT_EQ(executor.story, (std::vector<std::string>{"asked about Return", "taken over", "vehicle hears 76"}));
+  p.say_as_it_is(arm_or(mavlink::mav_cmd::component_arm_disarm, 1));
+  p.world.advance(2s);
+  EXPECT_EQ(executor.story.back(), "asked about Arm");
+}
+
 TEST(ground_port_actor, a_word_is_asked_of_the_executor_and_answered_as_it_says) {
   runtime::simulated_disk disk;
   executor_record executor;
@@ -298,7 +354,7 @@ TEST(ground_port_actor, a_word_that_the_executor_does_not_answer_is_rejected_for
   executor.hears_words = false;
   process p(disk, executor);
   p.say(test::command(mavlink::mav_cmd::do_pause_continue, 0));
-  p.world.advance(current_patience - 100ms);
+  p.world.advance(command_patience - 100ms);
   EXPECT_TRUE(p.line->results.empty());
   p.world.advance(200ms);
   ASSERT_EQ(p.line->results.size(), 1U);

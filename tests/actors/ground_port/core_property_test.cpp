@@ -148,5 +148,79 @@ RC_GTEST_PROP(ground_port_property, any_story_of_messages_leaves_it_able_to_serv
   RC_ASSERT(port.disk.plans.size() <= mission_server::plan_types);
 }
 
+// -- what is passed on ------------------------------------------------------------------------------
+
+constexpr std::array passing_ids{0U,  11U, 20U, 21U, 23U,  44U,  45U,  66U,  69U,  70U,  75U, 76U,
+                                 76U, 76U, 76U, 84U, 110U, 126U, 144U, 160U, 233U, 256U, 323U};
+constexpr std::array<std::uint16_t, 16> passing_commands{17,  20,  22,  176, 176, 178, 192, 193,
+                                                         209, 218, 246, 300, 400, 400, 512, 2'000};
+
+void say_to_be_passed(port_fixture& port, const happening& h) {
+  const auto id = passing_ids.at(h.what % passing_ids.size());
+  const auto* const info = mavlink::find_message(id);
+  std::vector<std::byte> payload(info->full_length);
+  for (std::size_t i = 0; i < payload.size() && !h.payload.empty(); ++i)
+    payload[i] = std::byte{h.payload[i % h.payload.size()]};
+  const auto* const row = passing::find_message(id);
+  if (row != nullptr && row->target_at != passing::no_target && h.who % 8 != 0)
+    payload[static_cast<std::size_t>(row->target_at)] = std::byte{1};
+  if (id == 75 || id == 76) {
+    const auto number = passing_commands.at(h.who / 8 % passing_commands.size());
+    payload[28] = static_cast<std::byte>(number & 0xFFU);
+    payload[29] = static_cast<std::byte>(number >> 8U);
+  }
+  const mavlink::frame_buffer frame(id, info->crc_extra, payload, senders.at(h.who % senders.size()), h.what, false);
+  port.bytes(io::link::only_peer, frame.span());
+}
+
+bool is_reading(const vehicle_link::relayed_frame& m) {
+  if (m.message == 75 || m.message == 76) {
+    const auto byte = [&](std::size_t at) { return at < m.payload.size() ? m.payload[at] : 0; }; // cut off: 0
+    const auto* const row = passing::find_command(static_cast<std::uint16_t>(byte(28) + byte(29) * 256));
+    return row != nullptr && row->on == passing::pass_list::passes;
+  }
+  const auto* const row = passing::find_message(m.message);
+  return row != nullptr && row->on == passing::pass_list::passes;
+}
+
+// Whatever stations say: what a person could mean goes on only with an answer of the executor, or as a stop behind the
+// word to the failsafe; what is godwit's never does.
+RC_GTEST_PROP(ground_port_property, nothing_that_moves_the_vehicle_goes_on_before_somebody_was_told,
+              (const std::vector<std::tuple<std::uint8_t, std::uint8_t, std::vector<std::uint8_t>>>& story)) {
+  settings open;
+  open.as.component = 1;
+  open.passes = true;
+  port_fixture port(open);
+  mavlink::heartbeat beat;
+  beat.type = mavlink::number(mavlink::mav_type::quadrotor);
+  beat.autopilot = mavlink::number(mavlink::mav_autopilot::ardupilotmega);
+  port.vehicle_says(beat);
+  port.upload(3);
+  std::size_t answered = 0;
+  for (const auto& [what, who, payload] : story) {
+    const auto before = port.passed_on.size();
+    if (what < 200 || port.acts.size() == answered) {
+      say_to_be_passed(port, {what, who, payload});
+      for (auto i = before; i < port.passed_on.size(); ++i)
+        RC_ASSERT(is_reading(port.passed_on[i]));
+      continue;
+    }
+    const auto& act = port.acts[answered++];
+    if (what < 230) {
+      port.answers_act(act.request, {executor::act_verdict::pass, {}});
+      RC_ASSERT(port.passed_on.size() == before + 1);
+      continue;
+    }
+    const auto told = port.taken_over_told.size();
+    port.leaves_act(act.request);
+    for (auto i = before; i < port.passed_on.size(); ++i)
+      RC_ASSERT(is_reading(port.passed_on[i]) || port.taken_over_told.size() > told);
+    if (act.what.kind == executor::act_kind::arm || act.what.kind == executor::act_kind::command)
+      RC_ASSERT(port.passed_on.size() == before);
+  }
+  for (const auto& each : port.passed_on)
+    RC_ASSERT(each.system != 1 && each.message != 256 && each.message != 44 && each.message != 45);
+}
+
 } // namespace
 } // namespace godwit::ground_port

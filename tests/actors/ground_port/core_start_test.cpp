@@ -251,7 +251,7 @@ TEST(FR_00089_ground_port, without_an_executor_it_is_rejected_for_now_and_said_s
 TEST(FR_00089_ground_port, an_executor_that_is_silent_is_not_waited_for_for_ever) {
   loaded port;
   port.start();
-  port.advance(3 * s);
+  port.advance(start_dedup::answer_patience_ns);
   EXPECT_EQ(port.last_result(), temporarily_rejected);
   EXPECT_TRUE(port.said("Mission start: the executor does not answer"));
   EXPECT_LE(port.starts[0].obey_until_ns, port.now().wall_ns) << "it must not start when it wakes up";
@@ -260,7 +260,7 @@ TEST(FR_00089_ground_port, an_executor_that_is_silent_is_not_waited_for_for_ever
 TEST(FR_00089_ground_port, an_answer_after_the_patience_was_used_up_corrects_what_was_said) {
   loaded port;
   port.start();
-  port.advance(3 * s);
+  port.advance(start_dedup::answer_patience_ns);
   port.forget();
   port.executor_answers(start_verdict::started);
   EXPECT_TRUE(port.said("Mission started"));
@@ -365,7 +365,7 @@ TEST(FR_00089_ground_port, a_restart_long_after_the_question_settles_it_at_once)
   port.start();
   port.crash();
   port.forget();
-  port.advance(3 * s);
+  port.advance(start_dedup::answer_patience_ns);
   EXPECT_EQ(port.last_result(), temporarily_rejected);
   EXPECT_EQ(port.starts.size(), 1U);
 }

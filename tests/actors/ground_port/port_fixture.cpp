@@ -160,6 +160,12 @@ void port_fixture::carry_out(const effects& wanted) {
       words.push_back(*word);
     else if (const auto* news = std::get_if<operator_link>(&each))
       operator_news.push_back(*news);
+    else if (const auto* passed = std::get_if<pass_on>(&each))
+      passed_on.push_back(passed->what);
+    else if (const auto* act = std::get_if<act_to_ask>(&each))
+      acts.push_back(*act);
+    else if (std::holds_alternative<tell_taken_over>(each))
+      taken_over_told.push_back(passed_on.size());
     else if (is_disk_slow_)
       waiting_.push_back(std::get<durable_event>(each));
     else

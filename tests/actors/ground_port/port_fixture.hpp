@@ -67,6 +67,20 @@ public:
   void executor_fails_to_hear(const std::string& reason) {
     carry_out(core_->on_word_failed(words.back().request, reason, now()));
   }
+  // To the last act of a person, or to the one with this place among them.
+  void executor_says(executor::act_verdict verdict, const std::string& reason = {}) {
+    carry_out(core_->on_act_answer(acts.back().request, {verdict, reason}, now()));
+  }
+  void executor_is_silent() {
+    carry_out(core_->on_act_failed(acts.back().request, "the executor does not answer", now()));
+  }
+  void answers_act(std::uint64_t request, const executor::act_answer& m) {
+    carry_out(core_->on_act_answer(request, m, now()));
+  }
+  void leaves_act(std::uint64_t request) {
+    carry_out(core_->on_act_failed(request, "the executor does not answer", now()));
+  }
+  void component_says(const vehicle_link::relayed_frame& m) { carry_out(core_->on_relayed(m, now())); }
   // The answer to the last start that was asked for; started: with the progress that follows it.
   void executor_answers(executor::start_verdict verdict, const std::string& reason = {});
   void link_is(io::link::link_phase phase) { carry_out(core_->on_link({phase, "cut", 0}, now())); }
@@ -127,6 +141,9 @@ public:
   std::vector<executor::plan_cleared> cleared;
   std::vector<start_request_to_executor> set_currents;
   std::vector<word_to_say> words;
+  std::vector<vehicle_link::relayed_frame> passed_on;
+  std::vector<act_to_ask> acts;
+  std::vector<std::size_t> taken_over_told; // so many had been passed on when the failsafe was told
   std::vector<operator_link> operator_news;
   state disk;
   std::size_t events = 0;

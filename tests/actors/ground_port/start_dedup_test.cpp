@@ -50,7 +50,7 @@ TEST(start_dedup, the_record_says_what_was_asked_and_until_when_it_may_be_obeyed
   EXPECT_EQ(dedup.record.asked.first, 0);
   EXPECT_EQ(dedup.record.asked.last, 4);
   EXPECT_EQ(dedup.record.asked.plan_id, 77U);
-  EXPECT_EQ(dedup.record.asked.obey_until_ns, wall_ns + start_dedup::answer_patience_ns);
+  EXPECT_EQ(dedup.record.asked.obey_until_ns, wall_ns + start_dedup::obeyed_within_ns);
 }
 
 TEST(start_dedup, each_verdict_of_the_executor_has_its_result) {
@@ -89,8 +89,8 @@ TEST(start_dedup, after_a_refusal_only_a_counted_repetition_gets_the_same_answer
 
 TEST(start_dedup, silence_is_repeated_so_that_a_late_answer_is_no_second_start) {
   asked dedup;
-  EXPECT_TRUE(dedup.on_time(at(3 * s)));
-  EXPECT_EQ(dedup.judge(order(), 77, at(3 * s)), kind::repeated_after);
+  EXPECT_TRUE(dedup.on_time(at(20 * s)));
+  EXPECT_EQ(dedup.judge(order(), 77, at(20 * s)), kind::repeated_after);
 }
 
 TEST(start_dedup, an_answer_to_another_start_is_not_taken_and_one_is_taken_once) {
@@ -103,13 +103,13 @@ TEST(start_dedup, an_answer_to_another_start_is_not_taken_and_one_is_taken_once)
 
 TEST(start_dedup, silence_settles_it_and_a_late_answer_corrects_that) {
   asked dedup;
-  EXPECT_FALSE(dedup.on_time(at(3 * s - 1)));
-  EXPECT_EQ(dedup.next_deadline_ns(), 3 * s);
-  const auto silent = dedup.on_time(at(3 * s));
+  EXPECT_FALSE(dedup.on_time(at(20 * s - 1)));
+  EXPECT_EQ(dedup.next_deadline_ns(), 20 * s);
+  const auto silent = dedup.on_time(at(20 * s));
   ASSERT_TRUE(silent);
   EXPECT_FALSE(silent->is_answered);
   EXPECT_EQ(dedup.next_deadline_ns(), std::numeric_limits<std::int64_t>::max());
-  const auto late = dedup.resolve({dedup.record.asked.key, start_verdict::started, ""}, at(4 * s));
+  const auto late = dedup.resolve({dedup.record.asked.key, start_verdict::started, ""}, at(21 * s));
   ASSERT_TRUE(late);
   EXPECT_TRUE(late->is_correction);
   EXPECT_EQ(late->result, 0);
@@ -120,13 +120,13 @@ TEST(start_dedup, a_restored_one_waits_for_what_is_left_of_its_patience) {
   // The next life has another monotonic clock; the time of day goes on.
   start_dedup after(before.record, {500 * s, wall_ns + 1 * s});
   EXPECT_TRUE(after.is_asked());
-  EXPECT_EQ(after.next_deadline_ns(), 502 * s);
+  EXPECT_EQ(after.next_deadline_ns(), 519 * s);
 }
 
 TEST(start_dedup, a_clock_that_was_set_back_makes_nobody_wait_for_longer) {
   const asked before;
   const start_dedup after(before.record, {500 * s, wall_ns - 1'000 * s});
-  EXPECT_EQ(after.next_deadline_ns(), 503 * s);
+  EXPECT_EQ(after.next_deadline_ns(), 520 * s);
 }
 
 TEST(start_dedup, keys_rise) {

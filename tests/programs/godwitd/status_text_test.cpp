@@ -75,6 +75,21 @@ TEST(status_text, a_refused_mission_is_told_with_the_beginning_of_what_came) {
       << text;
 }
 
+TEST(status_text, the_line_of_the_stations_says_who_is_there_and_what_was_dropped) {
+  const json counts = json::array({{{"name", "passed_to_vehicle"}, {"count", 7}},
+                                   {{"name", "passing_dropped"}, {"count", 0}},
+                                   {{"name", "frames_in"}, {"count", 99}},
+                                   {{"name", "passing_refused"}, {"count", 2}}});
+  EXPECT_EQ(status_text({{"ok", true},
+                         {"ground",
+                          {{"link_is_up", true},
+                           {"stations", json::array({{{"system", 255}, {"component", 190}}})},
+                           {"counts", counts}}}}),
+            "ground     up, station 255/190; passed_to_vehicle 7, passing_refused 2");
+  EXPECT_EQ(status_text({{"ok", true}, {"ground", {{"link_is_up", false}, {"reason", "nobody listens there"}}}}),
+            "ground     down (nobody listens there)");
+}
+
 TEST(status_text, a_retry_tells_how_many_rows_it_found) {
   EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
 }

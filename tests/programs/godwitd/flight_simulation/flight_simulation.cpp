@@ -18,13 +18,15 @@ namespace mavlink = io::mavlink;
 constexpr mavlink::sender pilot{254, 190};
 
 // As an operator writes them; addresses are needed, and nobody goes there.
-daemon::daemon_settings settings_for(const std::string& mission_id, bool starts_by_itself) {
+daemon::daemon_settings settings_for(const std::string& mission_id, const flight_simulation::options& wanted) {
   daemon::given_texts words{{"service", "https://missions.example.org"},
                             {"mission-id", mission_id},
                             {"vehicle", "udpin://127.0.0.1:0"},
                             {"ground", "udpin://127.0.0.1:0"}};
-  words["arm-on-start"] = "true";
-  if (starts_by_itself)
+  words["arm-on-start"] = wanted.arms_on_start ? "true" : "false";
+  if (wanted.speaks_as_autopilot)
+    words["ground-as-autopilot"] = "true";
+  if (wanted.starts_by_itself)
     words["start"] = "automatic";
   const auto configuration = daemon::effective_configuration(words, {});
   GODWIT_ASSERT(configuration.has_value(), "test: the words are right");
@@ -56,7 +58,7 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   vehicle_ = std::make_unique<sim::vehicle>(
       vehicle, now_ns_, [this](std::span<const std::byte> frame) { line_.send(sim::way::out, frame, now_ns_); });
   line_.set(wanted.line);
-  outside_.settings = settings_for(mission_id_, wanted.starts_by_itself);
+  outside_.settings = settings_for(mission_id_, wanted);
   outside_.map_file = folder_.file("map.db");
   outside_.say = [this](std::string_view part, const std::string& sentence) {
     note(std::string(part) + ": " + sentence);

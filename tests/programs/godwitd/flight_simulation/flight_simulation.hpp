@@ -44,7 +44,9 @@ public:
     sim::personality who = sim::personality::px4;
     std::uint64_t seed = 1;
     bool starts_by_itself = true; // else by MISSION_START of the station
-    double speed = 10;            // of the vehicle's world
+    bool arms_on_start = true;
+    bool speaks_as_autopilot = false; // to the station
+    double speed = 10;                // of the vehicle's world
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
     bool beats_at_mode_change = true; // of an ArduPilot
     sim::line_faults line = {};

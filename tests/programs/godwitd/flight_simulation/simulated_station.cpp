@@ -20,9 +20,14 @@ void simulated_station::on_time(std::int64_t now_ns) {
 
 void simulated_station::receive(std::span<const std::byte> bytes) {
   scanner_.feed_datagram(bytes, [this](const mavlink::frame_view& frame) {
+    ++heard_[frame.id()];
+    if (frame.id() == mavlink::param_value::message_id)
+      params_.insert(mavlink::decode<mavlink::param_value>(frame).param_index);
     if (frame.id() != mavlink::command_ack::message_id)
       return;
     const auto answer = mavlink::decode<mavlink::command_ack>(frame);
+    if (answer.target_system == self.system)
+      results_[answer.command] = answer.result;
     if (answer.command == mavlink::number(mavlink::mav_cmd::mission_start))
       start_answer_ = answer;
   });
@@ -35,6 +40,29 @@ void simulated_station::start_mission() {
   wanted.target_component = 0;
   wanted.command = mavlink::number(mavlink::mav_cmd::mission_start);
   send(wanted);
+}
+
+void simulated_station::command(mavlink::mav_cmd what, float param1, float param2, float param3, float param7) {
+  results_.erase(mavlink::number(what));
+  mavlink::command_long wanted;
+  wanted.target_system = 1;
+  wanted.target_component = 1;
+  wanted.command = mavlink::number(what);
+  wanted.param1 = param1;
+  wanted.param2 = param2;
+  wanted.param3 = param3;
+  wanted.param7 = param7;
+  send(wanted);
+}
+
+void simulated_station::ask_for_params() {
+  params_.clear();
+  send(mavlink::param_request_list{.target_system = 1, .target_component = 1});
+}
+
+std::optional<std::uint8_t> simulated_station::result_of(mavlink::mav_cmd what) const {
+  const auto found = results_.find(mavlink::number(what));
+  return found == results_.end() ? std::nullopt : std::optional(found->second);
 }
 
 } // namespace godwit::tests

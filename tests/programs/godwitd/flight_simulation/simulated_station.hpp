@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/messages.hpp"
 #include "io/mavlink/scanner.hpp"
@@ -28,23 +31,35 @@ public:
   void receive(std::span<const std::byte> bytes);
 
   void start_mission();
+  // To the autopilot, as a station that knows of no godwit speaks.
+  void command(io::mavlink::mav_cmd what, float param1 = 0, float param2 = 0, float param3 = 0, float param7 = 0);
+  void ask_for_params();
+  template <class M>
+  void send(const M& what) {
+    send_(io::mavlink::encode(what, self, sequence_++).span());
+  }
+  // The result of the last answer to WHAT; none: it has not come.
+  [[nodiscard]] std::optional<std::uint8_t> result_of(io::mavlink::mav_cmd what) const;
+  [[nodiscard]] std::size_t params_heard() const { return params_.size(); }
+  [[nodiscard]] std::size_t heard(std::uint32_t message) const {
+    const auto found = heard_.find(message);
+    return found == heard_.end() ? 0 : found->second;
+  }
   // Heartbeats come no more, as when the operator's radio is off.
   void fall_silent() { is_silent_ = true; }
 
   [[nodiscard]] const std::optional<io::mavlink::command_ack>& start_answer() const { return start_answer_; }
 
 private:
-  template <class M>
-  void send(const M& what) {
-    send_(io::mavlink::encode(what, self, sequence_++).span());
-  }
-
   frame_sink send_;
   io::mavlink::scanner scanner_;
   std::uint8_t sequence_ = 0;
   std::int64_t next_heartbeat_ns_ = 0;
   bool is_silent_ = false;
   std::optional<io::mavlink::command_ack> start_answer_;
+  std::map<std::uint16_t, std::uint8_t> results_; // of commands
+  std::map<std::uint32_t, std::size_t> heard_;    // frames by message
+  std::set<std::uint16_t> params_;                // by index
 };
 
 } // namespace godwit::tests

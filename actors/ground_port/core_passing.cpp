@@ -1,0 +1,398 @@
+// The part of the core that passes on: what of a station's goes to the vehicle, and what of the vehicle's comes back.
+// Which list a message is on: passing/table.hpp.
+//
+//   a person's ──> act_queue ──> the executor is asked ──pass──> to the vehicle
+//                                       ├──done──> ACCEPTED: godwit does it, or the vehicle is so already
+//                                       ├──refused──> TEMPORARILY_REJECTED, and the reason
+//                                       └──no answer──> what ends the vehicle's motion goes on, with the failsafe told
+//                                                       first; all else is refused
+//   mission mode ──> as MISSION_START, or a resume where the flight is paused; hold ──> the executor decides
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/ground_port/core.hpp"
+#include "actors/ground_port/decision_context.hpp"
+#include "actors/ground_port/number_reading.hpp"
+#include "actors/ground_port/passing/file_transfer.hpp"
+#include "io/mavlink/messages/request_data_stream.hpp"
+
+namespace godwit::ground_port {
+
+namespace {
+
+using executor::act_kind;
+using executor::act_verdict;
+using flight::mode_kind;
+using mavlink::mav_cmd;
+using mavlink::mav_result;
+using mavlink::mav_severity;
+using passing::pass_list;
+using vehicle_link::relayed_frame;
+
+// Streams of these are what fences and the flight are judged by: no station makes them slower than this.
+constexpr std::array<std::uint8_t, 5> streams_that_are_needed{0, 2, 6, 10, 12}; // all, status, position, extra 1 and 3
+constexpr std::uint16_t least_rate_hz = 4;
+
+constexpr std::uint32_t custom_flag = 1;  // MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+constexpr std::uint32_t armed_flag = 128; // MAV_MODE_FLAG_SAFETY_ARMED
+
+relayed_frame as_said(std::uint32_t id, mavlink::sender who, mavlink::byte_view payload) {
+  relayed_frame result{id, who.system, who.component, {}};
+  std::ranges::transform(payload, std::back_inserter(result.payload),
+                         [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
+  return result;
+}
+
+relayed_frame as_said(const mavlink::frame_view& frame) { return as_said(frame.id(), frame.from(), frame.payload()); }
+
+template <mavlink::message M>
+relayed_frame as_said(const M& message, mavlink::sender who) {
+  std::array<std::byte, mavlink::layout<M>::full_length> payload;
+  mavlink::write_fields(message, payload.data());
+  return as_said(M::message_id, who, payload);
+}
+
+act_kind kind_of(const passing::command_row& row, const vehicle_role::order& what) {
+  const bool is_disarm = what.command == mavlink::number(mav_cmd::component_arm_disarm) && what.param1 == 0;
+  return is_disarm ? act_kind::stop : row.kind;
+}
+
+std::string name_of_act(const passing::command_row& row, const vehicle_role::order& what) {
+  return kind_of(row, what) == act_kind::stop && row.kind == act_kind::arm ? "Disarm" : std::string(row.name);
+}
+
+// It ends what the vehicle does, or a person has the sticks: it goes on also where the executor is silent.
+bool goes_on_unanswered(act_kind kind) {
+  return kind == act_kind::stop || kind == act_kind::hold || kind == act_kind::stream;
+}
+
+// MAV_CMD_DO_SET_MODE: PX4 has main and sub mode in two parameters.
+std::uint32_t custom_mode_in(const vehicle_role::order& what, mavlink::mav_autopilot autopilot) {
+  const auto number = [](float value) {
+    return value >= 0 && value < 16'777'216.0F ? static_cast<std::uint32_t>(value) : 0U;
+  };
+  if (autopilot == mavlink::mav_autopilot::px4)
+    return number(what.param2) << 16U | (number(what.param3) & 0xFFU) << 24U;
+  return number(what.param2);
+}
+
+} // namespace
+
+bool core::is_passing(std::int64_t now_ns) const {
+  return settings_.passes && !stood_down_ && !is_autopilot_here(now_ns);
+}
+
+bool core::is_allowed(std::string_view name) const {
+  return std::ranges::find(settings_.also_passes, name) != settings_.also_passes.end();
+}
+
+void core::pass(decision_context& t, relayed_frame what) {
+  ++counts_.passed_to_vehicle;
+  t.done.emplace_back(pass_on{std::move(what)});
+}
+
+// -- from stations ----------------------------------------------------------------------------------
+
+bool core::route(decision_context& t, station& from, const mavlink::frame_view& frame) {
+  const auto* const row = passing::find_message(frame.id());
+  if (row == nullptr || row->on == pass_list::owned || !is_passing(t.now.monotonic_ns))
+    return false;
+  const auto target = passing::target_of(*row, frame);
+  if (target.system != 0 && target.system != settings_.as.system) {
+    ++counts_.not_for_us;
+    return true;
+  }
+  if (target.system != 0 && target.component != 0 && target.component == ourselves().component && !is_standing_in())
+    return false; // godwit itself is meant
+  switch (frame.id()) {
+  case mavlink::heartbeat::message_id:
+    pass_reading(t, as_said(frame));
+    return false; // and it is counted here
+  case mavlink::command_long::message_id:
+    route_command(t, from, vehicle_role::read_order(from.who, mavlink::decode<mavlink::command_long>(frame)), frame,
+                  target.system == 0);
+    return true;
+  case mavlink::command_int::message_id:
+    route_command(t, from, vehicle_role::read_order(from.who, mavlink::decode<mavlink::command_int>(frame)), frame,
+                  target.system == 0);
+    return true;
+  case mavlink::set_mode::message_id: {
+    const auto m = mavlink::decode<mavlink::set_mode>(frame);
+    vehicle_role::order silent{.from = from.who}; // SET_MODE has no answer
+    route_mode(t, silent, m.custom_mode, m.base_mode, frame);
+    return true;
+  }
+  case mavlink::request_data_stream::message_id:
+    pass_reading(t, needed_rate(mavlink::decode<mavlink::request_data_stream>(frame), from.who));
+    return true;
+  case file_transfer_id:
+    route_file(t, from, frame);
+    return true;
+  default:
+    route_listed(t, from, *row, frame);
+    return true;
+  }
+}
+
+void core::route_listed(decision_context& t, station& from, const passing::message_row& row,
+                        const mavlink::frame_view& frame) {
+  switch (row.on) {
+  case pass_list::passes:
+    return pass_reading(t, as_said(frame));
+  case pass_list::person:
+    return ask(t, {{row.kind, by(from.who), std::string(row.name)}, as_said(frame)});
+  case pass_list::disarmed:
+    return ask(t, {{act_kind::configure, by(from.who), std::string(row.name)}, as_said(frame)});
+  case pass_list::setting:
+    if (is_allowed(row.name))
+      return pass_reading(t, as_said(frame));
+    break;
+  case pass_list::owned:
+    break;
+  }
+  refuse_passing(t, from, std::string(row.name) + " is not passed on");
+}
+
+// Not slower than what godwit itself needs, and never off.
+relayed_frame core::needed_rate(mavlink::request_data_stream m, mavlink::sender who) {
+  if (std::ranges::find(streams_that_are_needed, m.req_stream_id) != streams_that_are_needed.end()) {
+    m.req_message_rate = std::max(m.req_message_rate, least_rate_hz);
+    m.start_stop = 1;
+  }
+  return as_said(m, who);
+}
+
+void core::pass_reading(decision_context& t, relayed_frame what) {
+  if (to_vehicle_.take(what.payload.size(), t.now.monotonic_ns))
+    pass(t, std::move(what));
+}
+
+void core::refuse_passing(decision_context& t, station& from, const std::string& why) {
+  ++counts_.passing_refused;
+  const auto now = t.now.monotonic_ns;
+  if (from.told_about_passing_ns && now - *from.told_about_passing_ns < passing_notice_period_ns)
+    return;
+  from.told_about_passing_ns = now;
+  t.say(mav_severity::warning, why, from.peer);
+}
+
+void core::route_file(decision_context& t, station& from, const mavlink::frame_view& frame) {
+  switch (passing::read_file_wish(frame.payload())) {
+  case passing::file_wish::read:
+    return pass_reading(t, as_said(frame));
+  case passing::file_wish::write:
+    return ask(t, {{act_kind::configure, by(from.who), "Writing a file"}, as_said(frame)});
+  case passing::file_wish::write_plan:
+    refuse_file(t, as_said(frame));
+    return refuse_passing(t, from, "Plans are uploaded to godwit, not as files");
+  }
+}
+
+void core::refuse_file(decision_context& t, const relayed_frame& asked) {
+  const mavlink::sender to{asked.system, asked.component};
+  const auto answer = passing::file_refusal(std::as_bytes(std::span(asked.payload)), to);
+  t.send_as_said(stations_.way_to(to), {file_transfer_id, autopilot().system, autopilot().component, answer});
+}
+
+// -- commands ---------------------------------------------------------------------------------------
+
+void core::route_command(decision_context& t, station& from, const vehicle_role::order& what,
+                         const mavlink::frame_view& frame, bool is_for_all) {
+  const auto* const row = passing::find_command(what.command);
+  if (row == nullptr) {
+    ++counts_.commands_unsupported;
+    refuse_passing(t, from, "Command " + std::to_string(what.command) + " is not passed on");
+    if (!is_for_all)
+      answer(t, what, mav_result::unsupported);
+    return;
+  }
+  switch (row->on) {
+  case pass_list::owned:
+    if (what.command == mavlink::number(mav_cmd::nav_loiter_unlim))
+      return ask(t, {{act_kind::hold, by(from.who), "hold"}, as_said(frame), what});
+    return obey(t, what, is_for_all);
+  case pass_list::passes:
+    if (answers_itself(what))
+      return obey(t, what, is_for_all);
+    return pass_reading(t, as_said(frame));
+  case pass_list::person:
+    if (what.command == mavlink::number(mav_cmd::do_set_mode)) {
+      const auto base = what.param1 >= 0 && what.param1 <= 255 ? static_cast<std::uint32_t>(what.param1) : 0U;
+      return route_mode(t, what, custom_mode_in(what, owner_.autopilot), base, frame);
+    }
+    return ask(t, {{kind_of(*row, what), by(from.who), name_of_act(*row, what)}, as_said(frame), what});
+  case pass_list::disarmed:
+    return ask(t, {{act_kind::configure, by(from.who), std::string(row->name)}, as_said(frame), what});
+  case pass_list::setting:
+    if (is_allowed(row->name))
+      return ask(t, {{act_kind::configure, by(from.who), std::string(row->name)}, as_said(frame), what});
+    answer(t, what, mav_result::denied);
+    return refuse_passing(t, from, std::string(row->name) + " is not passed on (ground.also_passes)");
+  }
+}
+
+// What godwit knows, or what it keeps at its own rate on this line.
+bool core::answers_itself(const vehicle_role::order& what) const {
+  switch (what.command) {
+  case mavlink::number(mav_cmd::set_message_interval): {
+    const auto id = message_id_in(what.param1);
+    return id && (forwarded_messages::contains(*id) || *id == mavlink::heartbeat::message_id);
+  }
+  case mavlink::number(mav_cmd::request_message): {
+    const auto id = message_id_in(what.param1);
+    return id && (*id == mavlink::protocol_version::message_id || *id == mavlink::mission_current::message_id ||
+                  is_known(*id));
+  }
+  case mavlink::number(mav_cmd::get_home_position):
+    return is_known(mavlink::home_position::message_id);
+  case mavlink::number(mav_cmd::request_autopilot_capabilities):
+    return is_known(mavlink::autopilot_version::message_id);
+  case mavlink::number(mav_cmd::request_protocol_version):
+    return true;
+  default:
+    return false;
+  }
+}
+
+bool core::is_known(std::uint32_t id) const { return forwarded_messages::contains(id) && gate_.newest(id).has_value(); }
+
+// -- modes ------------------------------------------------------------------------------------------
+
+void core::route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
+                      std::uint32_t base_mode, const mavlink::frame_view& frame) {
+  if (owner_ == flight::mode_owner{} || (base_mode & custom_flag) == 0)
+    return refuse(t, what, mav_result::temporarily_rejected,
+                  owner_ == flight::mode_owner{} ? "Mode: the vehicle is not heard"
+                                                 : "Mode: only custom modes are taken");
+  const auto mode = flight::mode_of(owner_, custom_mode);
+  executor::station_act act{act_kind::command, by(what.from), "mode " + std::to_string(custom_mode)};
+  switch (mode.kind) {
+  case mode_kind::mission:
+    if ((base_mode & armed_flag) == 0)
+      return start_or_resume(t, what);
+    return refuse(t, what, mav_result::denied, "Mode: it does not arm");
+  case mode_kind::hold:
+    act.kind = act_kind::hold;
+    break;
+  case mode_kind::returning:
+  case mode_kind::landing:
+    act.kind = act_kind::stop;
+    break;
+  default:
+    break;
+  }
+  if ((base_mode & armed_flag) != 0)
+    act.kind = act_kind::arm;
+  ask(t, {std::move(act), as_said(frame), what});
+}
+
+void core::start_or_resume(decision_context& t, vehicle_role::order what) {
+  if (is_running() && mode_.kind == mode_kind::mission)
+    return answer(t, what, mav_result::accepted);
+  what.param1 = what.param2 = 0;
+  const auto state = progress_ ? progress_->state : mavlink::mission_state::unknown;
+  if (is_armed_ && state == mavlink::mission_state::paused)
+    return say_word_of(t, what, operators::command_kind::resume);
+  start(t, what);
+}
+
+// -- what the executor says to it -------------------------------------------------------------------
+
+executor::station core::by(mavlink::sender who) { return {who.system, who.component}; }
+
+void core::ask(decision_context& t, passing::waiting_act what) {
+  auto act = what.act;
+  if (!has_executor_)
+    return pass_unanswered(t, what, "no executor is there");
+  if (const auto request = acts_.put(std::move(what)))
+    t.done.emplace_back(act_to_ask{*request, std::move(act)});
+}
+
+effects core::on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now) {
+  decision_context t(*this, now);
+  if (auto asked = acts_.resolve(request)) {
+    if (m.verdict == act_verdict::pass)
+      pass(t, std::move(asked->frame));
+    else if (m.verdict == act_verdict::refused)
+      refuse_act(t, *asked, m.reason);
+    else if (asked->order)
+      answer(t, *asked->order, mav_result::accepted);
+  }
+  finish(t);
+  return std::move(t.done);
+}
+
+effects core::on_act_failed(std::uint64_t request, const std::string& reason, instant now) {
+  decision_context t(*this, now);
+  if (const auto asked = acts_.resolve(request))
+    pass_unanswered(t, *asked, reason);
+  finish(t);
+  return std::move(t.done);
+}
+
+// The failsafe hears it before the vehicle does, and a new executor from the failsafe.
+void core::pass_unanswered(decision_context& t, const passing::waiting_act& what, const std::string& reason) {
+  ++counts_.acts_unanswered;
+  if (!goes_on_unanswered(what.act.kind))
+    return refuse_act(t, what, reason);
+  t.done.emplace_back(tell_taken_over{});
+  pass(t, what.frame);
+  if (what.act.kind != act_kind::stream)
+    t.say(mav_severity::critical, what.act.what + " is passed on although " + reason);
+}
+
+void core::refuse_act(decision_context& t, const passing::waiting_act& what, const std::string& reason) {
+  ++counts_.passing_refused;
+  const mavlink::sender to{what.frame.system, what.frame.component};
+  if (what.order)
+    answer(t, *what.order, mav_result::temporarily_rejected);
+  else if (what.frame.message == file_transfer_id)
+    refuse_file(t, what.frame);
+  else if (what.frame.message == mavlink::param_set::message_id)
+    read_back(t, what.frame);
+  if (what.act.kind != act_kind::stream)
+    t.say(mav_severity::warning, what.act.what + ": " + reason, stations_.way_to(to));
+}
+
+// The value that stays is the answer to a parameter that is not set.
+void core::read_back(decision_context& t, const relayed_frame& asked) {
+  const auto m = mavlink::decode_payload<mavlink::param_set>(std::as_bytes(std::span(asked.payload)));
+  mavlink::param_request_read set_current;
+  set_current.target_system = m.target_system;
+  set_current.target_component = m.target_component;
+  set_current.param_id = m.param_id;
+  set_current.param_index = -1;
+  pass(t, as_said(set_current, {asked.system, asked.component}));
+}
+
+// -- to stations ------------------------------------------------------------------------------------
+
+effects core::on_relayed(const relayed_frame& m, instant now) {
+  decision_context t(*this, now);
+  if (!is_passing(now.monotonic_ns) || !to_stations_.take(m.payload.size(), now.monotonic_ns)) {
+    ++counts_.not_passed_to_stations;
+  } else {
+    t.send_as_said(way_of(m), m);
+    ++counts_.passed_to_stations;
+  }
+  finish(t);
+  return std::move(t.done);
+}
+
+// Where it names a station, there alone.
+io::link::peer_id core::way_of(const relayed_frame& m) const {
+  constexpr std::size_t in_command_ack = 8;
+  constexpr std::size_t in_file_transfer = 1;
+  const auto at = m.message == mavlink::command_ack::message_id ? in_command_ack : in_file_transfer;
+  const bool is_targeted = m.message == mavlink::command_ack::message_id || m.message == file_transfer_id;
+  if (!is_targeted || at + 1 >= m.payload.size())
+    return io::link::every_peer;
+  return stations_.way_to({m.payload[at], m.payload[at + 1]});
+}
+
+} // namespace godwit::ground_port

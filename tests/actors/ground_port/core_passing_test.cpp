@@ -1,0 +1,368 @@
+// What of a station's messages goes on to the vehicle, and what first. The lists: passing/table.hpp.
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "io/mavlink/messages/request_data_stream.hpp"
+#include "tests/actors/ground_port/port_fixture.hpp"
+
+namespace godwit::ground_port {
+namespace {
+
+using namespace test;
+using executor::act_kind;
+using executor::act_verdict;
+using mavlink::mav_cmd;
+using mavlink::mav_result;
+
+settings passing_settings() {
+  settings result;
+  result.as.component = 1;
+  result.passes = true;
+  return result;
+}
+
+mavlink::heartbeat copter_beat(std::uint32_t custom_mode = 0, bool is_armed = false) {
+  mavlink::heartbeat result;
+  result.type = mavlink::number(mavlink::mav_type::quadrotor);
+  result.autopilot = mavlink::number(mavlink::mav_autopilot::ardupilotmega);
+  result.base_mode = is_armed ? 0x81 : 0x01;
+  result.custom_mode = custom_mode;
+  return result;
+}
+
+class ground_port_passing : public testing::Test {
+protected:
+  ground_port_passing() { port.vehicle_says(copter_beat()); }
+
+  void say_frame(std::uint32_t id, std::vector<std::uint8_t> payload, mavlink::sender from = station_id) {
+    const mavlink::frame_buffer frame(id, mavlink::find_message(id)->crc_extra, std::as_bytes(std::span(payload)), from,
+                                      0, false);
+    port.bytes(io::link::only_peer, frame.span());
+  }
+  void say_command(std::uint16_t number, float param1 = 0, float param2 = 0) {
+    mavlink::command_long m;
+    m.command = number;
+    m.param1 = param1;
+    m.param2 = param2;
+    port.say(m);
+  }
+  void set_mode(std::uint32_t custom_mode) {
+    port.say(command(mav_cmd::do_set_mode, 1, static_cast<float>(custom_mode)));
+  }
+  [[nodiscard]] std::vector<std::uint32_t> passed() const {
+    std::vector<std::uint32_t> result;
+    for (const auto& each : port.passed_on)
+      result.push_back(each.message);
+    return result;
+  }
+  // One more of this kind is passed on, from whom it came and as it came.
+  void expect_passes(std::uint32_t id, const std::vector<std::uint8_t>& payload) {
+    const auto before = port.passed_on.size();
+    say_frame(id, payload);
+    ASSERT_EQ(port.passed_on.size(), before + 1) << id;
+    EXPECT_EQ(port.passed_on.back(), (vehicle_link::relayed_frame{id, 255, 190, payload})) << id;
+  }
+
+  port_fixture port{passing_settings()};
+};
+
+// -- reading ----------------------------------------------------------------------------------------
+
+TEST_F(ground_port_passing, reading_goes_on_as_it_came_with_the_ids_of_the_station) {
+  expect_passes(21, {1, 1});                    // PARAM_REQUEST_LIST
+  expect_passes(117, {0, 0, 255, 255, 1, 1});   // LOG_REQUEST_LIST
+  expect_passes(412, {1, 0, 2, 0, 1, 1});       // REQUEST_EVENT
+  expect_passes(233, {0, 3, 1, 2, 3});          // GPS_RTCM_DATA
+  expect_passes(110, {0, 1, 1, 0, 0, 0, 3, 1}); // FILE_TRANSFER_PROTOCOL: list
+  expect_passes(287, {0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 154}); // a gimbal
+}
+
+TEST_F(ground_port_passing, a_stations_heartbeat_goes_on_and_none_is_made) {
+  port.say(mavlink::heartbeat{.type = mavlink::number(mavlink::mav_type::gcs)});
+  EXPECT_EQ(passed(), (std::vector<std::uint32_t>{0}));
+  port.advance(10 * s);
+  EXPECT_EQ(passed().size(), 1U);
+  EXPECT_TRUE(port.sent<mavlink::heartbeat>().size() <= 1U) << "the vehicle's own";
+}
+
+TEST_F(ground_port_passing, clocks_are_answered_here) {
+  port.say(mavlink::timesync{.ts1 = 5});
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.last<mavlink::timesync>().ts1, 5);
+}
+
+TEST_F(ground_port_passing, what_is_on_no_list_is_refused_counted_and_said_once) {
+  say_frame(134, {1, 2, 3}); // TERRAIN_DATA
+  say_command(2'600);        // CONTROL_HIGH_LATENCY
+  say_command(2'600);
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::unsupported));
+  EXPECT_EQ(port.count_of("passing_refused"), 2U);
+  EXPECT_EQ(port.texts().size(), 1U);
+}
+
+TEST_F(ground_port_passing, what_another_system_is_meant_by_does_not_go_on) {
+  say_frame(21, {2, 1});
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.count_of("not_for_us"), 1U);
+}
+
+TEST_F(ground_port_passing, who_speaks_as_the_vehicle_is_no_station) {
+  say_frame(21, {1, 1}, {1, 100});
+  say_command(400, 1);
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
+TEST_F(ground_port_passing, plans_are_godwits_and_nothing_of_them_goes_on) {
+  EXPECT_EQ(port.upload(3).type, 0);
+  (void)port.download();
+  port.say(mavlink::mission_clear_all{});
+  port.say(mavlink::mission_set_current{.seq = 1});
+  say_frame(160, {0, 0, 0, 0, 0, 0, 0, 0, 1, 1}); // FENCE_POINT
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
+TEST_F(ground_port_passing, more_than_the_budget_is_dropped_and_counted) {
+  for (int i = 0; i < 600; ++i)
+    say_frame(21, {1, 1});
+  EXPECT_EQ(port.passed_on.size(), 500U);
+  EXPECT_EQ(port.count_of("passing_dropped"), 100U);
+  port.advance(s);
+  say_frame(21, {1, 1});
+  EXPECT_EQ(port.passed_on.size(), 501U);
+}
+
+TEST_F(ground_port_passing, no_station_makes_slower_what_the_flight_is_judged_by) {
+  mavlink::request_data_stream off;
+  off.target_system = off.target_component = 1;
+  off.req_stream_id = 6; // position
+  off.req_message_rate = 1;
+  port.say_as_it_is(off);
+  const auto& passed = port.passed_on.back();
+  const auto m = mavlink::decode_payload<mavlink::request_data_stream>(std::as_bytes(std::span(passed.payload)));
+  EXPECT_EQ(m.req_message_rate, 4);
+  EXPECT_EQ(m.start_stop, 1);
+}
+
+TEST_F(ground_port_passing, intervals_of_what_godwit_needs_are_kept_here_and_others_go_on) {
+  port.say(command(mav_cmd::set_message_interval, 33, 1'000'000)); // GLOBAL_POSITION_INT
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.last_result(), 0);
+  port.say(command(mav_cmd::set_message_interval, 36, 1'000'000)); // SERVO_OUTPUT_RAW
+  EXPECT_EQ(passed(), (std::vector<std::uint32_t>{76}));
+}
+
+TEST_F(ground_port_passing, nothing_passes_where_the_setting_says_so) {
+  port_fixture closed;
+  closed.say(mavlink::param_request_list{.target_system = 1, .target_component = 1});
+  closed.say(command(mav_cmd::component_arm_disarm, 1));
+  closed.component_says({253, 1, 100, {6, 'x'}});
+  EXPECT_TRUE(closed.passed_on.empty());
+  EXPECT_TRUE(closed.acts.empty());
+  EXPECT_TRUE(closed.sent<mavlink::statustext>().empty());
+}
+
+// Both would hear each other's frames twice.
+TEST_F(ground_port_passing, nothing_passes_while_the_autopilot_itself_is_on_the_line) {
+  auto as_companion = passing_settings();
+  as_companion.as.component = 191;
+  port_fixture shared(as_companion);
+  shared.say(mavlink::heartbeat{}, autopilot_id);
+  shared.say_as_it_is(mavlink::param_request_list{.target_system = 1, .target_component = 1});
+  EXPECT_TRUE(shared.passed_on.empty());
+}
+
+// -- what the vehicle says --------------------------------------------------------------------------
+
+TEST_F(ground_port_passing, what_the_vehicles_components_say_comes_to_the_stations_with_their_ids) {
+  port.component_says({22, 1, 1, {0, 0, 128, 63, 5, 0, 1, 0, 'A'}}); // PARAM_VALUE
+  ASSERT_FALSE(port.frames.empty());
+  const auto frame = port.frames.back().frame.view();
+  EXPECT_EQ(frame.id(), 22U);
+  EXPECT_EQ(frame.from(), autopilot_id);
+  port.component_says({0, 1, 154, {0, 0, 0, 0, 26, 8, 0, 4, 3}}); // a gimbal's heartbeat
+  EXPECT_EQ(port.frames.back().frame.view().from(), (mavlink::sender{1, 154}));
+  EXPECT_EQ(port.count_of("passed_to_stations"), 2U);
+}
+
+TEST_F(ground_port_passing, an_answer_goes_to_the_station_that_it_names) {
+  port.say(mavlink::heartbeat{}, station_id, 3);
+  port.say(mavlink::heartbeat{}, other_station, 4);
+  port.component_says({77, 1, 1, {0x90, 1, 0, 0, 0, 0, 0, 0, 254, 190}}); // COMMAND_ACK
+  EXPECT_EQ(port.frames.back().to, 4U);
+}
+
+// -- people -----------------------------------------------------------------------------------------
+
+TEST_F(ground_port_passing, what_a_person_means_waits_until_the_executor_knows) {
+  port.say(command(mav_cmd::component_arm_disarm, 1));
+  EXPECT_TRUE(port.passed_on.empty()) << "not before the authority is that person's";
+  ASSERT_EQ(port.acts.size(), 1U);
+  EXPECT_EQ(port.acts[0].what.kind, act_kind::arm);
+  EXPECT_EQ(port.acts[0].what.by, (executor::station{255, 190}));
+  port.executor_says(act_verdict::pass);
+  EXPECT_EQ(passed(), (std::vector<std::uint32_t>{76}));
+  EXPECT_TRUE(port.sent<mavlink::command_ack>().empty()) << "the vehicle answers";
+}
+
+TEST_F(ground_port_passing, each_of_a_persons_messages_is_told_before_it_goes_on) {
+  for (const std::uint16_t each : {20,  21,  22,  23,  24,  34,  35,    84,     85,     178,    185,
+                                   186, 191, 207, 208, 218, 400, 3'000, 42'001, 43'000, 43'001, 43'002})
+    say_command(each, each == 400 ? 0.0F : 1.0F);
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.acts.size(), 22U);
+  for (const std::uint32_t each : {69, 70, 82, 84, 86, 144, 149}) {
+    std::vector<std::uint8_t> payload(mavlink::find_message(each)->base_length);
+    payload.back() = 1;
+    say_frame(each, payload);
+  }
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.acts.size(), 29U);
+}
+
+TEST_F(ground_port_passing, a_command_for_another_component_of_the_vehicle_is_no_way_around) {
+  auto arm = command(mav_cmd::component_arm_disarm, 1);
+  arm.target_system = 1;
+  arm.target_component = 100; // an ArduPilot obeys where it knows no such component
+  port.say_as_it_is(arm);
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.acts.size(), 1U);
+}
+
+TEST_F(ground_port_passing, a_return_and_a_disarm_are_stops_and_go_on_also_where_the_executor_is_silent) {
+  say_command(20);
+  ASSERT_EQ(port.acts.back().what.kind, act_kind::stop);
+  port.executor_is_silent();
+  EXPECT_EQ(passed(), (std::vector<std::uint32_t>{76}));
+  EXPECT_EQ(port.taken_over_told, (std::vector<std::size_t>{0})) << "the failsafe is told first";
+  say_command(400, 0);
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::stop);
+}
+
+TEST_F(ground_port_passing, what_lets_the_vehicle_move_does_not_go_on_where_the_executor_is_silent) {
+  for (const std::uint16_t each : {400, 22, 178}) {
+    say_command(each, 1);
+    port.executor_is_silent();
+    EXPECT_EQ(port.last_result(), mavlink::number(mav_result::temporarily_rejected));
+  }
+  set_mode(4); // guided
+  port.executor_is_silent();
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.count_of("acts_unanswered"), 4U);
+}
+
+TEST_F(ground_port_passing, a_repetition_is_not_asked_twice_and_a_stream_is_asked_with_its_newest) {
+  say_command(400, 1);
+  auto again = command(mav_cmd::component_arm_disarm, 1);
+  again.confirmation = 1;
+  port.say(again);
+  EXPECT_EQ(port.acts.size(), 1U);
+  port.executor_says(act_verdict::pass);
+  say_frame(69, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+  say_frame(69, {2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+  EXPECT_EQ(port.acts.size(), 2U);
+  port.executor_says(act_verdict::pass);
+  EXPECT_EQ(port.passed_on.back().payload[0], 2);
+}
+
+TEST_F(ground_port_passing, what_the_executor_does_itself_is_accepted_and_does_not_go_on) {
+  set_mode(5); // loiter
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::hold);
+  port.executor_says(act_verdict::done);
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.last_result(), 0);
+}
+
+TEST_F(ground_port_passing, modes_are_told_apart_by_what_they_come_to) {
+  set_mode(6); // RTL
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::stop);
+  set_mode(0); // stabilize
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::command);
+  port.say(mavlink::set_mode{.target_system = 1, .base_mode = 1, .custom_mode = 9});
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::stop);
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
+TEST_F(ground_port_passing, the_mission_mode_is_a_start_and_never_goes_on) {
+  port.upload(3);
+  set_mode(3);
+  ASSERT_EQ(port.starts.size(), 1U);
+  EXPECT_EQ(port.starts[0].asked_by, (executor::station{255, 190}));
+  port.executor_answers(executor::start_verdict::started);
+  EXPECT_EQ(port.last<mavlink::command_ack>().command, 176);
+  EXPECT_EQ(port.last_result(), 0);
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
+TEST_F(ground_port_passing, the_mission_mode_resumes_a_flight_that_is_paused) {
+  port.upload(3);
+  port.vehicle_says(copter_beat(5, true));
+  port.executor_says(mission_progress{port.shown().plans[0].plan_id, 1, mavlink::mission_state::paused});
+  set_mode(3);
+  ASSERT_EQ(port.words.size(), 1U);
+  EXPECT_EQ(port.words[0].what.kind, operators::command_kind::resume);
+  EXPECT_EQ(port.words[0].what.system, 255);
+  port.executor_says(operators::answer{true, {}});
+  EXPECT_EQ(port.last<mavlink::command_ack>().command, 176);
+}
+
+TEST_F(ground_port_passing, a_mode_of_a_vehicle_that_was_never_heard_is_refused) {
+  port_fixture fresh(passing_settings());
+  fresh.say(command(mav_cmd::do_set_mode, 1, 3));
+  EXPECT_TRUE(fresh.passed_on.empty());
+  EXPECT_EQ(fresh.last_result(), mavlink::number(mav_result::temporarily_rejected));
+}
+
+// -- configuration ----------------------------------------------------------------------------------
+
+TEST_F(ground_port_passing, a_parameter_that_is_not_set_is_read_back) {
+  mavlink::param_set set_current;
+  set_current.target_system = set_current.target_component = 1;
+  std::memcpy(set_current.param_id.data(), "RTL_ALT", 7);
+  port.say_as_it_is(set_current);
+  ASSERT_EQ(port.acts.back().what.kind, act_kind::configure);
+  port.executor_says(act_verdict::refused, "not while the vehicle is armed");
+  EXPECT_EQ(passed(), (std::vector<std::uint32_t>{20})); // PARAM_REQUEST_READ
+  EXPECT_EQ(port.count_of("passing_refused"), 1U);
+  port.say_as_it_is(set_current);
+  port.executor_says(act_verdict::pass);
+  EXPECT_EQ(port.passed_on.back().message, 23U);
+}
+
+TEST_F(ground_port_passing, files_are_written_only_where_the_executor_lets_and_plans_never) {
+  std::vector<std::uint8_t> open{0, 1, 1, 7, 0, 0, 11, 4, 0, 0, 0, 0, 0, 0, 0, '@', 'S', 'Y', 'S'};
+  say_frame(110, open);
+  ASSERT_EQ(port.acts.size(), 1U);
+  port.executor_says(act_verdict::refused, "not while the vehicle is armed");
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.frames.back().frame.view().id() == 110U || port.frames.back().frame.view().id() == 253U, true);
+  const std::string path = "@MISSION/mission.dat";
+  open.resize(15);
+  open.insert(open.end(), path.begin(), path.end());
+  port.forget();
+  say_frame(110, open);
+  EXPECT_EQ(port.acts.size(), 1U) << "nobody is asked";
+  ASSERT_FALSE(port.frames.empty());
+  const auto answer = port.frames.front().frame.view();
+  EXPECT_EQ(answer.id(), 110U);
+  EXPECT_EQ(std::to_integer<int>(answer.payload()[6]), 129) << "NAK";
+  EXPECT_EQ(std::to_integer<int>(answer.payload()[3]), 8) << "the next number";
+}
+
+TEST_F(ground_port_passing, what_only_the_settings_let_pass_needs_them) {
+  say_frame(126, std::vector<std::uint8_t>(79, 1)); // SERIAL_CONTROL
+  say_command(209, 1);                              // DO_MOTOR_TEST
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_TRUE(port.acts.empty());
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::denied));
+  auto allowed = passing_settings();
+  allowed.also_passes = {"DO_MOTOR_TEST"};
+  port_fixture open(allowed);
+  open.say(command(static_cast<mav_cmd>(209), 1));
+  ASSERT_EQ(open.acts.size(), 1U);
+  EXPECT_EQ(open.acts[0].what.kind, act_kind::configure) << "and then only disarmed";
+}
+
+} // namespace
+} // namespace godwit::ground_port

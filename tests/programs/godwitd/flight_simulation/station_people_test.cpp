@@ -1,0 +1,136 @@
+// People who act through a ground station, on the real composition of the daemon: what they do comes to the vehicle,
+// and from then on the vehicle is theirs.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
+#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::tests;
+using executor::pause_cause;
+using executor::phase;
+using io::mavlink::mav_cmd;
+
+class station_people : public testing::TestWithParam<sim::personality> {
+protected:
+  flight_simulation flight{
+      {.who = GetParam(), .starts_by_itself = false, .arms_on_start = false, .speaks_as_autopilot = true}};
+
+  // As the autopilot numbers it; PX4 has it in two parameters.
+  void set_mode(flight::mode_kind kind) {
+    const auto command = godwit::flight::mode_command(owner(), kind);
+    ASSERT_TRUE(command);
+    flight.station().command(mav_cmd::do_set_mode, command->param1, command->param2, command->param3);
+  }
+  [[nodiscard]] static godwit::flight::mode_owner owner() {
+    using godwit::flight::vehicle_class;
+    using io::mavlink::mav_autopilot;
+    switch (GetParam()) {
+    case sim::personality::px4:
+      return {mav_autopilot::px4, vehicle_class::multirotor};
+    case sim::personality::plane:
+      return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
+    case sim::personality::ardupilot:
+      return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+    case sim::personality::rover:
+      break;
+    }
+    return {mav_autopilot::generic, vehicle_class::rover};
+  }
+  testing::AssertionResult arm() {
+    if (!flight.run_until_phase(phase::ready, 120))
+      return testing::AssertionFailure() << flight.story();
+    // An ArduPilot arms in no mission mode; what it stands in here is its first.
+    if (GetParam() == sim::personality::ardupilot || GetParam() == sim::personality::plane)
+      set_mode(godwit::flight::mode_kind::guided);
+    flight.run_for(1);
+    flight.station().command(mav_cmd::component_arm_disarm, 1);
+    const bool is_armed = flight.run_until([&] { return flight.vehicle().describe().armed; }, 5);
+    return is_armed ? testing::AssertionSuccess() : testing::AssertionFailure() << flight.story();
+  }
+  testing::AssertionResult start() {
+    if (const auto armed = arm(); !armed)
+      return armed;
+    flight.run_for(0.3); // in a world that is ten times as fast: an ArduPilot disarms by itself after ten seconds
+    flight.station().start_mission();
+    return flight.run_until_phase(phase::flying, 30) ? testing::AssertionSuccess()
+                                                     : testing::AssertionFailure() << flight.story();
+  }
+};
+
+TEST_P(station_people, parameters_are_read_through_godwit) {
+  ASSERT_TRUE(flight.run_until_phase(phase::ready, 120)) << flight.story();
+  flight.station().ask_for_params();
+  EXPECT_TRUE(flight.run_until([&] { return flight.station().params_heard() > 5; }, 30)) << flight.story();
+}
+
+TEST_P(station_people, arming_through_a_station_makes_the_vehicle_its_persons_before_it_is_armed) {
+  ASSERT_TRUE(arm());
+  EXPECT_EQ(flight.status().cause, pause_cause::taken_over) << flight.story();
+  EXPECT_EQ(flight.station().result_of(mav_cmd::component_arm_disarm), 0) << "the vehicle's own answer";
+  flight.run_for(0.1); // its arming is behind it
+  const auto since_ns = flight.now_ns();
+  flight.say(operators::command_kind::start);
+  flight.run_for(5);
+  EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
+}
+
+TEST_P(station_people, arm_and_start_of_one_station_fly_because_its_start_hands_back) {
+  ASSERT_TRUE(start());
+  ASSERT_TRUE(flight.station().start_answer());
+  EXPECT_EQ(flight.station().start_answer()->result, 0) << flight.story();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+}
+
+TEST_P(station_people, a_return_by_a_station_is_the_autopilots_at_once_and_nothing_is_sent_behind_it) {
+  ASSERT_TRUE(start());
+  flight.run_for(5);
+  set_mode(godwit::flight::mode_kind::returning);
+  ASSERT_TRUE(flight.run_until_phase(phase::paused, 1)) << flight.story();
+  EXPECT_EQ(flight.status().cause, pause_cause::taken_over) << flight.story();
+  flight.run_for(0.5); // what the station has said reaches the vehicle
+  const auto since_ns = flight.now_ns();
+  flight.run_for(20);
+  EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
+}
+
+TEST_P(station_people, the_hold_mode_of_a_station_is_godwits_pause_and_its_mission_mode_goes_on) {
+  ASSERT_TRUE(start());
+  flight.run_for(5);
+  set_mode(godwit::flight::mode_kind::hold);
+  ASSERT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();
+  EXPECT_EQ(flight.status().cause, pause_cause::asked) << flight.story();
+  EXPECT_EQ(flight.station().result_of(mav_cmd::do_set_mode), 0) << flight.story();
+  flight.run_for(3);
+  set_mode(godwit::flight::mode_kind::mission);
+  EXPECT_TRUE(flight.run_until_phase(phase::flying, 10)) << flight.story();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+}
+
+TEST_P(station_people, FR_00089_an_item_that_a_station_chooses_in_flight_is_flown_next) {
+  ASSERT_TRUE(start());
+  const auto has_reached_one = [&] {
+    const auto reports = flight.reports();
+    return std::ranges::any_of(reports, [](const auto& each) { return each.item_id == "w1"; });
+  };
+  ASSERT_TRUE(flight.run_until(has_reached_one, 120)) << flight.story();
+  flight.station().command(mav_cmd::do_set_mission_current, 1);
+  ASSERT_TRUE(
+      flight.run_until([&] { return flight.station().result_of(mav_cmd::do_set_mission_current).has_value(); }, 15))
+      << flight.story();
+  EXPECT_EQ(flight.station().result_of(mav_cmd::do_set_mission_current), 0) << flight.story();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(every_vehicle, station_people,
+                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
+                                         sim::personality::plane),
+                         [](const auto& who) { return std::string(io::name_of(who.param)); });
+
+} // namespace

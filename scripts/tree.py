@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 SKIPPED_FOLDERS = {".git", "build", "node_modules", "__pycache__"}
-CODE_FOLDERS = ("io", "runtime", "messages", "actors", "programs", "tests")
+CODE_FOLDERS = ("io", "runtime", "messages", "actors", "invariants", "programs", "tests")
 
 
 class Check:

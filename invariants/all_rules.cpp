@@ -1,0 +1,42 @@
+#include <array>
+
+#include "invariants/invariant.hpp"
+#include "invariants/rules/flight_rules.hpp"
+#include "invariants/rules/runtime_rules.hpp"
+
+namespace godwit::invariants {
+
+std::span<const rule> all_rules() {
+  static constexpr const char* inside = "docs/architecture.md, The way of a message";
+  static constexpr const char* crash = "docs/architecture.md, A crash, step by step";
+  static constexpr const char* progress = "docs/architecture.md, How far a mission got";
+  static constexpr const char* executor = "docs/actors/executor.md";
+  static constexpr const char* failsafe = "docs/actors/failsafe.md";
+  static constexpr std::array<rule, 12> rules{{
+      {"cause_before_effect", "A message is taken after the one that caused it, which its sender took.", inside,
+       make_cause_before_effect},
+      {"one_handler_at_a_time", "An actor is in one handler at a time.", inside, make_one_handler_at_a_time},
+      {"incarnations_rise", "When a new incarnation is there, the one before takes no messages.", crash,
+       make_incarnations_rise},
+      {"crash_ends_incarnation", "An exception ends the incarnation.", crash, make_crash_ends_incarnation},
+      {"handled_once", "An incarnation handles a message once, and no two messages have the same id.", inside,
+       make_handled_once},
+      {"third_crash_is_the_last", "A message that has crashed its handler three times is not given to it again.", crash,
+       make_third_crash_is_the_last},
+      {"reports_without_gap", "The reports of a mission are numbered without a gap, and none is two.", progress,
+       make_reports_without_gap},
+      {"complete_once", "A mission is complete once, and nothing is reported of it behind that.", progress,
+       make_complete_once},
+      {"generation_never_falls", "Reports are of the newest plan that is flown, never of an older one.", progress,
+       make_generation_never_falls},
+      {"pilot_is_left_alone", "While a pilot has the vehicle, godwit does not arm or start it.", executor,
+       make_pilot_is_left_alone},
+      {"restart_starts_nothing", "Nothing is armed or started because an actor was restarted.", executor,
+       make_restart_starts_nothing},
+      {"latch_holds", "A rule of the failsafe acts once in a flight, until the vehicle is handed back.", failsafe,
+       make_latch_holds},
+  }};
+  return rules;
+}
+
+} // namespace godwit::invariants

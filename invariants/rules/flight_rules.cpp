@@ -1,0 +1,271 @@
+#include "invariants/rules/flight_rules.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "invariants/rules/message_types.hpp"
+#include "io/mavlink/enums/command.hpp"
+
+namespace godwit::invariants {
+
+namespace {
+
+using nlohmann::json;
+using runtime::delivery;
+using runtime::name_table;
+using runtime::outcome;
+
+constexpr std::size_t max_missions = 1'000; // in one trace; later ones are not looked at
+
+std::optional<std::uint64_t> number(const json& of, const char* name) {
+  const auto found = of.find(name);
+  return found != of.end() && found->is_number_unsigned() ? std::optional(found->get<std::uint64_t>()) : std::nullopt;
+}
+
+std::string text(const json& of, const char* name) {
+  const auto found = of.find(name);
+  return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool flag(const json& of, const char* name) {
+  const auto found = of.find(name);
+  return found != of.end() && *found == true;
+}
+
+json object_in(const delivery& each) {
+  auto result = json::parse(each.body, nullptr, false);
+  return result.is_object() ? result : json::object();
+}
+
+// A report as the executor makes it and mission_client takes it.
+struct report {
+  std::string mission;
+  std::uint64_t number = 0;
+  std::uint64_t generation = 0;
+  std::string kind;
+  std::string whole;
+};
+
+// For what looks at the reports, mission by mission. State is what is known of one mission.
+template <class State>
+class about_reports : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) final {
+    if (!type_.is(each.type, names) || each.how != outcome::handled)
+      return;
+    const auto message = object_in(each);
+    const auto found = message.find("report");
+    if (found == message.end() || !found->is_object())
+      return;
+    const auto no = number(*found, "report_no");
+    if (!no)
+      return;
+    const report told{text(*found, "mission_id"), *no, number(*found, "generation").value_or(0), text(*found, "kind"),
+                      found->dump()};
+    if (missions_.size() < max_missions || missions_.contains(told.mission))
+      look(told, missions_[told.mission], each);
+  }
+
+protected:
+  virtual void look(const report& told, State& known, const delivery& each) = 0;
+
+private:
+  known_name type_{"mission_client.report_progress"};
+  std::map<std::string, State> missions_;
+};
+
+struct told_reports {
+  std::uint64_t last = 0; // 0: none yet; a trace may begin in the middle
+  std::string whole;      // of the last
+  std::uint64_t id = 0;
+  std::uint64_t run = 0;
+};
+
+class reports_without_gap final : public about_reports<told_reports> {
+  void look(const report& told, told_reports& known, const delivery& each) override {
+    if (known.last != 0 && told.number > known.last + 1)
+      find(known.run == each.run ? certainty::if_complete : certainty::across_runs, each, {known.id, each.id},
+           "report " + std::to_string(told.number) + " of mission " + told.mission + " came behind report " +
+               std::to_string(known.last));
+    if (told.number == known.last && told.whole != known.whole)
+      find(certainty::certain, each, {known.id, each.id},
+           "there are two different reports " + std::to_string(told.number) + " of mission " + told.mission);
+    if (told.number >= known.last)
+      known = {told.number, told.whole, each.id, each.run};
+  }
+};
+
+struct completion {
+  std::uint64_t at = 0; // number of the report; 0: not complete
+  std::uint64_t id = 0;
+};
+
+class complete_once final : public about_reports<completion> {
+  void look(const report& told, completion& known, const delivery& each) override {
+    if (known.at != 0 && told.number > known.at)
+      find(certainty::certain, each, {known.id, each.id},
+           "mission " + told.mission + " was complete with report " + std::to_string(known.at) + ", and report " +
+               std::to_string(told.number) + " (" + told.kind + ") came behind it");
+    if (told.kind == "complete" && known.at == 0)
+      known = {told.number, each.id};
+  }
+};
+
+struct newest_generation {
+  std::uint64_t generation = 0;
+  std::uint64_t number = 0; // of its report
+  std::uint64_t id = 0;
+};
+
+class generation_never_falls final : public about_reports<newest_generation> {
+  void look(const report& told, newest_generation& known, const delivery& each) override {
+    if (told.number > known.number && told.generation < known.generation)
+      find(certainty::certain, each, {known.id, each.id},
+           "report " + std::to_string(told.number) + " of mission " + told.mission + " is of generation " +
+               std::to_string(told.generation) + ", behind generation " + std::to_string(known.generation));
+    if (told.number > known.number)
+      known = {told.generation, told.number, each.id};
+  }
+};
+
+// True for what makes a vehicle that stands begin to move.
+bool starts_a_vehicle(const json& command) {
+  const auto which = number(command, "command");
+  const auto is = [&](io::mavlink::mav_cmd expected) { return which == static_cast<std::uint64_t>(expected); };
+  const auto first = command.find("param1");
+  const bool has_one = first != command.end() && first->is_number() && first->get<double>() == 1;
+  return is(io::mavlink::mav_cmd::mission_start) || (is(io::mavlink::mav_cmd::component_arm_disarm) && has_one) ||
+         is(io::mavlink::mav_cmd::nav_takeoff);
+}
+
+// For what looks at the commands of the executor that start a vehicle.
+class about_starts : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) final {
+    if (each.run != run_) {
+      run_ = each.run;
+      forget();
+    }
+    if (executor_.is(each.actor, names)) {
+      look_at_executor(each, names);
+    } else if (link_.is(each.actor, names) && command_.is(each.type, names) && executor_.is(each.sender, names) &&
+               each.how == outcome::handled && starts_a_vehicle(object_in(each))) {
+      look_at_start(each);
+    }
+  }
+
+protected:
+  virtual void forget() = 0; // another run begins
+  virtual void look_at_executor(const delivery& each, const name_table& names) = 0;
+  virtual void look_at_start(const delivery& each) = 0;
+
+private:
+  known_name executor_{"executor"};
+  known_name link_{"vehicle_link"};
+  known_name command_{"vehicle_link.send_command"};
+  std::uint64_t run_ = 0;
+};
+
+// The executor knows of the pilot from `failsafe_status` on; what it sent because of earlier messages may still be on
+// its way.
+class pilot_is_left_alone final : public about_starts {
+  void forget() override { flight_ = {}; }
+  void look_at_executor(const delivery& each, const name_table& names) override {
+    if (flight_.pilot_since_id != 0 && flight_.behind.size() < max_behind)
+      flight_.behind.insert(each.id);
+    if (!failsafe_status_.is(each.type, names) || each.how != outcome::handled)
+      return;
+    const bool is_taken = flag(object_in(each), "taken_over");
+    if (is_taken && flight_.pilot_since_id == 0)
+      flight_.pilot_since_id = each.id;
+    if (!is_taken)
+      flight_ = {};
+  }
+  void look_at_start(const delivery& each) override {
+    if (flight_.pilot_since_id != 0 && flight_.behind.contains(each.cause))
+      find(certainty::if_complete, each, {flight_.pilot_since_id, each.cause, each.id},
+           "the executor commanded a start although it knew that a pilot has the vehicle");
+  }
+
+  static constexpr std::size_t max_behind = 1'000'000;
+  struct takeover {
+    std::uint64_t pilot_since_id = 0;    // of the failsafe_status that told it; 0: no pilot
+    std::set<std::uint64_t> behind = {}; // what the executor took later
+  };
+  takeover flight_;
+  known_name failsafe_status_{"failsafe.stance"};
+};
+
+// An incarnation begins with a `runtime.durable` of its own; later ones tell that a write is on the disk.
+class restart_starts_nothing final : public about_starts {
+  void forget() override {
+    newest_ = 0;
+    begins_.clear();
+  }
+  void look_at_executor(const delivery& each, const name_table& names) override {
+    if (!begin_.is(each.type, names) || each.incarnation <= newest_)
+      return;
+    newest_ = each.incarnation;
+    begins_.insert(each.id);
+  }
+  void look_at_start(const delivery& each) override {
+    if (begins_.contains(each.cause))
+      find(certainty::if_complete, each, {each.cause, each.id},
+           "an incarnation of the executor commanded a start because it began");
+  }
+
+  known_name begin_{"runtime.durable"};
+  std::uint32_t newest_ = 0; // incarnation that was seen to begin
+  std::set<std::uint64_t> begins_;
+};
+
+class latch_holds final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.run != run_) {
+      run_ = each.run;
+      latched_.clear();
+    }
+    if (failsafe_.is(each.actor, names) && (hand_back_.is(each.type, names) || override_.is(each.type, names)))
+      latched_.clear();
+    if (!executor_.is(each.actor, names) || !failsafe_status_.is(each.type, names) || each.how != outcome::handled)
+      return;
+    const auto failsafe_status = object_in(each);
+    std::set<std::string> now;
+    if (const auto list = failsafe_status.find("latched"); list != failsafe_status.end() && list->is_array())
+      for (const auto& one : *list)
+        if (one.is_string())
+          now.insert(one.get<std::string>());
+    if (flag(failsafe_status, "in_flight") && !std::ranges::includes(now, latched_))
+      find(certainty::if_complete, each, {failsafe_status_id_, each.id},
+           "a rule of the failsafe that had acted was free again in the same flight");
+    latched_ = flag(failsafe_status, "in_flight") ? now : std::set<std::string>();
+    failsafe_status_id_ = each.id;
+  }
+
+private:
+  known_name failsafe_{"failsafe"};
+  known_name executor_{"executor"};
+  known_name failsafe_status_{"failsafe.stance"};
+  known_name hand_back_{"failsafe.hand_back"};
+  known_name override_{"failsafe.override_rule"};
+  std::uint64_t run_ = 0;
+  std::set<std::string> latched_;
+  std::uint64_t failsafe_status_id_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<invariant> make_reports_without_gap() { return std::make_unique<reports_without_gap>(); }
+std::unique_ptr<invariant> make_complete_once() { return std::make_unique<complete_once>(); }
+std::unique_ptr<invariant> make_generation_never_falls() { return std::make_unique<generation_never_falls>(); }
+std::unique_ptr<invariant> make_pilot_is_left_alone() { return std::make_unique<pilot_is_left_alone>(); }
+std::unique_ptr<invariant> make_restart_starts_nothing() { return std::make_unique<restart_starts_nothing>(); }
+std::unique_ptr<invariant> make_latch_holds() { return std::make_unique<latch_holds>(); }
+
+} // namespace godwit::invariants

@@ -1,0 +1,203 @@
+#include "invariants/rules/runtime_rules.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace godwit::invariants {
+
+namespace {
+
+using runtime::delivery;
+using runtime::name_table;
+using runtime::outcome;
+
+// The trace's clock is measured anew all the time: two threads agree to within this.
+constexpr std::int64_t clock_tolerance_ns = 1'000'000;
+
+// The newest deliveries by id. Memory: fixed; an older one is forgotten for a newer.
+template <class Value>
+class recent_messages {
+public:
+  recent_messages() : slots_(std::size_t{1} << size_log2) {}
+
+  // Null: not known, or forgotten.
+  [[nodiscard]] const Value* find(std::uint64_t run, std::uint64_t id) const {
+    const auto& at = slots_[place_of(id)];
+    return at.id == id && at.run == run && id != 0 ? &at.value : nullptr;
+  }
+  void put(std::uint64_t run, std::uint64_t id, const Value& value) {
+    if (id != 0)
+      slots_[place_of(id)] = {id, run, value};
+  }
+
+private:
+  static constexpr unsigned size_log2 = 18;
+  static constexpr std::uint64_t golden = 0x9e37'79b9'7f4a'7c15; // spreads ids that follow each other
+
+  struct slot {
+    std::uint64_t id = 0;
+    std::uint64_t run = 0;
+    Value value;
+  };
+  [[nodiscard]] static std::size_t place_of(std::uint64_t id) {
+    return static_cast<std::size_t>((id * golden) >> (64U - size_log2));
+  }
+  std::vector<slot> slots_;
+};
+
+class cause_before_effect final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (const auto* cause = recent_.find(each.run, each.cause)) {
+      if (cause->began_ns > each.began_ns + clock_tolerance_ns)
+        find(certainty::certain, each, {each.cause, each.id}, "a message was taken before the one that caused it");
+      if (cause->actor != each.sender && each.id != 0)
+        find(certainty::certain, each, {each.cause, each.id},
+             names.name(each.sender) + " sent it because of a message that " + names.name(cause->actor) + " took");
+    }
+    recent_.put(each.run, each.id, {each.began_ns, each.actor});
+  }
+
+private:
+  struct taken {
+    std::int64_t began_ns = 0;
+    std::uint32_t actor = 0;
+  };
+  recent_messages<taken> recent_;
+};
+
+// What each actor did last, in this run. Deliveries without an id are the runtime's own and stand outside of the order.
+template <class Value>
+class by_actor {
+public:
+  Value& of(const delivery& each) {
+    if (each.run != run_)
+      values_.clear();
+    run_ = each.run;
+    if (values_.size() <= each.actor)
+      values_.resize(each.actor + 1);
+    return values_[each.actor];
+  }
+
+private:
+  std::uint64_t run_ = 0;
+  std::vector<Value> values_;
+};
+
+class one_handler_at_a_time final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.id == 0 || each.how == outcome::fenced)
+      return;
+    auto& last = last_.of(each);
+    if (each.began_ns + clock_tolerance_ns < last.ended_ns)
+      find(certainty::certain, each, {last.id, each.id}, names.name(each.actor) + " was in two handlers at once");
+    last = {each.ended_ns(), each.id};
+  }
+
+private:
+  struct handler {
+    std::int64_t ended_ns = INT64_MIN;
+    std::uint64_t id = 0;
+  };
+  by_actor<handler> last_;
+};
+
+class incarnations_rise final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.id == 0 || each.how == outcome::fenced)
+      return;
+    auto& newest = newest_.of(each);
+    if (each.incarnation < newest)
+      find(certainty::certain, each, {each.id},
+           names.name(each.actor) + ", incarnation " + std::to_string(each.incarnation) +
+               ", took a message although incarnation " + std::to_string(newest) + " was there");
+    newest = std::max(newest, each.incarnation);
+  }
+
+private:
+  by_actor<std::uint32_t> newest_;
+};
+
+class crash_ends_incarnation final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.id == 0)
+      return;
+    auto& last = last_.of(each);
+    if (last.id != 0 && last.incarnation == each.incarnation && each.how == outcome::handled)
+      find(certainty::certain, each, {last.id, each.id},
+           names.name(each.actor) + ", incarnation " + std::to_string(each.incarnation) +
+               ", went on after its handler had thrown");
+    if (each.how == outcome::crashed)
+      last = {each.id, each.incarnation};
+  }
+
+private:
+  struct crash {
+    std::uint64_t id = 0;
+    std::uint32_t incarnation = 0;
+  };
+  by_actor<crash> last_;
+};
+
+class handled_once final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.how != outcome::handled)
+      return;
+    if (const auto* before = recent_.find(each.run, each.id)) {
+      if (before->actor == each.actor && before->incarnation == each.incarnation)
+        find(certainty::certain, each, {each.id},
+             names.name(each.actor) + ", incarnation " + std::to_string(each.incarnation) +
+                 ", handled the same message twice");
+      else if (before->actor != each.actor)
+        find(certainty::certain, each, {each.id},
+             names.name(before->actor) + " and " + names.name(each.actor) + " handled messages with the same id");
+    }
+    recent_.put(each.run, each.id, {each.actor, each.incarnation});
+  }
+
+private:
+  struct handled {
+    std::uint32_t actor = 0;
+    std::uint32_t incarnation = 0;
+  };
+  recent_messages<handled> recent_;
+};
+
+class third_crash_is_the_last final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.run != run_)
+      crashes_.clear();
+    run_ = each.run;
+    if (each.id == 0 || (each.how != outcome::crashed && crashes_.empty()))
+      return;
+    const auto known = crashes_.find(each.id);
+    if (known != crashes_.end() && known->second == max_crashes)
+      find(certainty::certain, each, {each.id},
+           names.name(each.actor) + " was given a message again that had crashed it three times");
+    if (each.how == outcome::crashed && crashes_.size() < max_known)
+      ++crashes_[each.id];
+  }
+
+private:
+  static constexpr int max_crashes = 3;
+  static constexpr std::size_t max_known = 100'000;
+  std::uint64_t run_ = 0;
+  std::unordered_map<std::uint64_t, int> crashes_; // by the id of the message
+};
+
+} // namespace
+
+std::unique_ptr<invariant> make_cause_before_effect() { return std::make_unique<cause_before_effect>(); }
+std::unique_ptr<invariant> make_one_handler_at_a_time() { return std::make_unique<one_handler_at_a_time>(); }
+std::unique_ptr<invariant> make_incarnations_rise() { return std::make_unique<incarnations_rise>(); }
+std::unique_ptr<invariant> make_crash_ends_incarnation() { return std::make_unique<crash_ends_incarnation>(); }
+std::unique_ptr<invariant> make_handled_once() { return std::make_unique<handled_once>(); }
+std::unique_ptr<invariant> make_third_crash_is_the_last() { return std::make_unique<third_crash_is_the_last>(); }
+
+} // namespace godwit::invariants

@@ -1,0 +1,231 @@
+// Each promise is looked for in a record that keeps all of them, and in one in which exactly this one is broken.
+#include <functional>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "invariants/checker.hpp"
+#include "io/fields/json_text.hpp"
+
+namespace godwit::invariants {
+namespace {
+
+using runtime::delivery;
+using runtime::name_table;
+using runtime::outcome;
+
+struct row {
+  std::int64_t at_ms = 0;
+  std::string actor;
+  std::string type;
+  std::uint64_t id = 0;
+  std::uint64_t cause = 0;
+  std::string sender = "outside";
+  std::string body = "{}";
+  std::uint32_t incarnation = 1;
+  outcome how = outcome::handled;
+  std::uint64_t run = 1;
+};
+
+using record = std::vector<row>;
+
+row report(std::int64_t at_ms, int number, const std::string& kind, int generation = 1) {
+  return {.at_ms = at_ms,
+          .actor = "mission_client",
+          .type = "mission_client.report_progress",
+          .id = static_cast<std::uint64_t>(1000 + at_ms),
+          .sender = "executor",
+          .body = R"({"report":{"mission_id":"m","generation":)" + std::to_string(generation) + R"(,"report_no":)" +
+                  std::to_string(number) + R"(,"kind":")" + kind + R"("}})"};
+}
+
+row failsafe_status(std::int64_t at_ms, std::uint64_t id, bool is_taken, const std::string& latched) {
+  return {.at_ms = at_ms,
+          .actor = "executor",
+          .type = "failsafe.stance",
+          .id = id,
+          .sender = "failsafe",
+          .body = std::string(R"({"in_flight":true,"taken_over":)") + (is_taken ? "true" : "false") +
+                  R"(,"latched":[)" + latched + "]}"};
+}
+
+row start_command(std::int64_t at_ms, std::uint64_t id, std::uint64_t cause) {
+  return {.at_ms = at_ms,
+          .actor = "vehicle_link",
+          .type = "vehicle_link.send_command",
+          .id = id,
+          .cause = cause,
+          .sender = "executor",
+          .body = R"({"command":300,"param1":0.0})"};
+}
+
+// A flight in which all is as promised: a start by a word, a crash that is put back, a pilot, the end.
+record sound_record() {
+  return {
+      {.at_ms = 0, .actor = "executor", .type = "runtime.durable", .id = 1, .sender = "executor"},
+      {.at_ms = 10, .actor = "executor", .type = "operator.word", .id = 2},
+      {.at_ms = 11, .actor = "executor", .type = "runtime.durable", .id = 8, .sender = "executor"},
+      start_command(12, 3, 8),
+      {.at_ms = 13,
+       .actor = "executor",
+       .type = "tick",
+       .id = 4,
+       .cause = 1,
+       .sender = "executor",
+       .how = outcome::crashed},
+      {.at_ms = 14, .actor = "executor", .type = "runtime.durable", .id = 5, .sender = "executor", .incarnation = 2},
+      {.at_ms = 14, .actor = "executor", .type = "tick", .id = 4, .cause = 1, .sender = "executor", .incarnation = 2},
+      report(20, 1, "started"),
+      report(21, 2, "reached", 2),
+      [] {
+        auto each = failsafe_status(30, 6, true, "\"fence\"");
+        each.incarnation = 2;
+        return each;
+      }(),
+      [] {
+        auto each = failsafe_status(31, 7, true, R"("fence","operator_link")");
+        each.incarnation = 2;
+        return each;
+      }(),
+      report(40, 3, "complete", 2),
+  };
+}
+
+std::map<std::string, verdict> judge(const record& rows, const std::vector<std::uint64_t>& holes = {}) {
+  name_table names;
+  checker all;
+  for (const auto& each : rows)
+    all.take({.run = each.run,
+              .id = each.id,
+              .cause = each.cause,
+              .began_ns = each.at_ms * 1'000'000'000,
+              .duration_ns = 1'000,
+              .actor = names.number(each.actor),
+              .sender = names.number(each.sender),
+              .type = names.number(each.type),
+              .incarnation = each.incarnation,
+              .how = each.how,
+              .body = each.body},
+             names);
+  for (const auto each : holes)
+    all.note_hole(each);
+  std::map<std::string, verdict> result;
+  for (const auto& each : all.judge())
+    result[std::string(each.which->name)] = each.how;
+  return result;
+}
+
+std::map<std::string, verdict> all_held() {
+  std::map<std::string, verdict> result;
+  for (const auto& each : all_rules())
+    result[std::string(each.name)] = verdict::held;
+  return result;
+}
+
+// By the name of a rule: what breaks it, and no other.
+const std::map<std::string, std::function<void(record&)>>& plants() {
+  static const std::map<std::string, std::function<void(record&)>> all{
+      {"cause_before_effect",
+       [](record& r) {
+         r.push_back({.at_ms = 41, .actor = "failsafe", .type = "t", .id = 50, .cause = 3, .sender = "executor"});
+       }},
+      {"one_handler_at_a_time",
+       [](record& r) { // the second is given as if the clock stood still
+         r.push_back({.at_ms = 50, .actor = "failsafe", .type = "t", .id = 51, .sender = "outside"});
+         r.push_back({.at_ms = 45, .actor = "failsafe", .type = "t", .id = 52, .sender = "outside"});
+       }},
+      {"incarnations_rise",
+       [](record& r) {
+         r.push_back(
+             {.at_ms = 41, .actor = "executor", .type = "t", .id = 53, .incarnation = 1, .how = outcome::repetition});
+       }},
+      {"crash_ends_incarnation",
+       [](record& r) {
+         r.push_back({.at_ms = 41, .actor = "failsafe", .type = "t", .id = 54, .how = outcome::crashed});
+         r.push_back({.at_ms = 42, .actor = "failsafe", .type = "t", .id = 55});
+       }},
+      {"handled_once",
+       [](record& r) {
+         r.push_back({.at_ms = 41, .actor = "failsafe", .type = "t", .id = 56});
+         r.push_back({.at_ms = 42, .actor = "failsafe", .type = "t", .id = 56});
+       }},
+      {"third_crash_is_the_last",
+       [](record& r) {
+         for (std::uint32_t n = 1; n <= 4; ++n)
+           r.push_back({.at_ms = 40 + n,
+                        .actor = "failsafe",
+                        .type = "t",
+                        .id = 57,
+                        .incarnation = n,
+                        .how = outcome::crashed});
+       }},
+      {"reports_without_gap", [](record& r) { r[8] = report(21, 1, "reached", 2); }},
+      {"complete_once", [](record& r) { r.push_back(report(41, 4, "reached", 2)); }},
+      {"generation_never_falls", [](record& r) { r.back() = report(40, 3, "complete", 1); }},
+      {"pilot_is_left_alone", [](record& r) { r.push_back(start_command(41, 58, 7)); }},
+      {"restart_starts_nothing", [](record& r) { r.insert(r.begin() + 7, start_command(15, 59, 5)); }},
+      {"latch_holds",
+       [](record& r) {
+         auto each = failsafe_status(32, 60, true, "\"operator_link\"");
+         each.incarnation = 2;
+         r.insert(r.end() - 1, each);
+       }},
+  };
+  return all;
+}
+
+TEST(invariants, a_sound_record_keeps_all_promises) { EXPECT_EQ(judge(sound_record()), all_held()); }
+
+TEST(invariants, each_has_a_requirement_and_a_planted_violation) {
+  for (const auto& each : all_rules()) {
+    EXPECT_TRUE(plants().contains(std::string(each.name))) << each.name;
+    EXPECT_FALSE(each.requirement.empty());
+    EXPECT_TRUE(each.where.starts_with("docs/")) << each.name;
+  }
+  EXPECT_EQ(plants().size(), all_rules().size());
+}
+
+TEST(invariants, a_planted_violation_is_found_and_breaks_no_other_promise) {
+  for (const auto& [name, plant] : plants()) {
+    auto broken = sound_record();
+    plant(broken);
+    auto expected = all_held();
+    expected[name] = verdict::violated;
+    EXPECT_EQ(judge(broken), expected) << name;
+  }
+}
+
+TEST(invariants, what_is_missing_leaves_undecided_what_is_not_certain) {
+  EXPECT_EQ(judge(sound_record(), {1}).at("complete_once"), verdict::undecided) << "nothing found, something missing";
+  auto gap = sound_record();
+  gap.erase(gap.begin() + 8); // report 2
+  EXPECT_EQ(judge(gap).at("reports_without_gap"), verdict::violated);
+  EXPECT_EQ(judge(gap, {1}).at("reports_without_gap"), verdict::undecided);
+  EXPECT_EQ(judge(gap, {2}).at("reports_without_gap"), verdict::violated) << "the hole is elsewhere";
+  auto behind = sound_record();
+  plants().at("complete_once")(behind);
+  EXPECT_EQ(judge(behind, {1}).at("complete_once"), verdict::violated) << "certain, whatever is missing";
+}
+
+TEST(invariants, a_kill_between_two_reports_explains_a_gap) {
+  auto gap = sound_record();
+  gap.erase(gap.begin() + 8);
+  gap.back().run = 2;
+  EXPECT_EQ(judge(gap).at("reports_without_gap"), verdict::undecided);
+}
+
+TEST(invariants, ids_begin_again_with_each_run) {
+  auto twice = sound_record();
+  twice.pop_back(); // the mission is not complete yet
+  for (auto each : sound_record()) {
+    each.run = 2;
+    each.at_ms += 100;
+    if (each.type.starts_with("mission_client"))
+      continue;
+    twice.push_back(each);
+  }
+  EXPECT_EQ(judge(twice), all_held());
+}
+
+} // namespace
+} // namespace godwit::invariants

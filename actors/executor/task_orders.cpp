@@ -38,7 +38,7 @@ vehicle_link::send_command home_request() {
   return command;
 }
 
-std::string task_runner::assignment() const {
+std::string task_runner::what_is_asked() const {
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
     return "to change to " + std::string(io::name_of(mode->to));
@@ -62,7 +62,7 @@ std::string task_runner::assignment() const {
 void task_runner::ask(const world& w, const change_mode& what) {
   const auto command = flight::mode_command(w.view.owner(), what.to);
   if (!command)
-    return fail("this vehicle has no mode " + assignment().substr(std::string("to change to ").size()));
+    return fail("this vehicle has no mode " + what_is_asked().substr(std::string("to change to ").size()));
   expect(w, flight::modes_obeying(w.view.owner(), what.to));
   give_order(w, *command);
 }

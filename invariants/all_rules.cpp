@@ -12,7 +12,7 @@ std::span<const rule> all_rules() {
   static constexpr const char* progress = "docs/architecture.md, How far a mission got";
   static constexpr const char* executor = "docs/actors/executor.md";
   static constexpr const char* failsafe = "docs/actors/failsafe.md";
-  static constexpr std::array<rule, 12> rules{{
+  static constexpr std::array<rule, 11> rules{{
       {"cause_before_effect", "A message is taken after the one that caused it, which its sender took.", inside,
        make_cause_before_effect},
       {"one_handler_at_a_time", "An actor is in one handler at a time.", inside, make_one_handler_at_a_time},
@@ -21,8 +21,6 @@ std::span<const rule> all_rules() {
       {"crash_ends_incarnation", "An exception ends the incarnation.", crash, make_crash_ends_incarnation},
       {"handled_once", "An incarnation handles a message once, and no two messages have the same id.", inside,
        make_handled_once},
-      {"third_crash_is_the_last", "A message that has crashed its handler three times is not given to it again.", crash,
-       make_third_crash_is_the_last},
       {"reports_without_gap", "The reports of a mission are numbered without a gap, and none is two.", progress,
        make_reports_without_gap},
       {"complete_once", "A mission is complete once, and nothing is reported of it behind that.", progress,

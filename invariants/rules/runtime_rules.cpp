@@ -1,7 +1,6 @@
 #include "invariants/rules/runtime_rules.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 namespace godwit::invariants {
@@ -168,29 +167,6 @@ private:
   recent_messages<handled> recent_;
 };
 
-class third_crash_is_the_last final : public invariant {
-public:
-  void take(const delivery& each, const name_table& names) override {
-    if (each.run != run_)
-      crashes_.clear();
-    run_ = each.run;
-    if (each.id == 0 || (each.how != outcome::crashed && crashes_.empty()))
-      return;
-    const auto known = crashes_.find(each.id);
-    if (known != crashes_.end() && known->second == max_crashes)
-      find(certainty::certain, each, {each.id},
-           names.name(each.actor) + " was given a message again that had crashed it three times");
-    if (each.how == outcome::crashed && crashes_.size() < max_known)
-      ++crashes_[each.id];
-  }
-
-private:
-  static constexpr int max_crashes = 3;
-  static constexpr std::size_t max_known = 100'000;
-  std::uint64_t run_ = 0;
-  std::unordered_map<std::uint64_t, int> crashes_; // by the id of the message
-};
-
 } // namespace
 
 std::unique_ptr<invariant> make_cause_before_effect() { return std::make_unique<cause_before_effect>(); }
@@ -198,6 +174,5 @@ std::unique_ptr<invariant> make_one_handler_at_a_time() { return std::make_uniqu
 std::unique_ptr<invariant> make_incarnations_rise() { return std::make_unique<incarnations_rise>(); }
 std::unique_ptr<invariant> make_crash_ends_incarnation() { return std::make_unique<crash_ends_incarnation>(); }
 std::unique_ptr<invariant> make_handled_once() { return std::make_unique<handled_once>(); }
-std::unique_ptr<invariant> make_third_crash_is_the_last() { return std::make_unique<third_crash_is_the_last>(); }
 
 } // namespace godwit::invariants

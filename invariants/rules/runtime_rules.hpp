@@ -12,6 +12,5 @@ namespace godwit::invariants {
 [[nodiscard]] std::unique_ptr<invariant> make_incarnations_rise();
 [[nodiscard]] std::unique_ptr<invariant> make_crash_ends_incarnation();
 [[nodiscard]] std::unique_ptr<invariant> make_handled_once();
-[[nodiscard]] std::unique_ptr<invariant> make_third_crash_is_the_last();
 
 } // namespace godwit::invariants

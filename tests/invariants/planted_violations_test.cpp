@@ -149,16 +149,6 @@ const std::map<std::string, std::function<void(record&)>>& plants() {
          r.push_back({.at_ms = 41, .actor = "failsafe", .type = "t", .id = 56});
          r.push_back({.at_ms = 42, .actor = "failsafe", .type = "t", .id = 56});
        }},
-      {"third_crash_is_the_last",
-       [](record& r) {
-         for (std::uint32_t n = 1; n <= 4; ++n)
-           r.push_back({.at_ms = 40 + n,
-                        .actor = "failsafe",
-                        .type = "t",
-                        .id = 57,
-                        .incarnation = n,
-                        .how = outcome::crashed});
-       }},
       {"reports_without_gap", [](record& r) { r[8] = report(21, 1, "reached", 2); }},
       {"complete_once", [](record& r) { r.push_back(report(41, 4, "reached", 2)); }},
       {"generation_never_falls", [](record& r) { r.back() = report(40, 3, "complete", 1); }},

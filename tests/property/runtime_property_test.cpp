@@ -13,6 +13,7 @@
 
 #include "runtime/simulation/simulation.hpp"
 #include "tests/support/ledger.hpp"
+#include "tests/support/recorded_promises.hpp"
 
 namespace godwit::tests {
 
@@ -88,7 +89,7 @@ child_policy patient() {
 }
 
 struct process {
-  process(simulated_disk& disk, audit& seen, std::uint64_t seed) : world(disk, seed, {}, false) {
+  process(simulated_disk& disk, audit& seen, std::uint64_t seed, bool is_traced) : world(disk, seed, {}, is_traced) {
     auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
     ledger = world.actors().add<ledger_actor>({.name = "ledger"}, patient(), auditor);
     relay = world.actors().add<relay_actor>({.name = "relay"}, patient(), ledger);
@@ -108,6 +109,9 @@ struct history {
 
 class run {
 public:
+  // Recording takes as long as all the rest: only each so manieth run does.
+  static constexpr std::uint64_t recorded_each = 8;
+
   explicit run(std::uint64_t seed) : seed_(seed) { start(); }
 
   void apply(const op& each) {
@@ -153,6 +157,7 @@ public:
       world.journal().break_writes_of("ledger", 1);
       break;
     case op_kind::process_killed:
+      promises_.take(process_->world.trace().lines());
       process_.reset();
       ++process_kills_;
       start();
@@ -170,9 +175,11 @@ public:
     process_->world.advance(1s);
     RC_ASSERT(asked_balance->answers == 1);
     final_ = asked_balance->answer;
+    promises_.take(process_->world.trace().lines());
   }
 
   void check() const {
+    RC_ASSERT(promises_.broken() == std::string());
     auto accounted = dead_keys("test.receipt"); // crashed the auditor too often: given up, but on record
     for (const auto& [key, times] : seen_.receipts) {
       RC_ASSERT(times == 1 || process_kills_ > 0); // the auditor itself keeps no memory over a killed process
@@ -201,7 +208,7 @@ public:
 
 private:
   void start() {
-    process_ = std::make_unique<process>(disk_, seen_, seed_);
+    process_ = std::make_unique<process>(disk_, seen_, seed_, seed_ % recorded_each == 0);
     process_->world.step(0);
   }
 
@@ -228,6 +235,7 @@ private:
   std::int64_t key_ = 0;
   int process_kills_ = 0;
   std::unique_ptr<process> process_;
+  recorded_promises promises_;
 };
 
 RC_GTEST_PROP(runtime_property, nothing_acknowledged_is_lost_and_no_effect_is_doubled, ()) {

@@ -37,9 +37,10 @@ public:
 
   using item = std::variant<schema_record, channel_record, message_record, metadata_record, unreadable, end_of_file>;
 
-  // The source must outlive the reader. What it grows by later is not read.
-  explicit salvage_reader(const byte_source& source, read_limits limits = {})
-      : source_{source}, limits_{limits}, size_bytes_{source.size_bytes()} {}
+  // The source must outlive the reader. What it grows by later is not read: another reader goes on at BEGIN, where this
+  // one found the file cut.
+  explicit salvage_reader(const byte_source& source, read_limits limits = {}, std::uint64_t begin = 0)
+      : source_{source}, limits_{limits}, size_bytes_{source.size_bytes()}, offset_{begin}, has_started_{begin != 0} {}
 
   // Views in the item are valid until the next call. After end_of_file or an error every call gives the same again.
   [[nodiscard]] result<item> next();
@@ -68,11 +69,11 @@ private:
   byte_buffer window_; // a part of the file
   std::uint64_t window_offset_ = 0;
   std::size_t window_bytes_ = 0;
-  std::uint64_t offset_ = 0;      // of the next record
+  std::uint64_t offset_;          // of the next record
   std::uint64_t next_offset_ = 0; // behind the record that is being looked at
   byte_view chunk_;               // what is left of the records in a chunk
   std::uint64_t searched_bytes_ = 0;
-  bool has_started_ = false;
+  bool has_started_;
   bool is_behind_data_ = false; // the end of the data section was seen
   bool is_done_ = false;
 };

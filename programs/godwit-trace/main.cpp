@@ -1,4 +1,4 @@
-// godwit-trace: MAVLink logs and links, made readable. See `godwit-trace --help`.
+// godwit-trace: what the actors did, and MAVLink logs and links, made readable. See `godwit-trace --help`.
 #include <csignal>
 #include <vector>
 
@@ -31,7 +31,8 @@ int main(int argc, char** argv) {
   output out(STDOUT_FILENO);
   output words(STDERR_FILENO);
   console to{out, words, ::isatty(STDOUT_FILENO) != 0};
-  CLI::App app{"Shows what MAVLink logs hold and what arrives on MAVLink links.", "godwit-trace"};
+  CLI::App app{"Shows what the actors of godwit did, what MAVLink logs hold, and what arrives on MAVLink links.",
+               "godwit-trace"};
   app.footer("godwit-trace COMMAND --help shows the options of a command, with examples.");
   app.require_subcommand(1);
   std::vector<command> commands;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -37,7 +38,7 @@ trace_reader::trace_reader(std::vector<trace_file> files, name_table& names, tim
 
 bool trace_reader::next(delivery& to) {
   for (;;) {
-    if (!reader_ && !open_next())
+    if (resume_at_ ? !go_on() : !reader_ && !open_next())
       return false;
     const auto item = reader_->next();
     if (!item) {
@@ -58,7 +59,35 @@ bool trace_reader::next(delivery& to) {
   }
 }
 
+void trace_reader::look_for_files() {
+  if (!list_)
+    return;
+  for (auto& each : list_()) {
+    const bool is_newer =
+        files_.empty() || std::tie(each.run, each.number) > std::tie(files_.back().run, files_.back().number);
+    if (is_newer)
+      files_.push_back(std::move(each));
+  }
+}
+
+// The open file may have grown, or has been ended and followed by another one.
+bool trace_reader::go_on() {
+  look_for_files();
+  auto now = std::make_unique<io::mcap::file_source>();
+  const bool is_there = now->open(files_[next_file_ - 1].path).has_value();
+  const bool has_grown = is_there && now->size_bytes() > *resume_at_;
+  if (!has_grown && next_file_ == files_.size())
+    return false;
+  if (is_there)
+    source_ = std::move(now); // else it was deleted to keep the bound, and what we have of it is all
+  reader_.emplace(*source_, io::mcap::read_limits{}, *resume_at_);
+  resume_at_.reset();
+  return true;
+}
+
 bool trace_reader::open_next() {
+  if (next_file_ == files_.size())
+    look_for_files();
   while (next_file_ < files_.size()) {
     const auto& file = files_[next_file_++];
     begin_run(file);
@@ -200,6 +229,11 @@ void trace_reader::take(const io::mcap::metadata_record& metadata) {
 
 // A cut is a hole only if records of this run stand behind it.
 void trace_reader::take(const io::mcap::unreadable& lost) {
+  if (list_ && lost.is_cut && next_file_ == files_.size()) {
+    resume_at_ = lost.offset;
+    reader_.reset();
+    return;
+  }
   const bool is_last = next_file_ == files_.size() || files_[next_file_].run != run_;
   note({.kind = lost.is_cut ? loss_kind::cut : loss_kind::unreadable,
         .offset = lost.offset,

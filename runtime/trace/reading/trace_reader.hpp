@@ -47,6 +47,10 @@ public:
   // False: there are no more. Views in TO are valid until the next call.
   [[nodiscard]] bool next(delivery& to);
 
+  // For a trace that is being written: next() gives false where nothing more stands now, and may be called again later.
+  // LIST gives all files that there are then. Before the first next().
+  void follow(std::function<std::vector<trace_file>()> list) { list_ = std::move(list); }
+
   [[nodiscard]] const std::vector<loss>& losses() const { return losses_; }
   [[nodiscard]] std::uint64_t losses_not_kept() const { return losses_not_kept_; }
   [[nodiscard]] const read_counts& counts() const { return counts_; }
@@ -63,6 +67,8 @@ private:
   };
 
   [[nodiscard]] bool open_next();
+  void look_for_files();
+  [[nodiscard]] bool go_on();
   [[nodiscard]] bool is_wanted(const io::mcap::file_summary& summary) const;
   void begin_run(const trace_file& file);
   void define(io::mcap::channel_id id, std::string_view topic);
@@ -95,6 +101,8 @@ private:
   std::uint64_t losses_not_kept_ = 0;
   read_counts counts_;
   std::function<void(std::uint64_t, std::uint64_t)> progress_;
+  std::function<std::vector<trace_file>()> list_; // empty: the trace is not followed
+  std::optional<std::uint64_t> resume_at_;        // offset in the open file, of which no more is there yet
 };
 
 } // namespace godwit::runtime

@@ -108,6 +108,31 @@ TEST(trace_reader, a_segment_that_is_being_written_is_read_and_its_cut_is_named_
   EXPECT_FALSE(seen.losses[0].is_hole);
 }
 
+TEST(trace_reader, a_trace_that_is_being_written_is_followed_over_its_segments) {
+  const tests::trace_folder folder;
+  written_trace trace(folder.path(), 1, 32U << 10U);
+  const std::string path = folder.path().string();
+  const auto list = [&] { return find_trace_files(std::span(&path, 1)).value_or(std::vector<trace_file>{}); };
+  name_table names;
+  trace_reader reader({}, names);
+  reader.follow(list);
+  delivery each;
+  EXPECT_FALSE(reader.next(each)) << "there is no file yet";
+  std::uint64_t seen = 0;
+  for (std::uint64_t n = 1; n <= 500; ++n) {
+    trace.add({.at_ms = static_cast<std::int64_t>(n), .actor = "a", .type = "t", .id = n});
+    if (n % 7 != 0)
+      continue;
+    trace.flush();
+    while (reader.next(each))
+      ASSERT_EQ(each.id, ++seen);
+    ASSERT_EQ(seen, n);
+    ASSERT_FALSE(reader.next(each)) << "and nothing twice";
+  }
+  EXPECT_GT(reader.counts().files, 2U);
+  EXPECT_TRUE(reader.losses().empty());
+}
+
 TEST(trace_reader, missing_segments_and_a_missing_begin_are_told) {
   const tests::trace_folder folder;
   write_many(folder.path(), 2000);

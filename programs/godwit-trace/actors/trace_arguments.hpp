@@ -1,0 +1,49 @@
+// What all commands about the actors' trace take: which trace, which part of it, and how it is printed.
+//
+// Errors: sentences for people. Thread: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <tl/expected.hpp>
+
+#include "programs/godwit-trace/output.hpp"
+#include "runtime/trace/reading/ordered_reader.hpp"
+
+namespace godwit::trace_tool {
+
+// As they stand on the command line.
+struct trace_arguments {
+  std::vector<std::string> paths;
+  std::string from;
+  std::string to;
+  std::optional<std::uint64_t> run;
+  bool json = false;
+};
+
+// TO must live as long as COMMAND.
+void add_trace_arguments(CLI::App& command, trace_arguments& to);
+
+// A trace that is being read, in order of time.
+struct opened_trace {
+  opened_trace(std::vector<runtime::trace_file> files, runtime::time_span_ns span)
+      : reader(std::move(files), names, span), ordered(reader) {}
+
+  runtime::name_table names;
+  runtime::trace_reader reader;
+  runtime::ordered_reader ordered;
+};
+
+// Once for each pass: what has been read is gone.
+[[nodiscard]] tl::expected<std::unique_ptr<opened_trace>, std::string> open_trace(const trace_arguments& given,
+                                                                                  console& to);
+
+// Says on TO.words what the trace does not hold, at most a few sentences.
+void say_losses(const runtime::trace_reader& reader, console& to);
+
+} // namespace godwit::trace_tool

@@ -8,6 +8,7 @@ import io
 import json
 import os
 import pathlib
+import random
 import re
 import resource
 import shlex
@@ -117,6 +118,24 @@ class Trace(unittest.TestCase):
         finally:
             follower.kill()
             follower.wait()
+
+    def test_after_a_kill_at_any_moment_all_that_was_flushed_is_read_and_the_cut_is_named(self):
+        rounds = 100 if os.environ.get("TEST_FULL") else 10
+        for n in range(rounds):
+            folder = self.folder / f"killed{n}"
+            folder.mkdir()
+            writer = subprocess.Popen([WRITE_TRACE, folder, "1000000000"])
+            time.sleep(0.02 + 0.1 * random.random())
+            writer.kill()
+            writer.wait()
+            if not list(folder.iterdir()):
+                continue  # killed before its first file
+            seen = json.loads(self.run_tool("ls", folder, "--json"))
+            self.assertTrue({each["kind"] for each in seen["losses"]} <= {"cut"}, seen["losses"])
+            self.assertFalse(any(each["is_hole"] for each in seen["losses"]))
+            numbers = [int(row["time_ns"]) for row in csv.DictReader(io.StringIO(
+                self.run_tool("export", folder, "--format", "csv", "--limit", "100000")))]
+            self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 20_000 * len(numbers), 20_000)) if numbers else [])
 
     def test_a_promise_that_is_broken_is_exit_code_1(self):
         self.run_tool("verify", "trace")

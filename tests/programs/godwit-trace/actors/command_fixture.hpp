@@ -1,6 +1,7 @@
 // Runs a command of godwit-trace as its command line would.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -48,6 +48,7 @@ actor::behavior_type actor::handlers() {
           on<mission_progress>([this, then](const mission_progress& m) { then(core_->on_progress(m, now())); }),
           on<item_reached>([this, then](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
           on<status_text>([this, then](const status_text& m) { then(core_->on_status_text(m, now())); }),
+          on<plan_judged>([this, then](const plan_judged& m) { then(core_->on_plan_judged(m, now())); }),
           on<set_mission>([this, then](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
           on<get_port>([this](const get_port&) {
             auto result = core_->describe(now());

@@ -1,6 +1,7 @@
 #include "actors/ground_port/core.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "actors/ground_port/about.hpp"
@@ -212,6 +213,7 @@ effects core::on_time(instant now) {
   decision_context t(*this, now);
   channel_.on_silence(now, [&](const auto& frame) { take_frame(t, io::link::every_peer, frame); });
   go_on(t, server_->on_time(now.monotonic_ns));
+  dispatch_effect(t);
   if (const auto record = starts_.on_time(now))
     t.note(start_noted{*record});
   if (now.monotonic_ns >= next_beat_ns_)
@@ -246,8 +248,11 @@ void core::finish(decision_context& t) {
 }
 
 std::int64_t core::next_deadline_ns() const {
-  return std::min({next_beat_ns_, server_->next_deadline_ns(), starts_.next_deadline_ns(), report_.next_due_ns(),
-                   params_.next_due_ns(), texts_.next_due_ns()});
+  const bool waits = !held_.empty() && held_.front().on_disk_ns;
+  const auto judged_by_ns =
+      waits ? *held_.front().on_disk_ns + judged_within_ns : std::numeric_limits<std::int64_t>::max();
+  return std::min({next_beat_ns_, judged_by_ns, server_->next_deadline_ns(), starts_.next_deadline_ns(),
+                   report_.next_due_ns(), params_.next_due_ns(), texts_.next_due_ns()});
 }
 
 // -- what is shown --------------------------------------------------------------------------------
@@ -290,6 +295,7 @@ port_description core::describe(instant now) const {
                    {"acts_unanswered", counts_.acts_unanswered},
                    {"not_sent", counts_.not_sent},
                    {"texts_dropped", texts_.dropped()},
+                   {"plans_refused", counts_.plans_refused},
                    {"transfers_dropped", server_->dropped() + counts_.waiting_for_disk + counts_.held_dropped},
                    {"stations_refused", stations_.refused()},
                    {"stations_evicted", stations_.evicted()}};

@@ -43,6 +43,7 @@
 #include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/signing/channel.hpp"
+#include "messages/ground_port/plan_judged.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
 #include "runtime/condition.hpp"
@@ -54,6 +55,8 @@ using mavlink::signing_settings;
 
 // Plans and start items that wait for the disk. At the bound stations are not heard about plans, and repeat themselves.
 inline constexpr std::size_t max_waiting_for_disk = 16;
+// The executor has said by then what became of a plan; a station waits for about as long.
+inline constexpr std::int64_t judged_within_ns = 1'000'000'000;
 // What is to be told when they are on the disk.
 inline constexpr std::size_t max_held_messages = 64;
 // An answer that a crash has delayed for longer is not sent: the station has given up by then, and could take it for
@@ -87,6 +90,7 @@ public:
   [[nodiscard]] effects on_progress(const mission_progress& m, instant now);
   [[nodiscard]] effects on_item_reached(const item_reached& m, instant now);
   [[nodiscard]] effects on_status_text(const status_text& m, instant now);
+  [[nodiscard]] effects on_plan_judged(const plan_judged& m, instant now);
   [[nodiscard]] effects on_set_mission(const set_mission& m, instant now);
   [[nodiscard]] effects on_start_answer(const executor::start_answer& m, instant now);
   [[nodiscard]] effects on_current_answer(std::uint64_t request, const executor::current_answer& m, instant now);
@@ -182,6 +186,7 @@ private:
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 
   // core_mission.cpp
+  struct held; // waits for the disk
   struct set_current_request {
     std::optional<vehicle_role::order> by_command; // none: by MISSION_SET_CURRENT
     mavlink::sender from;
@@ -191,6 +196,8 @@ private:
   void note_change(decision_context& t, const mission_server::plan_change& change,
                    std::optional<mavlink::mission_ack> ack);
   void tell(decision_context& t, const mission_server::reaction& what);
+  void dispatch_effect(decision_context& t);
+  void take_back(decision_context& t, held& refused);
   void choose_current(decision_context& t, const set_current_request& set_current);
   void refuse_current(decision_context& t, const set_current_request& set_current, mavlink::mav_result result,
                       const std::string& text);
@@ -229,9 +236,14 @@ private:
     std::size_t items = 0;
   };
   std::array<shown, mission_server::plan_types> shown_;
+  std::array<std::vector<mavlink::mission_item_int>, mission_server::plan_types> resolved_; // what a refusal leaves
   struct held {
     std::uint64_t ticket = 0;
     mission_server::reaction reaction;
+    std::optional<mavlink::mav_mission_type> judges = {}; // the executor says what became of the plan of this type
+    std::uint32_t plan_id = 0;                            // of that plan
+    std::optional<plan_judged> judged = {};
+    std::optional<std::int64_t> on_disk_ns = {};
   };
   std::deque<held> held_;
   std::uint64_t first_ticket_;
@@ -271,6 +283,7 @@ private:
     std::uint64_t not_sent = 0;         // while the link was down
     std::uint64_t waiting_for_disk = 0; // messages of stations that were not taken at the bound
     std::uint64_t held_dropped = 0;
+    std::uint64_t plans_refused = 0; // by the executor
   };
   counters counts_;
 };

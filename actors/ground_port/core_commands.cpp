@@ -175,7 +175,11 @@ bool core::send_message(decision_context& t, io::link::peer_id to, std::uint32_t
   }
   const auto& newest = gate_.newest(id);
   if (id == mavlink::autopilot_version::message_id) {
-    t.send(to, version_to_show(newest ? std::optional(std::get<mavlink::autopilot_version>(*newest)) : std::nullopt));
+    auto version =
+        version_to_show(newest ? std::optional(std::get<mavlink::autopilot_version>(*newest)) : std::nullopt);
+    if (newest && is_passing(t.now.monotonic_ns)) // what the vehicle can do is reached through us
+      version.capabilities |= std::get<mavlink::autopilot_version>(*newest).capabilities;
+    t.send(to, version);
     return true;
   }
   if (id == mavlink::mission_current::message_id) {

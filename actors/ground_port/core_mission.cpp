@@ -67,7 +67,13 @@ void core::go_on(decision_context& t, mission_server::reaction next) {
     const auto ack = ack_in(next);
     for (std::size_t i = 0; i < next.changes.size(); ++i)
       note_change(t, next.changes[i], i + 1 == next.changes.size() ? ack : std::nullopt);
-    held_.push_back({next_ticket_ - 1, std::move(next)});
+    held waits{next_ticket_ - 1, std::move(next)};
+    const auto change = waits.reaction.changes.back();
+    if (has_executor_ && waits.reaction.changes.size() == 1 &&
+        change.kind == mission_server::plan_change_kind::replaced)
+      waits.judges = change.type;
+    waits.plan_id = change.plan_id;
+    held_.push_back(std::move(waits));
     return;
   }
   if (held_.empty()) {
@@ -119,17 +125,70 @@ effects core::on_durable(const plan_resolved& m, instant now) {
     return std::move(t.done);
   }
   note_on_disk();
-  if (!held_.empty() && held_.front().ticket == m.ticket) {
-    const auto reaction = std::move(held_.front().reaction);
-    held_.pop_front();
-    if (held_.empty())
-      show_plans();
-    tell(t, reaction);
-  } else if (held_.empty()) {
+  for (auto& each : held_)
+    if (each.ticket == m.ticket)
+      each.on_disk_ns = now.monotonic_ns;
+  if (held_.empty())
     show_plans(); // of the executor's: no station waits for it
-  }
+  dispatch_effect(t);
   finish(t);
   return std::move(t.done);
+}
+
+effects core::on_plan_judged(const plan_judged& m, instant now) {
+  decision_context t(*this, now);
+  for (auto& each : held_)
+    if (each.judges == m.type && each.plan_id == m.plan_id && !each.judged) {
+      each.judged = m;
+      break;
+    }
+  dispatch_effect(t);
+  finish(t);
+  return std::move(t.done);
+}
+
+// In order: what is on the disk, and judged where the executor has to say what became of it.
+void core::dispatch_effect(decision_context& t) {
+  while (!held_.empty() && held_.front().on_disk_ns) {
+    auto& next = held_.front();
+    const bool is_late = t.now.monotonic_ns - *next.on_disk_ns >= judged_within_ns;
+    if (next.judges && !next.judged && !is_late)
+      return;
+    auto waits = std::move(next);
+    held_.pop_front();
+    if (waits.judges && !(waits.judged && waits.judged->is_taken))
+      take_back(t, waits);
+    if (held_.empty())
+      show_plans();
+    tell(t, waits.reaction);
+  }
+}
+
+// The plan from before is still the one, and the station hears so. Without an answer nobody knows: what is here stays.
+void core::take_back(decision_context& t, held& refused) {
+  const auto type = *refused.judges;
+  for (auto& each : refused.reaction.messages)
+    if (auto* const ack = std::get_if<mavlink::mission_ack>(&each)) {
+      ack->type =
+          mavlink::number(refused.judged ? mavlink::mav_mission_result::denied : mavlink::mav_mission_result::error);
+      ack->opaque_id = 0;
+    }
+  if (!refused.judged) {
+    t.say(mav_severity::warning, "Upload: the executor does not answer");
+    return;
+  }
+  ++counts_.plans_refused;
+  if (!held_.empty() || server_->is_receiving() || server_->plan(type).id != refused.plan_id)
+    return; // another one has taken its place already
+  server_->put_plan(type, resolved_[place_of(type)]);
+  ++waiting_for_disk_;
+  plan_noted event;
+  event.ticket = next_ticket_++;
+  event.type = type;
+  event.plan_id = server_->plan(type).id;
+  event.items = keep(server_->plan(type).items);
+  event.from_executor = true;
+  t.note(std::move(event));
 }
 
 void core::note_on_disk() {
@@ -142,6 +201,7 @@ void core::show_plans() {
   for (const auto type : all_types) {
     const auto& plan = server_->plan(type);
     shown_[place_of(type)] = {plan.id, plan.items.size()};
+    resolved_[place_of(type)] = plan.items;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "messages/ground_port/description.hpp"
 #include "messages/ground_port/mission.hpp"
 #include "messages/ground_port/operator_link.hpp"
+#include "messages/ground_port/plan_judged.hpp"
 #include "messages/ground_port/port.hpp"
 #include "runtime/define_message.hpp"
 
@@ -9,6 +10,7 @@ GODWIT_DEFINE_MESSAGE(godwit::ground_port::get_port);
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::item_reached);
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::mission_progress);
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::operator_link);
+GODWIT_DEFINE_MESSAGE(godwit::ground_port::plan_judged);
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::port_description);
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::set_mission);
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::status_text);

@@ -32,6 +32,14 @@ std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
   return mission::uuid_of_text("a ground station's plan " + std::to_string(plan_id) + " at " + std::to_string(wall_ns));
 }
 
+// Behind a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
+bool prepare_again(flight_context& flight) {
+  if (!flight.wanted.hand_back || flight.is_in_flight() || flight.s.status.now != phase::paused)
+    return false;
+  flight.wanted.put_go_on();
+  return true;
+}
+
 } // namespace
 
 // -- what they upload -------------------------------------------------------------------------------
@@ -135,9 +143,8 @@ effects gcs_view::on_start(const start_mission& m, instant now) {
     tasks_.answer_start(out, m.key, start_verdict::no_such_item, why);
   else if (flight_.has_person() && !watch_.may_hand_back(m.asked_by))
     tasks_.answer_start(out, m.key, start_verdict::not_ready, flight_.s.status.reason);
-  else if (hand_back(); fly_again(out, now))
-    tasks_.answer_start(out, m.key, start_verdict::not_ready,
-                        "it was flown, and is prepared anew; start it when it is ready");
+  else if (hand_back(); fly_again(out, now) || prepare_again(flight_))
+    tasks_.answer_start(out, m.key, start_verdict::not_ready, "it is prepared anew; start it when it is ready");
   else if (flight_.wanted.start || flight_.runner.is_busy())
     tasks_.answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + flight_.sentence());
   else

@@ -17,13 +17,11 @@ constexpr phase_set of(P... each) {
 
 constexpr phase_set any = (1U << phase_count) - 1;
 constexpr phase_set on_the_way = of(flying, landing);
-constexpr phase_set over = of(post_flight, done, aborted);
 constexpr phase_set at_rest_or_prepared = of(disconnected, connected, preflight, ready, post_flight, done, aborted);
 
 bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
 // Or it flies the way home, which is no part of the mission.
 bool is_plan_finished(const flight_context& c) { return c.is_plan_finished() || c.is_on_way_home(); }
-bool stands(const flight_context& c) { return !c.is_in_flight() && !c.view.is_moving(); }
 bool has_person(const flight_context& c) { return c.has_person(); }
 bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
 bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && is_plan_finished(c); }
@@ -46,7 +44,6 @@ struct named_guard {
 
 constexpr named_guard no_guard{"", nullptr};
 constexpr named_guard ends_in_air{"in flight, plan finished, in the air", waits_in_air};
-constexpr named_guard stands_without_flight{"no flight, and it does not move", stands};
 constexpr named_guard in_flight{"in flight", is_in_flight};
 constexpr named_guard plan_finished{"plan finished", is_plan_finished};
 constexpr named_guard flown_to_end{"in flight, plan finished", is_flown_to_end};
@@ -152,8 +149,7 @@ constexpr std::array table{
     flies(pauses(trigger::person_took_over, cause::taken_over), flight_bit::if_moving),
     flies(pauses(trigger::failsafe_acts, cause::failsafe), flight_bit::if_moving),
     flies(pauses(trigger::autopilot_failsafe_acts, cause::autopilot_failsafe), flight_bit::if_moving),
-    row(trigger::handed_back, at_rest_or_prepared, stands_without_flight, stays),
-    row(trigger::handed_back, over, no_guard, stays),
+    row(trigger::handed_back, at_rest_or_prepared, no_guard, stays),
     with(row(trigger::handed_back, any, with_foreign_plan, paused), cause::foreign_plan, other_plan),
     with(row(trigger::handed_back, any, without_plan, paused), cause::vehicle_restarted, plan_lost),
     waits(trigger::handed_back, any),

@@ -85,6 +85,14 @@ TEST_P(station_acts, arming_on_the_ground_takes_it_and_what_was_prepared_stays_s
   EXPECT_EQ(world.durable().person, std::nullopt);
 }
 
+TEST_P(station_acts, arming_during_an_upload_ends_it) {
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::uploading, 120)) << world.story();
+  EXPECT_EQ(world.station_does(act_kind::arm).verdict, act_verdict::pass);
+  EXPECT_EQ(world.durable().status.now, phase::paused);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over);
+}
+
 TEST_P(station_acts, a_mode_of_a_vehicle_that_stands_disarmed_takes_nothing) {
   ASSERT_TRUE(make_ready());
   EXPECT_EQ(world.station_does(act_kind::command).verdict, act_verdict::pass);

@@ -3,6 +3,7 @@
 
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -93,7 +94,10 @@ protected:
           record_->set_currents.push_back(m.index);
           return executor::current_answer{executor::current_verdict::going, {}};
         }),
-        on<executor::plan_taken>([this](const executor::plan_taken& m) { record_->plans.push_back(m.plan_id); }),
+        on<executor::plan_taken>([this](const executor::plan_taken& m) {
+          record_->plans.push_back(m.plan_id);
+          tell(record_->port, plan_judged{m.type, m.plan_id, true});
+        }),
         on<executor::plan_cleared>([this](const executor::plan_cleared&) { record_->plans.push_back(0); }),
         on_deferred<executor::station_act, executor::act_answer>(
             [this](const executor::station_act& m, std::uint64_t request) {
@@ -447,7 +451,10 @@ TEST(ground_port_actor, a_process_killed_right_after_the_acknowledgement_still_h
   process again(disk, executor);
   EXPECT_EQ(again.shown().plans[0].plan_id, id);
   again.world.advance(100ms);
-  EXPECT_EQ(executor.plans, std::vector<std::uint32_t>{id}) << "the executor has it once";
+  // It has judged it before the acknowledgement. Told again, because its confirmation died with the process, it is
+  // dropped by its id; this stand-in keeps no ids.
+  ASSERT_FALSE(executor.plans.empty());
+  EXPECT_TRUE(std::ranges::all_of(executor.plans, [&](std::uint32_t each) { return each == id; }));
 }
 
 TEST(ground_port_actor, a_crash_at_any_point_asks_the_executor_for_one_start_only) {

@@ -516,5 +516,38 @@ TEST(ground_port_core, minus_1_keeps_the_current_item) {
   EXPECT_EQ(port.disk.start_item, 2);
 }
 
+// -- what the executor makes of an upload -----------------------------------------------------------
+
+TEST(ground_port_plans, an_upload_that_the_executor_does_not_take_is_denied_and_the_plan_from_before_stays) {
+  port_fixture port;
+  const auto first = port.upload(3);
+  ASSERT_EQ(first.type, 0);
+  port.objects = true;
+  EXPECT_EQ(port.upload(5).type, mavlink::number(mavlink::mav_mission_result::denied));
+  EXPECT_EQ(port.download().size(), 3U);
+  EXPECT_EQ(port.shown().plans[0].plan_id, first.opaque_id);
+  EXPECT_EQ(port.disk.plans.at(0).items.size(), 3U);
+  EXPECT_EQ(port.count_of("plans_refused"), 1U);
+}
+
+TEST(ground_port_plans, an_upload_is_not_accepted_before_the_executor_has_taken_it) {
+  port_fixture port;
+  port.judges = false;
+  EXPECT_EQ(port.upload(3).type, 0xFF) << "no answer yet";
+  port.advance(500 * ms);
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+  const auto plan = port.taken.back();
+  port.judge({plan.type, plan.plan_id, true});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, 0);
+}
+
+TEST(ground_port_plans, an_executor_that_does_not_answer_is_an_error_and_not_an_acceptance) {
+  port_fixture port;
+  port.judges = false;
+  (void)port.upload(3);
+  port.advance(judged_within_ns);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::error));
+}
+
 } // namespace
 } // namespace godwit::ground_port

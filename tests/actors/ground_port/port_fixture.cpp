@@ -191,9 +191,11 @@ void port_fixture::dispatch(const durable_core::effect& each) {
       [this]<class M>(const M& m) {
         if constexpr (std::is_same_v<M, signing_time_reserved>)
           core_->on_reserved(mavlink::signing_time{m.ceiling});
-        else if constexpr (std::is_same_v<M, executor::plan_taken>)
+        else if constexpr (std::is_same_v<M, executor::plan_taken>) {
           taken.push_back(m);
-        else if constexpr (std::is_same_v<M, executor::plan_cleared>)
+          if (judges)
+            carry_out(core_->on_plan_judged({m.type, m.plan_id, !objects}, now()));
+        } else if constexpr (std::is_same_v<M, executor::plan_cleared>)
           cleared.push_back(m);
         else if constexpr (std::is_same_v<M, executor::start_mission>)
           starts.push_back(m);

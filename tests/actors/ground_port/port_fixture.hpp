@@ -80,6 +80,7 @@ public:
   void leaves_act(std::uint64_t request) {
     carry_out(core_->on_act_failed(request, "the executor does not answer", now()));
   }
+  void judge(const plan_judged& m) { carry_out(core_->on_plan_judged(m, now())); }
   void component_says(const vehicle_link::relayed_frame& m) { carry_out(core_->on_relayed(m, now())); }
   // The answer to the last start that was asked for; started: with the progress that follows it.
   void executor_answers(executor::start_verdict verdict, const std::string& reason = {});
@@ -137,6 +138,8 @@ public:
 
   std::vector<transmission> frames;
   std::vector<executor::start_mission> starts;
+  bool judges = true;   // the executor, each plan
+  bool objects = false; // to every plan
   std::vector<executor::plan_taken> taken;
   std::vector<executor::plan_cleared> cleared;
   std::vector<start_request_to_executor> set_currents;

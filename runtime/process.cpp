@@ -51,13 +51,17 @@ process_options options_from(const nlohmann::json& configuration) {
 
 tl::expected<std::unique_ptr<process>, std::string> process::open(process_options options) {
   std::unique_ptr<process> result(new process());
-  options.journal.on_health_change = [health = &result->health_](const journal_status& status) {
-    health->post("journal", status.failing ? health_colour::red : health_colour::green, status.reason);
+  const auto post = [health = &result->health_](const journal_status& status) {
+    const auto well = status.reason.empty() ? health_colour::green : health_colour::yellow;
+    health->post("journal", status.failing ? health_colour::red : well, status.reason);
   };
+  options.journal.on_health_change = post;
+  options.journal.path = journal_in_use(options.journal.path);
   auto journal = sqlite_journal::open(options.journal);
   if (!journal)
     return tl::unexpected(journal.error().message());
   result->journal_ = std::move(*journal);
+  post(result->journal_->status());
   if (options.trace) {
     options.trace->run = result->journal_->status().run;
     auto trace = ring_trace::open(std::move(*options.trace), result->names_, result->time_, result->health_);

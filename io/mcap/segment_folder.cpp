@@ -59,7 +59,8 @@ result<void> segment_folder::open(segment_folder_options options) {
     return checked;
   }
   std::error_code code;
-  fs::create_directories(options_.folder, code);
+  if (fs::create_directories(options_.folder, code))
+    fs::permissions(options_.folder, fs::perms::owner_all, code); // for this user alone
   if (code) {
     return failed(options_.folder, "create folder", code);
   }

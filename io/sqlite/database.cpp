@@ -102,8 +102,17 @@ result<std::string> database::query_text(const std::string& sql) {
 
 bool database::in_transaction() const { return sqlite3_get_autocommit(handle_.get()) == 0; }
 
+void database::leave_log_at_close() { sqlite3_db_config(handle_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr); }
+
 bool database::read_only() const { return sqlite3_db_readonly(handle_.get(), "main") == 1; }
 
 std::int64_t database::changes() const { return sqlite3_changes64(handle_.get()); }
+
+std::string quoted(const std::string& text) {
+  std::string result;
+  for (const char each : text)
+    result += each == '\'' ? "''" : std::string(1, each);
+  return result;
+}
 
 } // namespace godwit::io::sqlite

@@ -45,6 +45,8 @@ public:
   [[nodiscard]] result<std::string> query_text(const std::string& sql);
 
   [[nodiscard]] bool in_transaction() const;
+  // At close the log is neither moved into the file nor deleted: the files at these names may be somebody else's.
+  void leave_log_at_close();
   [[nodiscard]] bool read_only() const;       // also true where SQLite fell back to reading
   [[nodiscard]] std::int64_t changes() const; // rows changed by the last statement
   [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
@@ -59,5 +61,8 @@ private:
 
   handle_ptr handle_;
 };
+
+// For a text in a statement that can not have parameters; without the quotation marks around it.
+[[nodiscard]] std::string quoted(const std::string& text);
 
 } // namespace godwit::io::sqlite

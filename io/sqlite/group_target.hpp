@@ -58,6 +58,10 @@ public:
   // Between transactions, while the disk works. BUSY: items wait.
   virtual void look_after_log(bool busy) = 0;
 
+  // At most once a look_period: is the file still what it was? An error lasts until the target itself has mended it,
+  // and begin() fails with it meanwhile.
+  [[nodiscard]] virtual store_result<void> look_at_file() { return {}; }
+
   // The last call.
   virtual void close() = 0;
 };

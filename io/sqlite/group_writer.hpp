@@ -94,6 +94,7 @@ public:
 private:
   enum class outcome { committed, try_later, one_left_out, all_failed };
 
+  static constexpr std::chrono::seconds look_period{1};
   // Long work gets a turn in this time even while items never cease, so that it ends at all.
   static constexpr std::chrono::milliseconds turn_patience{100};
 
@@ -105,6 +106,13 @@ private:
     end();
   }
   void collect(time_point now);
+  void look_at_file(time_point now) {
+    if (now - last_look_ < look_period)
+      return;
+    last_look_ = now;
+    if (const auto seen = target_.look_at_file(); !seen && !health_.is_failing())
+      health_.failed(seen.error(), now);
+  }
   // Long work can be done again; closing does not wait for it.
   [[nodiscard]] bool has_ended() const {
     return close_deadline_ && (backlog_.empty() || options_.clock() >= *close_deadline_);
@@ -142,6 +150,7 @@ private:
   typename work_queue<Item>::backlog backlog_; // collected, not finished
   std::optional<time_point> close_deadline_;   // set when closing begins
   time_point last_turn_{};
+  time_point last_look_{};
 
   std::mutex close_mutex_;
   bool closed_ = false;
@@ -153,6 +162,7 @@ template <class Item>
 void group_writer<Item>::run_once() {
   const auto now = options_.clock();
   collect(now);
+  look_at_file(now);
   if (health_.may_try(now)) {
     run_barriers();
     const bool long_work_waits_long = now - last_turn_ > turn_patience;
@@ -170,7 +180,7 @@ void group_writer<Item>::run_once() {
 template <class Item>
 std::optional<typename group_writer<Item>::time_point> group_writer<Item>::next_run() {
   if (backlog_.empty() && !close_deadline_ && !target_.has_turn())
-    return std::nullopt;
+    return has_thread_ ? std::optional(last_look_ + look_period) : std::nullopt;
   if (!health_.is_failing())
     return time_point{};
   return close_deadline_ ? std::min(health_.next_try(), *close_deadline_) : health_.next_try();

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace godwit::io::sqlite {
@@ -43,19 +44,44 @@ store_result<lock_file> lock_file::acquire(const store_kind& kind, const std::st
   return held;
 }
 
-lock_file::lock_file(lock_file&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+store_result<void> lock_file::hold(const store_kind& kind, const std::string& path) {
+  database_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (database_ < 0)
+    return tl::unexpected(system_error(kind, path, errno, "opening it"));
+  struct stat info {};
+  if (::fstat(database_, &info) != 0)
+    return tl::unexpected(system_error(kind, path, errno, "looking at it"));
+  if (info.st_nlink > 1)
+    return tl::unexpected(store_error{store_errc::foreign, path,
+                                      "the file has " + std::to_string(info.st_nlink) +
+                                          " names (hard links), and each would have a log of its own",
+                                      "Remove the other names, or make a copy for them"});
+  if (::flock(database_, LOCK_EX | LOCK_NB) == 0)
+    return {};
+  if (errno != EWOULDBLOCK)
+    return tl::unexpected(system_error(kind, path, errno, "locking it"));
+  return tl::unexpected(store_error{store_errc::locked, path,
+                                    "another process writes this " + kind.name + " already, under another name",
+                                    "End that process, or give this one another " + kind.name});
+}
+
+lock_file::lock_file(lock_file&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), database_(std::exchange(other.database_, -1)) {}
 
 lock_file& lock_file::operator=(lock_file&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
+  std::swap(database_, other.database_);
   return *this;
 }
 
 lock_file::~lock_file() { release(); }
 
 void lock_file::release() {
-  if (descriptor_ >= 0)
-    ::close(descriptor_);
-  descriptor_ = -1;
+  for (auto* each : {&database_, &descriptor_}) {
+    if (*each >= 0)
+      ::close(*each);
+    *each = -1;
+  }
 }
 
 } // namespace godwit::io::sqlite

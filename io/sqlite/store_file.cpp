@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/sqlite/bus_guard.hpp"
 #include "io/sqlite/migration.hpp"
 
 namespace godwit::io::sqlite {
@@ -54,8 +55,8 @@ nothing check_presence(const store_kind& kind, const std::string& path, bool cre
 nothing make_folder_of(const store_kind& kind, const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code failure;
-  if (!folder.empty())
-    std::filesystem::create_directories(folder, failure);
+  if (!folder.empty() && std::filesystem::create_directories(folder, failure))
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, failure); // for this user alone
   if (failure)
     return tl::unexpected(
         store_error{failure == std::errc::no_space_on_device ? store_errc::disk_full : store_errc::read_only, path,
@@ -199,6 +200,9 @@ store_result<store_file> open_for_writing(const store_format& format, const stor
   if (!size_of(options.path))
     if (auto made = make_new(format, options); !made)
       return tl::unexpected(std::move(made.error()));
+  if (auto held = lock->hold(format.kind, options.path); !held)
+    return tl::unexpected(std::move(held.error()));
+  guard_against_bus_errors();
   auto db = open_existing(format, options);
   if (!db)
     return tl::unexpected(std::move(db.error()));

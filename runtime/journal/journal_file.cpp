@@ -1,5 +1,7 @@
 #include "runtime/journal/journal_file.hpp"
 
+#include <filesystem>
+
 #include "runtime/journal/sqlite_error.hpp"
 
 namespace godwit::runtime {
@@ -17,6 +19,15 @@ store_result<void> count_run(database& db, const std::string& path) {
 }
 
 } // namespace
+
+std::string journal_in_use(const std::string& path) {
+  constexpr int most_rescues = 4;
+  auto result = path;
+  std::error_code ignored;
+  for (int i = 0; i < most_rescues && std::filesystem::exists(result + rescued_suffix, ignored); ++i)
+    result += rescued_suffix;
+  return result;
+}
 
 tl::expected<io::sqlite::store_file, journal_error> open_for_writing(const file_options& options) {
   auto opened = io::sqlite::open_for_writing(

@@ -22,6 +22,12 @@ struct file_options {
   std::vector<table_definition> tables;
 };
 
+// Beside the journal, for what was saved of it when its file was lost.
+inline constexpr const char* rescued_suffix = ".rescued";
+
+// PATH, or the file that was saved of it in flight and is gone on with until a person has put it in its place.
+[[nodiscard]] std::string journal_in_use(const std::string& path);
+
 // Migrated, the components' tables too, and its run counter has risen.
 [[nodiscard]] tl::expected<io::sqlite::store_file, journal_error> open_for_writing(const file_options& options);
 

@@ -1,5 +1,10 @@
 #include "runtime/journal/journal_target.hpp"
 
+#include <filesystem>
+#include <utility>
+
+#include "io/sqlite/bus_guard.hpp"
+#include "runtime/journal/journal_file.hpp"
 #include "runtime/journal/overlay.hpp"
 #include "runtime/journal/schema.hpp"
 #include "runtime/journal/sqlite_error.hpp"
@@ -19,10 +24,99 @@ bool builds_on_earlier(const journal_write& write) {
 
 } // namespace
 
-journal_target::journal_target(std::string path, io::sqlite::database db, std::int64_t checkpoint_bytes)
-    : path_(std::move(path)), db_(std::move(db)), store_(db_) {
-  log_.emplace(db_, io::sqlite::log_bounds{checkpoint_bytes, checkpoint_bytes});
+journal_target::journal_target(std::string path, io::sqlite::store_file file, std::int64_t checkpoint_bytes,
+                               file_maker make_file)
+    : checkpoint_bytes_(checkpoint_bytes), make_file_(std::move(make_file)), path_(std::move(path)),
+      bus_errors_(io::sqlite::bus_errors()) {
+  use(std::move(file));
 }
+
+void journal_target::use(io::sqlite::store_file file) {
+  file_.emplace(std::move(file));
+  store_.emplace(file_->db);
+  log_.emplace(file_->db, io::sqlite::log_bounds{checkpoint_bytes_, checkpoint_bytes_});
+  watch_.emplace(path_, file_->lock.database_descriptor());
+}
+
+void journal_target::leave_file() {
+  open_.reset();
+  store_.reset();
+  log_.reset();
+  file_.reset();
+}
+
+std::string journal_target::file() const {
+  const std::lock_guard guard(path_mutex_);
+  return path_;
+}
+
+// -- a file that is not what it was ---------------------------------------------------------------
+
+void journal_target::lose(const io::sqlite::file_trouble& why) {
+  if (lost_)
+    return;
+  lost_ = store_error{why.is_whole ? store_errc::missing : store_errc::corrupt, path_,
+                      why.what + " while it was written; nothing more is written to it, and what comes waits in memory",
+                      "`godwitd ctl rescue-journal` writes all of it to a new file, " + path_ + rescued_suffix};
+  is_lost_whole_ = why.is_whole;
+  file_->db.leave_log_at_close(); // whoever lies at its name now is none of its business
+}
+
+store_result<void> journal_target::look_at_file() {
+  const bool was_bus_error = std::exchange(bus_errors_, io::sqlite::bus_errors()) != io::sqlite::bus_errors();
+  const auto trouble = lost_ ? std::nullopt : watch_->look();
+  if (trouble)
+    lose(*trouble);
+  else if (was_bus_error) // pages were gone, and are back, empty
+    lose({false, "the index of its log was cut"});
+  if (lost_)
+    return tl::unexpected(*lost_);
+  return {};
+}
+
+tl::expected<io::sqlite::store_file, journal_error> journal_target::copy_to(const std::string& path) {
+  if (is_lost_whole_ && file_->db.exec("VACUUM INTO '" + io::sqlite::quoted(path) + "'"))
+    if (auto copied = make_file_(path))
+      return copied;
+  auto made = make_file_(path);
+  if (!made)
+    return made;
+  record_store store(made->db);
+  auto open = io::sqlite::transaction::begin(made->db);
+  const auto doing = [&](const io::sqlite::error& why) {
+    return from_store(io::sqlite::describe(why, journal_format().kind, path, "writing what is in memory"));
+  };
+  if (!open)
+    return tl::unexpected(doing(open.error()));
+  const auto written = copy_.write_to(store).and_then([&] { return open->commit(); });
+  store.close();
+  if (!written)
+    return tl::unexpected(doing(written.error()));
+  return made;
+}
+
+tl::expected<std::string, journal_error> journal_target::rescue() {
+  if (!lost_)
+    return tl::unexpected(journal_error{journal_errc::io, path_,
+                                        "the journal is as it should be, and goes on where it is", "Nothing to do."});
+  const auto fresh = path_ + rescued_suffix;
+  if (std::filesystem::exists(fresh))
+    return tl::unexpected(
+        journal_error{journal_errc::io, fresh, "it is there already", "Move it away, and say it again."});
+  auto copied = copy_to(fresh);
+  if (!copied)
+    return tl::unexpected(std::move(copied.error()));
+  leave_file();
+  {
+    const std::lock_guard guard(path_mutex_);
+    path_ = fresh;
+  }
+  use(*std::move(copied));
+  lost_.reset();
+  return fresh;
+}
+
+// -------------------------------------------------------------------------------------------------
 
 store_error journal_target::describe(const io::sqlite::error& error, const std::string& doing) const {
   return io::sqlite::describe(error, journal_format().kind, path_, doing);
@@ -38,6 +132,8 @@ void journal_target::arrived(queued_item& item) {
     broken_.erase(recovery->actor);
     return;
   }
+  if (!is_write(item.item))
+    return;
   const auto& write = std::get<journal_write>(item.item);
   if (!builds_on_earlier(write))
     return;
@@ -46,7 +142,9 @@ void journal_target::arrived(queued_item& item) {
 }
 
 store_result<void> journal_target::begin() {
-  auto begun = io::sqlite::transaction::begin(db_);
+  if (lost_)
+    return tl::unexpected(*lost_);
+  auto begun = io::sqlite::transaction::begin(file_->db);
   if (!begun)
     return tl::unexpected(describe(begun.error(), "beginning a transaction"));
   open_.emplace(std::move(*begun));
@@ -55,22 +153,26 @@ store_result<void> journal_target::begin() {
 
 store_result<void> journal_target::apply(journal_item& item) {
   const auto& write = std::get<journal_write>(item);
-  if (auto applied = store_.apply(write); !applied)
+  if (auto applied = store_->apply(write); !applied)
     return tl::unexpected(describe(applied.error(), "writing for actor " + write.actor));
   return {};
 }
 
 store_result<void> journal_target::commit() {
+  // What was read since may be wrong.
+  if (io::sqlite::bus_errors() != bus_errors_)
+    if (auto seen = look_at_file(); !seen)
+      return seen;
   if (auto committed = open_->commit(); !committed)
     return tl::unexpected(describe(committed.error(), "committing"));
   open_.reset();
-  store_.keep_numbers();
+  store_->keep_numbers();
   return {};
 }
 
 void journal_target::roll_back() {
   open_.reset();
-  store_.drop_numbers();
+  store_->drop_numbers();
 }
 
 // A damaged file too: what waits is not given up before a person has looked.
@@ -86,6 +188,8 @@ void journal_target::failed(backlog& waiting, std::size_t at) {
         return;
       continue;
     }
+    if (!is_write(waiting[i].item))
+      continue;
     const auto& write = std::get<journal_write>(waiting[i].item);
     if (write.actor == actor && (i == at || builds_on_earlier(write)))
       waiting[i].failed = error;
@@ -95,25 +199,36 @@ void journal_target::failed(backlog& waiting, std::size_t at) {
 
 void journal_target::finish(journal_item& item, const store_result<void>& result) {
   const auto& write = std::get<journal_write>(item);
-  if (result)
+  if (result) {
     events_ += write.events.size();
+    copy_.note(write);
+  }
   if (write.done)
     write.done(result.map_error(from_store));
 }
 
-void journal_target::run(journal_item& recovery) { answer(std::get<queued_recovery>(recovery), {}, 0); }
+void journal_target::run_barrier(journal_item& barrier, const backlog& waiting, std::size_t ahead) {
+  if (auto* wanted = std::get_if<queued_rescue>(&barrier))
+    wanted->callback(rescue());
+  else
+    answer(std::get<queued_recovery>(barrier), waiting, ahead);
+}
+
+void journal_target::run(journal_item& barrier) { run_barrier(barrier, {}, 0); }
 
 bool journal_target::run_early(backlog& waiting, std::size_t at) {
-  answer(std::get<queued_recovery>(waiting[at].item), waiting, at);
+  run_barrier(waiting[at].item, waiting, at);
   return true;
 }
 
 void journal_target::answer(queued_recovery& recovery, const backlog& waiting, std::size_t ahead) {
-  auto state = store_.read(recovery.actor);
+  auto state = lost_ ? copy_.of(recovery.actor) : store_->read(recovery.actor);
   if (!state) {
     recovery.callback(tl::unexpected(from_store(describe(state.error(), "recovering actor " + recovery.actor))));
     return;
   }
+  if (!lost_)
+    copy_.take(recovery.actor, *state);
   for (std::size_t i = 0; i < ahead; ++i) {
     const auto* write = std::get_if<journal_write>(&waiting[i].item);
     if (write != nullptr && !waiting[i].failed && write->actor == recovery.actor)
@@ -128,15 +243,16 @@ void journal_target::give_up(journal_item& item, const std::optional<store_error
     error.what = "it was closed with this undone; the last error: " + from_store(*why).message();
   if (auto* recovery = std::get_if<queued_recovery>(&item))
     recovery->callback(tl::unexpected(error));
+  else if (auto* wanted = std::get_if<queued_rescue>(&item))
+    wanted->callback(tl::unexpected(error));
   else if (auto& write = std::get<journal_write>(item); write.done)
     write.done(tl::unexpected(error));
 }
 
 void journal_target::close() {
-  store_.close();
-  log_->close();
-  log_.reset();
-  db_.close();
+  if (!lost_)
+    log_->close();
+  leave_file();
 }
 
 } // namespace godwit::runtime

@@ -4,7 +4,6 @@
 #include <unordered_map>
 
 #include "io/sqlite/group_writer.hpp"
-#include "io/sqlite/lock_file.hpp"
 #include "runtime/journal/journal_target.hpp"
 #include "runtime/journal/sqlite_error.hpp"
 #include "runtime/journal/write_size.hpp"
@@ -34,8 +33,11 @@ journal_error refused(refusal why, const std::string& path, const std::string& a
 
 struct sqlite_journal::parts {
   parts(const journal_options& options, io::sqlite::store_file file, std::uint64_t run_number)
-      : path(options.path), run(run_number), lock(std::move(file.lock)),
-        target(path, std::move(file.db), static_cast<std::int64_t>(options.checkpoint_bytes)),
+      : path(options.path), run(run_number),
+        target(path, std::move(file), static_cast<std::int64_t>(options.checkpoint_bytes),
+               [vfs = options.vfs, tables = options.tables](const std::string& other) {
+                 return open_for_writing({other, vfs, true, integrity_check::quick, tables});
+               }),
         writer({.queue = {options.max_queued_writes, options.max_queued_bytes},
                 .group = {options.max_group_writes, options.max_group_bytes},
                 .retry = {options.retry_min, options.retry_max},
@@ -52,7 +54,6 @@ struct sqlite_journal::parts {
 
   const std::string path;
   const std::uint64_t run;
-  io::sqlite::lock_file lock; // given back after the target has closed the file
   // The first incarnation of each actor that may still write; one entry for each actor that recovered. Guarded by the
   // writer's queue: submit and recover look at it when they are admitted.
   std::unordered_map<std::string, std::uint64_t> first_valid;
@@ -73,6 +74,9 @@ journal_status sqlite_journal::parts::status() const {
   result.queued = now.queue.items;
   result.fill = now.queue.fill;
   result.run = run;
+  if (const auto in_use = target.file(); !result.failing && in_use.ends_with(rescued_suffix))
+    result.reason = "it is written to " + in_use + "; after the flight look what became of the old one, and put this " +
+                    "one in its place while godwitd does not run";
   return result;
 }
 
@@ -120,15 +124,24 @@ void sqlite_journal::recover(std::string actor, std::uint64_t incarnation, recov
         tl::unexpected(closed_journal(parts_->path)));
 }
 
+void sqlite_journal::rescue(rescued_callback callback) {
+  journal_item item(queued_rescue{std::move(callback)});
+  const auto admitted = [](const journal_item&) { return true; };
+  if (!parts_->writer.push(std::move(item), {.items = 0, .bytes = 0}, admitted)) {
+    std::get<queued_rescue>(item).callback( // NOLINT(bugprone-use-after-move): as above
+        tl::unexpected(closed_journal(parts_->path)));
+    return;
+  }
+  // The next commit says that all is well again.
+  (void)parts_->writer.push(journal_item(journal_write{}), {.items = 0, .bytes = 0}, admitted);
+}
+
 journal_status sqlite_journal::status() const { return parts_->status(); }
 
 bool sqlite_journal::flush(std::chrono::milliseconds timeout) { return parts_->writer.flush(timeout); }
 
 void sqlite_journal::run_once() { parts_->writer.run_once(); }
 
-void sqlite_journal::close() {
-  parts_->writer.close();
-  parts_->lock.release();
-}
+void sqlite_journal::close() { parts_->writer.close(); }
 
 } // namespace godwit::runtime

@@ -1,6 +1,7 @@
 // The journal in one SQLite file: write-ahead log, synchronous FULL, one writer thread (io/sqlite/group_writer.hpp).
 //
-// Files: PATH, PATH-wal and PATH-shm (SQLite's), PATH.lock (who writes). Mode 0600.
+// Files: PATH, PATH-wal and PATH-shm (SQLite's), PATH.lock (who writes), PATH.rescued (what was saved in flight). Mode
+// 0600. Once a second it is looked whether they are still the same; else `failing` until somebody says rescue().
 // Thread: every function from any thread, close and the destructor not from the journal's own callbacks.
 // Source: https://www.sqlite.org/wal.html
 #pragma once
@@ -67,6 +68,12 @@ public:
   void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) override;
 
   [[nodiscard]] journal_status status() const override;
+
+  // The file was deleted, replaced or cut: all that is in memory goes to a new one beside it, and the journal goes on
+  // there. A person says so, because only a person knows what became of the old one. Calls back once, on the writer
+  // thread, with the new file; with an error when the journal is as it should be.
+  using rescued_callback = std::function<void(tl::expected<std::string, journal_error>)>;
+  void rescue(rescued_callback callback);
 
   // Waits until all that was submitted before is durable; false when the time is over or, without a thread, when the
   // disk fails.

@@ -34,6 +34,7 @@ struct position {
   double north_mps = 0;
   double east_mps = 0;
   double down_mps = 0;
+  std::uint32_t boot_ms = 0; // the vehicle's clock: two positions are two when it has gone on between them
 };
 
 // Where its own return leads.

@@ -30,7 +30,7 @@ void fence_watch::on_position(const position& reported, std::int64_t now_ns) {
   newest_ns_ = now_ns;
   if (waiting_.size() == max_waiting_positions)
     waiting_.erase(waiting_.begin() + 1);
-  waiting_.push_back({place_of(reported), now_ns});
+  waiting_.push_back({place_of(reported), now_ns, reported.boot_ms});
 }
 
 place fence_watch::predicted() const {
@@ -42,15 +42,41 @@ place fence_watch::predicted() const {
           here.altitude_m - newest_.down_mps * look_ahead_s};
 }
 
+void fence_watch::set(geofence::fence_set fences) {
+  fences_ = std::move(fences);
+  accused_.reset();
+  is_outside_ = false;
+}
+
+void fence_watch::forget_way() {
+  waiting_.clear();
+  judged_.reset();
+}
+
+bool fence_watch::is_confirmed_by(const fix& next) const {
+  return accused_ && next.boot_ms != accused_->boot_ms &&
+         next.at_ns - accused_->at_ns <= confirmed_within_ms * ns_per_ms;
+}
+
 // The ways between all positions since the last tick. Over a gap no way is drawn: nobody knows where it went.
 std::optional<breach> fence_watch::judge_waiting(bool floor_counts) {
   std::optional<breach> found;
   for (const auto& each : waiting_) {
-    if (!found && judged_ && each.at_ns - judged_->at_ns <= position_stale_ms * ns_per_ms)
-      found = fences_.breach_on(judged_->there, each.there, floor_counts);
-    else if (!found)
-      found = fences_.breach_at(each.there, floor_counts);
-    judged_ = each;
+    const auto gap_ms = accused_ ? confirmed_within_ms : position_stale_ms;
+    const auto outside = judged_ && each.at_ns - judged_->at_ns <= gap_ms * ns_per_ms
+                             ? fences_.breach_on(judged_->there, each.there, floor_counts)
+                             : fences_.breach_at(each.there, floor_counts);
+    const bool is_repeated = is_outside_ && accused_ && each.boot_ms == accused_->boot_ms;
+    is_outside_ = outside && (is_repeated || is_confirmed_by(each));
+    if (is_outside_ && !found)
+      found = outside;
+    if (is_outside_ || !outside)
+      judged_ = each;
+    // The same position again is no second one; of another time it is the one that the next is held against.
+    if (!outside)
+      accused_.reset();
+    else if (!accused_ || each.boot_ms != accused_->boot_ms)
+      accused_ = each;
   }
   waiting_.clear();
   return found;
@@ -58,20 +84,18 @@ std::optional<breach> fence_watch::judge_waiting(bool floor_counts) {
 
 fence_verdict fence_watch::evaluate(std::int64_t now_ns, bool near_ground) {
   if (fences_.size() == 0) {
-    waiting_.clear();
-    judged_.reset();
+    forget_way();
     return {};
   }
   if (!newest_ns_ || now_ns - *newest_ns_ > position_stale_ms * ns_per_ms) {
-    waiting_.clear();
-    judged_.reset();
+    forget_way();
     return {.finding = fence_finding::no_verdict, .found = {}, .ahead = {}};
   }
   const auto here = place_of(newest_);
   const bool floor_counts = floor_reached_ && !near_ground;
   auto found = judge_waiting(floor_counts);
-  if (!found)
-    found = fences_.breach_at(here, floor_counts); // the fences may be new ones
+  if (!found && is_outside_)
+    found = fences_.breach_at(here, floor_counts); // it is still there
   if (found)
     return {.finding = fence_finding::breached, .found = found, .ahead = {}};
   floor_reached_ = floor_reached_ || !fences_.breach_at(here, true);

@@ -1,7 +1,9 @@
 // Whether the vehicle keeps to its fences, by the positions that it reports.
 //
-// Each position is judged together with the way that led to it from the one before. A position that is older than a
-// second says nothing of where the vehicle is now: no verdict. Where it will be in two seconds, at the speed that it
+// Each position is judged together with the way that led to it from the last one that was not outside. One position
+// proves nothing: it may be a jump of the receiver, or made up. A breach is what a second position of another vehicle
+// time says, too, at most two seconds later. A position that is older than a second says nothing of where the vehicle
+// is now: no verdict. Where it will be in two seconds, at the speed that it
 // has, is worth a warning and no more.
 //
 // A fence that keeps in may have a floor, and a vehicle that takes off or lands is below it. So floors count from the
@@ -21,6 +23,7 @@
 namespace godwit::failsafe {
 
 inline constexpr std::int64_t position_stale_ms = 1'000;
+inline constexpr std::int64_t confirmed_within_ms = 2'000;
 inline constexpr double look_ahead_s = 2;
 
 // Positions between two ticks. When more come, the way between them is drawn with fewer points.
@@ -38,7 +41,8 @@ struct fence_verdict {
 
 class fence_watch {
 public:
-  void set(geofence::fence_set fences) { fences_ = std::move(fences); }
+  // They count for positions that come from now on.
+  void set(geofence::fence_set fences);
   void on_position(const position& reported, std::int64_t now_ns);
   void begin_flight() { floor_reached_ = false; }
 
@@ -49,14 +53,19 @@ private:
   struct fix {
     geofence::place there;
     std::int64_t at_ns = 0;
+    std::uint32_t boot_ms = 0;
   };
 
   [[nodiscard]] std::optional<breach> judge_waiting(bool floor_counts);
+  [[nodiscard]] bool is_confirmed_by(const fix& next) const;
+  void forget_way();
   [[nodiscard]] geofence::place predicted() const;
 
   geofence::fence_set fences_;
-  std::deque<fix> waiting_;   // not judged yet
-  std::optional<fix> judged_; // the newest that was
+  std::deque<fix> waiting_;    // not judged yet
+  std::optional<fix> judged_;  // the newest that was inside, or that has confirmed a breach
+  std::optional<fix> accused_; // the newest that was outside
+  bool is_outside_ = false;    // confirmed
   position newest_;
   std::optional<std::int64_t> newest_ns_;
   bool floor_reached_ = false;

@@ -44,7 +44,8 @@ landed sense(const mavlink::extended_sys_state& m) {
 
 position sense(const mavlink::global_position_int& m) {
   return {m.lat * degrees_e7, m.lon * degrees_e7, m.relative_alt * metres_from_mm,
-          m.vx * mps_from_cm, m.vy * mps_from_cm, m.vz * mps_from_cm};
+          m.vx * mps_from_cm, m.vy * mps_from_cm, m.vz * mps_from_cm,
+          m.time_boot_ms};
 }
 
 home_told sense(const mavlink::home_position& m) {

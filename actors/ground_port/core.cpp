@@ -21,8 +21,9 @@ constexpr auto autopilot_component = mavlink::number(mavlink::mav_component::aut
 
 core::core(settings configured, const signing_settings& signing, const state& restored, bool has_executor, instant now)
     : settings_(std::move(configured)), has_executor_(has_executor),
-      channel_(signing, mavlink::signing_time{restored.signing_ceiling}), gate_(settings_.rates),
-      starts_(restored.last_start, now), params_(params_to_show({settings_.as.system, settings_.as.component})),
+      channel_(signing, mavlink::signing_time{restored.signing_ceiling}), stations_(settings_.heartbeats_to_begin),
+      gate_(settings_.rates), starts_(restored.last_start, now),
+      params_(params_to_show({settings_.as.system, settings_.as.component})),
       first_ticket_(static_cast<std::uint64_t>(now.wall_ns)), next_ticket_(first_ticket_),
       start_item_(restored.start_item), noted_start_item_(restored.start_item), next_beat_ns_(now.monotonic_ns) {
   make_server();
@@ -76,8 +77,12 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     return;
   }
   const auto who = frame.from();
+  if (who.system == 0 || who.component == 0) { // no sender has such a name
+    ++counts_.not_accepted;
+    return;
+  }
   if (who.system == settings_.as.system) {
-    take_own_system(t, who);
+    take_own_system(t, peer, frame);
     return;
   }
   auto* const from = stations_.hear(who, peer, t.now.monotonic_ns);
@@ -98,16 +103,27 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
 }
 
 // Components of the vehicle are no stations: an autopilot sends commands to all components of its system, and none of
-// them is answered here. That the autopilot is on this line at all ends standing in for it, for as long as we live:
-// stations would meet two autopilots with one address.
-void core::take_own_system(decision_context& t, mavlink::sender from) {
+// them is answered here. That the autopilot is on this line at all ends standing in for it: stations would meet two
+// autopilots with one address. It is believed by its heartbeats, and forgotten when it is silent.
+void core::take_own_system(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
   ++counts_.from_own_system;
-  if (from.component != autopilot_component)
+  if (frame.from().component != autopilot_component)
+    return;
+  if (is_autopilot_here(t.now.monotonic_ns) && peer == autopilot_peer_)
+    autopilot_heard_ns_ = t.now.monotonic_ns;
+  if (frame.id() != mavlink::heartbeat::message_id ||
+      !autopilot_beats_.note(peer, settings_.heartbeats_to_begin, t.now.monotonic_ns))
     return;
   autopilot_heard_ns_ = t.now.monotonic_ns;
+  autopilot_peer_ = peer;
   if (!is_standing_in())
     return;
-  stood_down_ = true;
+  stand_down(t, true);
+  t.say(mavlink::mav_severity::critical, "The autopilot itself is on this port: godwit is component 191 now");
+}
+
+void core::stand_down(decision_context& t, bool is_down) {
+  stood_down_ = is_down;
   const auto plans = std::exchange(server_, std::nullopt);
   make_server();
   for (const auto type :
@@ -115,7 +131,6 @@ void core::take_own_system(decision_context& t, mavlink::sender from) {
     server_->put_plan(type, plans->plan(type).items);
   params_ = vehicle_role::param_table(params_to_show(ourselves()));
   next_beat_ns_ = t.now.monotonic_ns;
-  t.say(mavlink::mav_severity::critical, "The autopilot itself is on this port: godwit is component 191 now");
 }
 
 void core::take(decision_context& t, station& from, const mavlink::heartbeat& m) {
@@ -212,6 +227,9 @@ effects core::on_status_text(const status_text& m, instant now) {
 effects core::on_time(instant now) {
   decision_context t(*this, now);
   channel_.on_silence(now, [&](const auto& frame) { take_frame(t, io::link::every_peer, frame); });
+  if (stood_down_ && !server_->is_receiving() && !server_->is_giving() &&
+      now.monotonic_ns - autopilot_heard_ns_.value_or(0) >= stands_in_again_after_ns)
+    stand_down(t, false);
   go_on(t, server_->on_time(now.monotonic_ns));
   dispatch_effect(t);
   if (const auto record = starts_.on_time(now))
@@ -314,7 +332,7 @@ runtime::condition core::health(instant now) {
     return {runtime::health_colour::yellow, "the link to the ground is down: " + link_reason_};
   if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ns)
     return {runtime::health_colour::yellow, "frames are refused for their signature: " + channel_.last_rejection()};
-  return {};
+  return {runtime::health_colour::green, settings_.open_line};
 }
 
 } // namespace godwit::ground_port

@@ -73,6 +73,8 @@ inline constexpr passing::budget::rate to_stations_most{5'000, 1'000'000};
 inline constexpr std::uint32_t file_transfer_id = 110; // FILE_TRANSFER_PROTOCOL
 // The autopilot counts as present on this port so long after its last frame.
 inline constexpr std::int64_t autopilot_is_here_ns = 10'000'000'000;
+// From an autopilot's silence on this port until godwit stands in for it again.
+inline constexpr std::int64_t stands_in_again_after_ns = 60'000'000'000;
 inline constexpr std::int64_t alert_lasts_ns = 10'000'000'000;
 
 class core {
@@ -126,7 +128,8 @@ private:
   [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
 
   void take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame);
-  void take_own_system(decision_context& t, mavlink::sender from);
+  void take_own_system(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame);
+  void stand_down(decision_context& t, bool is_down);
   void take(decision_context& t, station& from, const mavlink::heartbeat& m);
   void take(decision_context& t, station& from, const mavlink::mission_set_current& m);
   void take(decision_context& t, station& from, const mavlink::command_long& m);
@@ -261,8 +264,10 @@ private:
   bool is_armed_ = false;
   flight::mode_owner owner_; // as long as the vehicle was not heard: of no kind
   flight::flight_mode mode_;
-  bool stood_down_ = false; // from standing in: the autopilot itself was heard
-  std::optional<std::int64_t> autopilot_heard_ns_;
+  bool stood_down_ = false;                        // from standing in: the autopilot itself was heard
+  std::optional<std::int64_t> autopilot_heard_ns_; // once it is believed
+  io::link::peer_id autopilot_peer_ = io::link::every_peer;
+  domain::confirmation_table autopilot_beats_;
   std::int64_t next_beat_ns_;
   std::uint64_t alerted_rejections_ = 0;
   std::optional<std::int64_t> last_alert_ns_;

@@ -34,6 +34,10 @@ struct settings {
   std::vector<std::string> also_passes; // names of what is passed by setting only
   std::vector<forward_rate> rates = default_rates();
   std::int64_t heartbeat_ms = 1'000;
+  // Of a station until it is the operator's link, and of an autopilot until godwit no longer stands in for it. More
+  // than one where anybody can speak: a forged heartbeat must begin nothing.
+  int heartbeats_to_begin = 1;
+  std::string open_line; // why anybody can speak on it, as a sentence for people; empty: not anybody can
   int max_items = 1'000; // of one plan; more is answered with NO_SPACE
 };
 

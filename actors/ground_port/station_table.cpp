@@ -29,7 +29,9 @@ station* station_table::hear(mavlink::sender who, io::link::peer_id peer, std::i
 
 void station_table::note_heartbeat(station& of, const mavlink::heartbeat& m, std::int64_t now_ns) {
   of.last_beat_ns = now_ns;
-  of.is_ground_station = m.type == mavlink::number(mavlink::mav_type::gcs);
+  const auto who = (std::uint64_t{of.peer} << 16U) | (std::uint64_t{of.who.system} << 8U) | of.who.component;
+  of.is_ground_station =
+      m.type == mavlink::number(mavlink::mav_type::gcs) && beats_.note(who, heartbeats_to_begin_, now_ns);
   if (of.is_ground_station)
     operator_heard_ns_ = now_ns;
 }

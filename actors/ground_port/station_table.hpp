@@ -1,7 +1,8 @@
 // Which ground stations are there, by which way they are reached, and when the human's was heard last.
 //
 // A station is whoever speaks with another system id than the vehicle's. At the bound the one that was silent longest
-// makes room, if it was silent for makes_room_after; else the newcomer is not taken. Pure. Thread: one at a time.
+// makes room, if it was silent for makes_room_after; else the newcomer is not taken. It is the operator's link from its
+// heartbeats_to_begin-th heartbeat within 5 s on, by one way. Pure. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "actors/domain/confirmation/confirmation_table.hpp"
 #include "io/link/status.hpp"
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
@@ -30,6 +32,8 @@ struct station {
 
 class station_table {
 public:
+  explicit station_table(int heartbeats_to_begin = 1) : heartbeats_to_begin_(heartbeats_to_begin) {}
+
   static constexpr std::size_t max_stations = 16;
   static constexpr std::int64_t makes_room_after_ns = 5'000'000'000;
   static constexpr std::int64_t counts_as_there_ns = 5'000'000'000; // five heartbeats
@@ -47,6 +51,8 @@ public:
   [[nodiscard]] std::uint64_t evicted() const { return evicted_; }
 
 private:
+  int heartbeats_to_begin_;
+  domain::confirmation_table beats_;
   std::vector<station> stations_;
   std::optional<std::int64_t> operator_heard_ns_;
   std::uint64_t refused_ = 0;

@@ -99,11 +99,27 @@ tl::expected<store::load_page, std::string> pulling::page_in(const service_answe
   return result;
 }
 
+std::string pulling::passed_bound() const {
+  if (pages_ >= max_pages)
+    return std::to_string(max_pages) + " pages, and no last one";
+  if (objects_ > max_rows || ignored_ > max_rows)
+    return "more than " + std::to_string(max_rows) + " rows";
+  if (bytes_ > max_bytes)
+    return "more than " + std::to_string(max_bytes) + " bytes";
+  if (empty_pages_ >= max_empty_pages)
+    return std::to_string(max_empty_pages) + " pages in a row without anything in them";
+  return {};
+}
+
 void pulling::take_page(planning_context& d, const service_answer& answer) {
   auto page = page_in(answer, next_after_page_);
-  if (!page || pages_ >= max_pages) {
+  bytes_ += answer.body.size();
+  if (page)
+    empty_pages_ = page->objects.empty() && page->ignored.empty() && next_after_page_ ? empty_pages_ + 1 : 0;
+  const auto bound = page ? passed_bound() : "";
+  if (!page || !bound.empty()) {
     d.count_fetch_error();
-    return give_up(page ? "the service's map has no end" : page.error());
+    return give_up(page ? "the service's map has no end: " + bound : page.error());
   }
   page_ = std::move(*page);
   go_to(stage::storing);
@@ -147,6 +163,8 @@ void pulling::go_on(planning_context& d) {
     what_ = destination::observations;
     next_.clear();
     pages_ = objects_ = ignored_ = 0;
+    bytes_ = 0;
+    empty_pages_ = 0;
     return go_to(stage::asking);
   case stage::storing:
     ++pages_;

@@ -19,8 +19,12 @@ namespace godwit::mission_client {
 
 // A load is begun anew at most so often.
 inline constexpr int max_loads = 4;
-// Without a bound a service that always gives a `next` would be asked for ever: 20 million objects.
+// Without bounds a service that always gives a `next` would be asked for ever, and fill the disk. The store is made for
+// a million objects; what does not end there has no end.
 inline constexpr std::int64_t max_pages = 10'000;
+inline constexpr std::int64_t max_rows = 1'000'000;                 // objects, and as many ignored items
+inline constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30U; // of all pages: 500 for each row
+inline constexpr int max_empty_pages = 16;                          // in a row
 
 class pulling final : public part {
 public:
@@ -33,6 +37,8 @@ private:
 
   [[nodiscard]] store_question question(const planning_context& d) const;
   void take_page(planning_context& d, const service_answer& answer);
+  // What bound has been passed; empty: none.
+  [[nodiscard]] std::string passed_bound() const;
   [[nodiscard]] tl::expected<store::load_page, std::string> page_in(const service_answer& answer,
                                                                     std::optional<std::string>& next) const;
   void go_to(stage next);
@@ -52,6 +58,8 @@ private:
   std::int64_t pages_ = 0;
   std::int64_t objects_ = 0;
   std::int64_t ignored_ = 0;
+  std::uint64_t bytes_ = 0;
+  int empty_pages_ = 0;   // in a row
   store::load_page page_; // until the store has it
   std::optional<std::string> next_after_page_;
 };

@@ -85,7 +85,7 @@ public:
   template <sent M>
   void send(const M& message) {
     if (auto frame = core_.channel_.pack(message, core_.ourselves(), now.wall_ns))
-      done.emplace_back(transmission{core_.vehicle_peer_, *frame});
+      done.emplace_back(transmission{core_.way_out(), *frame});
   }
   void announce(announcement what) { done.emplace_back(std::move(what)); }
 
@@ -113,6 +113,8 @@ bool core::is_for_us(std::uint8_t target_system, std::uint8_t target_component) 
          (target_component == 0 || target_component == us.component);
 }
 
+io::link::peer_id core::way_out() const { return watch_.vehicle() ? watch_.vehicle()->peer : io::link::every_peer; }
+
 // -- the link -------------------------------------------------------------------------------------
 
 effects core::on_link(const io::link::link_status& status, instant now) {
@@ -121,7 +123,6 @@ effects core::on_link(const io::link::link_status& status, instant now) {
   reconnects_ = status.reconnects;
   link_reason_ = status.reason;
   if (!up) {
-    vehicle_peer_ = io::link::every_peer; // it may come back under another address
     call_.end();
   } else if (watch_.phase() == connection_phase::down) {
     next_beat_ns_ = now.monotonic_ns; // a peer that speaks only to whom it has heard must not wait for us
@@ -144,11 +145,13 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
   const auto from = frame.from();
   if (frame.id() == mavlink::heartbeat::message_id) {
     change_phase(t, watch_.on_heartbeat(mavlink::decode<mavlink::heartbeat>(frame), from.system, from.component,
-                                        t.now.monotonic_ns));
-    if (watch_.is_vehicle(from.system, from.component))
-      vehicle_peer_ = peer;
+                                        t.now.monotonic_ns, peer));
   }
-  if (watch_.is_vehicle(from.system, from.component) && is_late_heartbeat(frame, t.now)) {
+  const bool is_vehicle = watch_.is_vehicle(from.system, from.component, peer);
+  const bool is_forged = !is_vehicle && watch_.has_its_name(from.system, from.component);
+  if (is_forged)
+    ++under_its_name_;
+  if (is_vehicle && is_late_heartbeat(frame, t.now)) {
     ++late_heartbeats_; // a mode from before would be taken for somebody's
     return;
   }
@@ -156,10 +159,9 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     t.done.emplace_back(observation(mavlink::decode<mavlink::radio_status>(frame)));
     return;
   }
-  const bool is_relayed = relay(t, frame);
+  const bool is_relayed = !is_forged && relay(t, frame);
   const auto take_message = [&](const auto& message) { take(t, message); };
-  if (!watch_.is_vehicle(from.system, from.component) ||
-      !(told_messages::visit(frame, take_message) || used_messages::visit(frame, take_message))) {
+  if (!is_vehicle || !(told_messages::visit(frame, take_message) || used_messages::visit(frame, take_message))) {
     if (!is_relayed)
       ++not_accepted_;
     return;
@@ -188,7 +190,7 @@ effects core::on_relayed(const relayed_frame& what, instant now) {
                    : std::nullopt;
   if (frame) {
     ++relayed_to_vehicle_;
-    t.done.emplace_back(transmission{vehicle_peer_, *frame});
+    t.done.emplace_back(transmission{way_out(), *frame});
   } else {
     ++relays_dropped_;
   }
@@ -300,13 +302,15 @@ void core::raise_alert(decision_context& t) {
   alerted_rejections_ = channel_.rejected();
   last_alert_ns_ = t.now.monotonic_ns;
   t.announce(signing_alert{alerted_rejections_, channel_.last_rejection()});
+  if (const auto news = watch_.on_refused(refused_sentence()))
+    t.announce(*news);
 }
 
 // -- time -----------------------------------------------------------------------------------------
 
 effects core::on_time(instant now) {
   decision_context t(*this, now);
-  channel_.on_silence(now, [&](const auto& frame) { take_frame(t, vehicle_peer_, frame); });
+  channel_.on_silence(now, [&](const auto& frame) { take_frame(t, way_out(), frame); });
   change_phase(t, watch_.on_time(now.monotonic_ns));
   for (const auto& each : commands_.expire(now.monotonic_ns))
     resolve(t, each);
@@ -317,6 +321,10 @@ effects core::on_time(instant now) {
   if (transfers_)
     go_on(t, transfers_->on_time(now.monotonic_ns));
   ask_for_streams(t);
+  if (losses_.is_due(now.monotonic_ns) && watch_.vehicle()) {
+    const auto seen = channel_.report(mavlink::sender{watch_.vehicle()->system, watch_.vehicle()->component});
+    losses_.look(seen.frames_in, seen.sequence_gaps, now.monotonic_ns);
+  }
   if (call_.is_due(now.monotonic_ns)) {
     // Where it is not known who is there: all, and by turns the usual one, for who does not answer to all.
     const std::uint8_t usual = call_.calls() % 2 == 0 ? std::uint8_t{0} : usual_system;
@@ -558,6 +566,10 @@ effects core::on_cancel_transfer(instant now) {
 
 // -- what is shown --------------------------------------------------------------------------------
 
+std::string core::refused_sentence() const {
+  return std::string(refused_for_signature) + ": " + channel_.last_rejection();
+}
+
 bool core::speaks_v1_only(std::int64_t now_ns) const {
   return first_v1_ns_ && channel_.frames_in() == 0 && now_ns - *first_v1_ns_ >= v1_only_after_ms * ns_per_ms;
 }
@@ -584,6 +596,8 @@ connection core::describe(instant now) const {
   result.relays_dropped = relays_dropped_;
   result.vehicle_restarts = watch_.restarts();
   result.late_heartbeats = late_heartbeats_;
+  result.other_autopilots = watch_.other_autopilots();
+  result.under_its_name = under_its_name_;
   result.reconnects = reconnects_;
   for (const auto id : streams_.missing())
     if (const auto* const info = mavlink::find_message(id))
@@ -602,10 +616,12 @@ runtime::condition core::health(instant now) {
     return {runtime::health_colour::red,
             "signing goes on without its time being on the disk: the journal does not answer"};
   if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ms * ns_per_ms)
-    return {runtime::health_colour::yellow, "frames are refused for their signature: " + channel_.last_rejection()};
+    return {runtime::health_colour::yellow, refused_sentence()};
   if (const auto who = gate_.missing(now.monotonic_ns))
     return {runtime::health_colour::yellow, "our heartbeat is held back: " + *who + " does not say that it is well"};
-  return {};
+  if (losses_.is_bad())
+    return {runtime::health_colour::yellow, losses_.sentence()};
+  return {runtime::health_colour::green, settings_.open_line};
 }
 
 } // namespace godwit::vehicle_link

@@ -21,6 +21,7 @@
 #include "actors/vehicle_link/effects.hpp"
 #include "actors/vehicle_link/first_call.hpp"
 #include "actors/vehicle_link/heartbeat_gate.hpp"
+#include "actors/vehicle_link/loss_watch.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
 #include "actors/vehicle_link/transfer/client.hpp"
@@ -81,6 +82,8 @@ private:
   [[nodiscard]] mavlink::sender ourselves() const;
   [[nodiscard]] bool is_for_us(std::uint8_t target_system, std::uint8_t target_component) const;
 
+  // Where the vehicle is; everywhere, when that is not known.
+  [[nodiscard]] io::link::peer_id way_out() const;
   [[nodiscard]] bool is_late_heartbeat(const mavlink::frame_view& frame, instant now);
   void take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame);
   void take(decision_context& t, const mavlink::heartbeat& m);
@@ -105,6 +108,7 @@ private:
   void resolve(decision_context& t, const resolved_command& done);
   void ask_for_streams(decision_context& t);
   void raise_alert(decision_context& t);
+  [[nodiscard]] std::string refused_sentence() const;
   [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what) const;
   template <class Begin>
   [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type,
@@ -120,15 +124,16 @@ private:
   stream_keeper streams_;
   heartbeat_gate gate_;
   first_call call_;
+  loss_watch losses_;
   std::optional<transfer::client> transfers_; // with the vehicle, once it is known
   std::uint64_t transfer_request_ = 0;        // who asked for the one under way
 
   std::string link_reason_;
   std::uint64_t reconnects_ = 0;
-  io::link::peer_id vehicle_peer_ = io::link::every_peer;
   std::optional<std::int64_t> heartbeat_number_; // of the newest
   std::uint64_t late_heartbeats_ = 0;
-  std::optional<seen_state> seen_; // of the newest heartbeat
+  std::uint64_t under_its_name_ = 0; // frames of the vehicle's name from another peer
+  std::optional<seen_state> seen_;   // of the newest heartbeat
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;

@@ -21,8 +21,11 @@ std::optional<connection_changed> vehicle_watch::enter(connection_phase phase, s
 }
 
 std::optional<connection_changed> vehicle_watch::on_transport(bool up, const std::string& reason) {
-  if (!up)
+  if (!up) {
+    if (vehicle_)
+      vehicle_->peer = io::link::every_peer; // it may come back under another address
     return enter(connection_phase::down, reason);
+  }
   if (phase_ != connection_phase::down)
     return std::nullopt;
   return enter(connection_phase::silent, "no heartbeat of an autopilot yet");
@@ -34,18 +37,41 @@ bool vehicle_watch::is_autopilot(const io::mavlink::heartbeat& beat, std::uint8_
          beat.type != static_cast<std::uint8_t>(io::mavlink::mav_type::gcs);
 }
 
+// Who is not the vehicle yet, and could be. A vehicle that speaks keeps its place.
+bool vehicle_watch::may_begin(std::uint8_t system, io::link::peer_id peer, std::int64_t now_ns) {
+  const bool is_kept = vehicle_ && heartbeats_ >= kept_after;
+  const bool is_silent = phase_ != connection_phase::connected;
+  const auto wanted = settings_.system != 0 ? settings_.system : is_kept ? vehicle_->system : std::uint8_t{0};
+  if ((wanted != 0 && wanted != system) || (vehicle_ && !is_silent)) {
+    ++other_autopilots_;
+    return false;
+  }
+  return candidates_.note((std::uint64_t{peer} << 8U) | system, settings_.heartbeats_to_begin, now_ns);
+}
+
 std::optional<connection_changed> vehicle_watch::on_heartbeat(const io::mavlink::heartbeat& beat, std::uint8_t system,
-                                                              std::uint8_t component, std::int64_t now_ns) {
+                                                              std::uint8_t component, std::int64_t now_ns,
+                                                              io::link::peer_id peer) {
   if (!is_autopilot(beat, component))
     return std::nullopt;
-  const auto wanted = vehicle_ ? vehicle_->system : settings_.system;
-  if (wanted != 0 && wanted != system) {
-    ++other_autopilots_;
-    return std::nullopt;
+  if (!is_vehicle(system, component, peer)) {
+    if (!may_begin(system, peer, now_ns))
+      return std::nullopt;
+    if (!has_its_name(system, component))
+      heartbeats_ = 0;
+    candidates_.clear();
   }
-  vehicle_ = known_vehicle{system, component, beat.autopilot, beat.type};
+  vehicle_ = known_vehicle{system, component, peer, beat.autopilot, beat.type};
+  ++heartbeats_;
   last_heartbeat_ns_ = now_ns;
   return enter(connection_phase::connected, {});
+}
+
+std::optional<connection_changed> vehicle_watch::on_refused(const std::string& why) {
+  if (phase_ == connection_phase::connected || phase_ == connection_phase::down || reason_ == why)
+    return std::nullopt;
+  reason_ = why;
+  return connection_changed{phase_, reason_};
 }
 
 std::optional<connection_changed> vehicle_watch::on_time(std::int64_t now_ns) {

@@ -4,15 +4,21 @@
 //    ^                        ^                      ^                                     │
 //    └──────transport gone────┴──────────────────────┴──────────heartbeat──────────────────┘
 //
-// The first autopilot heard is the vehicle, or the one with the configured system id; it stays the vehicle until the
-// process ends, so that a second vehicle on the same radio is never commanded by mistake.
-// Pure: time comes in as monotonic nanoseconds.
+// The first autopilot heard is the vehicle, or the one with the configured system id. It is bound by system, component
+// and the peer that it was heard from: while that one is heard, frames under its name from elsewhere are not the
+// vehicle's, and are counted. Behind a silence it may come from another peer. An autopilot that fell silent before it
+// was heard kept_after times is let go; from then on it stays the vehicle until the process ends, so that a second
+// vehicle on the same radio is never commanded by mistake.
+// Where anybody can speak, an autopilot is believed at its heartbeats_to_begin-th heartbeat within 5 s, and so is a new
+// peer of it: a few forged frames begin nothing. Pure: time comes in as monotonic nanoseconds.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "actors/domain/confirmation/confirmation_table.hpp"
+#include "io/link/status.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "messages/vehicle_link/connection.hpp"
 
@@ -22,6 +28,7 @@ struct watch_settings {
   std::uint8_t system = 0;            // of the vehicle; 0: the first autopilot heard
   std::uint8_t component = 1;         // of its autopilot
   std::int64_t lost_after_ms = 5'000; // five heartbeats of an autopilot, which sends one a second
+  int heartbeats_to_begin = 1;        // of an autopilot, or of a new peer of it
 };
 
 // UDP may deliver a frame late, and streams are stamped at different moments: going back less is no restart.
@@ -30,11 +37,15 @@ inline constexpr int frames_of_new_clock = 3;
 inline constexpr std::int64_t new_clock_ns = 1'000'000'000; // from the first of them to the last, at least
 inline constexpr std::int64_t late_within_ns = 1'500'000'000;
 
+// Heartbeats behind which a vehicle is not let go any more.
+inline constexpr std::uint64_t kept_after = 10;
+
 struct known_vehicle {
   std::uint8_t system = 0;
   std::uint8_t component = 0;
-  std::uint8_t autopilot = 0; // MAV_AUTOPILOT
-  std::uint8_t type = 0;      // MAV_TYPE
+  io::link::peer_id peer = io::link::every_peer; // every_peer: its next heartbeats say
+  std::uint8_t autopilot = 0;                    // MAV_AUTOPILOT
+  std::uint8_t type = 0;                         // MAV_TYPE
 };
 
 class vehicle_watch {
@@ -44,7 +55,10 @@ public:
   // Each returns the change of phase that it caused, if any.
   [[nodiscard]] std::optional<connection_changed> on_transport(bool up, const std::string& reason);
   [[nodiscard]] std::optional<connection_changed> on_heartbeat(const io::mavlink::heartbeat& beat, std::uint8_t system,
-                                                               std::uint8_t component, std::int64_t now_ns);
+                                                               std::uint8_t component, std::int64_t now_ns,
+                                                               io::link::peer_id peer = io::link::only_peer);
+  // Frames come and are not believed, which is why there is no heartbeat.
+  [[nodiscard]] std::optional<connection_changed> on_refused(const std::string& why);
   [[nodiscard]] std::optional<connection_changed> on_time(std::int64_t now_ns);
 
   // The autopilot's time since boot, from any of its messages. It has started again when three of them that rise, over
@@ -54,7 +68,11 @@ public:
   // A loss of more than 127 frames in a row makes it too low for a while.
   [[nodiscard]] std::int64_t number_of(std::uint8_t sequence, std::int64_t now_ns);
 
-  [[nodiscard]] bool is_vehicle(std::uint8_t system, std::uint8_t component) const {
+  [[nodiscard]] bool is_vehicle(std::uint8_t system, std::uint8_t component, io::link::peer_id peer) const {
+    return has_its_name(system, component) && vehicle_->peer == peer;
+  }
+  // Under the vehicle's name, whoever it is.
+  [[nodiscard]] bool has_its_name(std::uint8_t system, std::uint8_t component) const {
     return vehicle_ && vehicle_->system == system && vehicle_->component == component;
   }
   [[nodiscard]] const std::optional<known_vehicle>& vehicle() const { return vehicle_; }
@@ -67,12 +85,15 @@ public:
 
 private:
   [[nodiscard]] bool is_autopilot(const io::mavlink::heartbeat& beat, std::uint8_t component) const;
+  [[nodiscard]] bool may_begin(std::uint8_t system, io::link::peer_id peer, std::int64_t now_ns);
   [[nodiscard]] std::optional<connection_changed> enter(connection_phase phase, std::string reason);
 
   watch_settings settings_;
   connection_phase phase_ = connection_phase::down;
   std::string reason_ = "the link is not open yet";
   std::optional<known_vehicle> vehicle_;
+  std::uint64_t heartbeats_ = 0; // of this vehicle
+  domain::confirmation_table candidates_;
   std::optional<std::int64_t> last_heartbeat_ns_;
   // A clock that may be a new one.
   struct new_clock {

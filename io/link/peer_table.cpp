@@ -17,8 +17,10 @@ peer_id peer_table::heard(const endpoint& address, time_point now) {
       return each.id;
     }
   }
-  if (peers_.size() == max_peers_)
-    evict_longest_silent();
+  if (peers_.size() == max_peers_ && !makes_room(now)) {
+    ++refused_;
+    return free_id();
+  }
   peers_.push_back({free_id(), address, now});
   return last_id_;
 }
@@ -27,10 +29,14 @@ void peer_table::forget_silent(time_point now) {
   forgotten_ += std::erase_if(peers_, [&](const peer& each) { return now - each.heard_at >= forget_after_; });
 }
 
-void peer_table::evict_longest_silent() {
+bool peer_table::makes_room(time_point now) {
   const auto earlier = [](const peer& a, const peer& b) { return a.heard_at < b.heard_at; };
-  peers_.erase(std::min_element(peers_.begin(), peers_.end(), earlier));
+  const auto longest = std::min_element(peers_.begin(), peers_.end(), earlier);
+  if (now - longest->heard_at < keeps_place)
+    return false;
+  peers_.erase(longest);
   ++evicted_;
+  return true;
 }
 
 // Numbers start again after four billion peers, which a flood reaches in a day; a number in use is then left out.

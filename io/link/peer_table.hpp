@@ -1,6 +1,8 @@
 // Who was heard lately on a listening UDP socket, and under which number.
 //
-// Bounded: a new peer takes the place of the one that was silent for longest. A peer that was silent for `forget_after`
+// Bounded: a new peer takes the place of the one that was silent for longest, if that was heard nothing of for a while;
+// else the newcomer gets a number of its own and is not remembered: it is heard, and nothing is sent to it. So a flood
+// from many addresses pushes out nobody who speaks. A peer that was silent for `forget_after`
 // is forgotten, and is a new one when it comes back. Thread: one at a time. Pure: the clock is the caller's.
 #pragma once
 
@@ -20,6 +22,8 @@ public:
   using time_point = std::chrono::steady_clock::time_point;
   using endpoint = boost::asio::ip::udp::endpoint;
 
+  static constexpr std::chrono::milliseconds keeps_place{2'000}; // since it was heard
+
   struct peer {
     peer_id id;
     endpoint address;
@@ -35,10 +39,11 @@ public:
   [[nodiscard]] const std::vector<peer>& all() const { return peers_; }
   [[nodiscard]] std::uint64_t forgotten() const { return forgotten_; }
   [[nodiscard]] std::uint64_t evicted() const { return evicted_; }
+  [[nodiscard]] std::uint64_t refused() const { return refused_; } // frames of those that are not remembered
 
 private:
   [[nodiscard]] peer_id free_id();
-  void evict_longest_silent();
+  [[nodiscard]] bool makes_room(time_point now);
 
   std::size_t max_peers_;
   std::chrono::milliseconds forget_after_;
@@ -46,6 +51,7 @@ private:
   peer_id last_id_ = every_peer;
   std::uint64_t forgotten_ = 0;
   std::uint64_t evicted_ = 0;
+  std::uint64_t refused_ = 0;
 };
 
 } // namespace godwit::io::link

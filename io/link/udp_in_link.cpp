@@ -130,6 +130,7 @@ link_counters udp_in_link::counters() const {
   all.peers = peers_.all().size();
   all.peers_forgotten = peers_.forgotten();
   all.peers_evicted = peers_.evicted();
+  all.peers_refused = peers_.refused();
   return all;
 }
 

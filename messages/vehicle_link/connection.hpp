@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/fields/field_table.hpp"
@@ -67,6 +68,8 @@ struct connection {
   std::uint64_t dropped_out = 0;           // frames that the link had no room for
   std::uint64_t vehicle_restarts = 0;
   std::uint64_t late_heartbeats = 0;        // sent before one that had come already, and dropped
+  std::uint64_t other_autopilots = 0;       // heartbeats of autopilots that are not the vehicle
+  std::uint64_t under_its_name = 0;         // frames of the vehicle's name from another peer: not taken
   std::uint64_t reconnects = 0;             // of the transport
   std::vector<std::string> missing_streams; // wanted messages that do not come
   static constexpr auto fields = io::table(
@@ -84,13 +87,19 @@ struct connection {
       io::field("signing_errors", &connection::signing_errors), io::field("not_accepted", &connection::not_accepted),
       io::field("relayed_to_vehicle", &connection::relayed_to_vehicle),
       io::field("relayed_to_stations", &connection::relayed_to_stations),
-      io::field("relays_dropped", &connection::relays_dropped), io::field("dropped_in", &connection::dropped_in),
-      io::field("dropped_out", &connection::dropped_out), io::field("vehicle_restarts", &connection::vehicle_restarts),
-      io::field("late_heartbeats", &connection::late_heartbeats), io::field("reconnects", &connection::reconnects),
+      io::field("relays_dropped", &connection::relays_dropped),
+      io::field("dropped_in", &connection::dropped_in), io::field("dropped_out", &connection::dropped_out),
+      io::field("vehicle_restarts", &connection::vehicle_restarts),
+      io::field("late_heartbeats", &connection::late_heartbeats),
+      io::field("other_autopilots", &connection::other_autopilots),
+      io::field("under_its_name", &connection::under_its_name), io::field("reconnects", &connection::reconnects),
       io::field("missing_streams", &connection::missing_streams));
 };
 
-// Told to listeners at each change of phase.
+// How a reason begins when frames come and are not believed.
+inline constexpr std::string_view refused_for_signature = "frames are refused for their signature";
+
+// Told to listeners at each change of phase, and when it turns out why nothing is heard.
 struct connection_changed {
   connection_phase phase = connection_phase::down;
   std::string reason;

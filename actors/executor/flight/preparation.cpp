@@ -19,6 +19,7 @@ preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
   const auto& view = flight_.view;
   preflight::vehicle_facts seen;
   seen.link = view.link();
+  seen.link_reason = view.why_not_connected();
   seen.what = view.owner().vehicle;
   seen.autopilot = view.owner().autopilot;
   seen.fix = static_cast<io::mavlink::gps_fix_type>(view.fix_type());

@@ -133,7 +133,8 @@ void failsafe_process::say_heartbeat() {
 
 void failsafe_process::say_position() {
   const auto there = place_at(vehicle_.east_m, 0).at;
-  world.tell(failsafe, mavlink::global_position_int{.lat = static_cast<std::int32_t>(there.latitude_deg * 1e7),
+  world.tell(failsafe, mavlink::global_position_int{.time_boot_ms = static_cast<std::uint32_t>(now_ms()),
+                                                    .lat = static_cast<std::int32_t>(there.latitude_deg * 1e7),
                                                     .lon = static_cast<std::int32_t>(there.longitude_deg * 1e7),
                                                     .relative_alt = 50'000,
                                                     .vy = 300});

@@ -210,7 +210,7 @@ RC_GTEST_PROP(failsafe_property, a_killed_process_makes_no_second_return, ()) {
   world.run_s(10);
   world.east_m = 101;
   const auto before = static_cast<std::size_t>(world.remembered);
-  world.run_ms(random.between(1, 30) * 100);
+  world.run_ms(random.between(3, 30) * 100); // behind the second position outside
   const auto lost = static_cast<int>(static_cast<std::size_t>(world.remembered) - before);
   world.kill(static_cast<std::size_t>(random.between(0, lost)));
   world.mode = in_return; // it obeyed meanwhile
@@ -251,7 +251,9 @@ std::vector<event> events_of_a_tick(test_rng& random, std::int64_t wall_ns) {
   maybe(3, heartbeat{vehicle_class::fixed_wing, !random.one_in(20), modes[random.between(0, 5)],
                      io::mavlink::mav_autopilot::generic, random.one_in(20)});
   maybe(3, landed{random.one_in(10) ? landed_state::on_ground : landed_state::in_air});
-  maybe(2, position_at(random.up_to(120), 0, 50, 5));
+  auto there = position_at(random.up_to(120), 0, 50, 5);
+  there.boot_ms = static_cast<std::uint32_t>(random.between(0, 1'000'000));
+  maybe(2, there);
   maybe(5, battery{random.between(5, 30)});
   maybe(5, operator_heard{true, random.between(0, 40'000)});
   maybe(4, command_resolved{static_cast<std::uint64_t>(random.between(1, 5)),

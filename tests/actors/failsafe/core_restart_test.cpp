@@ -38,7 +38,7 @@ TEST(failsafe_restart, between_the_command_and_its_answer_it_sends_no_second_one
     auto world = fenced();
     world.obeys_after_ms = obeys_after_ms;
     world.east_m = 101;
-    world.run_ms(100);
+    world.run_ms(300);
     ASSERT_EQ(world.sent.size(), 1U);
     world.restart();
     world.run_s(20);
@@ -130,7 +130,7 @@ TEST(failsafe_restart, a_worse_thing_after_the_restart_still_acts) {
 TEST(failsafe_restart, a_record_that_never_reached_the_disk_makes_no_second_return) {
   auto world = fenced();
   world.east_m = 101;
-  world.run_ms(100);
+  world.run_ms(300);
   ASSERT_EQ(world.sent.size(), 1U);
   world.run_ms(200); // the vehicle obeys while the process is being killed and started
   world.kill(2);

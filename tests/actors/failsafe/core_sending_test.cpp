@@ -14,7 +14,7 @@ TEST(failsafe_core, sending_fails_again_each_tick_until_it_gets_through) {
   auto world = fenced();
   world.refuses = command_verdict::not_sent;
   world.east_m = 101;
-  world.run_ms(2'000);
+  world.run_ms(2'200); // the second position outside comes after 200 ms
   EXPECT_EQ(world.sent.size(), 20U);
   EXPECT_EQ(world.health().how, godwit::runtime::health_colour::red);
   EXPECT_TRUE(world.has_warned_of("does not get through"));
@@ -57,6 +57,9 @@ TEST(failsafe_core, a_command_goes_out_first_and_does_not_wait_for_the_disk) {
   alone.take(landed{landed_state::in_air}, {});
   alone.take(asked_guard{1, {{fence_of(fence_kind::inclusion, square(100))}, {}, {}}}, {});
   alone.take(position_at(101, 0), {});
+  auto second = position_at(101, 0);
+  second.boot_ms = 1;
+  alone.take(second, {});
   const auto wanted = alone.tick({});
   ASSERT_GE(wanted.size(), 3U);
   EXPECT_TRUE(std::holds_alternative<command_vehicle>(wanted.front()));

@@ -160,7 +160,7 @@ TEST(failsafe_core, a_takeover_that_is_told_on_the_ground_counts_in_the_air_unti
 TEST(failsafe_core, a_command_of_the_executor_that_comes_behind_its_own_is_answered_with_the_same_again) {
   auto world = fenced();
   world.east_m = 101;
-  world.run_ms(100);
+  world.run_ms(300);
   ASSERT_EQ(world.sent.size(), 1U);
   world.tell(expect_mode{{in_mission.custom_mode}, 5'000}); // said before it has heard of the return
   world.run_ms(1'400);

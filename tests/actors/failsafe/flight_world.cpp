@@ -83,8 +83,11 @@ void flight_world::speak() {
     if (port_alive)
       tell(operator_heard{heard_ms_ >= 0, heard_ms_ >= 0 ? ms_ - heard_ms_ : -1});
   }
-  if (sends_positions && ms_ % 200 == 0)
-    tell(position_at(east_m, north_m, altitude_m, east_mps));
+  if (sends_positions && ms_ % 200 == 0) {
+    auto there = position_at(east_m, north_m, altitude_m, east_mps);
+    there.boot_ms = static_cast<std::uint32_t>(ms_);
+    tell(there);
+  }
 }
 
 void flight_world::obey() {

@@ -168,6 +168,40 @@ TEST(ground_port_as_autopilot, it_stands_down_when_the_autopilot_itself_is_on_th
   EXPECT_TRUE(port.sent<mavlink::command_ack>().empty()) << "the autopilot answers for itself";
 }
 
+TEST(ground_port_as_autopilot, three_forged_heartbeats_of_the_autopilot_do_not_make_it_stand_down) {
+  auto settings = in_the_autopilots_place();
+  settings.heartbeats_to_begin = 4;
+  port_fixture port(settings);
+  for (int i = 0; i < 3; ++i) {
+    port.say_as_it_is(vehicle_beat(), autopilot_id, 9);
+    port.say_as_it_is(mavlink::attitude{}, autopilot_id, 9);
+    port.advance(1 * s);
+  }
+  EXPECT_FALSE(port.shown().autopilot_heard);
+  EXPECT_EQ(port.shown().component, 1U);
+  EXPECT_EQ(port.port().health(port.now()).how, godwit::runtime::health_colour::green);
+}
+
+TEST(ground_port_as_autopilot, it_stands_in_again_when_the_autopilot_has_been_silent_for_a_minute) {
+  port_fixture port(in_the_autopilots_place());
+  const auto id = port.upload(3).opaque_id;
+  port.say_as_it_is(vehicle_beat(), autopilot_id);
+  port.advance(59 * s);
+  EXPECT_EQ(port.shown().component, 191U);
+  port.advance(2 * s);
+  EXPECT_EQ(port.shown().component, 1U);
+  EXPECT_EQ(port.last<mavlink::mission_current>().mission_id, id) << "the plans stay";
+  EXPECT_EQ(port.port().health(port.now()).how, godwit::runtime::health_colour::green);
+}
+
+TEST(ground_port, a_sender_without_a_name_is_not_heard) {
+  port_fixture port;
+  for (const auto who : {mavlink::sender{0, 0}, mavlink::sender{255, 0}, mavlink::sender{0, 190}})
+    port.say(start_command(), who);
+  EXPECT_TRUE(port.sent<mavlink::command_ack>().empty());
+  EXPECT_TRUE(port.shown().stations.empty());
+}
+
 TEST(ground_port_as_autopilot, it_says_why_it_stood_down) {
   port_fixture port(in_the_autopilots_place());
   port.say_as_it_is(vehicle_beat(), autopilot_id);

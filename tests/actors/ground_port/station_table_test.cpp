@@ -60,5 +60,17 @@ TEST(station_table, the_operators_age_outlives_the_place_in_the_table) {
   EXPECT_TRUE(table.operator_now(10 * s).ever_heard);
 }
 
+TEST(station_table, where_anybody_can_speak_three_heartbeats_are_no_operator_and_the_fourth_by_one_way_is) {
+  station_table table(4);
+  for (int i = 0; i < 3; ++i) {
+    table.note_heartbeat(*table.hear({255, 190}, 1, i * s), station_beat, i * s);
+    table.note_heartbeat(*table.hear({255, 190}, static_cast<io::link::peer_id>(i + 2), i * s), station_beat, i * s);
+  }
+  EXPECT_FALSE(table.operator_now(3 * s).ever_heard);
+  EXPECT_EQ(table.operator_now(3 * s).stations, 0U);
+  table.note_heartbeat(*table.hear({255, 190}, 1, 3 * s), station_beat, 3 * s);
+  EXPECT_TRUE(table.operator_now(3 * s).ever_heard);
+}
+
 } // namespace
 } // namespace godwit::ground_port

@@ -219,6 +219,19 @@ TEST(mission_client_answers, a_next_that_is_not_known_any_more_begins_the_load_a
   EXPECT_EQ(around.listener.pulled.at(0).state, pull_state::synced);
 }
 
+TEST(mission_client_answers, a_map_whose_pages_never_end_is_given_up_at_a_bound_and_the_reason_is_said) {
+  outside around;
+  auto& m = around.service.add(sample_mission(mission_a));
+  m.map_objects.push_back(
+      {uuid(1, 'c'), "vehicle", 47.4, 8.5, {}, 0.5, "2026-05-01T08:00:00Z", "2026-05-03T16:20:00Z"});
+  around.service.page_rows = 0; // a `next` each time, and nothing before it
+  process p(around);
+  begin(p, mission_a);
+  ASSERT_EQ(around.listener.pulled.size(), 1U);
+  EXPECT_NE(around.listener.pulled[0].state, pull_state::synced);
+  EXPECT_NE(around.listener.pulled[0].reason.find("has no end"), std::string::npos) << around.listener.pulled[0].reason;
+}
+
 TEST(mission_client_answers, a_load_that_the_store_gave_up_is_begun_anew_a_few_times) {
   outside around;
   around.service.add(sample_mission(mission_a));

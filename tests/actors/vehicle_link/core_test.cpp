@@ -408,6 +408,8 @@ TEST(vehicle_link_core, a_signed_link_refuses_what_is_not_signed_and_raises_one_
   EXPECT_EQ(later[0].rejected, 3U);
   const auto shown = it.describe(at(s));
   EXPECT_EQ(shown.system, 0) << "it was not believed";
+  EXPECT_TRUE(shown.reason.starts_with(refused_for_signature)) << shown.reason;
+  EXPECT_TRUE(it.health(at(s)).reason.starts_with(refused_for_signature)) << "and not: no heartbeat";
   EXPECT_TRUE(shown.signing_enabled);
   EXPECT_EQ(shown.signing_rejected, 3U);
 }

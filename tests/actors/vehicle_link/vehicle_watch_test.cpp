@@ -28,7 +28,7 @@ TEST(vehicle_watch, only_the_configured_system_is_the_vehicle) {
   (void)watch.on_transport(true, {});
   EXPECT_FALSE(watch.on_heartbeat(of_autopilot(), 3, 1, 0));
   EXPECT_TRUE(watch.on_heartbeat(of_autopilot(), 7, 1, 0));
-  EXPECT_TRUE(watch.is_vehicle(7, 1));
+  EXPECT_TRUE(watch.is_vehicle(7, 1, godwit::io::link::only_peer));
 }
 
 TEST(vehicle_watch, ground_stations_gimbals_and_companions_are_not_vehicles) {
@@ -66,6 +66,60 @@ TEST(vehicle_watch, a_transport_that_goes_down_says_why_and_comes_back_silent) {
 }
 
 constexpr std::int64_t ms = 1'000'000;
+constexpr watch_settings open_line{.heartbeats_to_begin = 4};
+
+TEST(vehicle_watch, where_anybody_can_speak_three_heartbeats_begin_nothing_and_the_fourth_does) {
+  vehicle_watch watch(open_line);
+  (void)watch.on_transport(true, {});
+  for (int i = 0; i < 3; ++i)
+    EXPECT_FALSE(watch.on_heartbeat(of_autopilot(), 1, 1, i * s));
+  EXPECT_FALSE(watch.vehicle());
+  EXPECT_TRUE(watch.on_heartbeat(of_autopilot(), 1, 1, 3 * s));
+}
+
+TEST(vehicle_watch, while_the_vehicle_is_heard_nobody_else_is_it_from_another_peer) {
+  vehicle_watch watch({});
+  (void)watch.on_transport(true, {});
+  (void)watch.on_heartbeat(of_autopilot(), 1, 1, 0, 7);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_FALSE(watch.on_heartbeat(of_autopilot(), 1, 1, i * s / 5, 8));
+  EXPECT_TRUE(watch.is_vehicle(1, 1, 7));
+  EXPECT_FALSE(watch.is_vehicle(1, 1, 8));
+  EXPECT_EQ(watch.on_time(5 * s)->phase, connection_phase::lost) << "the other one does not keep it alive";
+}
+
+TEST(vehicle_watch, behind_a_silence_it_may_come_from_another_peer) {
+  vehicle_watch watch(open_line);
+  (void)watch.on_transport(true, {});
+  for (int i = 0; i < 20; ++i)
+    (void)watch.on_heartbeat(of_autopilot(), 1, 1, i * s, 7);
+  (void)watch.on_time(30 * s);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_FALSE(watch.on_heartbeat(of_autopilot(), 1, 1, (31 + i) * s, 8));
+  EXPECT_TRUE(watch.on_heartbeat(of_autopilot(), 1, 1, 34 * s, 8));
+  EXPECT_TRUE(watch.is_vehicle(1, 1, 8));
+}
+
+TEST(vehicle_watch, it_comes_back_from_its_own_peer_with_one_heartbeat) {
+  vehicle_watch watch(open_line);
+  (void)watch.on_transport(true, {});
+  for (int i = 0; i < 4; ++i)
+    (void)watch.on_heartbeat(of_autopilot(), 1, 1, i * s, 7);
+  (void)watch.on_time(30 * s);
+  EXPECT_TRUE(watch.on_heartbeat(of_autopilot(), 1, 1, 31 * s, 7));
+}
+
+TEST(vehicle_watch, who_fell_silent_at_once_is_let_go_and_a_vehicle_that_was_flown_is_not) {
+  for (const int heard : {4, 20}) {
+    vehicle_watch watch({});
+    (void)watch.on_transport(true, {});
+    for (int i = 0; i < heard; ++i)
+      (void)watch.on_heartbeat(of_autopilot(), 66, 1, i * s, 7);
+    (void)watch.on_time(60 * s);
+    (void)watch.on_heartbeat(of_autopilot(), 1, 1, 61 * s, 8);
+    EXPECT_EQ(watch.is_vehicle(1, 1, 8), heard == 4) << heard;
+  }
+}
 
 TEST(vehicle_watch, a_clock_that_goes_back_and_rises_from_there_is_a_restart) {
   vehicle_watch watch({});

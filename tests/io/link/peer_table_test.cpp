@@ -47,6 +47,18 @@ TEST(link_peer_table, a_new_peer_takes_the_place_of_the_longest_silent) {
   EXPECT_EQ(peers.heard(address(1), at(6s)), first);
 }
 
+TEST(link_peer_table, a_flood_of_newcomers_pushes_out_nobody_who_speaks) {
+  peer_table peers(3, 30s);
+  const auto vehicle = peers.heard(address(1), at(0s));
+  for (int i = 1; i < 10'000; ++i) {
+    (void)peers.heard(address(static_cast<std::uint16_t>(i + 1)), at(std::chrono::milliseconds(i)));
+    if (i % 1'000 == 0) {
+      EXPECT_EQ(peers.heard(address(1), at(std::chrono::milliseconds(i))), vehicle);
+    }
+  }
+  EXPECT_GT(peers.refused(), 0U);
+}
+
 RC_GTEST_PROP(link_peer_table_property, the_table_is_bounded_and_its_numbers_differ, ()) {
   const auto max_peers = *rc::gen::inRange<std::size_t>(1, 5);
   peer_table peers(max_peers, 10s);

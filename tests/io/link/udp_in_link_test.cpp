@@ -82,16 +82,17 @@ TEST_F(udp_in_link_test, datagrams_of_every_size_arrive_whole) {
   EXPECT_EQ(link->counters().tx_dropped, 1U);
 }
 
-TEST_F(udp_in_link_test, the_seventeenth_peer_takes_the_place_of_the_longest_silent) {
+TEST_F(udp_in_link_test, the_seventeenth_peer_pushes_out_nobody_who_has_just_spoken) {
   listen();
   std::vector<udp_end> peers(17);
   std::vector<peer_id> ids;
   for (std::size_t n = 0; n < peers.size(); ++n)
     ids.push_back(say(peers[n], "peer " + std::to_string(n)));
   EXPECT_EQ(link->counters().peers, 16U);
-  EXPECT_EQ(link->counters().peers_evicted, 1U);
-  EXPECT_FALSE(link->send(bytes_of("x"), ids.front()));
-  EXPECT_TRUE(link->send(bytes_of("x"), ids.back()));
+  EXPECT_EQ(link->counters().peers_evicted, 0U);
+  EXPECT_EQ(link->counters().peers_refused, 1U);
+  EXPECT_TRUE(link->send(bytes_of("x"), ids.front()));
+  EXPECT_FALSE(link->send(bytes_of("x"), ids.back())) << "it was heard, and is not remembered";
 }
 
 TEST_F(udp_in_link_test, a_peer_that_was_silent_for_long_is_forgotten) {

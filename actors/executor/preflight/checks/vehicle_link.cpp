@@ -4,6 +4,10 @@ namespace godwit::executor::preflight {
 
 result look_at_vehicle_link(const facts& seen, const settings&) {
   using vehicle_link::connection_phase;
+  if (seen.vehicle.link != connection_phase::connected &&
+      seen.vehicle.link_reason.starts_with(vehicle_link::refused_for_signature))
+    return fail("The vehicle speaks and is not believed: " + seen.vehicle.link_reason +
+                "; give both the same key, and set their clocks.");
   switch (seen.vehicle.link) {
   case connection_phase::connected:
     return pass("The vehicle is heard.");

@@ -30,5 +30,14 @@ TEST(vehicle_link_check, fails_in_every_other_phase_and_says_what_to_look_at) {
   EXPECT_NE(with(connection_phase::silent), with(connection_phase::lost));
 }
 
+TEST(vehicle_link_check, a_vehicle_with_another_key_is_not_called_silent) {
+  auto seen = good_facts();
+  seen.vehicle.link = connection_phase::silent;
+  seen.vehicle.link_reason = "frames are refused for their signature: it is signed with another key";
+  const auto verdict = look_at_vehicle_link(seen, {});
+  EXPECT_EQ(verdict.how, verdict::fail);
+  EXPECT_NE(verdict.sentence.find("another key"), std::string::npos);
+}
+
 } // namespace
 } // namespace godwit::executor::preflight

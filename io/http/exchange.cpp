@@ -5,6 +5,7 @@
 #include <boost/asio/error.hpp>
 #include <boost/asio/ssl/error.hpp>
 
+#include "io/http/redaction.hpp"
 #include "io/http/request_head.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/http/tls.hpp"
@@ -39,14 +40,13 @@ void exchange::wait() {
 void exchange::start() {
   if (phase_ == phase::ended)
     return;
-  secret_text token;
   if (parts_.to.has_token) {
     auto loaded = load_token(parts_.set.token_file);
     if (!loaded)
       return fail(loaded.error());
-    token = std::move(*loaded);
+    token_ = std::move(*loaded);
   }
-  head_ = request_head(asked_, parts_.to, token.revealed());
+  head_ = request_head(asked_, parts_.to, token_.revealed());
   piece_.resize(read_piece_bytes);
   if (auto kept = parts_.pool.take(clock::now())) {
     parts_.counters.reused.add();
@@ -221,9 +221,21 @@ void exchange::fail(error why) {
   finish(tl::make_unexpected(std::move(why)));
 }
 
+// A service may echo what it was sent.
+void exchange::redact_token(result<response>& end) const {
+  if (!end) {
+    redact(end.error().what, token_.revealed());
+    return;
+  }
+  redact(end->body, token_.revealed());
+  for (auto& each : end->headers)
+    redact(each.value, token_.revealed());
+}
+
 void exchange::finish(result<response> end) {
   if (phase_ == phase::ended)
     return;
+  redact_token(end);
   if (end && connection_ && reader_->can_be_kept() && is_sent_)
     parts_.pool.put(std::move(connection_), clock::now());
   phase_ = phase::ended;
@@ -234,6 +246,7 @@ void exchange::finish(result<response> end) {
   if (connection_)
     connection_->close(); // and kept until the handlers that it still calls are gone
   head_ = {};
+  token_ = {};
   asked_.on_body = nullptr;
   reader_.reset();
   const auto self = shared_from_this();

@@ -72,6 +72,7 @@ private:
   [[nodiscard]] std::string where_it_was() const;
   [[nodiscard]] std::chrono::milliseconds read_timeout() const;
   [[nodiscard]] std::chrono::milliseconds total_timeout() const;
+  void redact_token(result<response>& end) const;
   void finish(result<response> end);
   void fail(error why);
 
@@ -85,7 +86,8 @@ private:
   clock::time_point last_byte_at_;
   std::shared_ptr<connector> connector_;
   std::unique_ptr<connection> connection_;
-  secret_text head_; // it holds the token
+  secret_text token_;
+  secret_text head_; // it holds the token, too
   std::size_t body_sent_ = 0;
   std::optional<response_reader> reader_;
   std::vector<std::byte> piece_;

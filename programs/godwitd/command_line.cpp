@@ -165,6 +165,11 @@ void add_control(CLI::App& app, invocation& to) {
   retry->add_option("ID", to.outbox_key, "The key of one row (all)");
   retry->callback([&to] { to.what = task::retry_outbox; });
   add_words(*ctl, to);
+  auto* const rescue = ctl->add_subcommand(
+      "rescue-journal",
+      "Writes the journal to a new file beside it when its own was deleted, replaced or cut in flight.");
+  rescue->fallthrough();
+  rescue->callback([&to] { to.what = task::rescue_journal; });
 }
 
 void add_convert(CLI::App& app, invocation& to) {

@@ -24,7 +24,8 @@ enum class task {
   retry_outbox,
   say_word,
   override_failsafe,
-  crash_actor
+  crash_actor,
+  rescue_journal
 };
 
 struct wanted_override {

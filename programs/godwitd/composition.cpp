@@ -16,6 +16,7 @@
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/convert_command.hpp"
 #include "programs/godwitd/flight_state.hpp"
+#include "programs/godwitd/open_line.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -136,6 +137,11 @@ void composition::add_actors() {
     add_flight(of_desk);
   else
     add_ground_run(of_desk);
+  of_desk.rescue_journal = [this](control::peers::rescued then) {
+    host_->journal().rescue([then = std::move(then)](tl::expected<std::string, runtime::journal_error> done) {
+      then(std::move(done).map_error([](const runtime::journal_error& why) { return why.message(); }));
+    });
+  };
   if (wanted_.allow_crash)
     of_desk.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
   request_handler_ =
@@ -195,6 +201,7 @@ checked composition::open() {
   using executor::supervision::part;
   if (wanted_.flies)
     begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
+  tell_open_lines();
   host_->actors().start();
   open_vehicle();
   if (wanted_.flies)
@@ -202,6 +209,16 @@ checked composition::open() {
   open_feed();
   hand_over_mission();
   return {};
+}
+
+void composition::tell_open_lines() {
+  const auto tell = [this](const std::string& sentence, std::string_view part) {
+    if (!sentence.empty())
+      announce({sentence, true}, part);
+  };
+  tell(open_line_warning(wanted_.vehicle, !wanted_.signing_key_file.empty(), "--signing-key"), "vehicle_link");
+  if (wanted_.flies && wanted_.ground)
+    tell(open_line_warning(*wanted_.ground, !wanted_.ground_key_file.empty(), "--ground-signing-key"), "ground_port");
 }
 
 checked composition::open_map() {

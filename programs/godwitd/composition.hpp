@@ -67,6 +67,7 @@ private:
   void open_feed();
   void hand_over_mission();
   [[nodiscard]] tl::expected<void, std::string> open_map();
+  void tell_open_lines();
   [[nodiscard]] tl::expected<void, std::string> open_control();
   [[nodiscard]] ground_run::run_world world_of_run();
   [[nodiscard]] ground_run::settings settings_of_run() const;

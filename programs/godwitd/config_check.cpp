@@ -1,59 +1,18 @@
 #include "programs/godwitd/config_check.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <utility>
-
-#include <unistd.h>
 
 #include "actors/mission_client/http_service.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
-#include "programs/godwitd/control/unix_address.hpp"
+#include "programs/godwitd/clock_check.hpp"
 #include "programs/godwitd/convert_command.hpp"
-#include "programs/godwitd/option_table.hpp"
+#include "programs/godwitd/limit_check.hpp"
+#include "programs/godwitd/output_check.hpp"
 #include "programs/godwitd/state_check.hpp"
 
 namespace godwit::daemon {
 namespace {
-
-namespace fs = std::filesystem;
-
-class problem_list {
-public:
-  void add(std::string_view option, const std::string& sentence) {
-    list_.push_back(all_names_of(option) + ": " + sentence);
-  }
-  bool must_be_readable(std::string_view option, const std::string& file) {
-    if (::access(file.c_str(), R_OK) == 0)
-      return true;
-    add(option, file + " can not be read: " + std::strerror(errno));
-    return false;
-  }
-  // PATH, or the nearest folder above it that is there, when it is to be made.
-  void must_be_writable(std::string_view option, const fs::path& path) {
-    std::error_code ignored;
-    auto there = fs::absolute(path);
-    while (!fs::exists(there, ignored) && there.has_relative_path())
-      there = there.parent_path();
-    if (::access(there.c_str(), W_OK) != 0)
-      add(option, there.string() + " can not be written: " + std::strerror(errno));
-  }
-  // FILE or, when it is to be made, its folder, which nobody makes.
-  void must_have_folder(std::string_view option, const fs::path& file) {
-    const auto folder = fs::absolute(file).parent_path();
-    std::error_code ignored;
-    if (!fs::is_directory(folder, ignored))
-      add(option, "there is no folder " + folder.string());
-    else
-      must_be_writable(option, file);
-  }
-  [[nodiscard]] std::vector<std::string> take() { return std::move(list_); }
-
-private:
-  std::vector<std::string> list_;
-};
 
 void check_service(const io::http::settings& service, problem_list& to) {
   auto rest = service;
@@ -86,15 +45,8 @@ void check_inputs(const daemon_settings& wanted, problem_list& to) {
     to.must_be_readable("sightings", wanted.sightings_file);
 }
 
-void check_outputs(const daemon_settings& wanted, problem_list& to) {
-  to.must_have_folder("journal", wanted.process.journal.path);
-  to.must_be_writable("map", wanted.map.store.file.path);
-  if (wanted.process.trace)
-    to.must_be_writable("trace", wanted.process.trace->folder);
-  if (!wanted.log.file.empty())
-    to.must_have_folder("log-file", wanted.log.file);
-  if (const auto address = control::unix_address(wanted.control_path); !address)
-    to.add("control", address.error());
+// What is on the disk from before.
+void check_state(const daemon_settings& wanted, problem_list& to) {
   if (const auto objection = objection_to_journal(wanted.process.journal.path))
     to.add("journal", *objection);
   if (const auto objection = objection_to_map(wanted.map.store.file.path))
@@ -107,7 +59,12 @@ std::vector<std::string> problems_of(const daemon_settings& wanted) {
   problem_list found;
   check_inputs(wanted, found);
   check_outputs(wanted, found);
-  return found.take();
+  check_state(wanted, found);
+  auto result = found.take();
+  for (const auto& objection : {objection_to_clock(clock_now()), objection_to_limits(limits_now())})
+    if (objection)
+      result.push_back(*objection);
+  return result;
 }
 
 } // namespace godwit::daemon

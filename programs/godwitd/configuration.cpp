@@ -1,6 +1,7 @@
 #include "programs/godwitd/configuration.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -50,6 +51,20 @@ tl::expected<void, std::string> put(nlohmann::json& document, const io::schemas:
   return tl::make_unexpected(name + " " + problems.front().what + "; allowed: " + problems.front().allowed);
 }
 
+// Where the first text with a control character stands. A file name would end at a zero.
+std::optional<std::string> control_character_in(const nlohmann::json& document, const std::string& place) {
+  if (document.is_string()) {
+    const auto is_control = [](char each) { return static_cast<unsigned char>(each) < 0x20 || each == 0x7F; };
+    return std::ranges::any_of(document.get_ref<const std::string&>(), is_control) ? std::optional(place)
+                                                                                   : std::nullopt;
+  }
+  if (document.is_structured())
+    for (const auto& [key, value] : document.items())
+      if (auto found = control_character_in(value, place.empty() ? key : place + "." + key))
+        return found;
+  return std::nullopt;
+}
+
 // The text given for OPTION, the stronger place first.
 const std::string* config_file(const given_texts& command_line, const given_texts& environment) {
   const auto given = command_line.find(config_option);
@@ -82,6 +97,8 @@ tl::expected<nlohmann::json, std::string> effective_configuration(const given_te
     if (!taken)
       return tl::make_unexpected(std::move(taken.error()));
   }
+  if (const auto place = control_character_in(*document, ""))
+    return tl::make_unexpected(*place + " holds a control character: no file and no address has one");
   return *std::move(document);
 }
 

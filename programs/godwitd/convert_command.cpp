@@ -17,6 +17,10 @@ using runtime::exit_code;
 using text_or_error = tl::expected<std::string, std::string>;
 
 text_or_error read_file(const std::string& file) {
+  std::error_code ignored;
+  if (const auto there = std::filesystem::status(file, ignored);
+      std::filesystem::is_fifo(there) || std::filesystem::is_socket(there) || std::filesystem::is_directory(there))
+    return tl::make_unexpected(file + " can not be read: it is not a regular file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string text;

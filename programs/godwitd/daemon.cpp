@@ -6,8 +6,12 @@
 
 #include <unistd.h>
 
+#include "programs/common/printable.hpp"
+#include "programs/godwitd/clock_check.hpp"
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/crash_loop_guard.hpp"
+#include "programs/godwitd/limit_check.hpp"
+#include "programs/godwitd/privacy.hpp"
 #include "programs/godwitd/service_manager.hpp"
 #include "programs/godwitd/signal_handler.hpp"
 #include "programs/godwitd/state_check.hpp"
@@ -19,10 +23,12 @@ namespace {
 using runtime::exit_code;
 
 constexpr std::string_view part = "godwitd"; // in the log
+// An end in order writes what waits, 5 s at most, and stops the actors; who takes longer hangs. Below TimeoutStopSec.
+constexpr std::chrono::seconds longest_end{30};
 
 // Whoever started it sees it on stderr, whoever looks for it later finds it in the log.
 void complain(program_log& log, const std::string& sentence) {
-  say(sentence);
+  say(programs::printable(sentence));
   if (!log.is_plain())
     log.say(log_level::error, part, sentence);
 }
@@ -56,9 +62,9 @@ pulse_view view_of(runtime::process& host, program_log& log) {
 
 // A new process cures more than an orderly end of this one, and a vehicle waits for it. The journal loses nothing by
 // it.
-void leave_by_force_soon(exit_code code) {
-  std::thread([code] {
-    std::this_thread::sleep_for(runtime::fast_end);
+void leave_by_force_soon(exit_code code, std::chrono::milliseconds after) {
+  std::thread([code, after] {
+    std::this_thread::sleep_for(after);
     std::_Exit(static_cast<int>(code));
   }).detach();
 }
@@ -69,7 +75,7 @@ exit_code wait_for_end(composition& made, program_log& log, crash_loop_guard& le
   auto code = runtime::exit_code_for(why.cause);
   if (why.cause == runtime::exit_cause::given_up_in_flight) {
     ledger.end_fast(this_moment());
-    leave_by_force_soon(code);
+    leave_by_force_soon(code, runtime::fast_end);
   }
   const auto ended = made.end_of_run();
   if (code == exit_code::ok && ended && !ended->well)
@@ -104,6 +110,7 @@ exit_code run_made(composition& made, program_log& log, signal_handler& signals,
     beats.end();
   }
   manager.tell_stopping();
+  leave_by_force_soon(code, longest_end);
   if (code != exit_code::essential_given_up && code != exit_code::unresponsive)
     ledger.end_in_order(); // while the journal's lock is ours, and so the ledger
   return static_cast<exit_code>(made.close(code));
@@ -113,6 +120,12 @@ exit_code run_made(composition& made, program_log& log, signal_handler& signals,
 
 exit_code run_daemon(daemon_settings wanted, const add_more& more) {
   signal_handler signals; // before any thread
+  keep_memory_private();
+  for (const auto& objection : {objection_to_clock(clock_now()), objection_to_limits(limits_now())})
+    if (objection) {
+      say(*objection);
+      return exit_code::failed;
+    }
   const auto log = program_log::open(wanted.log, STDOUT_FILENO);
   if (!log) {
     say(log.error());

@@ -11,6 +11,7 @@
 #include "actors/vehicle_link/actor.hpp"
 #include "io/sqlite/work_queue.hpp"
 #include "programs/godwitd/child_policies.hpp"
+#include "programs/godwitd/open_line.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -48,6 +49,11 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
     result.as.component = io::mavlink::number(io::mavlink::mav_component::autopilot1);
   result.passes = settings.ground_passes;
   result.also_passes = settings.ground_also_passes;
+  if (settings.ground) {
+    const bool is_signed = !settings.ground_key_file.empty();
+    result.heartbeats_to_begin = heartbeats_to_begin(*settings.ground, is_signed);
+    result.open_line = open_line_warning(*settings.ground, is_signed, "--ground-signing-key");
+  }
   return result;
 }
 
@@ -69,6 +75,9 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
   auto link = settings.link;
   link.watch.system = settings.vehicle_system;
   link.relays = settings.flies && settings.ground_passes && outside.ground;
+  const bool is_signed = !settings.signing_key_file.empty();
+  link.watch.heartbeats_to_begin = heartbeats_to_begin(settings.vehicle, is_signed);
+  link.open_line = open_line_warning(settings.vehicle, is_signed, "--signing-key");
   if (settings.flies)
     link.liveness_reporters = {executor_name, failsafe_name};
   made.vehicle =

@@ -12,6 +12,12 @@ using runtime::health_entry;
 
 std::string because(const std::string& reason) { return reason.empty() ? "" : ": " + reason; }
 
+// A reason with another number in it is no news.
+std::string without_numbers(std::string reason) {
+  std::erase_if(reason, [](char each) { return each >= '0' && each <= '9'; });
+  return reason;
+}
+
 } // namespace
 
 std::string health_in_a_line(const std::vector<health_entry>& now) {
@@ -29,7 +35,9 @@ std::vector<health_change> health_changes(const std::vector<health_entry>& befor
   for (const auto& each : now) {
     const auto known = std::ranges::find(before, each.component, &health_entry::component);
     const auto was = known == before.end() ? health_colour::green : known->colour;
-    if (each.colour == was)
+    const bool has_other_reason =
+        known != before.end() && without_numbers(known->reason) != without_numbers(each.reason);
+    if (each.colour == was && (each.colour == health_colour::green || !has_other_reason))
       continue;
     result.push_back({each.component, each.colour,
                       each.colour == health_colour::green

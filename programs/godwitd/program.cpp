@@ -4,11 +4,14 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <string>
+#include <system_error>
 
 #include "io/fields/field_table.hpp"
 #include "io/fields/json_text.hpp"
 #include "messages/mission/item_fields.hpp"
+#include "programs/common/printable.hpp"
 #include "programs/godwitd/command_line.hpp"
 #include "programs/godwitd/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
@@ -32,7 +35,7 @@ exit_code fail(exit_code code, const std::string& sentence) {
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 exit_code list_outbox(const json& configuration, bool as_json) {
-  const auto listing = read_outbox(journal_path(configuration));
+  const auto listing = read_outbox(runtime::journal_in_use(journal_path(configuration)));
   if (!listing)
     return fail(exit_code::failed, listing.error());
   const auto now_ns =
@@ -61,10 +64,14 @@ exit_code ask_running(const json& configuration, const json& question, bool as_j
   if (as_json)
     print(answer->dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
   else if (is_done)
-    print(text(*answer) + "\n");
+    print(programs::printable(text(*answer), "") + "\n");
   else
-    say(answer->value("error", std::string("refused")));
+    say(programs::printable(answer->value("error", std::string("refused"))));
   return is_done ? exit_code::ok : exit_code::failed;
+}
+
+std::string rescued_text(const json& answer) {
+  return "the journal is written to " + answer.value("file", std::string());
 }
 
 std::string taken_text(const json&) { return "done"; }
@@ -109,6 +116,8 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
                         {"seconds", asked.overridden.seconds},
                         {"reason", asked.overridden.reason}},
                        asked.json, taken_text);
+  case task::rescue_journal:
+    return ask_running(*configuration, {{"do", "rescue_journal"}}, asked.json, rescued_text);
   case task::crash_actor:
     return ask_running(*configuration, {{"do", "crash"}, {"actor", asked.actor}}, asked.json, taken_text);
   default:
@@ -129,7 +138,16 @@ int run_program(int argc, const char* const* argv, const add_more& more) {
     return static_cast<int>(asked.error());
   if (asked->what == task::convert)
     return static_cast<int>(run_convert(asked->files, asked->has("allow-partial")));
-  return static_cast<int>(run_configured(*asked, more));
+  try {
+    return static_cast<int>(run_configured(*asked, more));
+  } catch (const std::bad_alloc&) {
+    return static_cast<int>(
+        fail(exit_code::failed, "there is not enough memory: raise the limit (ulimit -v, MemoryMax)"));
+  } catch (const std::system_error& refused) { // of a thread, mostly
+    return static_cast<int>(fail(exit_code::failed, std::string("the system refuses what godwitd needs: ") +
+                                                        refused.what() +
+                                                        "; raise its limits (ulimit -v, -u; MemoryMax, TasksMax)"));
+  }
 }
 
 } // namespace godwit::daemon

@@ -47,6 +47,12 @@ tl::expected<nlohmann::json, config_error> load_config(std::string_view text, st
 
 tl::expected<nlohmann::json, config_error> load_config_file(const std::filesystem::path& file,
                                                             std::string_view schema_text) {
+  // Opening a pipe would wait for somebody who writes.
+  std::error_code ignored;
+  if (const auto there = std::filesystem::status(file, ignored);
+      std::filesystem::is_fifo(there) || std::filesystem::is_socket(there) || std::filesystem::is_directory(there))
+    return tl::unexpected(config_error{
+        config_errc::unreadable, file.string(), 0, 0, {{{}, "can not be read: it is not a regular file", {}}}, 0});
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream)

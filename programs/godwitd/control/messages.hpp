@@ -15,7 +15,8 @@ enum class request_kind {
   outbox_retry,
   command,       // of an operator
   override_rule, // of the failsafe
-  crash          // an actor, for drills
+  crash,         // an actor, for drills
+  rescue_journal // its file is lost
 };
 
 constexpr auto enum_names(request_kind) {
@@ -23,7 +24,8 @@ constexpr auto enum_names(request_kind) {
                                   {request_kind::outbox_retry, "outbox_retry"},
                                   {request_kind::command, "word"},
                                   {request_kind::override_rule, "override_rule"},
-                                  {request_kind::crash, "crash"}});
+                                  {request_kind::crash, "crash"},
+                                  {request_kind::rescue_journal, "rescue_journal"}});
 }
 
 struct control_request {

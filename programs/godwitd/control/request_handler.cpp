@@ -41,6 +41,9 @@ void request_handler::take(const control_request& asked) {
   case request_kind::crash:
     crash(asked);
     return;
+  case request_kind::rescue_journal:
+    rescue_journal(asked);
+    return;
   }
 }
 
@@ -147,6 +150,19 @@ void request_handler::crash(const control_request& asked) {
     answer_with(asked.ticket, {{"ok", false}, {"error", "no actor \"" + asked.key + "\" runs"}});
   else
     answer_with(asked.ticket, {{"ok", true}});
+}
+
+// The journal's own thread answers.
+void request_handler::rescue_journal(const control_request& asked) {
+  if (!others_.rescue_journal) {
+    answer_with(asked.ticket, {{"ok", false}, {"error", "this godwitd has no journal in a file"}});
+    return;
+  }
+  others_.rescue_journal(
+      [answers = answers_, ticket = asked.ticket](const tl::expected<std::string, std::string>& done) {
+        const json document = done ? json{{"ok", true}, {"file", *done}} : json{{"ok", false}, {"error", done.error()}};
+        answers->put({ticket, document.dump(-1, ' ', false, json::error_handler_t::replace)});
+      });
 }
 
 void request_handler::answer_with(std::uint64_t ticket, const json& document) {

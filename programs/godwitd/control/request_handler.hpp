@@ -14,6 +14,7 @@
 #include <string>
 
 #include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
 
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/types.hpp"
@@ -47,6 +48,8 @@ struct peers {
   std::optional<sightings::status_handle> sightings; // with a flight
   runtime::guardian_handle guardian;
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
+  using rescued = std::function<void(tl::expected<std::string, std::string>)>; // the new file, or why not
+  std::function<void(rescued then)> rescue_journal;                            // THEN: in any thread
 };
 
 class request_handler final : public runtime::actor_base<request_handle> {
@@ -71,6 +74,7 @@ private:
   void say(const control_request& asked);
   void override_rule(const control_request& asked);
   void crash(const control_request& asked);
+  void rescue_journal(const control_request& asked);
   template <class Answer, class Handle, class Question, class Reader>
   void pass_on(std::uint64_t ticket, const Handle& who, const Question& question, Reader taken_and_why);
   template <class Handle, class Question>

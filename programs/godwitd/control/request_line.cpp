@@ -1,5 +1,7 @@
 #include "programs/godwitd/control/request_line.hpp"
 
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include "io/fields/json_value.hpp"
@@ -10,6 +12,8 @@ namespace godwit::control {
 using nlohmann::json;
 
 namespace {
+
+constexpr std::int64_t max_override_s = 3'600; // as long as the failsafe lets one last
 
 std::string text_of(const json& document, const char* key) {
   const auto found = document.find(key);
@@ -41,7 +45,8 @@ tl::expected<control_request, std::string> read_command(const json& document, op
   if (kind != operators::command_kind::acknowledge)
     return result;
   const auto report = document.find("report");
-  if (report == document.end() || !report->is_number_unsigned())
+  if (report == document.end() || !report->is_number_unsigned() ||
+      report->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
     return tl::make_unexpected(std::string("acknowledge names the preflight report, such as \"report\": 1"));
   result.said.report = report->get<std::uint32_t>();
   return result;
@@ -52,8 +57,12 @@ tl::expected<control_request, std::string> read_override(const json& document) {
   if (!rule)
     return tl::make_unexpected(std::string("the rule is operator_link, battery_low, fence or battery_critical"));
   const auto seconds = document.find("seconds");
-  if (seconds == document.end() || !seconds->is_number_integer() || seconds->get<std::int64_t>() <= 0)
-    return tl::make_unexpected(std::string("\"seconds\" says for how long"));
+  // A number beyond the signed ones is unsigned to the reader, and would be cut.
+  const bool is_number = seconds != document.end() && seconds->is_number_integer();
+  const bool is_too_large = is_number && seconds->is_number_unsigned() &&
+                            seconds->get<std::uint64_t>() > static_cast<std::uint64_t>(max_override_s);
+  if (!is_number || is_too_large || seconds->get<std::int64_t>() <= 0)
+    return tl::make_unexpected("\"seconds\" says for how long: 1 to " + std::to_string(max_override_s));
   control_request result;
   result.what = request_kind::override_rule;
   result.overridden.scope = *rule;
@@ -79,8 +88,10 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
     return read_override(document);
   if (what == "crash")
     return control_request{0, request_kind::crash, text_of(document, "actor"), {}, {}, 0};
-  return tl::make_unexpected("\"do\" is status, outbox_retry, override, crash, or a command to the flight: " +
-                             all_verbs());
+  if (what == "rescue_journal")
+    return control_request{0, request_kind::rescue_journal, {}, {}, {}, 0};
+  return tl::make_unexpected(
+      "\"do\" is status, outbox_retry, override, rescue_journal, crash, or a command to the flight: " + all_verbs());
 }
 
 std::string refusal_line(const std::string& sentence) {

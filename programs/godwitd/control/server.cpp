@@ -23,12 +23,14 @@ using io::link::descriptor;
 namespace {
 
 constexpr int max_waiting_connections = 8;
+constexpr std::chrono::seconds without_descriptors{1}; // until somebody is let in again
 
 descriptor new_socket() { return descriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)); }
 
 const sockaddr* as_sockaddr(const sockaddr_un& address) { return reinterpret_cast<const sockaddr*>(&address); }
 
-// A file is in the way: a socket on which nobody listens is what a killed process left.
+// A file is in the way: a socket on which nobody listens is what a killed process left. Only a refusal says that nobody
+// does; one who is stopped or busy lets wait.
 tl::expected<void, std::string> clear_the_way(const std::string& path, const sockaddr_un& address) {
   struct stat there {};
   if (::lstat(path.c_str(), &there) != 0)
@@ -36,8 +38,11 @@ tl::expected<void, std::string> clear_the_way(const std::string& path, const soc
   if (!S_ISSOCK(there.st_mode))
     return tl::make_unexpected(path + " is there and is no socket: name another place with --control");
   const auto probe = new_socket();
-  if (::connect(probe.number(), as_sockaddr(address), sizeof address) == 0)
+  if (::connect(probe.number(), as_sockaddr(address), sizeof address) == 0 || errno == EAGAIN)
     return tl::make_unexpected(path + ": another godwitd listens there; end it, or name another place with --control");
+  if (errno != ECONNREFUSED)
+    return tl::make_unexpected(path + ": whether a godwitd listens there can not be told: " + std::strerror(errno) +
+                               "; name another place with --control");
   if (::unlink(path.c_str()) != 0)
     return tl::make_unexpected(path + ", which an earlier godwitd left, can not be removed: " + std::strerror(errno));
   return {};
@@ -59,6 +64,11 @@ tl::expected<descriptor, std::string> listen_at(const std::string& path) {
   return result;
 }
 
+file_identity identity_of(const std::string& path) {
+  struct stat there {};
+  return ::lstat(path.c_str(), &there) == 0 ? file_identity{there.st_dev, there.st_ino} : file_identity{};
+}
+
 } // namespace
 
 tl::expected<std::unique_ptr<server>, std::string>
@@ -75,20 +85,23 @@ server::open(const std::string& path, std::shared_ptr<response_queue> answers, a
 
 server::server(std::string path, descriptor listening, descriptor stop, std::shared_ptr<response_queue> answers,
                asker ask, server_limits limits)
-    : path_(std::move(path)), listening_(std::move(listening)), stop_(std::move(stop)), answers_(std::move(answers)),
-      ask_(std::move(ask)), limits_(limits), thread_([this] { run(); }) {}
+    : path_(std::move(path)), file_(identity_of(path_)), listening_(std::move(listening)), stop_(std::move(stop)),
+      answers_(std::move(answers)), ask_(std::move(ask)), limits_(limits), thread_([this] { run(); }) {}
 
 server::~server() {
   const std::uint64_t one = 1;
   (void)!::write(stop_.number(), &one, sizeof one);
   thread_.join();
-  ::unlink(path_.c_str());
+  if (identity_of(path_) == file_) // another's socket may have come into its place
+    ::unlink(path_.c_str());
 }
 
 void server::run() {
   for (;;) {
-    std::vector<pollfd> watched{
-        {stop_.number(), POLLIN, 0}, {answers_->descriptor(), POLLIN, 0}, {listening_.number(), POLLIN, 0}};
+    const bool lets_in = clock::now() >= lets_in_again_;
+    std::vector<pollfd> watched{{stop_.number(), POLLIN, 0},
+                                {answers_->descriptor(), POLLIN, 0},
+                                {listening_.number(), static_cast<short>(lets_in ? POLLIN : 0), 0}};
     for (const auto& each : clients_)
       watched.push_back(
           {each.socket.number(),
@@ -111,17 +124,23 @@ void server::run() {
 }
 
 int server::wait_ms() const {
-  if (clients_.empty())
+  auto first = clock::now() < lets_in_again_ ? lets_in_again_ : clock::time_point::max();
+  for (const auto& each : clients_)
+    first = std::min(first, each.deadline);
+  if (first == clock::time_point::max())
     return -1;
-  const auto first = std::ranges::min_element(clients_, {}, &client::deadline)->deadline;
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(first - clock::now());
   return static_cast<int>(std::max<std::int64_t>(left.count(), 0));
 }
 
 void server::accept_one() {
   descriptor socket(::accept4(listening_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-  if (!socket.is_open())
+  if (!socket.is_open()) {
+    // Who waits stays in the queue; to look at once again would never end.
+    if (errno != EAGAIN && errno != EINTR && errno != ECONNABORTED)
+      lets_in_again_ = clock::now() + without_descriptors;
     return;
+  }
   clients_.push_back({std::move(socket), {}, {}, 0, clock::now() + limits_.idle_timeout, false});
   if (clients_.size() > limits_.max_clients)
     turn_away(clients_.back(), "too many talk to this godwitd already; try again later");

@@ -3,7 +3,8 @@
 //   client ──line──> read_request ──ticket──> ask() ... response_queue ──line──> client
 //
 // A Unix socket of mode 0600, so that only the user under whom godwitd runs reaches it. A file that a killed godwitd
-// left there is replaced; one on which somebody still listens is an error. Each client has one request under way; the
+// left there is replaced; one on which somebody still listens, or may, is an error. At the end it is removed if it is
+// still ours. Without descriptors nobody is let in for a second. Each client has one request under way; the
 // next line waits. Who sends a line that is too long, reads nothing, or says nothing for a while is closed: nobody can
 // hold up the others, and nobody here ever waits for a client. Errors: open, as sentences. Thread: one of its own; open
 // and the destructor by the owner; ASK is called in the thread and must be quick. Source: unix(7).
@@ -18,6 +19,7 @@
 #include <string>
 #include <thread>
 
+#include <sys/types.h>
 #include <tl/expected.hpp>
 
 #include "io/link/descriptor.hpp"
@@ -32,6 +34,13 @@ struct server_limits {
   std::size_t max_unread_bytes = 256 * 1024; // answers that a client does not take
   std::chrono::milliseconds answer_timeout{5'000};
   std::chrono::milliseconds idle_timeout{60'000};
+};
+
+// Which file it is, whatever its name. Zero: none.
+struct file_identity {
+  dev_t device = 0;
+  ino_t number = 0;
+  bool operator==(const file_identity&) const = default;
 };
 
 class server {
@@ -74,6 +83,8 @@ private:
   [[nodiscard]] bool has_to_go(const client& who) const;
 
   const std::string path_;
+  const file_identity file_;
+  clock::time_point lets_in_again_{};
   io::link::descriptor listening_;
   io::link::descriptor stop_;
   std::shared_ptr<response_queue> answers_;

@@ -7,6 +7,8 @@
 #include <spdlog/details/log_msg.h>
 #include <spdlog/pattern_formatter.h>
 
+#include "programs/common/printable.hpp"
+
 namespace godwit::daemon {
 namespace {
 
@@ -31,7 +33,7 @@ public:
   void format(const spdlog::details::log_msg& said, spdlog::memory_buf_t& to) override {
     if (said.level >= spdlog::level::warn)
       append(to, said.level == spdlog::level::warn ? "warning: " : "error: ");
-    append(to, view(said.payload));
+    append(to, programs::printable(view(said.payload)));
   }
   [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override {
     return std::make_unique<plain_formatter>();
@@ -44,8 +46,7 @@ public:
     append(to, stamp_.of(said) + " ");
     append(to, view(spdlog::level::to_string_view(said.level)));
     append(to, " " + std::string(view(said.logger_name)) + ": ");
-    for (const char each : view(said.payload))
-      append(to, each == '\n' ? "\n    " : std::string_view(&each, 1));
+    append(to, programs::printable(view(said.payload)));
   }
   [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override {
     return std::make_unique<stamped_formatter>();

@@ -221,6 +221,23 @@ class Check(World):
         self.assertEqual(blamed, ["token-file", "ca-file", "signing-key", "sightings", "journal", "log-file"])
         self.assertNotIn("secret", checked.stderr)
 
+    def test_a_pipe_as_configuration_is_refused_and_not_waited_for(self):
+        os.mkfifo(self.path("pipe.json"))
+        for words in (["--config", self.path("pipe.json")], ["--mission", self.path("pipe.json")]):
+            checked = subprocess.run([PROGRAM, "--check-config", "--vehicle", "udpin://127.0.0.1:0", "--journal",
+                                      self.path("godwit.db"), *words], capture_output=True, text=True,
+                                     timeout=PATIENCE_S, env=self.environment())
+            self.assertEqual(checked.returncode, USAGE)
+            self.assertIn("not a regular file", checked.stderr)
+
+    def test_what_is_found_is_what_stops_a_start(self):
+        pathlib.Path(self.path("file")).write_text("text", encoding="utf-8")
+        for words in (["--control", self.path("no/control")], ["--control", self.path("file")],
+                      ["--trace", self.path("file")], ["--map", self.path("godwit.db")]):
+            checked = self.check(*words)
+            self.assertEqual((checked.returncode, checked.stdout), (USAGE, ""), words)
+            self.assertNotEqual(self.run_it(*words).returncode, OK, words)
+
     def test_a_mission_that_is_none_is_blamed(self):
         pathlib.Path(self.path("m.plan")).write_text("{}", encoding="utf-8")
         checked = subprocess.run([PROGRAM, "--check-config", "--mission", self.path("m.plan"), "--vehicle",

@@ -23,7 +23,9 @@ KNOWN = {
         LogsDirectory ConfigurationDirectory UMask CapabilityBoundingSet NoNewPrivileges ProtectSystem ProtectHome
         PrivateTmp ProtectControlGroups ProtectKernelLogs ProtectKernelModules ProtectKernelTunables ProtectClock
         ProtectHostname DevicePolicy DeviceAllow RestrictAddressFamilies RestrictNamespaces RestrictRealtime
-        RestrictSUIDSGID LockPersonality MemoryDenyWriteExecute SystemCallArchitectures SystemCallFilter""",
+        RestrictSUIDSGID LockPersonality MemoryDenyWriteExecute SystemCallArchitectures SystemCallFilter
+        SystemCallErrorNumber PrivateUsers PrivateMounts ProtectProc RemoveIPC MemoryMax MemorySwapMax TasksMax
+        LimitNOFILE LimitCORE""",
     "Install": "WantedBy",
 }
 
@@ -51,6 +53,21 @@ class Unit(unittest.TestCase):
                                   capture_output=True, text=True, timeout=PATIENCE_S, check=False)
         self.assertNotIn(copy.name, said.stderr)
         self.assertEqual(said.returncode, 0, said.stderr)
+
+    @unittest.skipUnless(shutil.which("systemd-analyze"), "systemd is not installed")
+    def test_it_is_exposed_by_no_more_than_15_tenths(self):
+        judged = subprocess.run(["systemd-analyze", "security", "--offline=true", "--no-pager", "--threshold=15",
+                                 str(UNIT)], capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        self.assertEqual(judged.returncode, 0, judged.stdout + judged.stderr)
+        level = float(re.search(r"Overall exposure level for \S+: ([0-9.]+)", judged.stdout).group(1))
+        self.assertLessEqual(level, 1.5)
+
+    def test_its_memory_threads_and_core_dumps_are_bounded(self):
+        service = parsed()["Service"]
+        self.assertEqual(service["LimitCORE"], "0")
+        self.assertIn("MemoryMax", service)
+        self.assertIn("TasksMax", service)
+        self.assertEqual(service["SystemCallErrorNumber"], "EPERM")
 
     def test_every_option_of_its_command_line_is_one_of_godwitd(self):
         command = parsed()["Service"]["ExecStart"]

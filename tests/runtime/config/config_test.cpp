@@ -1,5 +1,6 @@
 #include "runtime/config/config.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -36,6 +37,16 @@ protected:
       std::filesystem::temp_directory_path() / ("godwit_config_" + std::to_string(::getpid()) + "_" +
                                                 testing::UnitTest::GetInstance()->current_test_info()->name());
 };
+
+TEST_F(config_file, a_pipe_or_a_folder_is_refused_and_not_waited_for) {
+  const auto pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const auto& each : {pipe, folder_}) {
+    const auto loaded = load_config_file(each, godwit_schema());
+    ASSERT_FALSE(loaded);
+    EXPECT_NE(loaded.error().message().find("not a regular file"), std::string::npos) << loaded.error().message();
+  }
+}
 
 TEST(config, an_empty_document_is_the_default_configuration_of_the_runtime) {
   const auto loaded = load_config("{}", "godwit.json", godwit_schema());

@@ -31,8 +31,10 @@ TEST(control_request_line, a_word_to_the_flight_says_whose_it_is) {
 TEST(control_request_line, an_acknowledgement_names_its_report) {
   EXPECT_EQ(read_request(R"({"do": "acknowledge", "by": "anna", "report": 3})")->said.report, 3U);
   for (const auto* line :
-       {R"({"do": "acknowledge", "by": "anna"})", R"({"do": "acknowledge", "by": "anna", "report": -1})"})
+       {R"({"do": "acknowledge", "by": "anna"})", R"({"do": "acknowledge", "by": "anna", "report": -1})",
+        R"({"do": "acknowledge", "by": "anna", "report": 4294967297})"})
     EXPECT_FALSE(read_request(line)) << line;
+  EXPECT_EQ(read_request(R"({"do": "acknowledge", "by": "anna", "report": 4294967295})")->said.report, 4294967295U);
 }
 
 TEST(control_request_line, who_is_sent_elsewhere_is_told_where) {
@@ -53,7 +55,10 @@ TEST(control_request_line, an_override_has_a_rule_and_a_time) {
   EXPECT_EQ(one->overridden.reason, "anna: a hill");
   EXPECT_EQ(one->lasts_s, 60);
   for (const auto* line :
-       {R"({"do": "override", "rule": "all", "seconds": 60})", R"({"do": "override", "rule": "fence", "seconds": 0})"})
+       {R"({"do": "override", "rule": "all", "seconds": 60})", R"({"do": "override", "rule": "fence", "seconds": 0})",
+        R"({"do": "override", "rule": "fence", "seconds": 9223372036})",
+        R"({"do": "override", "rule": "fence", "seconds": 18446744073709551615})",
+        R"({"do": "override", "rule": "fence", "seconds": 1e3})"})
     EXPECT_FALSE(read_request(line)) << line;
 }
 

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <mutex>
 #include <semaphore>
+#include <thread>
 
 #include <sys/eventfd.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 
@@ -100,6 +103,66 @@ TEST(control_server, what_a_killed_daemon_left_is_replaced) {
   const request_handler here(path);
   EXPECT_EQ(here.error, "");
   EXPECT_TRUE(ask_daemon(path, retry("abc")));
+}
+
+// As one that was stopped, or has more to do than it gets done.
+TEST(control_server, a_daemon_that_lets_wait_keeps_its_socket) {
+  const scratch folder;
+  const auto path = folder.file("control");
+  const auto address = unix_address(path).value();
+  const descriptor busy(::socket(AF_UNIX, SOCK_STREAM, 0));
+  ASSERT_EQ(::bind(busy.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(::listen(busy.number(), 0), 0);
+  std::vector<descriptor> waiting;
+  for (int error = 0; error == 0;) {
+    waiting.emplace_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+    error = ::connect(waiting.back().number(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  }
+  const request_handler second(path);
+  EXPECT_NE(second.error.find("another godwitd"), std::string::npos) << second.error;
+  EXPECT_TRUE(std::filesystem::is_socket(path));
+}
+
+TEST(control_server, what_came_into_its_place_is_not_removed) {
+  const scratch folder;
+  {
+    const request_handler here(folder.file("control"));
+    std::filesystem::remove(folder.file("control"));
+    (void)folder.write("control", "another's");
+  }
+  EXPECT_EQ(scratch::read(folder.file("control")), "another's");
+}
+
+TEST(control_server, without_descriptors_it_waits_and_does_not_spin) {
+  const scratch folder;
+  const request_handler here(folder.file("control"));
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  std::vector<raw_client> clients;
+  for (int i = 0; i < 3; ++i)
+    clients.emplace_back(folder.file("control"));
+  std::vector<descriptor> hogs;
+  const rlimit few{64, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  descriptor late(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  for (;;) {
+    descriptor each(::eventfd(0, EFD_CLOEXEC));
+    if (!each.is_open())
+      break;
+    hogs.push_back(std::move(each));
+  }
+  const auto address = unix_address(folder.file("control")).value();
+  ASSERT_EQ(::connect(late.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  const auto cpu = std::clock();
+  std::this_thread::sleep_for(500ms);
+  EXPECT_LT(std::clock() - cpu, CLOCKS_PER_SEC / 10) << "of half a second";
+  hogs.clear();
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  const std::string line = R"({"do": "status"})"
+                           "\n";
+  ASSERT_EQ(::send(late.number(), line.data(), line.size(), MSG_NOSIGNAL), static_cast<ssize_t>(line.size()));
+  char first = 0;
+  EXPECT_EQ(::read(late.number(), &first, 1), 1) << "it is let in later";
 }
 
 TEST(control_server, a_socket_on_which_somebody_listens_and_a_file_that_is_none_are_left_alone) {

@@ -21,7 +21,7 @@ constexpr mavlink::sender pilot{254, 190};
 daemon::daemon_settings settings_for(const std::string& mission_id, const flight_simulation::options& wanted) {
   daemon::given_texts words{{"service", "https://missions.example.org"},
                             {"mission-id", mission_id},
-                            {"vehicle", "udpin://127.0.0.1:0"},
+                            {"vehicle", wanted.vehicle_line},
                             {"ground", "udpin://127.0.0.1:0"}};
   words["arm-on-start"] = wanted.arms_on_start ? "true" : "false";
   if (wanted.speaks_as_autopilot)
@@ -219,6 +219,14 @@ void flight_simulation::switch_mode(std::uint32_t custom_mode) {
 void flight_simulation::cut_line(double seconds) {
   note("the line is cut for " + std::to_string(seconds) + " s");
   line_.cut(now_ns_ + static_cast<std::int64_t>(seconds * 1e9));
+}
+
+void flight_simulation::forge_bytes(target_line where, std::span<const std::byte> frame) {
+  if (!process_)
+    return;
+  auto& line = where == target_line::vehicle ? process_->vehicle_wire() : process_->ground_wire();
+  line.receive(frame, stranger);
+  resolve();
 }
 
 // -- people -----------------------------------------------------------------------------------------

@@ -50,6 +50,8 @@ public:
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
     bool beats_at_mode_change = true; // of an ArduPilot
     sim::line_faults line = {};
+    // On UDP one heartbeat is not believed; nobody goes there, the frames come by a line of the simulation's.
+    std::string vehicle_line = "udpin://127.0.0.1:0";
     bool is_shuffled = true; // else in the order that costs least
   };
 
@@ -88,6 +90,13 @@ public:
   // As a pilot's switch would, without godwit knowing.
   void switch_mode(std::uint32_t custom_mode);
   void cut_line(double seconds);
+  // Somebody else speaks on a line, from an address of his own and under any name.
+  static constexpr io::link::peer_id stranger = 66;
+  enum class target_line { vehicle, ground };
+  template <class M>
+  void forge(target_line where, const M& what, io::mavlink::sender as) {
+    forge_bytes(where, io::mavlink::encode(what, as, forged_++).span());
+  }
 
   // -- its parts
   [[nodiscard]] sim::vehicle& vehicle() { return *vehicle_; }
@@ -129,6 +138,7 @@ private:
   void arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged);
   void reaches_vehicle(const io::mavlink::frame_view& frame);
   void note(const std::string& sentence);
+  void forge_bytes(target_line where, std::span<const std::byte> frame);
 
   std::uint64_t seed_;
   std::mt19937_64 test_rng_;
@@ -139,6 +149,7 @@ private:
   std::vector<std::string> told_;
   executor::phase_status status_;
   std::vector<vehicle_order> orders_;
+  std::uint8_t forged_ = 0;
 
   simulated_service service_;
   simulated_station station_;

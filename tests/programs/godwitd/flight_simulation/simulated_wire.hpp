@@ -2,6 +2,7 @@
 // real link does it. It belongs to one process, and dies with it. Thread: one.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -23,14 +24,23 @@ public:
       wake_();
   }
 
-  void receive(std::span<const std::byte> bytes) {
-    if (incoming().put(peer, bytes, true))
+  // FROM: by which peer, as an address on a real line.
+  void receive(std::span<const std::byte> bytes, io::link::peer_id from = peer) {
+    if (incoming().put(from, bytes, true))
       wake_();
   }
 
-  bool send(std::span<const std::byte> bytes, io::link::peer_id) override {
+  bool send(std::span<const std::byte> bytes, io::link::peer_id to) override {
+    receivers_.push_back(to);
     sent_.emplace_back(bytes.begin(), bytes.end());
     return true;
+  }
+
+  // Frames to PEER since note_receivers(), those to everybody among them.
+  void note_receivers() { receivers_.clear(); }
+  [[nodiscard]] std::size_t sent_to(io::link::peer_id who) const {
+    return static_cast<std::size_t>(std::ranges::count(receivers_, who) +
+                                    std::ranges::count(receivers_, io::link::every_peer));
   }
 
   [[nodiscard]] std::vector<frame> take_sent() { return std::exchange(sent_, {}); }
@@ -40,6 +50,7 @@ private:
 
   std::function<void()> wake_;
   std::vector<frame> sent_;
+  std::vector<io::link::peer_id> receivers_;
 };
 
 } // namespace godwit::tests

@@ -44,7 +44,7 @@ void load(const std::string& name, runtime::simulated_disk& disk) {
 class stored_journal : public testing::TestWithParam<sim::personality> {
 protected:
   // As the vehicle was when the journals were written: what is told again must be told as it was then.
-  flight_simulation flight{{.who = GetParam(), .beats_at_mode_change = false}};
+  flight_simulation flight{{.who = GetParam(), .beats_at_mode_change = false, .vehicle_line = "tcp://127.0.0.1:5760"}};
 
   void go_on_with(const std::string& moment) {
     flight.kill_process();

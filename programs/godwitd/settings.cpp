@@ -134,6 +134,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.deleted_mission = io::value_of<executor::deletion_policy>(text(flight, "deleted_mission")).value();
   to.flight.failsafe_gone = io::value_of<executor::failsafe_gone_policy>(text(flight, "failsafe_gone")).value();
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
+  to.flight.checks.starts_by_itself = to.flight.start == executor::start_policy::automatic;
   to.flight.checks.asks_for_straight_return = flight.at("ask_straight_return").get<bool>();
   to.flight.checks.battery_margin_percent = flight.at("battery_margin_percent").get<std::int32_t>();
   if (to.flight.start == executor::start_policy::automatic && !to.flight.arm_on_start)
@@ -153,6 +154,7 @@ checked read_failsafe(const json& given, daemon_settings& to) {
   result.moving_mps = given.at("moving_mps").get<double>();
   result.failsafe_in_manual = given.at("in_manual").get<bool>();
   to.flight.checks.battery_return_percent = result.battery_low_percent;
+  to.flight.checks.battery_critical_percent = result.battery_critical_percent;
   if (const auto objection = failsafe::objection_to(result))
     return tl::make_unexpected("failsafe: " + *objection);
   return {};

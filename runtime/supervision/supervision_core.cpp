@@ -74,6 +74,7 @@ void supervision_core::crashed(std::size_t i, std::int64_t now_ns, bool restart_
     return;
   }
   each.phase = child_phase::waiting;
+  each.is_late = !each.been_up;
   out.emplace_back(await_restart{i, *delay_ns});
 }
 
@@ -129,8 +130,14 @@ bool supervision_core::may_start(std::size_t i) const {
       return true;
     if (strategy_ == strategy::rest_for_one)
       return before.phase == child_phase::running;
-    return before.been_up || before.phase == child_phase::given_up || before.phase == child_phase::stopping;
+    return lets_later_start(before);
   });
+}
+
+bool supervision_core::lets_later_start(const entry& before) {
+  const bool ends_process = before.policy.essential && before.policy.restart.intensity != restart_policy::for_ever;
+  return before.been_up || before.phase == child_phase::given_up || before.phase == child_phase::stopping ||
+         (before.is_late && !ends_process);
 }
 
 void supervision_core::look_again(actions& out) {

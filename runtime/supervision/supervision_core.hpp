@@ -10,7 +10,8 @@
 // One rule drives all: after each event the table is looked at again. What must stop is stopped, last started first,
 // one at a time; what is wanted, absent and allowed to start is started in order. A child that stops delays no other's
 // start, but for rest_for_one, where a child may run only while all before it run. A child's first start waits until
-// all before it have been up once. Thread: one owner. Pure: time and randomness are passed in.
+// all before it have been up once; not for one that has crashed twice in its own, unless that is essential and may
+// still be given up. Thread: one owner. Pure: time and randomness are passed in.
 #pragma once
 
 #include <cstdint>
@@ -79,6 +80,7 @@ private:
     child_phase phase = child_phase::absent;
     bool wanted = true;
     bool been_up = false;
+    bool is_late = false; // waits for another try of its first start
     std::uint64_t restarts = 0;
     restart_history history;
   };
@@ -87,6 +89,7 @@ private:
   [[nodiscard]] bool stop_one(actions& out); // true: a child is stopping
   [[nodiscard]] bool must_stop(std::size_t i) const;
   [[nodiscard]] bool may_start(std::size_t i) const;
+  [[nodiscard]] static bool lets_later_start(const entry& before);
   void crashed(std::size_t i, std::int64_t now_ns, bool restart_is_useless, actions& out);
 
   strategy strategy_;

@@ -9,6 +9,8 @@ namespace godwit::executor::preflight {
 
 struct settings {
   std::int32_t battery_return_percent = 25;     // at which the failsafe returns: the same as in its settings
+  std::int32_t battery_critical_percent = 15;   // at which it lands: the same as in its settings
+  bool starts_by_itself = false;                // flights begin without anybody who could acknowledge
   std::int32_t battery_margin_percent = 15;     // above that, so that a flight does not end as it begins
   std::int32_t min_satellites = 6;              // PX4 asks for as many (EKF2_REQ_NSATS)
   std::int64_t position_stale_ms = 2'000;       // at 1 Hz, the slowest that is usual, one may be late
@@ -20,6 +22,8 @@ struct settings {
 
   static constexpr auto fields =
       io::table("executor.preflight_settings", io::field("battery_return_percent", &settings::battery_return_percent),
+                io::field("battery_critical_percent", &settings::battery_critical_percent),
+                io::field("starts_by_itself", &settings::starts_by_itself),
                 io::field("battery_margin_percent", &settings::battery_margin_percent),
                 io::field("min_satellites", &settings::min_satellites),
                 io::field("position_stale_ms", &settings::position_stale_ms),

@@ -74,14 +74,29 @@ TEST(supervision_core, a_child_is_started_only_when_the_one_before_it_is_up) {
   }
 }
 
-TEST(supervision_core, a_child_that_crashes_while_starting_keeps_the_later_ones_waiting) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3)), 1);
+TEST(supervision_core, a_child_that_crashes_while_starting_keeps_the_later_ones_waiting_when_it_is_essential) {
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3, true)), 1);
   (void)core.start();
   EXPECT_EQ(in_words(core.down(0, 0)), words{"start 0"});
   EXPECT_EQ(in_words(core.down(0, 0)), words{"wait 0 100 ms"});
   EXPECT_EQ(in_words(core.restart_due(0)), words{"start 0"});
   EXPECT_EQ(in_words(core.up(0)), words{"start 1"});
   EXPECT_EQ(core.restarts(0), 0U) << "it had never been up before";
+}
+
+TEST(supervision_core,
+     a_child_that_crashes_at_each_start_keeps_nobody_waiting_when_it_is_not_essential_or_never_given_up) {
+  for (const auto& policy : {with(3), with(restart_policy::for_ever, true)}) {
+    supervision_core core(strategy::one_for_one, {policy, with(3)}, 1);
+    (void)core.start();
+    EXPECT_EQ(in_words(core.down(0, 0)), words{"start 0"});
+    const auto second = in_words(core.down(0, 0));
+    ASSERT_EQ(second.size(), 2U);
+    EXPECT_EQ(second.back(), "start 1");
+    (void)core.up(1);
+    EXPECT_EQ(in_words(core.restart_due(0)), words{"start 0"});
+    EXPECT_EQ(in_words(core.up(0)), words{});
+  }
 }
 
 TEST(supervision_core, one_for_one_starts_only_the_crashed_child_again) {
@@ -420,7 +435,7 @@ private:
     bool alive = false; // started and not down yet
     bool up = false;
     bool been_up = false;
-    bool excused = false; // unwanted or given up once: later ones need not wait for it
+    bool excused = false; // unwanted, given up or waiting once: later ones need not wait for it
     bool wanted = true;
     bool due = false; // a timer runs
     bool told_to_stop = false;
@@ -468,6 +483,7 @@ private:
     RC_ASSERT(!shutting_down_);
     RC_ASSERT(a.delay_ns > 0);
     children_[a.child].due = true;
+    children_[a.child].excused |= how_ == strategy::one_for_one;
   }
   void check(const give_up_child& a) {
     RC_ASSERT(!children_[a.child].alive);

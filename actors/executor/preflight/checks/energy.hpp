@@ -1,5 +1,6 @@
 // Degraded when the battery does not last for the plan and the straight way home behind it, above the level at which
-// the failsafe returns; by the drain of the last flight, or the one that was set. Skipped where neither is known,
+// the failsafe returns; where flights begin by themselves, and nobody could acknowledge it, above the critical level.
+// By the drain of the last flight, or the one that was set. Skipped where neither is known,
 // without a plan, and while the vehicle is not heard. Thread: pure.
 #pragma once
 

@@ -183,6 +183,29 @@ TEST_F(supervised, without_an_executor_the_link_and_the_failsafe_go_on) {
   EXPECT_EQ(look_at("failsafe").phase, child_phase::running);
 }
 
+// Behind a flight: who delivers and who would fly again is essential, and the others do without each other.
+TEST_F(supervised, after_the_flight_each_child_that_is_given_up_ends_the_process_when_it_is_essential) {
+  for (const auto* actor :
+       {"vehicle_link", "failsafe", "executor", "mission_client", "ground_port", "mapobjects_store"}) {
+    const std::string name = actor;
+    flight_simulation other({.who = sim::personality::px4, .speed = 10, .is_shuffled = false});
+    ASSERT_TRUE(other.run_until_phase(phase::flying, 120)) << other.story();
+    other.run_for(part_holds_s);
+    ASSERT_TRUE(other.run_until([&] { return !other.status().in_flight; }, 600)) << other.story();
+    other.run_for(part_holds_s);
+    const bool is_essential = name != "ground_port" && name != "mapobjects_store";
+    EXPECT_EQ(other.process()->look_at(name).essential, is_essential) << name;
+    ASSERT_TRUE(other.give_up(name)) << name << other.story();
+    other.run_for(1);
+    EXPECT_EQ(other.processes(), is_essential ? 2 : 1) << name << other.story();
+    if (!is_essential) {
+      EXPECT_EQ(other.process()->look_at(name).phase, child_phase::given_up) << name;
+    }
+    EXPECT_TRUE(fly_with_help(other)) << name << other.story();
+    EXPECT_EQ(flaw_of_reports(other), "") << name << other.story();
+  }
+}
+
 TEST_F(supervised, the_vehicle_link_is_restarted_for_ever_when_the_process_may_not_end_because_of_it) {
   take_off();
   ASSERT_NO_FATAL_FAILURE(end_process_by("vehicle_link"));

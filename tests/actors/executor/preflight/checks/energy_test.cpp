@@ -22,6 +22,18 @@ TEST(energy_check, passes_when_the_battery_lasts_for_the_plan_and_the_way_home) 
 
 TEST(energy_check, degrades_when_it_does_not) { EXPECT_EQ(with(-0.1).how, verdict::degraded); }
 
+// Where nobody is there to acknowledge, only what would end in a landing on the way is kept on the ground.
+TEST(energy_check, asks_where_flights_begin_by_themselves_only_when_the_battery_ends_below_critical) {
+  auto seen = good_facts();
+  settings set;
+  set.starts_by_itself = true;
+  for (const auto& [spare, how] : {std::pair(5.0, verdict::pass), std::pair(-1.0, verdict::pass),
+                                   std::pair(-10.0, verdict::pass), std::pair(-10.1, verdict::degraded)}) {
+    seen.mission.spare_percent = spare;
+    EXPECT_EQ(look_at_energy(seen, set).how, how) << spare;
+  }
+}
+
 // An operator acknowledges the sentence, and would never get hold of one that is another each second.
 TEST(energy_check, says_the_same_whatever_is_missing) { EXPECT_EQ(with(-1), with(-30)); }
 

@@ -76,6 +76,40 @@ TEST_P(upload_crash, at_any_step_of_an_assignments_upload_rejects_nothing_and_an
   EXPECT_GE(steps, 3);
 }
 
+// The process, before and behind each commit from the assignment to its answer.
+TEST_P(upload_crash, a_kill_at_any_commit_of_an_assignment_in_flight_rejects_nothing_and_answers_once) {
+  using side = flight_simulation::side;
+  constexpr std::uint64_t most_commits = 60;
+  int kills = 0;
+  for (std::uint64_t n = 1; n <= most_commits; ++n) {
+    bool is_over = false;
+    for (const auto where : {side::before, side::after}) {
+      SCOPED_TRACE("commit " + std::to_string(n) + (where == side::before ? " before" : " behind"));
+      flight_simulation flight({.who = GetParam(), .seed = n});
+      ASSERT_TRUE(flight.run_until([&] { return has_been_at(flight, "w1"); }, 120)) << flight.story();
+      assign(flight);
+      const auto responses = [&] { return flight.service().rows(flight.mission_id(), row_kind::response).size(); };
+      flight.kill_process_at_commit(flight.commits() + n, where);
+      const auto is_answered = [&] { return responses() > 0; };
+      (void)flight.run_until([&] { return flight.processes() > 1 || is_answered(); }, 30);
+      is_over = flight.processes() == 1; // answered before
+      if (is_over)
+        break;
+      ++kills;
+      EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+      EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+      EXPECT_EQ(responses(), 1U) << flight.story();
+      EXPECT_TRUE(has_been_at(flight, "n2")) << flight.story();
+      if (HasFailure())
+        return;
+    }
+    if (is_over)
+      break;
+  }
+  RecordProperty("kills", kills);
+  EXPECT_GE(kills, 6);
+}
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, upload_crash,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });

@@ -132,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(disk_case{sim::personality::rover, fault::fails}, disk_case{sim::personality::rover, fault::full},
                     disk_case{sim::personality::px4, fault::fails}, disk_case{sim::personality::px4, fault::full},
                     disk_case{sim::personality::ardupilot, fault::fails},
-                    disk_case{sim::personality::ardupilot, fault::full}),
+                    disk_case{sim::personality::ardupilot, fault::full},
+                    disk_case{sim::personality::plane, fault::fails}, disk_case{sim::personality::plane, fault::full}),
     [](const auto& each) {
       return std::string(io::name_of(each.param.who)) + (each.param.what == fault::full ? "_full" : "_fails");
     });

@@ -32,6 +32,7 @@ inline const plan_result& small_plans() {
 inline facts good_facts() {
   facts all;
   all.vehicle = {.link = vehicle_link::connection_phase::connected,
+                 .link_reason = {},
                  .what = flight::vehicle_class::multirotor,
                  .autopilot = io::mavlink::mav_autopilot::px4,
                  .fix = io::mavlink::gps_fix_type::fix_3d,

@@ -308,10 +308,10 @@ struct state {
       io::field("station", &state::station), io::field("station_fences", &state::station_fences),
       io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
       io::field("last_task", &state::last_task), io::field("standing", &state::status),
-      io::field("person", &state::person), io::field("awaits_word", &state::awaits_word), io::field("home", &state::home),
-      io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
-      io::field("progress", &state::progress), io::field("supervision", &state::supervision),
-      io::field("deleted_mission", &state::deleted_mission));
+      io::field("person", &state::person), io::field("awaits_word", &state::awaits_word),
+      io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
+      io::field("preflight", &state::preflight), io::field("progress", &state::progress),
+      io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
 };
 
 // From the decision to start on.
@@ -328,10 +328,10 @@ struct durable_core {
                    progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
                    progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked,
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
-                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_resolved,
-                   assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_plan_dropped,
-                   task_begun, task_ended, phase_status, station_took_over, start_resolved, supervision::failsafe_missed, home_kept,
-                   home_commanded>;
+                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked,
+                   change_resolved, assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken,
+                   station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
+                   supervision::failsafe_missed, home_kept, home_commanded>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

@@ -26,7 +26,8 @@ turns_or_reason turns_between(const way_request& trip, const std::vector<mission
   request.altitudes = {trip.lowest_m, trip.highest_m};
   request.margin_m = trip.margin_m;
   request.turn_room_m = trip.vehicle == vehicle_class::fixed_wing ? trip.own_loiter_radius_m : turn_room_m;
-  const auto way = route::find_route(request, trip.vehicle == vehicle_class::rover ? without_altitudes(fences) : fences);
+  const auto way =
+      route::find_route(request, trip.vehicle == vehicle_class::rover ? without_altitudes(fences) : fences);
   if (!way)
     return tl::make_unexpected(way.error().reason);
   return std::vector(way->points.begin() + 1, way->points.end() - 1);

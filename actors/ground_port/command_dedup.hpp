@@ -6,8 +6,8 @@
 // parameters, to the bit, from the same station; the confirmation of COMMAND_LONG may differ. While the executor is
 // asked it hears IN_PROGRESS, then the answer that there was. Not kept across a crash: the station then repeats the
 // word, and it does no harm to be asked twice; at worst the second one is refused, because it is done. Whoever asks the
-// executor sees to it that each command is resolved, by its answer or by its silence. Pure. Times: ns, monotonic. Thread:
-// one at a time.
+// executor sees to it that each command is resolved, by its answer or by its silence. Pure. Times: ns, monotonic.
+// Thread: one at a time.
 #pragma once
 
 #include <cstdint>

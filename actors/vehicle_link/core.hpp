@@ -1,7 +1,7 @@
 // Every decision of vehicle_link: what to send, whom to answer, what to tell, when to look again.
 //
 //   bytes ──> channel ──frames──> vehicle_watch (which vehicle, is it alive, did it restart)
-//                          ├────> command_dedup, current_setter (answers to whoever asked)
+//                          ├────> pending_commands, current_setter (answers to whoever asked)
 //                          ├────> transfer::client (plan up and down)
 //                          ├────> stream_keeper (does what we need come?)
 //                          └────> observations for listeners, answers to TIMESYNC and PING
@@ -16,12 +16,12 @@
 #include <optional>
 #include <string>
 
-#include "actors/vehicle_link/command_dedup.hpp"
 #include "actors/vehicle_link/current_setter.hpp"
 #include "actors/vehicle_link/effects.hpp"
 #include "actors/vehicle_link/first_call.hpp"
 #include "actors/vehicle_link/heartbeat_gate.hpp"
 #include "actors/vehicle_link/loss_watch.hpp"
+#include "actors/vehicle_link/pending_commands.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
 #include "actors/vehicle_link/transfer/client.hpp"
@@ -119,7 +119,7 @@ private:
   settings settings_;
   mavlink::channel channel_;
   vehicle_watch watch_;
-  command_dedup commands_;
+  pending_commands commands_;
   current_setter current_;
   stream_keeper streams_;
   heartbeat_gate gate_;

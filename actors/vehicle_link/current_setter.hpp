@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-#include "actors/vehicle_link/command_dedup.hpp"
+#include "actors/vehicle_link/pending_commands.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::vehicle_link {

@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "actors/vehicle_link/command_dedup.hpp"
 #include "actors/vehicle_link/message_allowlist.hpp"
+#include "actors/vehicle_link/pending_commands.hpp"
 #include "io/link/status.hpp"
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/signing/channel.hpp"

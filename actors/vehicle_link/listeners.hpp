@@ -4,8 +4,9 @@
 //   ears->add(executor_handle);   // for every message of `told_messages`, and every announcement, that it accepts
 //
 // Filled in while the process is composed, when the addresses of all actors exist, and not changed after the actors
-// were started. A listener names what it wants by the signatures of its mailbox: runtime::tells<mavlink::mission_current>,
-// runtime::tells<connection_changed>, ... Thread: composed by one thread, then read only.
+// were started. A listener names what it wants by the signatures of its mailbox:
+// runtime::tells<mavlink::mission_current>, runtime::tells<connection_changed>, ... Thread: composed by one thread,
+// then read only.
 #pragma once
 
 #include <tuple>

@@ -37,7 +37,7 @@ struct settings {
   std::vector<std::string>
       liveness_reporters; // who must liveness_report for this process; none: the heartbeat always goes out
   std::int64_t liveness_report_lasts_ms = 3'000;
-  bool relays = false; // what the vehicle's components say is told to listeners as it came (relay_gate.hpp)
+  bool relays = false;   // what the vehicle's components say is told to listeners as it came (relay_gate.hpp)
   std::string open_line; // why anybody can speak on it, as a sentence for people; empty: not anybody can
 };
 

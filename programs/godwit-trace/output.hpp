@@ -22,10 +22,10 @@ public:
   output& operator=(const output&) = delete;
   ~output() { flush(); }
 
-  // Lines are appended here; then comes a call of `resolve` or `flush`.
+  // Lines are appended here; then comes a call of `flush_if_full` or `flush`.
   [[nodiscard]] std::string& text() { return text_; }
   // Hands the text on if there is much of it. False: nobody takes any more.
-  bool resolve() { return text_.size() < buffer_bytes ? is_taken() : flush(); }
+  bool flush_if_full() { return text_.size() < buffer_bytes ? is_taken() : flush(); }
   bool flush();
 
   [[nodiscard]] bool is_taken() const { return error_ == 0; }

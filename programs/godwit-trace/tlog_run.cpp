@@ -127,7 +127,7 @@ exit_code run_tlog(const tlog_options& options, console& to) {
     return fail(to, options.file, opened.error().what);
   mavlink::tlog_reader reader(source);
   tlog_run run(options, to);
-  while (to.out.resolve()) {
+  while (to.out.flush_if_full()) {
     const auto record = reader.next();
     if (!record)
       return fail(to, options.file, record.error().what);

@@ -112,18 +112,18 @@ bool simulation::step(std::uint64_t choice) {
   return scheduler_->run_once();
 }
 
-void simulation::resolve() {
+void simulation::run_until_idle() {
   while (scheduler_->run_once() || journal_.step()) {
   }
 }
 
 void simulation::advance(std::chrono::nanoseconds duration) {
   constexpr std::chrono::nanoseconds stride = std::chrono::milliseconds(10); // timers see time in steps of this
-  resolve();
+  run_until_idle();
   while (duration.count() > 0) {
     const auto now = std::min(duration, stride);
     scheduler_->advance(now);
-    resolve();
+    run_until_idle();
     duration -= now;
   }
 }

@@ -7,7 +7,7 @@
 //   world.start();
 //   world.tell(counter, add{1});
 //   world.crash_at("counter", crash_point::after_handler);  // the next message there throws
-//   world.step(k) / world.resolve() / world.advance(1s);
+//   world.step(k) / world.run_until_idle() / world.advance(1s);
 //
 // Destroying it without stop() is the process being killed: mailboxes and what was not committed are gone, the disk
 // stays. Thread: one.
@@ -94,7 +94,7 @@ public:
   // Runs one thing that can happen now, chosen by CHOICE: an actor's next message or a step of the journal. False: none
   // can.
   bool step(std::uint64_t choice);
-  void resolve(); // until nothing can happen without time passing
+  void run_until_idle(); // until nothing can happen without time passing
   void advance(std::chrono::nanoseconds duration);
   // When the next timer is due; never_ns: there is none.
   [[nodiscard]] std::int64_t next_timer_ns() const;

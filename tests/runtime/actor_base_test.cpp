@@ -77,7 +77,7 @@ struct world_of_two {
     front =
         world.actors().add<relay>(address("relay", policy), {.essential = false, .restart = {.intensity = 100}}, sums);
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
   simulated_disk disk;
   int total = 0;
@@ -90,11 +90,11 @@ TEST(actor_base, tells_and_asks_reach_the_handlers) {
   world_of_two w;
   w.world.tell(w.front, add{2});
   w.world.tell(w.front, add{3});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.total, 5);
   const auto direct = w.world.ask(w.sums, 1s, get_sum{});
   const auto through = w.world.ask(w.front, 1s, get_sum{});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(direct->answer.value, 5);
   EXPECT_EQ(through->answer.value, 5);
   EXPECT_EQ(through->answers, 1);
@@ -221,7 +221,7 @@ TEST(actor_base, parking_is_bounded_and_what_is_over_it_is_counted) {
     world.tell(sums, add{1}); // not started yet
   const auto refused = world.ask(sums, 1s, get_sum{});
   world.start();
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(total, 5);
   EXPECT_EQ(world.counters("counter").refused, 4U);
   EXPECT_EQ(refused->failure.code, ask_errc::not_taken);
@@ -233,10 +233,10 @@ TEST(actor_base, a_mailbox_is_bounded_and_what_is_over_it_is_counted) {
   simulation world(disk, 1);
   const auto sums = world.actors().add<counter>({.name = "counter", .mailbox_bound = 5}, {}, &total);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   for (int i = 0; i < 8; ++i)
     world.tell(sums, add{1});
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(total, 5);
   EXPECT_EQ(world.counters("counter").refused, 3U);
 }

@@ -24,11 +24,11 @@ struct process {
     ledger = world.actors().add<ledger_actor>({.name = "ledger"}, patient(), auditor);
     front = world.actors().add<relay_actor>({.name = "relay"}, patient(), ledger);
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
   std::int64_t balance_now() {
     const auto asked = world.ask(ledger, 1s, get_balance{});
-    world.resolve();
+    world.run_until_idle();
     return asked->answer.amount;
   }
   simulation world;
@@ -42,11 +42,11 @@ TEST(durable_actor, an_effect_waits_until_its_event_is_on_the_disk) {
   process p(disk, seen);
   p.world.journal().fail_writes(true);
   p.world.tell(p.ledger, deposit{1, 10});
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(p.balance_now(), 10) << "decided in memory";
   EXPECT_TRUE(seen.receipts.empty()) << "let out before it was durable";
   p.world.journal().fail_writes(false);
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(seen.receipts[1], 1);
 }
 
@@ -56,7 +56,7 @@ TEST(durable_actor, an_immediate_effect_does_not_wait_for_the_disk) {
   process p(disk, seen);
   p.world.journal().fail_writes(true);
   p.world.tell(p.ledger, deposit{1, 1000});
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(seen.alarms[1], 1);
   EXPECT_TRUE(seen.receipts.empty());
 }
@@ -83,7 +83,7 @@ TEST(durable_actor, a_receiver_drops_an_effect_that_it_has_seen) {
   audit seen;
   process p(disk, seen);
   p.world.tell(p.ledger, deposit{1, 10});
-  p.world.resolve();
+  p.world.run_until_idle();
   const auto released = disk.actors["ledger"].kept.effects;
   EXPECT_TRUE(released.empty()) << "marked released";
   // As if the ledger had died after sending, before the mark reached the disk.
@@ -101,7 +101,7 @@ TEST(durable_actor, state_and_unreleased_effects_survive_the_process) {
     process p(disk, seen);
     for (std::int64_t i = 1; i <= 250; ++i)
       p.world.tell(p.ledger, deposit{i, 1});
-    p.world.resolve();
+    p.world.run_until_idle();
     p.world.crash_at("ledger", crash_point::before_dispatch);
     p.world.tell(p.ledger, deposit{251, 1});
     for (int i = 0; i < 4; ++i)
@@ -124,7 +124,7 @@ TEST(durable_actor, a_durable_answer_survives_a_crash_of_the_answering_actor) {
     audit seen;
     process p(disk, seen);
     p.world.tell(p.ledger, deposit{1, 10});
-    p.world.resolve();
+    p.world.run_until_idle();
     p.world.crash_at("ledger", point);
     const auto asked = p.world.ask(p.ledger, 10s, withdraw{2, 4});
     p.world.advance(2s);
@@ -139,16 +139,16 @@ TEST(durable_actor, it_restarts_with_its_state_while_the_disk_refuses_to_write) 
   audit seen;
   process p(disk, seen);
   p.world.tell(p.ledger, deposit{1, 10});
-  p.world.resolve();
+  p.world.run_until_idle();
   p.world.journal().fail_writes(true);
   p.world.tell(p.ledger, deposit{2, 5});
-  p.world.resolve();
+  p.world.run_until_idle();
   p.world.kill("ledger");
   p.world.advance(1s);
   EXPECT_EQ(p.balance_now(), 15);
   EXPECT_EQ(seen.receipts.count(2), 0U);
   p.world.journal().fail_writes(false);
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(seen.receipts[2], 1);
 }
 

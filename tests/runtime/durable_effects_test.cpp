@@ -92,7 +92,7 @@ struct twin_world {
     const auto second = world.actors().add<auditor_actor>({.name = "second"}, second_policy, &seen_second);
     twin = world.actors().add<twin_actor>({.name = "twin"}, patient(), first, second);
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
   [[nodiscard]] std::size_t unreleased() { return disk.actors["twin"].kept.effects.size(); }
 
@@ -106,7 +106,7 @@ struct twin_world {
 TEST(durable_effects, an_effect_told_to_two_actors_is_released_when_both_have_it) {
   twin_world w;
   w.world.tell(w.twin, deposit{1, 1});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.seen_first.receipts[1], 1);
   EXPECT_EQ(w.seen_second.receipts[1], 1);
   EXPECT_EQ(w.unreleased(), 0U);
@@ -134,11 +134,11 @@ TEST(durable_effects, effects_for_a_child_that_was_given_up_wait_and_reach_it_on
   twin_world w(given_up_at_once());
   const auto table = [&](std::uint64_t n, std::uint64_t revivals) {
     (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, n}, revivals, {}});
-    w.world.resolve();
+    w.world.run_until_idle();
   };
   table(1, 0);
   EXPECT_TRUE(w.world.kill("second"));
-  w.world.resolve();
+  w.world.run_until_idle();
   w.world.tell(w.twin, deposit{1, 1});
   w.world.tell(w.twin, deposit{2, 1});
   w.world.advance(1min);
@@ -154,9 +154,9 @@ TEST(durable_effects, effects_for_a_child_that_was_given_up_wait_and_reach_it_on
 TEST(durable_effects, effects_for_a_child_that_is_not_wanted_outlive_the_process) {
   twin_world w;
   (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, 1}, 0, {{"second", false, patient()}}});
-  w.world.resolve();
+  w.world.run_until_idle();
   w.world.tell(w.twin, deposit{1, 1});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.unreleased(), 1U);
   audit seen;
   simulation next(w.disk, 2, {}, false);
@@ -164,7 +164,7 @@ TEST(durable_effects, effects_for_a_child_that_is_not_wanted_outlive_the_process
   const auto second = next.actors().add<auditor_actor>({.name = "second"}, patient(), &seen);
   (void)next.actors().add<twin_actor>({.name = "twin"}, patient(), first, second);
   next.start();
-  next.resolve();
+  next.run_until_idle();
   EXPECT_EQ(seen.receipts[1], 1);
   EXPECT_EQ(w.unreleased(), 0U);
 }
@@ -197,7 +197,7 @@ TEST(durable_effects, a_full_mailbox_still_hears_that_its_events_are_durable) {
   narrow.mailbox_bound = 5;
   const auto ledger = world.actors().add<ledger_actor>(narrow, patient(), auditor);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   world.tell(ledger, deposit{1, 5});
   world.step(0); // handled; its event waits at the journal
   for (int i = 0; i < 5; ++i)
@@ -214,7 +214,7 @@ TEST(durable_effects, what_the_journal_says_between_two_incarnations_reaches_the
   const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
   const auto ledger = world.actors().add<ledger_actor>({.name = "ledger"}, patient(), auditor);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   world.journal().fail_writes(true);
   world.tell(ledger, deposit{1, 5});
   world.step(0);
@@ -235,12 +235,12 @@ TEST(durable_effects, an_actor_whose_effects_nobody_confirms_takes_no_more_event
   w.world.advance(1s);
   for (std::size_t i = 0; i < max_unreleased_effects + 50; ++i) {
     w.world.tell(w.twin, deposit{static_cast<std::int64_t>(i) + 1, 1});
-    w.world.resolve();
+    w.world.run_until_idle();
   }
   EXPECT_EQ(w.unreleased(), max_unreleased_effects);
   EXPECT_EQ(w.world.counters("twin").crashes, 0U) << "it waits";
   const auto asked = w.world.ask(w.twin, 1s, withdraw{5, 1});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(asked->failures, 1) << "an ask is refused at once";
 }
 
@@ -284,7 +284,7 @@ TEST(durable_effects, timers_set_while_letting_out_arrive_in_any_order) {
   const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
   const auto timer = world.actors().add<timer_actor>({.name = "timer"}, patient(), auditor);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   world.tell(timer, deposit{1, 5});
   world.tell(timer, deposit{2, 1});
   world.advance(20s);

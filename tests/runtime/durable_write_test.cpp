@@ -90,7 +90,7 @@ struct pair_world {
     pair = world.actors().add<pair_actor>({.name = "pair"}, patient(), auditor, &log);
     front = world.actors().add<ledger_actor>({.name = "ledger"}, patient(), auditor);
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
 
   simulated_disk disk;
@@ -109,7 +109,7 @@ TEST(durable_write, what_one_handler_decides_is_one_write) {
   w.world.tell(w.pair, deposit{1, 5});
   w.world.step(0);
   EXPECT_EQ(w.world.journal().waiting(), 1U);
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.world.journal().status().events - before.events, 2U);
   EXPECT_EQ(w.disk.actors["pair"].kept.last_event, 2);
   EXPECT_EQ(w.seen.receipts[1], 1);
@@ -121,10 +121,10 @@ TEST(durable_write, what_waits_for_the_disk_goes_out_in_order_and_the_rest_at_th
   w.world.journal().fail_writes(true);
   w.world.tell(w.pair, deposit{1, 5});
   w.world.tell(w.pair, deposit{2, 5});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.log.lines, (lines{"left 1", "left 2"}));
   w.world.journal().fail_writes(false);
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.log.lines,
             (lines{"left 1", "left 2", "shown 1", "ran 1", "shown 1001", "shown 2", "ran 2", "shown 1002"}));
 }
@@ -157,10 +157,10 @@ TEST(durable_write, an_effect_is_confirmed_only_when_the_write_of_its_receiver_i
   const auto second = world.actors().add<ledger_actor>({.name = "second"}, patient(), auditor);
   const auto relay = world.actors().add<relay_actor>({.name = "relay"}, patient(), second);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   for (int i = 0; i < 3; ++i) {
     world.tell(relay, deposit{i + 1, 5});
-    world.resolve();
+    world.run_until_idle();
   }
   EXPECT_EQ(seen.receipts.size(), 3U);
   EXPECT_TRUE(disk.actors["second"].kept.effects.empty());
@@ -191,7 +191,7 @@ TEST(durable_write, behind_its_bound_an_actor_refuses_asks_and_keeps_the_rest_in
   for (std::int64_t key = 1; key <= many; ++key)
     w.world.tell(w.pair, deposit{key % 1'000 + 2'000 * (key / 1'000), 5});
   const auto asked = w.world.ask(w.pair, 5s, withdraw{999'999, 1});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(asked->failures, 1);
   EXPECT_EQ(w.world.counters("pair").crashes, 0U);
   w.world.journal().refuse_writes(false);
@@ -207,7 +207,7 @@ TEST(durable_write, a_crash_while_the_journal_is_full_puts_back_what_was_not_tak
   w.world.journal().refuse_writes(true);
   for (std::int64_t key = 1; key <= 3; ++key)
     w.world.tell(w.pair, deposit{key, 5});
-  w.world.resolve();
+  w.world.run_until_idle();
   w.world.kill("pair");
   w.world.advance(100ms);
   w.world.journal().refuse_writes(false);
@@ -224,7 +224,7 @@ TEST(durable_write, a_write_that_can_never_commit_ends_the_incarnation_and_the_m
   for (std::int64_t key = 1; key <= 3; ++key)
     w.world.tell(w.pair, deposit{key, 5});
   const auto asked = w.world.ask(w.pair, 20s, withdraw{9, 1});
-  w.world.resolve();
+  w.world.run_until_idle();
   w.world.journal().break_writes_of("pair", 1);
   w.world.journal().fail_writes(false);
   w.world.advance(5s);

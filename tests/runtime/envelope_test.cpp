@@ -61,7 +61,7 @@ private:
 struct world_of_adder {
   world_of_adder() : world(disk, 1), handle(world.actors().add<adder>({.name = "adder"}, {})) {
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
   [[nodiscard]] health_colour colour() const {
     for (const auto& each : world.health().entries())
@@ -93,12 +93,12 @@ TEST(envelope, a_type_of_the_same_name_from_another_shared_object_is_refused_and
   EXPECT_FALSE(foreign.is<add>());
   strong(w.handle.ref())->enqueue(make_mail(nullptr, caf::make_message_id(), foreign), nullptr);
   w.world.tell(w.handle, add{2});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.world.counters("adder").not_accepted, 1U);
   EXPECT_EQ(w.world.counters("adder").crashes, 0U);
   EXPECT_EQ(w.colour(), health_colour::yellow);
   const auto asked = w.world.ask(w.handle, 1s, get_sum{});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(asked->answer.value, 2);
 }
 

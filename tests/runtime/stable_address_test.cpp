@@ -41,11 +41,11 @@ TEST(stable_address, keeps_for_an_incarnation_that_is_not_bound_yet_what_the_run
   heard what;
   const auto listener = spawn_listener(world.actors().actors(), what);
   address.bind(listener, nullptr);
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(what.confirmations, 1);
   EXPECT_EQ(what.durable_upto, std::vector<std::int64_t>{4});
   (void)address.kill();
-  world.resolve();
+  world.run_until_idle();
   address.close();
 }
 

@@ -8,10 +8,10 @@
 //   from there   a step failed, or it is not flown 5 s behind the command
 //   both         the battery is low, or it is not known where the vehicle is
 //
-// It holds in the turn in which the command is given. The way begins where the vehicle holds, at the altitude that it has
-// or at that of a return, and ends with the autopilot's own return, which lands; a rover is told to hold at home. The
-// plan is a generation of its own, and no item of the mission belongs to it: what is reached on it is no progress, and
-// the mission is over. A command that comes later takes its place; come-home said again changes nothing.
+// It holds in the turn in which the command is given. The way begins where the vehicle holds, at the altitude that it
+// has or at that of a return, and ends with the autopilot's own return, which lands; a rover is told to hold at home.
+// The plan is a generation of its own, and no item of the mission belongs to it: what is reached on it is no progress,
+// and the mission is over. A command that comes later takes its place; come-home said again changes nothing.
 //
 // Where the vehicle's own return leads elsewhere than to the home of the mission (return_place.hpp), the plan lands
 // there, also on a straight way; where no plan is flown it holds. Pure. Thread: one at a time.

@@ -7,11 +7,11 @@
 //    └─ REQUEST_LIST ──> giving ──> idle
 //
 // One station at a time: to others it is busy. It asks for each item, asks again when nothing comes, and gives up when
-// the station is silent. What autopilots do otherwise, or where the MAVLink text leaves the choice, is `autopilot_quirks`. COUNT
-// 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are refused, and an upload is not. Bounds:
-// items of a plan (autopilot_quirks::capacity), messages that wait for their turn (max_waiting_messages). After 10 s in which
-// nothing came in it is idle. Pure: time comes in; call on_time no later than next_deadline_ns. Thread: one at a time.
-// Source: MAVLink mission protocol.
+// the station is silent. What autopilots do otherwise, or where the MAVLink text leaves the choice, is
+// `autopilot_quirks`. COUNT 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are refused, and
+// an upload is not. Bounds: items of a plan (autopilot_quirks::capacity), messages that wait for their turn
+// (max_waiting_messages). After 10 s in which nothing came in it is idle. Pure: time comes in; call on_time no later
+// than next_deadline_ns. Thread: one at a time. Source: MAVLink mission protocol.
 #pragma once
 
 #include <cstdint>

@@ -45,7 +45,7 @@ exit_code run_flight(const trace_arguments& given, console& to) {
   flight_events events((*trace)->names);
   std::int64_t begin_ns = 0;
   runtime::delivery each;
-  while (to.out.resolve() && (*trace)->ordered.next(each)) {
+  while (to.out.flush_if_full() && (*trace)->ordered.next(each)) {
     begin_ns = begin_ns == 0 ? each.began_ns : begin_ns;
     const auto event = events.take(each);
     if (!event)

@@ -49,7 +49,7 @@ exit_code follow_log(const log_arguments& given, console& to) {
   const paint colours(to.is_terminal);
   delivery each;
   for (;;) {
-    while (to.out.resolve() && reader.next(each))
+    while (to.out.flush_if_full() && reader.next(each))
       if (filter.wants(each, names))
         append(to.out.text(), each, names, colours, given.trace.json);
     if (!to.out.flush())
@@ -70,7 +70,7 @@ exit_code run_log(const log_arguments& given, console& to) {
   delivery_filter filter(given.filter);
   const paint colours(to.is_terminal);
   delivery each;
-  while (to.out.resolve() && (*trace)->ordered.next(each)) {
+  while (to.out.flush_if_full() && (*trace)->ordered.next(each)) {
     if (filter.wants(each, (*trace)->names))
       append(to.out.text(), each, (*trace)->names, colours, given.trace.json);
   }

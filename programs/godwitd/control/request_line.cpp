@@ -38,8 +38,7 @@ tl::expected<control_request, std::string> read_command(const json& document, op
   if (const auto place = document.find("place"); place != document.end())
     if (const auto read = io::read_json(*place, result.said.place.emplace(), "place"); !read)
       return tl::make_unexpected("the place can not be read: " + read.error().message());
-  if ((kind == operators::command_kind::go_to || kind == operators::command_kind::insert) &&
-      !result.said.place)
+  if ((kind == operators::command_kind::go_to || kind == operators::command_kind::insert) && !result.said.place)
     return tl::make_unexpected(std::string(
         "a place is missing, such as \"place\": {\"latitude\": 47.398, \"longitude\": 8.546, \"altitude_m\": 40}"));
   if (kind != operators::command_kind::acknowledge)

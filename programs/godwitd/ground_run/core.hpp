@@ -8,10 +8,10 @@
 //     └── refused ──> [refused]                       └──────────────────────┼──────────────────────> [over]
 //
 // It remembers nothing over a restart and needs nothing: what it begins is said again by every run and counts once, and
-// how far mission_client is can be asked. An answer that belongs to an earlier state is passed over; so `resolved` of an
-// earlier run does not end this one, and after the right one the store is asked whether all is gone. What a push does
-// not move, because the mission was deleted for instance, is not pushed for ever: it is kept, and said. Why a push does
-// not get on is asked and said too; a service that does not allow it (401, 403) ends a run that is to end.
+// how far mission_client is can be asked. An answer that belongs to an earlier state is passed over; so `resolved` of
+// an earlier run does not end this one, and after the right one the store is asked whether all is gone. What a push
+// does not move, because the mission was deleted for instance, is not pushed for ever: it is kept, and said. Why a push
+// does not get on is asked and said too; a service that does not allow it (401, 403) ends a run that is to end.
 //
 // Thread: one. Pure: no clock, no I/O.
 #pragma once

@@ -70,7 +70,7 @@ void flight_world::begin_executor() {
   core_->on_host_status(host_status());
   core_->on_failsafe_status(failsafe_->told());
   take(core_->on_start());
-  resolve();
+  run_until_idle();
 }
 
 executor::host_status flight_world::host_status() const {
@@ -90,14 +90,14 @@ void flight_world::load(const mission::document& what) {
   loaded.document = what;
   take(core_->on_mission(loaded, now()));
   tell_map(what.mission_id);
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::pull_map(mission_client::pull_state outcome) {
   map_ = outcome;
   if (state_.mission)
     tell_map(state_.mission->mission_id);
-  resolve();
+  run_until_idle();
 }
 
 // A pull that has not begun is not spoken of.
@@ -108,17 +108,17 @@ void flight_world::tell_map(const std::string& mission_id) {
 
 void flight_world::assign(const mission::assignment& assignment) {
   take(core_->on_assignment({state_.mission->mission_id, assignment}, now()));
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::delete_mission(const std::string& id) {
   take(core_->on_deleted({id}, now()));
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::refuse_mission(mission_client::refusal why) {
   take(core_->on_refused({settings_.mission_id, why, "as the test wants it", {}}, now()));
-  resolve();
+  run_until_idle();
 }
 
 operators::answer flight_world::say(operators::command_kind what) {
@@ -131,7 +131,7 @@ operators::answer flight_world::say(const operators::command& what) {
   auto said = what;
   said.by = "test";
   auto answer = core_->on_operator(said, now());
-  resolve();
+  run_until_idle();
   return answer;
 }
 
@@ -155,7 +155,7 @@ void flight_world::change_mission(const std::string& key, const std::optional<st
     if (answer.verdict == mission_client::change_verdict::done)
       load(revised);
     take(core_->on_change(answer, now()));
-    resolve();
+    run_until_idle();
   });
 }
 
@@ -204,7 +204,7 @@ void flight_world::crash() {
 void flight_world::crash_failsafe() {
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
   core_->on_failsafe_status(failsafe_->told());
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::crash_link() {
@@ -221,7 +221,7 @@ void flight_world::crash_link() {
       outcome.verdict = vehicle_link::command_verdict::timed_out;
       take(core_->on_command(number, outcome, now()));
     }
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::crash_all() {
@@ -301,7 +301,7 @@ void flight_world::step() {
   take(link_->on_time(link_now()));
   if (failsafe_due_ns_ <= time_.now_ns())
     tick_failsafe();
-  resolve();
+  run_until_idle();
 }
 
 // The line between link and vehicle, with its faults.
@@ -323,7 +323,7 @@ void flight_world::carry(
 }
 
 // What is noted is applied one by one, and then the core goes on.
-void flight_world::resolve() {
+void flight_world::run_until_idle() {
   for (;;) {
     while (!notes_.empty()) {
       const auto next = std::move(notes_.front());
@@ -585,12 +585,12 @@ void flight_world::vehicle_says(std::string_view text) {
 
 void flight_world::vehicle_tells(const vehicle_link::observation& what) {
   take(what);
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::vehicle_restarts() {
   take(vehicle_link::announcement(vehicle_link::vehicle_restarted{}));
-  resolve();
+  run_until_idle();
 }
 
 void flight_world::arm_by_hand() { send_by_hand(400, 1); }

@@ -71,13 +71,13 @@ public:
   template <class M>
   void station_says(const M& m) {
     take(core_->on_station(m, now()));
-    resolve();
+    run_until_idle();
   }
   // What a person does through it, as ground_port asks for it; whether it goes on to the vehicle is the test's.
   executor::act_answer station_does(executor::act_kind what, executor::station by = {255, 190}) {
     auto [wanted, answer] = core_->on_station(executor::station_act{what, by, std::string(io::name_of(what))}, now());
     take(wanted);
-    resolve();
+    run_until_idle();
     return answer;
   }
   [[nodiscard]] const std::vector<io::mavlink::mission_item_int>& shown_items() const { return shown_items_; }
@@ -178,7 +178,7 @@ private:
   void begin_link();
   void begin_executor();
   void step();
-  void resolve();
+  void run_until_idle();
   void take(const executor::effects& wanted);
   void take(const executor::note& each) { notes_.push_back(each.what); }
   void take(const executor::order& each);

@@ -212,7 +212,7 @@ TEST(failsafe, fences_that_make_no_sense_are_refused_with_the_reason_and_the_one
   in_flight f;
   const auto asked =
       f.process->world.ask(f.process->failsafe, 1s, failsafe::guard_mission{{mission::geofence{}}, {}, {}});
-  f.process->world.resolve();
+  f.process->world.run_until_idle();
   ASSERT_EQ(asked->answers, 1);
   EXPECT_FALSE(asked->answer.taken);
   EXPECT_NE(asked->answer.reason.find("corners"), std::string::npos);
@@ -226,7 +226,7 @@ TEST(failsafe, an_override_is_answered_and_holds_until_its_deadline) {
   const auto until_ns = runtime::simulated_time::start_ns + f.process->world.now_ns() + 20'000'000'000;
   const auto asked = f.process->world.ask(f.process->failsafe, 1s,
                                           failsafe::override_rule{rule::fence, "the field is ours", until_ns});
-  f.process->world.resolve();
+  f.process->world.run_until_idle();
   ASSERT_EQ(asked->answers, 1);
   EXPECT_TRUE(asked->answer.taken) << asked->answer.reason;
   EXPECT_EQ(f.process->stands().overridden.size(), 1U);
@@ -237,7 +237,7 @@ TEST(failsafe, an_override_is_answered_and_holds_until_its_deadline) {
   EXPECT_EQ(f.log.returns(), 1);
   const auto refused = f.process->world.ask(f.process->failsafe, 1s,
                                             failsafe::override_rule{rule::battery_critical, "trust me", until_ns * 2});
-  f.process->world.resolve();
+  f.process->world.run_until_idle();
   EXPECT_FALSE(refused->answer.taken);
 }
 

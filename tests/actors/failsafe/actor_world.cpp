@@ -121,7 +121,7 @@ failsafe_process::failsafe_process(runtime::simulated_disk& disk, flown_vehicle&
   others->people.emplace_back(actors.add<people_double>({.name = "people"}, patient(), &log));
   others->log = [&log](const failsafe::warning& said) { log.logged.push_back(said.text); };
   world.start();
-  world.resolve();
+  world.run_until_idle();
 }
 
 void failsafe_process::say_heartbeat() {
@@ -194,14 +194,14 @@ void failsafe_process::run_ms(std::int64_t ms) {
 failsafe::guard_answer failsafe_process::guard() {
   const auto asked =
       world.ask(failsafe, 1s, failsafe::guard_mission{{fence_of(mission::fence_kind::inclusion, square(100))}, {}, {}});
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(asked->answers, 1);
   return asked->answer;
 }
 
 failsafe::failsafe_status failsafe_process::stands() {
   const auto asked = world.ask(failsafe, 1s, failsafe::get_failsafe_status{});
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(asked->answers, 1);
   return asked->answer;
 }

@@ -143,10 +143,10 @@ struct process {
     others->vehicle = vehicle_link::relay_handle(executor);
     others->failsafe = takeover_listener(executor);
     world.start();
-    world.resolve();
+    world.run_until_idle();
     if (line->incoming().put(io::link::link_status{io::link::link_phase::up, "", 0}))
       world.tell(port, wake{});
-    world.resolve();
+    world.run_until_idle();
   }
 
   template <class M>
@@ -246,7 +246,7 @@ TEST(ground_port_actor, what_the_vehicle_says_is_forwarded) {
   process p(disk, executor);
   p.world.tell(p.port, mavlink::attitude{});
   p.world.tell(p.port, mavlink::statustext{});
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(p.line->sent[mavlink::attitude::message_id], 1);
   EXPECT_EQ(p.line->sent[mavlink::statustext::message_id], 1);
 }
@@ -441,7 +441,7 @@ TEST(ground_port_actor, a_process_killed_right_after_the_acknowledgement_still_h
   {
     process p(disk, executor);
     p.say(mavlink::mission_count{.count = 1});
-    p.world.resolve();
+    p.world.run_until_idle();
     p.say(waypoints(1)[0]);
     while (p.line->acks.empty() && p.world.step(1)) {
     }
@@ -505,7 +505,7 @@ TEST(ground_port_actor, bad_frames_crash_nothing_and_are_counted) {
     if (p.line->incoming().put(io::link::only_peer, bytes, true))
       p.world.tell(p.port, wake{});
   }
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(p.world.counters("ground_port").crashes, 0U);
   EXPECT_NE(p.upload(waypoints(2)), 0U);
 }

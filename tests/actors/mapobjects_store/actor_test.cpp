@@ -43,7 +43,7 @@ struct process {
   // Until nothing is left to be done.
   void work() {
     do
-      world.resolve();
+      world.run_until_idle();
     while (map->step());
   }
 
@@ -174,7 +174,7 @@ TEST_F(mapobjects_store_actor, more_asks_than_its_bound_are_told_to_come_later) 
   std::vector<std::shared_ptr<runtime::asked<map_status>>> asked;
   for (std::size_t i = 0; i < response_queue::max_asks + 10; ++i)
     asked.push_back(p.world.ask(p.store, 100s, get_map{}));
-  p.world.resolve();
+  p.world.run_until_idle();
   int turned_away = 0; // by the actor's runtime, whose bound is the same, or by the port
   for (const auto& each : asked)
     turned_away += each->failures > 0 || (each->answers > 0 && each->answer.failure == map_failure::busy) ? 1 : 0;
@@ -249,7 +249,7 @@ TEST_F(mapobjects_store_actor, a_page_whose_outcome_is_unknown_is_sent_again_and
 TEST_F(mapobjects_store_actor, an_incarnation_that_is_gone_leaves_its_answers_to_nobody) {
   process p(folder.file());
   const auto asked = p.world.ask(p.store, 1s, seen(10, place(0)));
-  p.world.resolve();
+  p.world.run_until_idle();
   ASSERT_TRUE(p.world.kill("mapobjects_store"));
   p.work();
   p.world.advance(20ms);
@@ -266,7 +266,7 @@ TEST_F(mapobjects_store_actor, a_process_killed_after_an_answer_has_what_was_ans
     ASSERT_TRUE(p.ask(seen(10, place(0))).seen);
     p.ask(take_batch{uuid(900), mission_a, destination::observations, 2});
     static_cast<void>(p.world.ask(p.store, 1s, seen(11, place(100)))); // not answered, and not happened
-    p.world.resolve();
+    p.world.run_until_idle();
   } // killed
   process again(folder.file());
   EXPECT_EQ(again.ask(get_batches{}).batches.at(0).key, uuid(900));

@@ -20,7 +20,7 @@ protected:
 
   // One turn; it is committed when COMMIT says so.
   bool turn_of(load_finish& end, bool commit) {
-    turn now;
+    decision_context now;
     EXPECT_TRUE(store->begin());
     const auto last = store->apply(end, now);
     EXPECT_TRUE(last.has_value()) << (last ? "" : last.error().message());

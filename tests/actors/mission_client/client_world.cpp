@@ -32,7 +32,7 @@ process::process(outside& around, settings configured) : world(around.disk, ++ar
                                      std::static_pointer_cast<service_port>(port), std::shared_ptr<const peers>(others),
                                      around.processes);
   world.start();
-  world.resolve();
+  world.run_until_idle();
 }
 
 void process::exchange() {
@@ -41,12 +41,12 @@ void process::exchange() {
 
 void process::advance(std::chrono::nanoseconds duration, std::chrono::nanoseconds stride) {
   for (auto left = duration; left.count() > 0; left -= stride) {
-    world.resolve();
+    world.run_until_idle();
     exchange();
     world.advance(std::min(left, stride));
   }
   exchange();
-  world.resolve();
+  world.run_until_idle();
 }
 
 service_status process::status() {

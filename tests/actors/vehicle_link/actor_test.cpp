@@ -83,7 +83,7 @@ struct process {
                                      std::static_pointer_cast<wire>(line), std::shared_ptr<const listeners>(ears));
     ears->add(world.actors().add<ear>({.name = "ear"}, patient(), &what));
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
 
   template <class M>
@@ -93,12 +93,12 @@ struct process {
   void arrive(std::span<const std::byte> bytes) {
     if (line->incoming().put(io::link::only_peer, bytes, true))
       world.tell(link, wake{});
-    world.resolve();
+    world.run_until_idle();
   }
   void link_is(io::link::link_phase phase) {
     if (line->incoming().put(io::link::link_status{phase, phase == io::link::link_phase::up ? "" : "cut", 0}))
       world.tell(link, wake{});
-    world.resolve();
+    world.run_until_idle();
   }
   void connect() {
     link_is(io::link::link_phase::up);
@@ -106,7 +106,7 @@ struct process {
   }
   connection shown() {
     const auto asked = world.ask(link, 1s, get_connection{});
-    world.resolve();
+    world.run_until_idle();
     return asked->answer;
   }
 
@@ -131,7 +131,7 @@ TEST(vehicle_link, a_command_is_answered_by_the_vehicles_ack) {
   process p(disk);
   p.connect();
   const auto asked = p.world.ask(p.link, 5s, arm());
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(p.line->sent[mavlink::command_long::message_id], 1);
   p.vehicle_says(accepted());
   EXPECT_EQ(asked->answers, 1);
@@ -202,7 +202,7 @@ TEST(vehicle_link, a_command_in_flight_at_a_crash_is_answered_with_outcome_unkno
   process p(disk);
   p.connect();
   const auto asked = p.world.ask(p.link, 5s, arm());
-  p.world.resolve();
+  p.world.run_until_idle();
   ASSERT_TRUE(p.world.kill("vehicle_link"));
   p.world.advance(100ms);
   EXPECT_EQ(asked->failures, 1);
@@ -249,7 +249,7 @@ TEST(vehicle_link, a_transfer_under_way_at_a_crash_is_answered_with_outcome_unkn
   upload_plan plan;
   plan.items.resize(3);
   const auto asked = p.world.ask(p.link, 60s, plan);
-  p.world.resolve();
+  p.world.run_until_idle();
   EXPECT_EQ(p.line->sent[mavlink::mission_count::message_id], 1);
   ASSERT_TRUE(p.world.kill("vehicle_link"));
   p.world.advance(100ms);
@@ -278,7 +278,7 @@ void happen(process& p, std::uint8_t what, std::uint8_t number,
     send_command command;
     command.command = static_cast<std::uint16_t>(400 + number % 4);
     asks.push_back(p.world.ask(p.link, 3s, command));
-    p.world.resolve();
+    p.world.run_until_idle();
     return;
   }
   case 2:

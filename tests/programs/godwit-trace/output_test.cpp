@@ -16,10 +16,10 @@ TEST(output, text_waits_until_there_is_much_of_it) {
   const memory_file file;
   output out(file.descriptor());
   out.text() += "a line\n";
-  EXPECT_TRUE(out.resolve());
+  EXPECT_TRUE(out.flush_if_full());
   EXPECT_EQ(file.text(), "");
   out.text().append(output::buffer_bytes, 'x');
-  EXPECT_TRUE(out.resolve());
+  EXPECT_TRUE(out.flush_if_full());
   EXPECT_EQ(file.text().size(), output::buffer_bytes + 7);
 }
 
@@ -41,7 +41,7 @@ TEST(output, a_reader_that_has_gone_away_is_no_failure) {
   out.text() += "nobody reads this";
   EXPECT_FALSE(out.flush());
   EXPECT_FALSE(out.is_taken());
-  EXPECT_FALSE(out.resolve());
+  EXPECT_FALSE(out.flush_if_full());
   EXPECT_EQ(out.failure(), "");
   ::close(ends[1]);
 }

@@ -117,11 +117,11 @@ struct world_of_workers {
   }
   void start() {
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
   void crash(const std::string& name) {
     world.tell(workers.at(name), fail{});
-    world.resolve();
+    world.run_until_idle();
   }
   // "first up 1", in the order in which they happened.
   [[nodiscard]] std::vector<std::string> events() const {
@@ -141,7 +141,7 @@ struct world_of_workers {
   }
   [[nodiscard]] child_report report(const std::string& name) {
     const auto asked = world.ask(world.actors().guardian(), 1s, get_children{});
-    world.resolve();
+    world.run_until_idle();
     for (const auto& each : asked->answer.list)
       if (each.name == name)
         return each;
@@ -151,7 +151,7 @@ struct world_of_workers {
   // A table with one entry; returns the epoch of the table that holds then.
   table_epoch set(table_epoch epoch, const child_entry& entry, std::uint64_t revivals = 0) {
     const auto asked = world.ask(world.actors().guardian(), 1s, supervise{epoch, revivals, {entry}});
-    world.resolve();
+    world.run_until_idle();
     EXPECT_EQ(asked->answers, 1);
     return asked->answer.epoch;
   }
@@ -189,7 +189,7 @@ TEST(guardian, a_crashed_child_comes_back_at_once_then_after_doubling_waits) {
   std::uint64_t incarnation = 1;
   for (const auto wait : {0ms, 100ms, 200ms, 400ms, 800ms}) {
     EXPECT_TRUE(w.world.kill("second"));
-    w.world.resolve();
+    w.world.run_until_idle();
     if (wait > 0ms) {
       w.world.advance(wait - 10ms); // timers see time in strides of 10 ms
       EXPECT_EQ(w.report("second").phase, child_phase::waiting) << wait.count();
@@ -207,7 +207,7 @@ TEST(guardian, rest_for_one_stops_the_later_children_and_starts_all_again_in_ord
   w.start();
   const auto before = w.events().size();
   EXPECT_TRUE(w.world.kill("first"));
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.events_after(before), (list{"first crashed 1", "third stopped 1", "second stopped 1", "first up 2",
                                           "second up 2", "third up 2"}));
 }
@@ -242,7 +242,7 @@ TEST(guardian, a_child_given_up_that_is_not_essential_leaves_the_rest_and_a_red_
   EXPECT_EQ(w.health_of("second").reason, "given up: told to fail");
   EXPECT_EQ(w.report("second").phase, child_phase::given_up);
   w.world.tell(w.workers.at("third"), count_up{});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.counted["third"], 1);
   EXPECT_TRUE(w.world.stop());
 }
@@ -278,7 +278,7 @@ TEST(guardian, a_child_that_hangs_while_it_stops_does_not_delay_the_restart_of_a
   EXPECT_EQ(events.back(), "second up 2");
   EXPECT_EQ(std::ranges::count(events, "first stopped 1"), 0);
   EXPECT_EQ(w.counted["second"], 1);
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.events().back(), "first stopped 1");
 }
 
@@ -292,7 +292,7 @@ TEST(guardian, tells_to_a_child_that_is_not_wanted_are_dropped_and_counted) {
   EXPECT_EQ(w.counted["second"], 0);
   EXPECT_EQ(w.world.counters("second").dropped, 3U);
   w.world.tell(w.workers.at("second"), count_up{});
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.counted["second"], 1);
 }
 
@@ -301,7 +301,7 @@ TEST(guardian, what_waited_for_a_child_in_its_back_off_is_dropped_when_it_is_giv
   w.start();
   for (int i = 0; i < 2; ++i) { // at once, then behind 100 ms
     EXPECT_TRUE(w.world.kill("second"));
-    w.world.resolve();
+    w.world.run_until_idle();
   }
   w.world.tell(w.workers.at("second"), count_up{});
   EXPECT_EQ(w.world.counters("second").dropped, 0U) << "it comes back";
@@ -316,11 +316,11 @@ TEST(guardian, an_ask_to_a_child_that_was_given_up_is_refused_at_once) {
   const auto auditor = world.actors().add<godwit::tests::auditor_actor>({.name = "auditor"}, with(100), &seen);
   const auto ledger = world.actors().add<godwit::tests::ledger_actor>({.name = "ledger"}, with(0), auditor);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   EXPECT_TRUE(world.kill("ledger"));
-  world.resolve();
+  world.run_until_idle();
   const auto asked = world.ask(ledger, 1h, godwit::tests::withdraw{1, 1});
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(asked->failures, 1);
   EXPECT_EQ(world.counters("ledger").refused, 1U);
 }
@@ -330,7 +330,7 @@ TEST(guardian, a_child_given_up_stays_so_when_it_is_wanted_and_runs_and_is_green
   w.start();
   w.set({1, 1}, {"first", true, with(0)});
   EXPECT_TRUE(w.world.kill("first"));
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.health_of("first").colour, health_colour::red);
   w.set({1, 2}, {"first", true, with(0)});
   EXPECT_EQ(w.report("first").phase, child_phase::given_up);
@@ -343,7 +343,7 @@ TEST(guardian, the_first_table_of_a_process_revives_nobody) {
   world_of_workers w(with(0));
   w.start();
   EXPECT_TRUE(w.world.kill("first"));
-  w.world.resolve();
+  w.world.run_until_idle();
   w.set({1, 1}, {"second", true, with(0)}, 7);
   EXPECT_EQ(w.report("first").phase, child_phase::given_up);
 }
@@ -362,13 +362,13 @@ TEST(guardian, a_table_that_says_the_same_keeps_crash_histories_and_waits) {
   w.start();
   for (int i = 0; i < 2; ++i) {
     EXPECT_TRUE(w.world.kill("second"));
-    w.world.resolve();
+    w.world.run_until_idle();
     w.set({1, ++w.tables}, {"second", true, with(2)});
   }
   EXPECT_EQ(w.report("second").phase, child_phase::waiting);
   w.world.advance(100ms);
   EXPECT_TRUE(w.world.kill("second"));
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.report("second").phase, child_phase::given_up) << "its third crash";
 }
 
@@ -401,7 +401,7 @@ std::optional<exit_request> given_up_in_flight(world_of_workers& w, bool may_end
   policy.end = process_end::fast_once;
   w.set({1, 1}, {"second", true, policy});
   EXPECT_TRUE(w.world.kill("second"));
-  w.world.resolve();
+  w.world.run_until_idle();
   return w.world.exit();
 }
 
@@ -457,7 +457,7 @@ TEST(guardian, reports_of_each_child_whether_it_is_wanted_and_essential_and_how_
   w.start();
   w.want("third", false);
   EXPECT_TRUE(w.world.kill("second"));
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_TRUE(w.report("second").essential);
   EXPECT_TRUE(w.report("second").wanted);
   EXPECT_EQ(w.report("second").health, health_colour::red);
@@ -473,7 +473,7 @@ TEST(guardian, a_constructor_that_throws_is_a_crash) {
   int failures_left = 2;
   (void)world.actors().add<late_bloomer>({.name = "late"}, with(3), &failures_left);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   EXPECT_EQ(failures_left, 0) << "the second waits";
   world.advance(100ms);
   EXPECT_EQ(failures_left, -1);
@@ -490,7 +490,7 @@ TEST(guardian, a_child_whose_durable_state_can_not_be_read_is_given_up_at_once) 
   const auto auditor = world.actors().add<godwit::tests::auditor_actor>({.name = "auditor"}, with(100), &seen);
   (void)world.actors().add<godwit::tests::ledger_actor>({.name = "ledger"}, with(100, true), auditor);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   ASSERT_TRUE(world.exit());
   EXPECT_EQ(world.exit()->cause, exit_cause::essential_given_up);
   EXPECT_NE(world.exit()->reason.find("version 99"), std::string::npos) << world.exit()->reason;
@@ -526,7 +526,7 @@ TEST(guardian, the_supervisor_hears_what_happens_to_the_children) {
   EXPECT_EQ(w.notes.events, (list{"first up 1", "second up 1", "third up 1", "boss up 1"}));
   w.notes.events.clear();
   w.world.tell(w.workers.at("second"), fail{}); // put back, it crashes the next incarnation too
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.notes.events, (list{"second crashed 1", "second up 2", "second crashed 2", "second gave_up 2"}));
 }
 
@@ -534,7 +534,7 @@ TEST(guardian, a_new_incarnation_of_the_supervisor_adopts_the_children_as_they_a
   world_with_a_boss w;
   w.start();
   EXPECT_TRUE(w.world.kill("second"));
-  w.world.resolve();
+  w.world.run_until_idle();
   ASSERT_EQ(w.notes.adopted.size(), 1U);
   w.world.tell(w.chief, fail{});
   w.world.advance(1s);
@@ -556,11 +556,11 @@ TEST(guardian, what_happens_while_the_supervisor_is_down_is_told_to_its_next_inc
   w.start();
   for (int i = 0; i < 2; ++i) { // the second crash is followed by a wait
     EXPECT_TRUE(w.world.kill("boss"));
-    w.world.resolve();
+    w.world.run_until_idle();
   }
   w.notes.events.clear();
   EXPECT_TRUE(w.world.kill("first"));
-  w.world.resolve();
+  w.world.run_until_idle();
   EXPECT_EQ(w.report("boss").phase, child_phase::waiting);
   EXPECT_EQ(w.report("first").incarnation, 2U) << "the guardian goes on with the last table";
   w.world.advance(100ms);
@@ -571,15 +571,15 @@ TEST(guardian, the_last_table_holds_while_the_supervisor_is_down) {
   world_with_a_boss w;
   w.start();
   w.world.tell(w.chief, supervise{{1, 1}, 0, {{"third", true, with(0, true)}}});
-  w.world.resolve();
+  w.world.run_until_idle();
   for (int i = 0; i < 2; ++i) {
     EXPECT_TRUE(w.world.kill("boss"));
-    w.world.resolve();
+    w.world.run_until_idle();
   }
   ASSERT_EQ(w.report("boss").phase, child_phase::waiting);
   EXPECT_FALSE(w.world.exit());
   EXPECT_TRUE(w.world.kill("third"));
-  w.world.resolve();
+  w.world.run_until_idle();
   ASSERT_TRUE(w.world.exit());
   EXPECT_EQ(w.world.exit()->reason, "third is essential and was given up: killed");
 }
@@ -614,7 +614,7 @@ TEST(guardian, an_actor_that_does_not_answer_is_warned_of_then_replaced_and_lose
   int counted = 0;
   const auto starved = world.actors().add<worker>({.name = "starved"}, with(100), &counted);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   for (int i = 0; i < 3; ++i)
     world.tell(starved, count_up{});
   const auto colour = [&] { return health_of(world, "starved").colour; };
@@ -626,7 +626,7 @@ TEST(guardian, an_actor_that_does_not_answer_is_warned_of_then_replaced_and_lose
   EXPECT_EQ(colour(), health_colour::green) << "the successor is up";
   EXPECT_EQ(world.counters("starved").crashes, 1U);
   EXPECT_EQ(counted, 0);
-  world.resolve(); // the first incarnation has its turn after all
+  world.run_until_idle(); // the first incarnation has its turn after all
   EXPECT_EQ(counted, 3) << "by the successor";
   EXPECT_EQ(world.counters("starved").handled, 3U);
   EXPECT_EQ(world.counters("starved").lost, 0U);
@@ -639,13 +639,13 @@ TEST(guardian, an_actor_with_a_full_mailbox_still_gets_its_pings) {
   int counted = 0;
   const auto busy = world.actors().add<worker>({.name = "busy", .mailbox_bound = 3}, with(0, true), &counted);
   world.start();
-  world.resolve();
+  world.run_until_idle();
   constexpr int rounds = 120;
   for (int round = 0; round < rounds; ++round) {
     for (int i = 0; i < 5; ++i)
       world.tell(busy, count_up{}); // three fit
     advance_without_the_first(world, 250ms);
-    world.resolve();
+    world.run_until_idle();
   }
   EXPECT_EQ(counted, 3 * rounds);
   EXPECT_EQ(world.counters("busy").refused, 2U * rounds);

@@ -50,7 +50,7 @@ exit_code export_to(const export_arguments& given, console& to, output& out) {
   delivery_filter filter(given.filter);
   made->begin(out.text());
   runtime::delivery each;
-  while (out.resolve() && (*trace)->ordered.next(each))
+  while (out.flush_if_full() && (*trace)->ordered.next(each))
     if (filter.wants(each, (*trace)->names))
       made->take(out.text(), each);
   made->end(out.text());

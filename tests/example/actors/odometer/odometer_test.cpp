@@ -77,11 +77,11 @@ struct process {
     const auto ears = world.actors().add<listener>({.name = "listener"}, patient(), &heard);
     odometer = world.actors().add<actor>({.name = "odometer"}, patient(), ears);
     world.start();
-    world.settle();
+    world.run_until_idle();
   }
   std::uint64_t total_m() {
     const auto asked = world.ask(odometer, 1s, get_total{});
-    world.settle();
+    world.run_until_idle();
     return asked->answer.distance_m;
   }
   runtime::simulation world;
@@ -112,7 +112,7 @@ TEST(odometer, a_reset_is_answered_once_whenever_the_odometer_crashes) {
     milestones heard;
     process p(disk, heard);
     p.world.tell(p.odometer, moved{700});
-    p.world.settle();
+    p.world.run_until_idle();
     p.world.crash_at("odometer", point);
     const auto asked = p.world.ask(p.odometer, 10s, reset{1});
     p.world.advance(1s);
@@ -129,11 +129,11 @@ TEST(odometer, no_answer_and_no_milestone_before_the_disk_has_it) {
   p.world.journal().fail_writes(true);
   p.world.tell(p.odometer, moved{1000});
   const auto asked = p.world.ask(p.odometer, 10s, reset{1});
-  p.world.settle();
+  p.world.run_until_idle();
   EXPECT_TRUE(heard.empty());
   EXPECT_EQ(asked->answers, 0);
   p.world.journal().fail_writes(false);
-  p.world.settle();
+  p.world.run_until_idle();
   EXPECT_EQ(heard, (milestones{{1, 1}}));
   EXPECT_EQ(asked->answers, 1);
 }

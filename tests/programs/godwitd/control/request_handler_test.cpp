@@ -93,7 +93,7 @@ struct process {
       others.client = all;
     who = world.actors().add<request_handler>({.name = "control_desk"}, {}, others, box);
     world.start();
-    world.resolve();
+    world.run_until_idle();
   }
   json ask(control_request asked) {
     asked.ticket = 7;

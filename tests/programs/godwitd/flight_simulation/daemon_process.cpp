@@ -81,9 +81,9 @@ bool daemon_process::step(std::uint64_t choice) {
   return parts_->world.step(choice / map_share) || parts_->map->step();
 }
 
-void daemon_process::resolve() {
+void daemon_process::run_until_idle() {
   do
-    parts_->world.resolve();
+    parts_->world.run_until_idle();
   while (parts_->map->step());
 }
 
@@ -123,7 +123,7 @@ std::optional<runtime::exit_request> daemon_process::wants_exit() const { return
 runtime::child_report daemon_process::look_at(const std::string& actor) {
   const auto asked =
       parts_->world.ask(parts_->world.actors().guardian(), std::chrono::seconds(1), runtime::get_children{});
-  resolve();
+  run_until_idle();
   const auto found = std::ranges::find(asked->answer.list, actor, &runtime::child_report::name);
   GODWIT_ASSERT(found != asked->answer.list.end(), "test: the actor is one of the process's");
   return *found;

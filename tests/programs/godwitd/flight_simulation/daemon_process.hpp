@@ -52,7 +52,7 @@ public:
   // False: nothing can, without time passing.
   bool step(std::uint64_t choice);
   // All of them, the journal behind the messages: the order that costs least.
-  void resolve();
+  void run_until_idle();
   [[nodiscard]] bool has_uncommitted() const;
 
   [[nodiscard]] simulated_wire& vehicle_wire();

@@ -85,11 +85,11 @@ void flight_simulation::step(std::int64_t end_ns) {
     vehicle_->on_time(now_ns_);
   service_.on_time(now_ns_);
   station_.on_time(now_ns_);
-  resolve();
+  run_until_idle();
 }
 
 // Until nothing more happens without time passing.
-void flight_simulation::resolve() {
+void flight_simulation::run_until_idle() {
   do
     run_process();
   while (exchange());
@@ -98,7 +98,7 @@ void flight_simulation::resolve() {
 
 void flight_simulation::run_process() {
   if (process_ && !is_shuffled_ && !planned_kill_)
-    return process_->resolve();
+    return process_->run_until_idle();
   while (process_ && process_->step(test_rng_()))
     if (is_time_to_die())
       kill_process();
@@ -156,11 +156,11 @@ bool flight_simulation::give_up(const std::string& actor, double most_s) {
         if (process_ == nullptr || processes_ != before)
           return true;
         (void)process_->kill(actor);
-        resolve();
+        run_until_idle();
         return process_ == nullptr || process_->look_at(actor).phase == runtime::child_phase::given_up;
       },
       most_s);
-  resolve();
+  run_until_idle();
   return is_done;
 }
 
@@ -226,7 +226,7 @@ void flight_simulation::forge_bytes(target_line where, std::span<const std::byte
     return;
   auto& line = where == target_line::vehicle ? process_->vehicle_wire() : process_->ground_wire();
   line.receive(frame, stranger);
-  resolve();
+  run_until_idle();
 }
 
 // -- people -----------------------------------------------------------------------------------------

@@ -128,7 +128,7 @@ public:
 private:
   void step(std::int64_t end_ns);
   [[nodiscard]] std::int64_t next_due_ns() const;
-  void resolve();
+  void run_until_idle();
   void run_process();
   // True: something was moved.
   bool exchange();

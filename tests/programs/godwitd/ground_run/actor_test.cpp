@@ -156,7 +156,7 @@ struct process {
     all.run = run;
     world.start();
     if (runs)
-      world.resolve();
+      world.run_until_idle();
   }
   bool ends_in(std::chrono::seconds virtual_time) {
     for (std::int64_t ms = 0; ms < virtual_time / 1ms && ends.empty(); ms += 100) {
@@ -248,7 +248,7 @@ TEST(ground_run_actor, an_assignment_is_turned_down_with_the_same_key_each_time)
   wanted.assignment.assignment_id = "0b8f7c36-3a5f-4c0b-8f0e-5e5f2f6f9b11";
   for (int time = 0; time < 2; ++time) {
     p.world.tell(p.run, wanted);
-    p.world.resolve();
+    p.world.run_until_idle();
   }
   ASSERT_EQ(all.responses.size(), 2U);
   EXPECT_EQ(all.responses[0].response.outcome, mission::assignment_outcome::rejected);

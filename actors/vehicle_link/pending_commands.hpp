@@ -37,7 +37,7 @@ struct resolved_command {
   command_outcome outcome;
 };
 
-class command_dedup {
+class pending_commands {
 public:
   // Why this command can not wait here, or nothing: then it does, and has to be sent now.
   [[nodiscard]] std::optional<command_verdict> take(asker asked_by, const send_command& what, std::int64_t timeout_ms,

@@ -1,4 +1,4 @@
-#include "actors/vehicle_link/command_dedup.hpp"
+#include "actors/vehicle_link/pending_commands.hpp"
 
 #include <algorithm>
 #include <string>
@@ -65,8 +65,8 @@ std::string sentence_for_result(std::uint8_t result) {
   return "the vehicle answered with result " + std::to_string(result) + ", which is not known here";
 }
 
-std::optional<command_verdict> command_dedup::take(asker asked_by, const send_command& what, std::int64_t timeout_ms,
-                                                   std::int64_t now_ns) {
+std::optional<command_verdict> pending_commands::take(asker asked_by, const send_command& what, std::int64_t timeout_ms,
+                                                      std::int64_t now_ns) {
   const key which{what.command, what.target_component};
   if (waiting_.contains(which))
     return command_verdict::already_running;
@@ -77,8 +77,8 @@ std::optional<command_verdict> command_dedup::take(asker asked_by, const send_co
   return std::nullopt;
 }
 
-std::optional<resolved_command> command_dedup::acknowledge(const io::mavlink::command_ack& ack, std::uint8_t component,
-                                                           std::int64_t now_ns) {
+std::optional<resolved_command> pending_commands::acknowledge(const io::mavlink::command_ack& ack,
+                                                              std::uint8_t component, std::int64_t now_ns) {
   const auto found = waiting_.find({ack.command, component});
   if (found == waiting_.end()) {
     ++unmatched_;
@@ -94,7 +94,7 @@ std::optional<resolved_command> command_dedup::acknowledge(const io::mavlink::co
   return result;
 }
 
-std::vector<resolved_command> command_dedup::expire(std::int64_t now_ns) {
+std::vector<resolved_command> pending_commands::expire(std::int64_t now_ns) {
   std::vector<resolved_command> result;
   for (auto each = waiting_.begin(); each != waiting_.end();) {
     const auto& [which, entry] = *each;
@@ -111,7 +111,7 @@ std::vector<resolved_command> command_dedup::expire(std::int64_t now_ns) {
   return result;
 }
 
-std::vector<resolved_command> command_dedup::end_all(command_verdict verdict, const std::string& reason) {
+std::vector<resolved_command> pending_commands::end_all(command_verdict verdict, const std::string& reason) {
   std::vector<resolved_command> result;
   for (const auto& [which, entry] : waiting_)
     result.push_back({entry.asked_by, unanswered(which.first, verdict, reason)});
@@ -119,7 +119,7 @@ std::vector<resolved_command> command_dedup::end_all(command_verdict verdict, co
   return result;
 }
 
-std::optional<std::int64_t> command_dedup::next_deadline_ns() const {
+std::optional<std::int64_t> pending_commands::next_deadline_ns() const {
   std::optional<std::int64_t> result;
   for (const auto& [which, entry] : waiting_)
     result = std::min(result.value_or(entry.deadline_ns), entry.deadline_ns);

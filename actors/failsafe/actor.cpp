@@ -101,7 +101,7 @@ void actor::started() {
 void actor::on_tick() {
   plan_tick(std::chrono::milliseconds(tick_ms));
   liveness_report();
-  look_further();
+  look_further(true);
   turn();
 }
 
@@ -184,8 +184,8 @@ void actor::resolve(const command_vehicle& command, command_verdict verdict) {
 
 // -- the first look at the vehicle ------------------------------------------------------------------
 
-void actor::look_further() {
-  const auto wanted = look_.next();
+void actor::look_further(bool at_tick) {
+  const auto wanted = look_.next(at_tick);
   if (!wanted)
     return;
   vehicle_link::send_command request;
@@ -201,7 +201,7 @@ void actor::look_further() {
 void actor::end_look(bool is_answered) {
   look_.resolved();
   if (is_answered)
-    look_further();
+    look_further(false);
 }
 
 // -- health ---------------------------------------------------------------------------------------

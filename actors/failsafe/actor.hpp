@@ -73,7 +73,7 @@ private:
   void command(const command_vehicle& what);
   void post_health();
   void resolve(const command_vehicle& command, vehicle_link::command_verdict verdict);
-  void look_further();
+  void look_further(bool at_tick);
   void end_look(bool is_answered);
 
   // What goes out together, at the end of a turn.

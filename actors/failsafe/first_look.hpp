@@ -3,7 +3,8 @@
 // comes by itself within five seconds only; the executor plans nothing in flight before it knows that.
 //
 // REQUEST_MESSAGE, one at a time: the autopilot knows one command of a kind in flight. What comes by itself meanwhile
-// is not asked for. A vehicle that does not answer is left to its streams. Thread: pure.
+// is not asked for. Two positions are wanted: one outside of a fence proves nothing yet (fence_watch.hpp). A vehicle
+// that does not answer is left to its streams. Thread: pure.
 #pragma once
 
 #include <array>
@@ -19,25 +20,29 @@ namespace godwit::failsafe {
 // Of each message. The streams bring it soon in any case.
 inline constexpr int max_look_tries = 3;
 
+struct wanted_message {
+  std::uint32_t message_id = 0;
+  int tries_left = 0;
+  int needed = 1;        // how many of it say something
+  bool is_asked = false; // since the last tick
+};
+
 class first_look {
 public:
   // Everything is asked for anew.
   void begin() { wanted_ = all; }
   void heard(std::uint32_t message_id);
 
-  // Which message to ask for now. None: one is being asked for, or all have been heard or given up.
-  [[nodiscard]] std::optional<std::uint32_t> next();
+  // Which message to ask for now. None: one is being asked for, or all have been heard or given up. Each is asked for
+  // once between two ticks: what was answered may still be on its way, and a second one at once would say the same.
+  [[nodiscard]] std::optional<std::uint32_t> next(bool at_tick);
   // What was asked for has an answer, or has none.
   void resolved() { asking_ = false; }
 
 private:
-  struct wanted_message {
-    std::uint32_t message_id = 0;
-    int tries_left = 0;
-  };
   static constexpr std::array all{wanted_message{io::mavlink::heartbeat::message_id, max_look_tries},
                                   wanted_message{io::mavlink::extended_sys_state::message_id, max_look_tries},
-                                  wanted_message{io::mavlink::global_position_int::message_id, max_look_tries},
+                                  wanted_message{io::mavlink::global_position_int::message_id, max_look_tries, 2},
                                   wanted_message{io::mavlink::sys_status::message_id, max_look_tries},
                                   wanted_message{io::mavlink::home_position::message_id, max_look_tries}};
 

@@ -91,14 +91,14 @@ TEST_F(http_client, takes_any_status_for_an_answer) {
 
 TEST_F(http_client, sends_the_token_as_it_stands_in_the_file_at_that_time) {
   const http_server server([](http_peer& peer, const http_request& asked) {
-    peer.write(http_answer("200 OK", std::string(asked["Authorization"])));
+    peer.write(http_answer("200 OK", backwards(asked["Authorization"])));
   });
   auto wanted = settings_for(server.url());
   wanted.token_file = store("token", "first\n");
   const auto service = open(wanted);
-  EXPECT_EQ(body_of(ask(*service, {})), "Bearer first");
+  EXPECT_EQ(body_of(ask(*service, {})), backwards("Bearer first"));
   store("token", "second\n");
-  EXPECT_EQ(body_of(ask(*service, {})), "Bearer second");
+  EXPECT_EQ(body_of(ask(*service, {})), backwards("Bearer second"));
 }
 
 TEST_F(http_client, sends_nothing_when_the_token_can_not_be_read) {

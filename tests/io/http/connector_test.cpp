@@ -45,7 +45,7 @@ private:
 TEST_F(http_connector_proxy, is_asked_for_a_way_and_hears_nothing_of_the_token) {
   const http_server service(
       [](http_peer& peer, const http_request& asked) {
-        peer.write(http_answer("200 OK", std::string(asked["Authorization"])));
+        peer.write(http_answer("200 OK", backwards(asked["Authorization"])));
       },
       with_tls());
   const test_proxy proxy;
@@ -53,8 +53,8 @@ TEST_F(http_connector_proxy, is_asked_for_a_way_and_hears_nothing_of_the_token) 
   wanted.proxy = proxy.url();
   wanted.token_file = store("token", "hunter2");
   const auto client = open(wanted);
-  EXPECT_EQ(body_of(ask(*client, {})), "Bearer hunter2");
-  EXPECT_EQ(body_of(ask(*client, {})), "Bearer hunter2"); // through the same tunnel
+  EXPECT_EQ(body_of(ask(*client, {})), backwards("Bearer hunter2"));
+  EXPECT_EQ(body_of(ask(*client, {})), backwards("Bearer hunter2")); // through the same tunnel
   EXPECT_EQ(proxy.heard(), std::vector<std::string>{"CONNECT 127.0.0.1:" + std::to_string(service.port()) + " "});
 }
 

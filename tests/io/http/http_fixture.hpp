@@ -24,6 +24,9 @@ using godwit::test::http_server;
 // Far longer than any of it takes: a test that waits so long has failed.
 inline constexpr std::chrono::seconds patience{60};
 
+// What a service was told, in a form in which the client does not find its token again: that it takes out of answers.
+inline std::string backwards(std::string_view text) { return {text.rbegin(), text.rend()}; }
+
 class http_fixture : public testing::Test {
 protected:
   http_fixture();

@@ -53,9 +53,11 @@ void takeover_detector::on_text(const flight::mode_owner& whose, std::string_vie
 }
 
 bool takeover_detector::begins_as_ours(const seen_mode& seen, instant now) const {
-  if (seen.mode.kind == mode_kind::mission || authority_.expects(seen.mode, now.monotonic_ns))
+  if (authority_.expects(seen.mode, now.monotonic_ns))
     return true;
-  return !is_found_ && seen.mode.kind == mode_kind::take_off;
+  if (has_acted_at_begin_)
+    return false;
+  return seen.mode.kind == mode_kind::mission || (!is_found_ && seen.mode.kind == mode_kind::take_off);
 }
 
 void takeover_detector::judge_begin(const seen_mode& seen, instant now) {
@@ -83,6 +85,7 @@ void takeover_detector::evaluate(const flight_now& flight, const seen_mode& seen
     if (!begun_ns_) {
       begun_ns_ = now.monotonic_ns;
       is_found_ = flight.is_found;
+      has_acted_at_begin_ = false;
     }
     judge_begin(seen, now);
   } else if (flight.in_flight) {

@@ -70,8 +70,11 @@ public:
   void expect(const std::vector<std::uint32_t>& modes, std::int64_t lasts_ms, instant now);
   void withdraw(const std::vector<std::uint32_t>& modes) { authority_.withdraw(modes); }
   void set_plan_end(const flight::plan_end& end);
-  // A failsafe acts: from here on the plan leads nowhere by itself.
-  void forget_the_plan() { authority_.forget_plan_end(); }
+  // A failsafe acts: from here on the plan leads nowhere by itself, and who begins it in this moment is a person.
+  void forget_the_plan() {
+    authority_.forget_plan_end();
+    has_acted_at_begin_ = begun_ns_.has_value();
+  }
   void take_over();
   void hand_back();
 
@@ -98,6 +101,7 @@ private:
   std::optional<std::int64_t> judged_ns_; // the newest heartbeat whose mode was judged: each is judged once
   std::optional<std::int64_t> begun_ns_;  // a flight that nobody is known to have begun
   bool is_found_ = false;                 // it was in the air already
+  bool has_acted_at_begin_ = false;       // the failsafe has, before it was known whose flight it is
   bool adopts_ = false;                   // handed back: whatever mode comes next is ours
 };
 

@@ -270,6 +270,22 @@ TEST(takeover_detector, whose_a_take_off_is_a_heartbeat_says_that_came_behind_it
   }
 }
 
+// A person arms a vehicle that is held, the failsafe holds it for its battery, and the person starts the mission.
+TEST(takeover_detector, a_mission_that_begins_while_the_failsafe_acts_is_a_persons_unless_it_was_commanded) {
+  for (const bool is_commanded : {false, true}) {
+    takeover_detector watch({}, {}, start);
+    see(watch, on_ground, brakes);
+    watch.evaluate(takes_off, {copter, brakes, false, later(-900).monotonic_ns}, later(0));
+    EXPECT_TRUE(watch.is_unclear());
+    watch.forget_the_plan();
+    EXPECT_TRUE(watch.is_unclear());
+    if (is_commanded)
+      watch.expect({mission.custom_mode}, 5'000, later(50));
+    see(watch, flies, mission, 100);
+    EXPECT_EQ(watch.is_taken_over(), !is_commanded);
+  }
+}
+
 TEST(takeover_detector, a_take_off_of_which_the_executor_says_that_it_is_a_pilots_is_not_unclear) {
   takeover_detector watch({}, {}, start);
   watch.evaluate(takes_off, {copter, manual, false, start.monotonic_ns}, later(100));

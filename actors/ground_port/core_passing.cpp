@@ -276,8 +276,8 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
     if ((base_mode & armed_flag) == 0)
       return start_or_resume(t, what);
     return refuse(t, what, mav_result::denied, "Mode: it does not arm");
-  case mode_kind::hold:
-    act.kind = act_kind::hold;
+  case mode_kind::hold: // in another mode of holding (Copter's LOITER) a person's sticks fly it
+    act.kind = flight::number_of(owner_, mode_kind::hold) == custom_mode ? act_kind::hold : act_kind::stop;
     break;
   case mode_kind::returning:
   case mode_kind::landing:

@@ -38,7 +38,7 @@ struct daemon_settings {
   executor::settings flight;
   failsafe::settings failsafe;
   std::optional<io::link::uri> ground; // none: no ground station is spoken to
-  bool speaks_as_autopilot = false;    // there: for stations that speak with nobody else
+  bool speaks_as_autopilot = true;     // there: for stations that bring missions to nobody else
   std::string ground_key_file;         // empty: nothing is signed there
   bool ground_passes = true;           // reading and what people do goes on to the vehicle
   std::vector<std::string> ground_also_passes;

@@ -35,6 +35,7 @@ struct plan_change {
 
 struct start_flight {
   std::optional<start_mission> asked; // by a ground station, which waits for its answer
+  bool has_taken_off = false;         // under that station, which gives the vehicle back in the air
 };
 
 struct command_queue {

@@ -35,11 +35,20 @@ std::string flight_start::why_not_armed() const {
   return {};
 }
 
+// Stations say arm and start in one breath, and an autopilot shows that it is armed with its next heartbeat.
+bool flight_start::waits_for_arming(instant now) const {
+  const auto& asked = flight_.wanted.start->asked;
+  return asked && !flight_.view.is_armed() && now.now_ns < flight_.arming_until_ns &&
+         now.wall_ns <= asked->obey_until_ns && flight_.s.status.now == phase::ready;
+}
+
 bool flight_start::begin_wanted(effects& out, instant now) {
-  if (!flight_.wanted.start)
+  if (!flight_.wanted.start || waits_for_arming(now))
     return false;
   const auto what = *std::exchange(flight_.wanted.start, {});
-  if (what.asked)
+  if (what.asked && what.has_taken_off && flight_.s.status.now == phase::ready)
+    begin_in_air(out, *what.asked);
+  else if (what.asked)
     begin_asked(out, *what.asked, now);
   else if (const auto why = why_not(out, now); !why.empty())
     out.emplace_back(announce{"the flight is not started: " + why, true});
@@ -73,6 +82,21 @@ void flight_start::begin_in_flight(effects& out, const start_mission& asked) {
   const bool goes_on = asked.first == 0 && flight_.s.status.now == phase::paused;
   tasks_.begin(out, task_kind::resume,
                tasks_.guarded(goes_on ? going_on_steps(flight_) : jump_steps(flight_, *sequence)), false, asked.key);
+}
+
+// A station has armed it, taken off and given it back: of a flight that was ready the mode alone is missing. That the
+// vehicle is under way, for which it could not be prepared now, is what that station wants.
+void flight_start::begin_in_air(effects& out, const start_mission& asked) {
+  const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
+  if (asked.first != 0 && !sequence)
+    return tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
+  if (!flight_.is_in_air() || !flight_.s.progress.plan || flight_.has_open_intent())
+    return tasks_.answer_start(out, asked.key, start_verdict::not_ready, flight_.sentence());
+  flight_.adopt_flight();
+  out.emplace_back(note{preflight::took_off{}});
+  phases_.go(out, trigger::found_started);
+  const auto first = asked.first == 0 ? first_sequence() : *sequence;
+  tasks_.begin(out, task_kind::resume, tasks_.guarded(jump_steps(flight_, first)), false, asked.key);
 }
 
 // -- on the ground ----------------------------------------------------------------------------------

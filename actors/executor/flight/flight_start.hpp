@@ -26,6 +26,8 @@ public:
 private:
   void begin(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence);
   void begin_in_flight(effects& out, const start_mission& asked);
+  void begin_in_air(effects& out, const start_mission& asked);
+  [[nodiscard]] bool waits_for_arming(instant now) const;
   [[nodiscard]] std::string why_not_in_flight() const;
   [[nodiscard]] std::uint16_t first_sequence() const;
   void begin_asked(effects& out, const start_mission& asked, instant now);

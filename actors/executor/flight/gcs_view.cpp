@@ -137,6 +137,7 @@ effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& i
 
 effects gcs_view::on_start(const start_mission& m, instant now) {
   effects out;
+  const bool has_taken_off = flight_.has_person() && flight_.is_in_air();
   if (now.wall_ns > m.obey_until_ns)
     tasks_.answer_start(out, m.key, start_verdict::too_late, "the request came too late");
   else if (const auto why = why_not_meant(m); !why.empty())
@@ -148,7 +149,7 @@ effects gcs_view::on_start(const start_mission& m, instant now) {
   else if (flight_.wanted.start || flight_.runner.is_busy())
     tasks_.answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + flight_.sentence());
   else
-    flight_.wanted.start = start_flight{m};
+    flight_.wanted.start = start_flight{m, has_taken_off};
   return out;
 }
 

@@ -13,6 +13,8 @@ act_answer station_acts::take(effects& out, const station_act& m, bool has_looke
                       !flight_.is_starting() && m.kind != act_kind::arm;
   if (!stands || flight_.has_person())
     watch_.give_to_station(out, m);
+  if (m.kind == act_kind::arm)
+    flight_.arming_until_ns = now.now_ns + arming_shows_within_ns;
   return {act_verdict::pass, {}};
 }
 

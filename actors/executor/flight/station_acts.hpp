@@ -19,6 +19,9 @@
 
 namespace godwit::executor {
 
+// From the arm of a station to the heartbeat that shows it. A start that comes before waits for it.
+inline constexpr std::int64_t arming_shows_within_ns = 3'000'000'000;
+
 class station_acts {
 public:
   station_acts(flight_context& flight, control_watch& watch, preparation& preparation, operator_control& operators)

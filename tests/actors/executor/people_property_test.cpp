@@ -234,7 +234,8 @@ private:
       person_mode_.reset();
       orders_before_.reset();
     }
-    if (what == command_kind::start)
+    const bool is_brought_home = what == command_kind::come_home && who_ == personality::rover; // by a plan of its own
+    if (what == command_kind::start || is_brought_home)
       may_start_ = true;
   }
 

@@ -255,6 +255,67 @@ TEST_P(flight_by_station, FR_00089_a_start_while_it_flies_restarts_at_the_item_t
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
+// -- a start behind what the station has done itself --------------------------------------------------
+
+// Its plan is ready, and its arm has gone on to the vehicle. godwit itself arms nothing.
+class armed_by_station : public flight_by_station {
+protected:
+  void SetUp() override {
+    ASSERT_TRUE(bring(world, items));
+    ASSERT_EQ(world.station_does(act_kind::arm).verdict, act_verdict::pass);
+  }
+
+  static flight_world::options without_arming() {
+    auto result = by_stations(GetParam());
+    result.arm_on_start = false;
+    return result;
+  }
+
+  flight_world world{without_arming()};
+  upload items = station_items(GetParam());
+};
+
+// As MAVSDK does it: arm and start in one breath, before a heartbeat shows that it is armed.
+TEST_P(armed_by_station, a_start_right_behind_an_arm_waits_for_the_heartbeat_that_shows_it) {
+  world.arm_by_hand();
+  world.station_says(start_of(world, items));
+  EXPECT_TRUE(world.run_until_phase(phase::flying, 30)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started);
+}
+
+TEST_P(armed_by_station, a_start_behind_an_arm_that_the_vehicle_refuses_is_refused_too) {
+  world.station_says(start_of(world, items));
+  const auto before = world.orders();
+  world.run_for(10);
+  ASSERT_EQ(world.start_answers().size(), 1U) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::disarmed);
+  EXPECT_EQ(world.orders(), before) << world.story();
+}
+
+// As MAVProxy and DroneKit do it: arm, take off, and then the mission mode.
+TEST(copter_by_station, who_has_taken_off_through_a_station_starts_its_plan_in_the_air) {
+  for (const auto who : {sim::personality::px4, sim::personality::ardupilot}) {
+    constexpr std::uint32_t px4_hold = 4U << 16U | 3U << 24U;
+    constexpr std::uint32_t copter_loiter = 5;
+    flight_world world(by_stations(who));
+    const auto items = station_items(who);
+    ASSERT_TRUE(bring(world, items));
+    ASSERT_EQ(world.station_does(act_kind::arm).verdict, act_verdict::pass);
+    world.fly_by_hand(who == sim::personality::px4 ? px4_hold : copter_loiter);
+    auto of_another = start_of(world, items);
+    of_another.asked_by = {254, 190};
+    const auto before = world.orders();
+    world.station_says(of_another);
+    world.run_for(1);
+    EXPECT_EQ(world.start_answers().back().verdict, start_verdict::not_ready);
+    EXPECT_EQ(world.orders(), before) << world.story();
+    world.station_says(start_of(world, items));
+    EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+    EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.story();
+    EXPECT_TRUE(world.reactions().empty());
+  }
+}
+
 // What flies begins with its take-off.
 TEST(rover_by_station, FR_00089_it_may_begin_with_another_item) {
   flight_world world(by_stations(sim::personality::rover));
@@ -396,9 +457,10 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
   EXPECT_EQ(world.shown_progress().back().state, mission_state::complete);
 }
 
-INSTANTIATE_TEST_SUITE_P(each, flight_by_station,
-                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
-                                         sim::personality::plane));
+const auto every_vehicle = testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
+                                           sim::personality::plane);
+INSTANTIATE_TEST_SUITE_P(each, flight_by_station, every_vehicle);
+INSTANTIATE_TEST_SUITE_P(each, armed_by_station, every_vehicle);
 
 } // namespace
 } // namespace godwit::executor

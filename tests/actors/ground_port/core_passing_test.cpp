@@ -267,7 +267,7 @@ TEST_F(ground_port_passing, a_repetition_is_not_asked_twice_and_a_stream_is_aske
 }
 
 TEST_F(ground_port_passing, what_the_executor_does_itself_is_accepted_and_does_not_go_on) {
-  set_mode(5); // loiter
+  set_mode(17); // brake, in which godwit holds
   EXPECT_EQ(port.acts.back().what.kind, act_kind::hold);
   port.executor_says(act_verdict::done);
   EXPECT_TRUE(port.passed_on.empty());
@@ -276,6 +276,8 @@ TEST_F(ground_port_passing, what_the_executor_does_itself_is_accepted_and_does_n
 
 TEST_F(ground_port_passing, modes_are_told_apart_by_what_they_come_to) {
   set_mode(6); // RTL
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::stop);
+  set_mode(5); // loiter: the sticks fly it
   EXPECT_EQ(port.acts.back().what.kind, act_kind::stop);
   set_mode(0); // stabilize
   EXPECT_EQ(port.acts.back().what.kind, act_kind::command);

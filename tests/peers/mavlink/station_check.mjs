@@ -5,18 +5,9 @@
 //
 // Uploads a fence and a plan, reads the plan back, starts it, and follows it to its end in the numbers of its own plan;
 // kills godwitd in the middle. Exit 0 if all is as it must be, 1 if not, 2 on wrong usage.
-import { spawn } from "node:child_process";
-import { createSocket } from "node:dgram";
-import { once } from "node:events";
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { fly_with_daemon, main_of } from "./flying_daemon.mjs";
+import { change_speed, check, compare, item, nav_return, nav_takeoff, square } from "./plans.mjs";
 
-import { load_definitions } from "./definitions.mjs";
-import { end, ground_station, port_of } from "./ground_station.mjs";
-import { change_speed, check, compare, home_text, item, nav_return, nav_takeoff, square } from "./plans.mjs";
-
-const speed = "20";
 const mission_start = 300;
 const fence_corner = 5001; // NAV_FENCE_POLYGON_VERTEX_INCLUSION
 const fence_type = 1;
@@ -32,15 +23,6 @@ const plans = { rover: [change_speed(5), ...square(0, side_m)], px4: flight, ard
 
 const fence = [[-300, -300], [-300, 300], [300, 300], [300, -300]].map((corner) =>
   ({ ...item(fence_corner, ...corner, 0), param1: 4 }));
-
-async function free_port() {
-  const socket = createSocket("udp4");
-  socket.bind(0, "127.0.0.1");
-  await once(socket, "listening");
-  const { port } = socket.address();
-  socket.close();
-  return port;
-}
 
 // Refused for now means that the plan is still being checked, or brought to the vehicle.
 async function start(station) {
@@ -76,46 +58,9 @@ async function fly(station, plan, kill_daemon) {
   return reached;
 }
 
-async function run(vehicle_path, daemon_path, name) {
-  const definitions = await load_definitions();
-  const folder = await mkdtemp(join(tmpdir(), "godwit-station-"));
-  const ground = await free_port();
-  const vehicle = spawn(vehicle_path, ["vehicle", "--personality", name, "--link", "udpin://127.0.0.1:0",
-    "--home", home_text, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
-  vehicle.stdout.setEncoding("utf8");
-  let daemon, station;
-  try {
-    const port = await port_of(vehicle);
-    const start_daemon = () => {
-      daemon = spawn(daemon_path, ["--vehicle", `udpout://127.0.0.1:${port}`, "--ground",
-        `udpin://127.0.0.1:${ground}`, "--ground-as-autopilot", "--arm-on-start", "--journal",
-        join(folder, "godwit.db"), "--trace", join(folder, "trace")], { stdio: ["ignore", "inherit", "inherit"] });
-    };
-    start_daemon();
-    station = new ground_station(ground, definitions);
-    const began = Date.now();
-    const reached = await fly(station, plans[name], async () => {
-      daemon.kill("SIGKILL");
-      await once(daemon, "exit");
-      start_daemon();
-    });
-    console.log(`${name}: uploaded, flown and followed in ${Date.now() - began} ms; reached ${reached}`);
-  } finally {
-    station?.close();
-    await end(daemon);
-    await end(vehicle);
-    await rm(folder, { recursive: true });
-  }
-}
-
-const [vehicle_path, daemon_path, name] = process.argv.slice(2);
-if (!Object.hasOwn(plans, name ?? "")) {
-  console.error("usage: station_check.mjs GODWIT_SIM GODWITD rover|px4|ardupilot");
-  process.exit(2);
-}
-try {
-  await run(vehicle_path, daemon_path, name);
-} catch (error) {
-  console.error(`ERROR: ${error.message}`);
-  process.exitCode = 1;
-}
+await main_of("station_check.mjs", Object.keys(plans), async (vehicle_path, daemon_path, name) => {
+  const began = Date.now();
+  const reached = await fly_with_daemon(vehicle_path, daemon_path, name, ["--arm-on-start"],
+    (station, kill_daemon) => fly(station, plans[name], kill_daemon));
+  console.log(`${name}: uploaded, flown and followed in ${Date.now() - began} ms; reached ${reached}`);
+});

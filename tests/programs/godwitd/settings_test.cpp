@@ -120,7 +120,7 @@ TEST(daemon_settings, where_stations_bring_missions_nobody_else_has_to) {
   ASSERT_TRUE(all) << all.error();
   EXPECT_FALSE(all->service);
   EXPECT_FALSE(all->flight.has_service);
-  EXPECT_FALSE(all->speaks_as_autopilot);
+  EXPECT_TRUE(all->speaks_as_autopilot);
   const auto neither = settings({{"vehicle", "udpin://127.0.0.1:14550"}});
   ASSERT_FALSE(neither);
   EXPECT_NE(neither.error().find("--ground"), std::string::npos) << neither.error();

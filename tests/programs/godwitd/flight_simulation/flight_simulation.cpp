@@ -24,8 +24,7 @@ daemon::daemon_settings settings_for(const std::string& mission_id, const flight
                             {"vehicle", wanted.vehicle_line},
                             {"ground", "udpin://127.0.0.1:0"}};
   words["arm-on-start"] = wanted.arms_on_start ? "true" : "false";
-  if (wanted.speaks_as_autopilot)
-    words["ground-as-autopilot"] = "true";
+  words["ground-as-autopilot"] = wanted.speaks_as_autopilot ? "true" : "false";
   if (wanted.starts_by_itself)
     words["start"] = "automatic";
   const auto configuration = daemon::effective_configuration(words, {});

@@ -9,6 +9,7 @@
 
 #include "programs/godwit-drill/report.hpp"
 #include "programs/godwit-drill/runtime_drill.hpp"
+#include "programs/godwit-drill/scratch_folder.hpp"
 #include "runtime/config/config.hpp"
 #include "runtime/process.hpp"
 
@@ -32,34 +33,13 @@ int fail(exit_code code, const std::string& what) {
   return static_cast<int>(code);
 }
 
-// A folder of its own for what nobody asked to keep; removed at the end.
-class scratch_folder {
-public:
-  scratch_folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "godwit-drill-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) != nullptr)
-      path_ = pattern;
-  }
-  scratch_folder(const scratch_folder&) = delete;
-  scratch_folder& operator=(const scratch_folder&) = delete;
-  ~scratch_folder() {
-    std::error_code ignored;
-    if (!path_.empty())
-      std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
-
 int run_runtime(const arguments& given) {
   auto configuration = given.config_file.empty()
                            ? runtime::load_config("{}", "defaults", runtime::godwit_schema())
                            : runtime::load_config_file(given.config_file, runtime::godwit_schema());
   if (!configuration)
     return fail(exit_code::usage, configuration.error().message());
-  const scratch_folder scratch;
+  const drill::scratch_folder scratch;
   if (scratch.path().empty())
     return fail(exit_code::failed, "no folder can be made in " + std::filesystem::temp_directory_path().string() +
                                        "; set TMPDIR to a folder that can be written");

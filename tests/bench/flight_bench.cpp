@@ -5,9 +5,9 @@
 // as the tests do.
 #include <benchmark/benchmark.h>
 
-#include "tests/programs/godwitd/flight_simulation/flight_simulation.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 namespace {
 
 void whole_flight(benchmark::State& state, sim::personality who, bool is_shuffled) {
@@ -30,4 +30,4 @@ BENCHMARK_CAPTURE(whole_flight, ardupilot, sim::personality::ardupilot, false)->
 BENCHMARK_CAPTURE(whole_flight, rover, sim::personality::rover, false)->Unit(benchmark::kMillisecond);
 
 } // namespace
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -126,7 +126,7 @@ class Includes(Tree):
         self.file("programs/common/printer.hpp")
         self.file("programs/godwit-sim/sim.hpp")
         self.file("programs/godwitd/good.cpp", '"programs/common/printer.hpp"')
-        self.file("tests/x.cpp", '"programs/godwit-sim/sim.hpp"')
+        self.file("programs/godwit-drill/flights.cpp", '"programs/godwit-sim/sim.hpp"')
         self.accepts("includes")
         self.file("programs/godwitd/bad.cpp", '"programs/godwit-sim/sim.hpp"')
         self.file("programs/common/bad.cpp", '"programs/godwit-sim/sim.hpp"')

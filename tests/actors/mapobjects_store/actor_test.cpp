@@ -11,14 +11,15 @@
 #include <vector>
 
 #include "actors/mapobjects_store/actor.hpp"
+#include "programs/godwit-drill/flight_simulation/stepped_map.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
-#include "tests/actors/mapobjects_store/stepped_map.hpp"
 
 namespace godwit::mapobjects_store {
 namespace {
 
 using namespace godwit::tests;
+using drill::stepped_map;
 using namespace std::chrono_literals;
 using runtime::crash_point;
 

@@ -5,13 +5,14 @@
 #include <array>
 #include <string>
 
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "tests/support/run_options.hpp"
 
 namespace {
 
 using namespace godwit;
+using namespace godwit::drill;
 using namespace godwit::tests;
 using executor::phase;
 using runtime::crash_point;

@@ -5,12 +5,12 @@
 #include <map>
 #include <string>
 
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 
 class commits : public testing::TestWithParam<sim::personality> {};
 

@@ -2,13 +2,13 @@
 // goes out, nothing crashes, and what was told to the service is neither lost nor doubled.
 #include <gtest/gtest.h>
 
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 using executor::phase;
 using mission::progress_kind;
 

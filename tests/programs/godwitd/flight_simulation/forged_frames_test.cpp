@@ -4,13 +4,13 @@
 
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 using executor::phase;
 namespace mavlink = io::mavlink;
 using line = flight_simulation::target_line;

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 using executor::pause_cause;
 using executor::phase;
 using io::mavlink::mav_cmd;

@@ -7,13 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 using mission::progress_kind;
 
 runtime::recovered records_of(const nlohmann::json& stored) {

@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "io/mavlink/enums.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
-#include "tests/support/short_mission.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 using executor::phase;
 using runtime::child_phase;
 

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <array>
 
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "tests/support/run_options.hpp"
-#include "tests/support/short_mission.hpp"
 
 namespace {
 
 using namespace godwit;
+using namespace godwit::drill;
 using namespace godwit::tests;
 using executor::phase;
 using runtime::crash_point;

@@ -1,15 +1,15 @@
 // A whole mission of the missions service on the real composition of the daemon, while nobody crashes.
 #include <gtest/gtest.h>
 
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
-#include "tests/support/short_mission.hpp"
 
 namespace {
 
 using namespace godwit;
-using namespace godwit::tests;
+using namespace godwit::drill;
 using executor::phase;
 using mission::progress_kind;
 using sim::missions::row_kind;

@@ -1,4 +1,4 @@
-#include "tests/programs/godwitd/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 namespace {
 
 namespace mavlink = io::mavlink;
@@ -100,4 +100,4 @@ int moves_since(const flight_simulation& flight, std::int64_t since_ns) {
       flight.orders(), [&](const vehicle_order& each) { return each.at_ns >= since_ns && moves_vehicle(each); }));
 }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -21,15 +21,15 @@
 #include "io/mavlink/scanner.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/progress.hpp"
+#include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
+#include "programs/godwit-drill/scratch_folder.hpp"
 #include "programs/godwit-sim/line/faulty_line.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
 #include "programs/godwitd/crash_loop_guard.hpp"
-#include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
-#include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
-#include "tests/programs/godwitd/flight_simulation/simulated_station.hpp"
-#include "tests/programs/godwitd/scratch.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 // An order to the vehicle, as it came out of the line.
 struct vehicle_order {
@@ -145,7 +145,7 @@ private:
   bool is_shuffled_;
   std::string mission_id_;
   std::int64_t now_ns_ = 1'000'000'000;
-  test::scratch folder_;
+  scratch_folder folder_;
   std::vector<std::string> told_;
   executor::phase_status status_;
   std::vector<vehicle_order> orders_;
@@ -169,4 +169,4 @@ private:
   std::optional<planned_kill> planned_kill_;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::drill

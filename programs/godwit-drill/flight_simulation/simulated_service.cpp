@@ -1,4 +1,4 @@
-#include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@
 #include "programs/godwit-sim/missions/service_operations.hpp"
 #include "runtime/assert.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 namespace {
 
 namespace missions = sim::missions;
@@ -21,7 +21,7 @@ constexpr const char* token = "secret";
 
 std::unique_ptr<missions::service_file> new_file() {
   auto opened = missions::service_file::open(":memory:");
-  GODWIT_ASSERT(opened.has_value(), "test: a database in memory opens");
+  GODWIT_ASSERT(opened.has_value(), "drill: a database in memory opens");
   return *std::move(opened);
 }
 
@@ -122,13 +122,13 @@ void simulated_service::deliver(const open_call& each) {
 
 void simulated_service::add_mission(const mission::document& what) {
   const auto added = missions::service_operations::add_mission(*file_, what);
-  GODWIT_ASSERT(added.has_value(), "test: the mission is a good one");
+  GODWIT_ASSERT(added.has_value(), "drill: the mission is a good one");
 }
 
 void simulated_service::set_map_objects(const std::string& mission_id,
                                         const std::vector<mission::map_object>& objects) {
   const auto set = missions::service_operations::set_map_objects(*file_, mission_id, objects);
-  GODWIT_ASSERT(set.has_value(), "test: the objects are good ones");
+  GODWIT_ASSERT(set.has_value(), "drill: the objects are good ones");
 }
 
 bool simulated_service::assign(const std::string& mission_id, const missions::assignment_request& wanted,
@@ -143,7 +143,7 @@ bool simulated_service::assign(const std::string& mission_id, const missions::as
 
 void simulated_service::set_fault(std::string_view words) {
   const auto added = faults_.add(words);
-  GODWIT_ASSERT(added.has_value(), "test: the words of the fault are right");
+  GODWIT_ASSERT(added.has_value(), "drill: the words of the fault are right");
 }
 
 // -- what it has ------------------------------------------------------------------------------------
@@ -158,4 +158,4 @@ std::vector<missions::stored_row> simulated_service::rows(const std::string& mis
 
 missions::row_figures simulated_service::figures(missions::row_kind kind) { return missions::row_counts(*file_)[kind]; }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -1,14 +1,14 @@
 // The people around a flight, as far as a flight needs them to come to its end. Thread: one.
 #pragma once
 
-#include "tests/programs/godwitd/flight_simulation/flight_simulation.hpp"
-#include "tests/support/vehicle_modes.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 // Lets it fly until it is at rest and the service knows. Whoever stands beside it hands it back and says
 // that it is to go on when it waits for a person, and changes the battery on the ground. False: it does not come to an
 // end.
 [[nodiscard]] bool fly_with_help(flight_simulation& flight);
 
-} // namespace godwit::tests
+} // namespace godwit::drill

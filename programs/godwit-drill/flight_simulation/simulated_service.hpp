@@ -26,7 +26,7 @@
 #include "programs/godwit-sim/missions/service.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 // The end that one process holds.
 class simulated_service_port final : public mission_client::service_port {
@@ -117,4 +117,4 @@ private:
   std::uint64_t assigned_ = 0;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::drill

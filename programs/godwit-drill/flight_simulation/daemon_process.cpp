@@ -1,16 +1,16 @@
-#include "tests/programs/godwitd/flight_simulation/daemon_process.hpp"
+#include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "actors/mapobjects_store/map_port.hpp"
+#include "programs/godwit-drill/flight_simulation/stepped_map.hpp"
 #include "programs/godwitd/flight_actors.hpp"
 #include "programs/godwitd/flight_state.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/simulation/simulation.hpp"
-#include "tests/actors/mapobjects_store/stepped_map.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 const std::int64_t daemon_process::wall_began_ns = runtime::simulated_time::start_ns;
 
@@ -125,10 +125,10 @@ runtime::child_report daemon_process::look_at(const std::string& actor) {
       parts_->world.ask(parts_->world.actors().guardian(), std::chrono::seconds(1), runtime::get_children{});
   run_until_idle();
   const auto found = std::ranges::find(asked->answer.list, actor, &runtime::child_report::name);
-  GODWIT_ASSERT(found != asked->answer.list.end(), "test: the actor is one of the process's");
+  GODWIT_ASSERT(found != asked->answer.list.end(), "drill: the actor is one of the process's");
   return *found;
 }
 
 std::uint64_t daemon_process::crashes(const std::string& actor) const { return parts_->world.counters(actor).crashes; }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

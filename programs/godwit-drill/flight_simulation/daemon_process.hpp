@@ -15,14 +15,14 @@
 #include "actors/executor/supervision/table.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "runtime/crash_points.hpp"
 #include "runtime/simulation/simulated_journal.hpp"
 #include "runtime/supervision/child_spec.hpp"
-#include "tests/programs/godwitd/flight_simulation/simulated_service.hpp"
-#include "tests/programs/godwitd/flight_simulation/simulated_wire.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 // What a process meets, and what is left of it.
 struct process_surroundings {
@@ -85,4 +85,4 @@ private:
   std::unique_ptr<parts> parts_;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::drill

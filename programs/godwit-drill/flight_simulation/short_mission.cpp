@@ -1,6 +1,6 @@
-#include "tests/support/short_mission.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 namespace {
 
 constexpr double home_latitude = 47.397742; // of the simulated vehicles, when they are given no other
@@ -52,4 +52,4 @@ mission::document with_landing_on_the_way() {
   return result;
 }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

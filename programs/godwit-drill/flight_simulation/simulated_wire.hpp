@@ -11,7 +11,7 @@
 
 #include "io/link/wire.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 class simulated_wire final : public io::link::wire {
 public:
@@ -53,4 +53,4 @@ private:
   std::vector<io::link::peer_id> receivers_;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::drill

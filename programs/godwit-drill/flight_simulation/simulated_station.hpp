@@ -15,7 +15,7 @@
 #include "io/mavlink/messages.hpp"
 #include "io/mavlink/scanner.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 class simulated_station {
 public:
@@ -62,4 +62,4 @@ private:
   std::set<std::uint16_t> params_;                // by index
 };
 
-} // namespace godwit::tests
+} // namespace godwit::drill

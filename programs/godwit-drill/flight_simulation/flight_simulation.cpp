@@ -1,15 +1,15 @@
-#include "tests/programs/godwitd/flight_simulation/flight_simulation.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 
 #include <algorithm>
 
 #include "actors/domain/mission/read.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "runtime/assert.hpp"
-#include "tests/support/short_mission.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 namespace {
 
 namespace mavlink = io::mavlink;
@@ -28,9 +28,9 @@ daemon::daemon_settings settings_for(const std::string& mission_id, const flight
   if (wanted.starts_by_itself)
     words["start"] = "automatic";
   const auto configuration = daemon::effective_configuration(words, {});
-  GODWIT_ASSERT(configuration.has_value(), "test: the words are right");
+  GODWIT_ASSERT(configuration.has_value(), "drill: the words are right");
   auto settings = daemon::settings_from(*configuration);
-  GODWIT_ASSERT(settings.has_value(), "test: the configuration can be used");
+  GODWIT_ASSERT(settings.has_value(), "drill: the configuration can be used");
   return *std::move(settings);
 }
 
@@ -122,7 +122,7 @@ void flight_simulation::begin_process() {
   note("process " + std::to_string(++processes_));
   ledger_.emplace(folder_.file("godwit.starts"), outside_.settings.restarts);
   const auto verdict = ledger_->begin({"boot", now_ns_ / 1'000'000}, status_.in_flight);
-  GODWIT_ASSERT(verdict.may_start, "test: it ends less often than the guard allows");
+  GODWIT_ASSERT(verdict.may_start, "drill: it ends less often than the guard allows");
   outside_.process = {verdict.may_end_fast, verdict.is_reduced};
   process_ = std::make_unique<daemon_process>(outside_, now_ns_, test_rng_());
 }
@@ -238,7 +238,7 @@ void flight_simulation::say(operators::command_kind what) {
 
 void flight_simulation::say(operators::command what) {
   note("the operator says " + std::string(io::name_of(what.kind)));
-  what.by = "test";
+  what.by = "drill";
   if (process_)
     process_->say(what);
 }
@@ -277,4 +277,4 @@ std::string flight_simulation::story() {
          std::to_string(seen.mission_current) + " of " + std::to_string(seen.mission_count) + "\n";
 }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -1,8 +1,8 @@
-#include "tests/programs/godwitd/flight_simulation/simulated_station.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
 
 #include "io/mavlink/enums.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 namespace mavlink = io::mavlink;
 
@@ -65,4 +65,4 @@ std::optional<std::uint8_t> simulated_station::result_of(mavlink::mav_cmd what) 
   return found == results_.end() ? std::nullopt : std::optional(found->second);
 }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -1,6 +1,6 @@
-#include "tests/programs/godwitd/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 using executor::phase;
 
@@ -42,4 +42,4 @@ bool fly_with_help(flight_simulation& flight) {
   return is_at_rest() && flight.run_until([&] { return is_told(flight); }, delivery_s);
 }
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -11,13 +11,13 @@
 #include "actors/mapobjects_store/map_access.hpp"
 #include "runtime/assert.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 class stepped_map final : public mapobjects_store::map_access {
 public:
   explicit stepped_map(const std::string& file) {
     auto opened = mapobjects_store::map_store::open({.file = {.path = file}, .rules = {}});
-    GODWIT_ASSERT(opened.has_value(), "test: the map opens");
+    GODWIT_ASSERT(opened.has_value(), "drill: the map opens");
     store_ = std::move(*opened);
   }
 
@@ -54,4 +54,4 @@ private:
   mapobjects_store::map_writer_status status_;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "tests/programs/godwitd/flight_simulation/flight_simulation.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 
-namespace godwit::tests {
+namespace godwit::drill {
 
 // Of what the service has got: no report is missing or doubled, they came in order, no generation or index goes back, a
 // revision is complete once; when the mission is done each of its items was told. A report that the service has already
@@ -19,4 +19,4 @@ namespace godwit::tests {
 // Orders since SINCE_NS that move the vehicle or could: modes, arming, starts, another item, another plan.
 [[nodiscard]] int moves_since(const flight_simulation& flight, std::int64_t since_ns);
 
-} // namespace godwit::tests
+} // namespace godwit::drill

@@ -1,0 +1,32 @@
+// Modes of the simulated vehicles, as HEARTBEAT.custom_mode, that people and godwit take. Thread: pure.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "programs/godwit-sim/vehicle/personality.hpp"
+
+namespace godwit::drill {
+
+// In which a pilot flies, or drives, by hand: PX4's position control, STABILIZE of a copter, MANUAL of the others.
+[[nodiscard]] inline std::uint32_t pilot_mode(sim::personality who) {
+  return who == sim::personality::px4 ? 0x0003'0000 : 0;
+}
+
+// In which it stays where it is: also what a pilot takes for that.
+[[nodiscard]] inline std::uint32_t hold_mode(sim::personality who) {
+  constexpr std::array modes{4U, 0x0304'0000U, 5U, 12U}; // by personality
+  return modes.at(static_cast<std::size_t>(who));
+}
+
+// Of PX4 and a copter.
+[[nodiscard]] inline std::uint32_t landing_mode(sim::personality who) {
+  return who == sim::personality::px4 ? 0x0604'0000 : 9;
+}
+
+[[nodiscard]] inline std::uint32_t mission_mode(sim::personality who) {
+  constexpr std::array modes{10U, 0x0404'0000U, 3U, 10U}; // by personality
+  return modes.at(static_cast<std::size_t>(who));
+}
+
+} // namespace godwit::drill

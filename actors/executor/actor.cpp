@@ -78,6 +78,7 @@ actor::behavior_type actor::handlers() {
       }),
       on<plan_cleared>([this](const plan_cleared& m) { then(core_->on_station(m, now())); }),
       hears<io::mavlink::heartbeat>(),
+      hears<io::mavlink::current_mode>(),
       hears<io::mavlink::sys_status>(),
       hears<io::mavlink::gps_raw_int>(),
       hears<io::mavlink::global_position_int>(),

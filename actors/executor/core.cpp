@@ -118,6 +118,13 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
   return {};
 }
 
+effects core::on_vehicle(const io::mavlink::current_mode& m, instant now) {
+  flight_.view.take(m);
+  if (recovery_.has_looked() && flight_.view.mode())
+    watch_.on_current_mode(m.intended_custom_mode, now);
+  return {};
+}
+
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   flight_.view.take(m, now.now_ns);
   watch_.on_place(now);

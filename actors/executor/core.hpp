@@ -68,6 +68,7 @@ public:
   [[nodiscard]] effects on_vehicle(const vehicle_link::connection_changed& m, instant now);
   [[nodiscard]] effects on_vehicle(const vehicle_link::vehicle_restarted& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::heartbeat& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::current_mode& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_current& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_item_reached& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::statustext& m, instant now);

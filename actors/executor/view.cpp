@@ -46,6 +46,11 @@ void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
   ++heartbeats_;
 }
 
+void vehicle_view::take(const io::mavlink::current_mode& m) {
+  if (mode_)
+    mode_ = flight::mode_of(owner_, m.custom_mode);
+}
+
 void vehicle_view::take(const io::mavlink::sys_status& m) {
   battery_percent_ = m.battery_remaining;
   own_checks_ = preflight::own_checks_of(m, owner_.autopilot);

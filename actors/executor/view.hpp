@@ -13,6 +13,7 @@
 #include "actors/executor/preflight/facts.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "io/mavlink/messages.hpp"
+#include "io/mavlink/messages/current_mode.hpp"
 #include "messages/vehicle_link/connection.hpp"
 
 namespace godwit::executor {
@@ -32,6 +33,8 @@ public:
 
   void take(const vehicle_link::connection_changed& m);
   void take(const io::mavlink::heartbeat& m, std::int64_t now_ns);
+  // Of a vehicle whose heartbeat was heard: the newer of the two says the mode.
+  void take(const io::mavlink::current_mode& m);
   void take(const io::mavlink::sys_status& m);
   void take(const io::mavlink::gps_raw_int& m);
   void take(const io::mavlink::global_position_int& m, std::int64_t now_ns);

@@ -34,6 +34,8 @@ auto actor::hears() {
     look_.heard(M::message_id);
     if constexpr (std::is_same_v<M, mavlink::heartbeat>)
       take_heartbeat(message);
+    if constexpr (std::is_same_v<M, mavlink::current_mode>)
+      take_current_mode(message);
     core_->take(sense(message), now());
     if constexpr (std::is_same_v<M, mavlink::global_position_int>)
       judge_position();
@@ -71,6 +73,7 @@ actor::behavior_type actor::handlers() {
           }),
           on<get_failsafe_status>([this](const get_failsafe_status&) { return core_->told(); }),
           hears<mavlink::heartbeat>(),
+          hears<mavlink::current_mode>(),
           hears<mavlink::extended_sys_state>(),
           hears<mavlink::global_position_int>(),
           hears<mavlink::home_position>(),
@@ -157,6 +160,11 @@ void actor::tell_failsafe_status() {
 void actor::take_heartbeat(const mavlink::heartbeat& m) {
   owner_ = flight::owner_of(m);
   seen_ = {m.custom_mode, io::mavlink::is_armed(m)};
+}
+
+void actor::take_current_mode(const mavlink::current_mode& m) {
+  if (seen_)
+    seen_->custom_mode = m.custom_mode;
 }
 
 void actor::command(const command_vehicle& command) {

@@ -58,6 +58,7 @@ private:
   void on_tick();
   void plan_tick(std::chrono::milliseconds delay);
   void take_heartbeat(const io::mavlink::heartbeat& m);
+  void take_current_mode(const io::mavlink::current_mode& m);
   void judge_position();
   void liveness_report();
   void turn();

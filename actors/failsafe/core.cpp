@@ -52,8 +52,14 @@ void core::take_one(const heartbeat& what, instant now) {
   if (heartbeat_ns_ != 0 && what.armed && !newest_.armed)
     home_.reset();
   newest_ = what;
+  modes_.reset(); // told before it
   heartbeat_ns_ = now.monotonic_ns;
   flight_.on_heartbeat(what.what, what.armed, now.monotonic_ns);
+}
+
+void core::take_one(const modes_told& what, instant now) {
+  if (heartbeat_ns_ != 0)
+    modes_ = {what, now};
 }
 
 void core::take_one(const landed& what, instant) { flight_.on_landed(what.how); }
@@ -214,6 +220,9 @@ void core::watch_pilot(const view& seen, instant now, effects& out) {
   }
   if (seen.flight.link_up)
     pilot_.evaluate(seen.flight, {owner(), newest_.mode, newest_.is_critical, heartbeat_ns_}, now);
+  if (const auto told = std::exchange(modes_, std::nullopt); told && seen.flight.in_flight)
+    pilot_.on_current_mode(
+        owner(), {flight::mode_of(owner(), told->what.actual), newest_.is_critical, told->what.intended}, told->at);
   if (!was_autopilots && pilot_.is_autopilots())
     out.emplace_back(warning{mav_severity::notice, "the autopilot's own failsafe has the vehicle; ours only warn"});
   else if (!before && pilot_.is_taken_over())

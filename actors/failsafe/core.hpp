@@ -69,6 +69,7 @@ private:
   };
 
   void take_one(const heartbeat& what, instant now);
+  void take_one(const modes_told& what, instant now);
   void take_one(const landed& what, instant now);
   void take_one(const position& what, instant now);
   void take_one(const home_told& what, instant now);
@@ -136,6 +137,11 @@ private:
     instant at;
   };
   std::optional<heard_text> failsafe_text_; // of the autopilot's own failsafe
+  struct heard_modes {
+    modes_told what;
+    instant at;
+  };
+  std::optional<heard_modes> modes_;
   std::vector<expect_mode> orders_;
   bool told_taken_over_ = false;
   bool told_hand_back_ = false;

@@ -23,6 +23,12 @@ struct heartbeat {
   bool is_critical = false; // MAV_STATE_CRITICAL: the autopilot says that something is wrong
 };
 
+// CURRENT_MODE: the mode that it is in, and the one that somebody has asked for last (0: not told).
+struct modes_told {
+  std::uint32_t actual = 0;
+  std::uint32_t intended = 0;
+};
+
 struct landed {
   landed_state how = landed_state::unknown;
 };
@@ -84,8 +90,8 @@ struct asked_guard {
   guard_mission what;
 };
 
-using event =
-    std::variant<heartbeat, landed, position, home_told, battery, mission_current, autopilot_text, command_resolved,
-                 operator_heard, asked_override, hand_back, asked_guard, expect_mode, taken_over, following>;
+using event = std::variant<heartbeat, modes_told, landed, position, home_told, battery, mission_current, autopilot_text,
+                           command_resolved, operator_heard, asked_override, hand_back, asked_guard, expect_mode,
+                           taken_over, following>;
 
 } // namespace godwit::failsafe

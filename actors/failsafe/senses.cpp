@@ -24,6 +24,8 @@ heartbeat sense(const mavlink::heartbeat& m) {
           m.system_status == mavlink::number(mavlink::mav_state::critical)};
 }
 
+modes_told sense(const mavlink::current_mode& m) { return {m.custom_mode, m.intended_custom_mode}; }
+
 autopilot_text sense(const mavlink::statustext& m) { return {std::string(flight::text_of(m))}; }
 
 landed sense(const mavlink::extended_sys_state& m) {

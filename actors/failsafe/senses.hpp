@@ -5,6 +5,7 @@
 #pragma once
 
 #include "actors/failsafe/events.hpp"
+#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
@@ -12,6 +13,7 @@
 namespace godwit::failsafe {
 
 [[nodiscard]] heartbeat sense(const io::mavlink::heartbeat& m);
+[[nodiscard]] modes_told sense(const io::mavlink::current_mode& m);
 [[nodiscard]] landed sense(const io::mavlink::extended_sys_state& m);
 [[nodiscard]] position sense(const io::mavlink::global_position_int& m);
 [[nodiscard]] home_told sense(const io::mavlink::home_position& m);

@@ -52,6 +52,14 @@ void takeover_detector::on_text(const flight::mode_owner& whose, std::string_vie
   authority_.on_text(whose, text, now.monotonic_ns);
 }
 
+// Who begins a flight is judged by heartbeats alone.
+void takeover_detector::on_current_mode(const flight::mode_owner& whose, const flight::told_modes& told, instant now) {
+  if (begun_ns_)
+    return;
+  authority_.on_current_mode(whose, told, now.monotonic_ns);
+  last_ = authority_.ours();
+}
+
 bool takeover_detector::begins_as_ours(const seen_mode& seen, instant now) const {
   if (authority_.expects(seen.mode, now.monotonic_ns))
     return true;

@@ -80,6 +80,8 @@ public:
 
   void on_place(std::uint16_t sequence, bool is_complete, instant now);
   void on_text(const flight::mode_owner& whose, std::string_view text, instant now);
+  // In flight, behind evaluate().
+  void on_current_mode(const flight::mode_owner& whose, const flight::told_modes& told, instant now);
   // Once at each tick at which the vehicle is heard.
   void evaluate(const flight_now& flight, const seen_mode& seen, instant now);
 

@@ -151,7 +151,7 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
   const bool is_forged = !is_vehicle && watch_.has_its_name(from.system, from.component);
   if (is_forged)
     ++under_its_name_;
-  if (is_vehicle && is_late_heartbeat(frame, t.now)) {
+  if (is_vehicle && is_late_mode(frame, t.now)) {
     ++late_heartbeats_; // a mode from before would be taken for somebody's
     return;
   }
@@ -197,13 +197,14 @@ effects core::on_relayed(const relayed_frame& what, instant now) {
   return std::move(t.done);
 }
 
-bool core::is_late_heartbeat(const mavlink::frame_view& frame, instant now) {
+// HEARTBEAT and CURRENT_MODE have one order: of the two as well the later one says where the vehicle is.
+bool core::is_late_mode(const mavlink::frame_view& frame, instant now) {
   const auto number = watch_.number_of(frame.sequence(), now.monotonic_ns);
-  if (frame.id() != mavlink::heartbeat::message_id)
+  if (frame.id() != mavlink::heartbeat::message_id && frame.id() != mavlink::current_mode::message_id)
     return false;
-  const bool is_late = heartbeat_number_ && number <= *heartbeat_number_;
+  const bool is_late = mode_number_ && number <= *mode_number_;
   if (!is_late)
-    heartbeat_number_ = number;
+    mode_number_ = number;
   return is_late;
 }
 
@@ -224,6 +225,12 @@ void core::take(decision_context& t, const M& message) {
 
 void core::take(decision_context& t, const mavlink::heartbeat& m) {
   seen_ = {m.custom_mode, io::mavlink::is_armed(m)};
+  t.done.emplace_back(observation(m));
+}
+
+void core::take(decision_context& t, const mavlink::current_mode& m) {
+  if (seen_)
+    seen_->custom_mode = m.custom_mode;
   t.done.emplace_back(observation(m));
 }
 

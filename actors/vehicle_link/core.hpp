@@ -84,9 +84,10 @@ private:
 
   // Where the vehicle is; everywhere, when that is not known.
   [[nodiscard]] io::link::peer_id way_out() const;
-  [[nodiscard]] bool is_late_heartbeat(const mavlink::frame_view& frame, instant now);
+  [[nodiscard]] bool is_late_mode(const mavlink::frame_view& frame, instant now);
   void take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame);
   void take(decision_context& t, const mavlink::heartbeat& m);
+  void take(decision_context& t, const mavlink::current_mode& m);
   void take(decision_context& t, const mavlink::command_ack& m);
   void take(decision_context& t, const mavlink::mission_current& m);
   void take(decision_context& t, const mavlink::timesync& m);
@@ -130,10 +131,10 @@ private:
 
   std::string link_reason_;
   std::uint64_t reconnects_ = 0;
-  std::optional<std::int64_t> heartbeat_number_; // of the newest
+  std::optional<std::int64_t> mode_number_; // of the newest frame that tells one
   std::uint64_t late_heartbeats_ = 0;
   std::uint64_t under_its_name_ = 0; // frames of the vehicle's name from another peer
-  std::optional<seen_state> seen_;   // of the newest heartbeat
+  std::optional<seen_state> seen_;   // the newest that it has told
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;

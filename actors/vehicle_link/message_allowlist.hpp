@@ -7,6 +7,7 @@
 // | Taken from the autopilot | For                                                                    |
 // |--------------------------|------------------------------------------------------------------------|
 // | HEARTBEAT                | watchdog, mode, armed; told to listeners                               |
+// | CURRENT_MODE             | mode; told to listeners                                                |
 // | COMMAND_ACK              | the answer to whoever sent the command                                 |
 // | MISSION_COUNT, _ITEM_INT, _REQUEST, _REQUEST_INT, _ACK | mission transfer                         |
 // | MISSION_CURRENT          | mission transfer and set-current; told to listeners                    |
@@ -31,6 +32,7 @@
 #include <variant>
 
 #include "io/mavlink/messages.hpp"
+#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 
 namespace godwit::vehicle_link {
@@ -39,12 +41,12 @@ namespace mavlink = io::mavlink;
 
 // Told to listeners, as they come from the autopilot.
 using told_messages =
-    mavlink::message_list<mavlink::heartbeat, mavlink::sys_status, mavlink::system_time, mavlink::gps_raw_int,
-                          mavlink::attitude, mavlink::global_position_int, mavlink::mission_current,
-                          mavlink::mission_item_reached, mavlink::vfr_hud, mavlink::battery_status,
-                          mavlink::autopilot_version, mavlink::fence_status, mavlink::ekf_status_report,
-                          mavlink::estimator_status, mavlink::home_position, mavlink::extended_sys_state,
-                          mavlink::statustext, mavlink::radio_status>;
+    mavlink::message_list<mavlink::heartbeat, mavlink::current_mode, mavlink::sys_status, mavlink::system_time,
+                          mavlink::gps_raw_int, mavlink::attitude, mavlink::global_position_int,
+                          mavlink::mission_current, mavlink::mission_item_reached, mavlink::vfr_hud,
+                          mavlink::battery_status, mavlink::autopilot_version, mavlink::fence_status,
+                          mavlink::ekf_status_report, mavlink::estimator_status, mavlink::home_position,
+                          mavlink::extended_sys_state, mavlink::statustext, mavlink::radio_status>;
 
 // Taken and used here.
 using used_messages = mavlink::message_list<mavlink::command_ack, mavlink::mission_count, mavlink::mission_item_int,

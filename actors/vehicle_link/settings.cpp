@@ -12,7 +12,8 @@ std::vector<wanted_stream> default_streams() {
           {mavlink::battery_status::message_id, 2'000},
           {mavlink::home_position::message_id, 5'000},
           {mavlink::ekf_status_report::message_id, 1'000, mavlink::mav_autopilot::ardupilotmega},
-          {mavlink::estimator_status::message_id, 1'000, mavlink::mav_autopilot::px4}};
+          {mavlink::estimator_status::message_id, 1'000, mavlink::mav_autopilot::px4},
+          {mavlink::current_mode::message_id, 500, mavlink::mav_autopilot::px4, true}};
 }
 
 } // namespace godwit::vehicle_link

@@ -100,10 +100,10 @@ void stream_keeper::judge(stream& s, std::int64_t now_ns) {
     watch(s, now_ns);
     return;
   }
-  s.is_missing = s.arrived == 0;
+  s.is_missing = s.arrived == 0 && !s.wanted.is_optional;
   s.at = step::unasked;
   s.due_ns = now_ns;
-  if (s.fell_back) { // nothing helped; try it all again much later
+  if (s.fell_back || (s.wanted.is_optional && s.tries == stream_tries)) { // nothing helped; try it all again much later
     s.tries = 0;
     s.fell_back = false;
     s.due_ns = now_ns + stream_retry_ms * ns_per_ms;

@@ -4,6 +4,7 @@
 #include "io/mavlink/messages/battery.hpp"
 #include "io/mavlink/messages/clock.hpp"
 #include "io/mavlink/messages/command.hpp"
+#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/fence.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
@@ -28,6 +29,7 @@ static_assert(as_published<command_int>(35, 35));
 static_assert(as_published<command_long>(33, 33));
 static_assert(as_published<command_ack>(3, 10));
 static_assert(as_published<command_cancel>(4, 4));
+static_assert(as_published<current_mode>(9, 9));
 static_assert(as_published<ekf_status_report>(22, 26));
 static_assert(as_published<estimator_status>(42, 42));
 static_assert(as_published<fence_status>(8, 9));

@@ -5,6 +5,7 @@
 // start_answer_handle.
 #pragma once
 
+#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
@@ -38,8 +39,8 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::home_position>, runtime::tells<io::mavlink::extended_sys_state>,
                      runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::mission_item_reached>,
                      runtime::tells<io::mavlink::ekf_status_report>, runtime::tells<io::mavlink::estimator_status>,
-                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>,
-                     runtime::tells<vehicle_link::vehicle_restarted>>;
+                     runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
+                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
 using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,

@@ -1,6 +1,7 @@
 // Who may say what to the failsafe, and what it needs others to accept.
 #pragma once
 
+#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
@@ -23,7 +24,8 @@ using telemetry_handle =
     runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
                      runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::home_position>,
                      runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::mission_current>,
-                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>>;
+                     runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
+                     runtime::tells<vehicle_link::connection_changed>>;
 
 // All of it; ground_port tells operator_link.
 using own_handle =
@@ -33,8 +35,9 @@ using own_handle =
                      runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::extended_sys_state>,
                      runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::home_position>,
                      runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::mission_current>,
-                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>,
-                     runtime::tells<ground_port::operator_link>, runtime::tells<tick>>;
+                     runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
+                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<ground_port::operator_link>,
+                     runtime::tells<tick>>;
 
 // What the failsafe needs of the link to the vehicle.
 using vehicle_handle =

@@ -1,6 +1,7 @@
 // What the vehicle says and actors tell each other: JSON and binary forms (runtime/define_message.hpp).
 #include "io/mavlink/messages/battery.hpp"
 #include "io/mavlink/messages/clock.hpp"
+#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/fence.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
@@ -13,6 +14,7 @@
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::attitude);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::autopilot_version);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::battery_status);
+GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::current_mode);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::ekf_status_report);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::estimator_status);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::extended_sys_state);

@@ -18,6 +18,7 @@ constexpr flight_mode not_known{mode_kind::unknown, std::numeric_limits<std::uin
 
 void control_authority::begin(const flight_mode& mode) {
   failsafe_told_ns_.reset();
+  told_.reset();
   drop_expected(mode);
   adopt(mode, holder::godwit);
 }
@@ -41,6 +42,7 @@ void control_authority::adopt(const flight_mode& mode, holder who) {
   who_ = who;
   was_ordered_ = false;
   unclear_.reset();
+  awaits_heartbeat_ = false;
   taken_ns_.reset();
 }
 
@@ -92,6 +94,7 @@ void control_authority::on_place(std::uint16_t sequence, bool is_complete, std::
 
 void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical,
                                 std::int64_t now_ns) {
+  awaits_heartbeat_ = false;
   if (!is_watching() || !is_ours())
     return;
   if (unclear_ && mode == unclear_->to)
@@ -111,6 +114,41 @@ void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode
     return on_time(now_ns);
   }
   lose(is_critical, now_ns);
+}
+
+void control_authority::on_current_mode(const mode_owner& whose, const told_modes& told, std::int64_t now_ns) {
+  if (!is_watching())
+    return;
+  const auto before = std::exchange(told_, told);
+  judge_intention(told, before, now_ns);
+  const auto& actual = told.actual;
+  const bool is_settled = actual == *ours_ || (unclear_ && actual == unclear_->to) || expects(actual, now_ns);
+  if (is_ours() && !is_settled && may_follow_disarm(whose, actual.custom_mode))
+    awaits_heartbeat_ = true;
+  else
+    on_mode(whose, actual, told.is_critical, now_ns);
+}
+
+// What was asked for before, or by us, is nobody's news. Without a word from before only what is ours is known.
+void control_authority::judge_intention(const told_modes& told, const std::optional<told_modes>& before,
+                                        std::int64_t now_ns) {
+  if (told.intended == 0)
+    return;
+  const bool is_obeyed = told.intended == told.actual.custom_mode;
+  if (is_obeyed) {
+    taken_ns_.reset(); // who has taken it has asked for it
+    return;
+  }
+  const bool was_ours = told.intended == ours_->custom_mode;
+  const bool is_known = was_ours || (before && before->intended == told.intended);
+  const bool has_changed = before ? before->actual != told.actual : told.actual != *ours_;
+  if (is_ours() && before && !is_known && !expects({{}, told.intended}, now_ns))
+    take_away(holder::person);
+  else if (is_ours() && has_changed && (is_known || expects({{}, told.intended}, now_ns)))
+    take_away(holder::autopilot_failsafe);
+  else if (who_ == holder::person && has_changed && is_known && taken_ns_ &&
+           now_ns - *taken_ns_ <= failsafe_is_told_within_ns)
+    who_ = holder::autopilot_failsafe;
 }
 
 void control_authority::on_text(const mode_owner& whose, std::string_view text, std::int64_t now_ns) {
@@ -144,6 +182,7 @@ void control_authority::lose(bool is_critical, std::int64_t since_ns) {
 void control_authority::take_away(holder by) {
   who_ = by;
   unclear_.reset();
+  awaits_heartbeat_ = false;
   expected_.clear();
   taken_ns_.reset();
 }

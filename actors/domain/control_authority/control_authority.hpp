@@ -17,7 +17,12 @@
 // and failsafe have one each, and a person whom either has seen is a person for both. Monotonic nanoseconds. Thread:
 // pure.
 //
-// Source: HEARTBEAT (0): custom_mode, system_status; MISSION_CURRENT (42); STATUSTEXT (253).
+// CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
+// the actual mode alone has changed the autopilot's own failsafe has the vehicle, also in a mode that an order of ours
+// names; where somebody else has asked for another mode a person has it, obeyed or not. It has no armed state: a change
+// that may follow from a disarm waits for the heartbeat, and until then it is unclear who has the vehicle.
+//
+// Source: HEARTBEAT (0): custom_mode, system_status; MISSION_CURRENT (42); STATUSTEXT (253); CURRENT_MODE (436).
 #pragma once
 
 #include <cstdint>
@@ -47,6 +52,13 @@ inline constexpr std::int64_t end_is_denied_after_ns = 500'000'000;
 // Between the texts of a failsafe and the mode that it changes, either way.
 inline constexpr std::int64_t failsafe_is_told_within_ns = 3'000'000'000;
 
+// CURRENT_MODE, and what the newest heartbeat says of the autopilot itself.
+struct told_modes {
+  flight_mode actual;
+  bool is_critical = false;
+  std::uint32_t intended = 0; // by somebody: 0: not told
+};
+
 class control_authority {
 public:
   // A flight or a start of ours, or a hand-back: whatever the mode is now is ours. What is expected still is.
@@ -71,6 +83,7 @@ public:
 
   void on_place(std::uint16_t sequence, bool is_complete, std::int64_t now_ns);
   void on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical, std::int64_t now_ns);
+  void on_current_mode(const mode_owner& whose, const told_modes& told, std::int64_t now_ns);
   // Of the autopilot itself (STATUSTEXT).
   void on_text(const mode_owner& whose, std::string_view text, std::int64_t now_ns);
   void on_time(std::int64_t now_ns);
@@ -80,7 +93,7 @@ public:
   [[nodiscard]] holder who() const { return who_; }
   [[nodiscard]] bool is_ours() const { return who_ == holder::godwit || who_ == holder::autopilot_end; }
   // Who has it is told next: nothing may be sent.
-  [[nodiscard]] bool is_unclear() const { return unclear_.has_value(); }
+  [[nodiscard]] bool is_unclear() const { return unclear_.has_value() || awaits_heartbeat_; }
   [[nodiscard]] bool expects(const flight_mode& mode, std::int64_t now_ns) const;
 
   // What a record keeps of it.
@@ -98,6 +111,7 @@ private:
   void adopt(const flight_mode& mode, holder who);
   void drop_expected(const flight_mode& mode);
   void lose(bool is_critical, std::int64_t since_ns);
+  void judge_intention(const told_modes& told, const std::optional<told_modes>& before, std::int64_t now_ns);
   [[nodiscard]] bool leads_to(const flight_mode& mode) const;
   [[nodiscard]] bool is_at_end() const;
 
@@ -111,6 +125,8 @@ private:
   bool is_complete_ = false;
   std::int64_t place_heard_ns_ = 0;
   std::optional<change> unclear_;
+  std::optional<told_modes> told_; // the newest since begin()
+  bool awaits_heartbeat_ = false;  // for what has changed the mode that was told
   std::optional<std::int64_t> failsafe_told_ns_;
   std::optional<std::int64_t> taken_ns_; // by a person, as the mode alone shows
 };

@@ -74,6 +74,11 @@ plan_end plan_end_of(const mode_owner& whose, std::uint16_t last_command, std::u
   return result;
 }
 
+bool may_follow_disarm(const mode_owner& whose, std::uint32_t custom_mode) {
+  return is_px4(whose) &&
+         (custom_mode == number_of(whose, mode_kind::mission) || custom_mode == number_of(whose, mode_kind::hold));
+}
+
 bool follows_by_itself(const mode_owner& whose, std::uint32_t before, std::uint32_t after, bool was_ordered) {
   if (is_plane(whose))
     return (before == plane_rtl && (after == plane_qrtl || after == plane_qland)) ||

@@ -41,6 +41,9 @@ namespace godwit::flight {
 // LAST_COMMAND: MAV_CMD of the last item that moves the vehicle, at LAST_SEQUENCE.
 [[nodiscard]] plan_end plan_end_of(const mode_owner& whose, std::uint16_t last_command, std::uint16_t last_sequence);
 
+// A disarm may lead there by itself: a PX4 goes back to its mission mode, or to a hold where that is finished.
+[[nodiscard]] bool may_follow_disarm(const mode_owner& whose, std::uint32_t custom_mode);
+
 // The autopilot goes from one to the other without anybody's doing. WAS_ORDERED: by us, into the one before. By the
 // text alone a return that was ordered may end in a hold; in a return that a person has ordered a hold is a person's
 // too.

@@ -11,13 +11,26 @@ namespace godwit::executor {
 void control_watch::on_mode(instant now) {
   if (flight_.view.is_armed())
     was_armed_ = true;
-  const bool is_failsafes = flight_.failsafe_status && flight_.failsafe_status->reacts;
-  if (is_failsafes || !(flight_.is_starting() || flight_.is_in_flight()))
+  if (!judges_modes())
     return;
   know_plan_end();
   if (flight_.is_in_flight() && !flight_.view.is_armed())
     flight_.authority.expect_also(flight_.modes_behind_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);
   judge_mode(now);
+}
+
+void control_watch::on_current_mode(std::uint32_t intended, instant now) {
+  if (!judges_modes())
+    return;
+  know_plan_end();
+  const auto& view = flight_.view;
+  flight_.authority.on_current_mode(view.owner(), {*view.mode(), view.is_critical(), intended}, now.now_ns);
+}
+
+// The modes that a failsafe of ours brings about are its own.
+bool control_watch::judges_modes() const {
+  const bool is_failsafes = flight_.failsafe_status && flight_.failsafe_status->reacts;
+  return !is_failsafes && (flight_.is_starting() || flight_.is_in_flight());
 }
 
 void control_watch::on_place(instant now) {

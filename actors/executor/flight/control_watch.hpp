@@ -20,8 +20,10 @@ public:
   control_watch(flight_context& flight, phase_machine& phases, task_control& tasks)
       : flight_(flight), phases_(phases), tasks_(tasks) {}
 
-  // Of the vehicle, when it has told its mode or its place in the plan.
+  // Of the vehicle, when it has told its mode (HEARTBEAT), its mode and the one that was asked for last
+  // (CURRENT_MODE), or its place in the plan.
   void on_mode(instant now);
+  void on_current_mode(std::uint32_t intended, instant now);
   void on_place(instant now);
 
   // godwit starts the vehicle, and has it from here on.
@@ -41,6 +43,7 @@ public:
 
 private:
   void know_plan_end(); // of the plan that was accepted last
+  [[nodiscard]] bool judges_modes() const;
   void judge_mode(instant now);
   void judge_place(instant now);
   [[nodiscard]] bool judge_holder(effects& out);

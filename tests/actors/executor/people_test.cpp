@@ -56,6 +56,7 @@ bool is_complete(const flight_world& world) {
 class people : public testing::TestWithParam<personality> {};
 class people_in_the_air : public people {};
 class people_at_a_copter : public people {};
+class people_at_a_px4 : public people {};
 
 // -- on the last leg ----------------------------------------------------------------------------------
 
@@ -78,6 +79,34 @@ TEST_P(people, on_the_way_to_the_last_item_a_pilot_is_seen_and_nothing_is_sent) 
       EXPECT_TRUE(world.reactions().empty()) << "a low battery under a pilot is a warning\n" << world.story();
       EXPECT_FALSE(is_complete(world)) << world.story();
     }
+}
+
+// -- between two heartbeats -----------------------------------------------------------------------------
+
+TEST_P(people_at_a_px4, who_takes_it_is_seen_without_a_heartbeat_and_nothing_is_sent) {
+  for (const auto mode : {manual(GetParam()), landing_mode(GetParam())}) {
+    flight_world world({.who = GetParam()});
+    ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+    world.run_for(2);
+    world.lose_message(io::mavlink::heartbeat::message_id);
+    world.switch_mode(mode);
+    ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 1.1))
+        << world.story();
+    const auto orders = world.orders();
+    (void)world.say(command_kind::resume);
+    world.run_for(2);
+    EXPECT_EQ(world.orders(), orders) << world.story();
+  }
+}
+
+TEST_P(people_at_a_px4, a_landing_of_its_own_failsafe_is_called_so_without_a_heartbeat) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+  world.run_for(2);
+  world.lose_message(io::mavlink::heartbeat::message_id);
+  world.vehicle().lose_position(true, world.now_ns());
+  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 1.1)) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::autopilot_failsafe) << world.story();
 }
 
 // -- landings -----------------------------------------------------------------------------------------
@@ -455,6 +484,7 @@ INSTANTIATE_TEST_SUITE_P(each, people,
                                          personality::plane));
 INSTANTIATE_TEST_SUITE_P(each, people_in_the_air, testing::Values(personality::px4, personality::ardupilot));
 INSTANTIATE_TEST_SUITE_P(each, people_at_a_copter, testing::Values(personality::ardupilot));
+INSTANTIATE_TEST_SUITE_P(each, people_at_a_px4, testing::Values(personality::px4));
 
 } // namespace
 } // namespace godwit::executor

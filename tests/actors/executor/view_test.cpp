@@ -45,6 +45,20 @@ TEST(vehicle_view, plan_ids_are_kept_by_px4_and_by_who_has_told_one) {
   EXPECT_TRUE(px4.keeps_plan_ids());
 }
 
+TEST(vehicle_view, the_newer_of_heartbeat_and_current_mode_says_the_mode) {
+  vehicle_view seen;
+  seen.take(io::mavlink::current_mode{.custom_mode = 9});
+  EXPECT_FALSE(seen.mode()) << "whose it is is not known yet";
+  io::mavlink::heartbeat beat{.type = io::mavlink::number(io::mavlink::mav_type::quadrotor),
+                              .autopilot = io::mavlink::number(io::mavlink::mav_autopilot::ardupilotmega),
+                              .custom_mode = 3};
+  seen.take(beat, now_ns);
+  seen.take(io::mavlink::current_mode{.custom_mode = 9});
+  EXPECT_TRUE(seen.is_in(flight::mode_kind::landing));
+  seen.take(beat, now_ns);
+  EXPECT_TRUE(seen.is_in(flight::mode_kind::mission));
+}
+
 // -- what it takes to be armed ----------------------------------------------------------------------
 
 vehicle_view heard_of(io::mavlink::mav_autopilot autopilot) {

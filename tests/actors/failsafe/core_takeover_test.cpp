@@ -42,6 +42,48 @@ TEST(failsafe_core, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
   EXPECT_TRUE(world.sent.empty());
 }
 
+TEST(failsafe_core, a_mode_that_is_told_between_two_heartbeats_is_a_pilots) {
+  auto world = fenced();
+  world.run_ms(200);
+  world.tell(modes_told{in_manual.custom_mode, in_manual.custom_mode});
+  world.run_ms(100);
+  EXPECT_EQ(world.pilots_seen, 1);
+  world.east_m = 101;
+  world.run_ms(500);
+  EXPECT_TRUE(world.sent.empty());
+}
+
+TEST(failsafe_core, a_change_of_the_actual_mode_alone_is_the_autopilots_own_failsafe) {
+  auto world = fenced();
+  world.run_ms(200);
+  world.tell(modes_told{in_mission.custom_mode, in_mission.custom_mode});
+  world.run_ms(200);
+  world.tell(modes_told{in_hold.custom_mode, in_mission.custom_mode});
+  world.run_ms(100);
+  EXPECT_TRUE(world.has_warned_of("the autopilot's own failsafe has the vehicle"));
+}
+
+TEST(failsafe_core, an_order_that_was_seen_to_be_obeyed_between_two_heartbeats_is_so_behind_a_restart) {
+  auto world = fenced();
+  world.run_ms(200);
+  world.tell(expect_mode{{in_return.custom_mode}, 5'000});
+  world.tell(modes_told{in_return.custom_mode, in_return.custom_mode});
+  world.run_ms(100);
+  world.mode = in_return;
+  world.restart();
+  world.run_s(2);
+  EXPECT_EQ(world.pilots_seen, 0);
+}
+
+TEST(failsafe_core, a_mode_that_was_told_before_a_heartbeat_is_not_judged_behind_it) {
+  auto world = fenced();
+  world.tell(expect_mode{{in_hold.custom_mode}, 5'000});
+  world.mode = in_hold;
+  world.tell(modes_told{in_mission.custom_mode, in_mission.custom_mode}); // the heartbeat is of the same tick
+  world.run_s(2);
+  EXPECT_EQ(world.pilots_seen, 0);
+}
+
 TEST(failsafe_core, it_acts_while_the_executor_is_dead) {
   flight_world world; // nobody ever said a word but vehicle and ground
   drain_to(world, 10);

@@ -32,6 +32,12 @@ TEST(senses, a_heartbeat_says_whether_the_autopilot_thinks_that_something_is_wro
               state == mav_state::critical);
 }
 
+TEST(senses, a_current_mode_says_the_mode_and_the_one_that_was_asked_for) {
+  const auto told = sense(mavlink::current_mode{.custom_mode = 7, .intended_custom_mode = 9});
+  EXPECT_EQ(told.actual, 7U);
+  EXPECT_EQ(told.intended, 9U);
+}
+
 TEST(senses, the_landed_state_is_unknown_where_the_autopilot_does_not_know_it_or_says_a_new_one) {
   EXPECT_EQ(sense(mavlink::extended_sys_state{.landed_state = 0}).how, landed_state::unknown);
   EXPECT_EQ(sense(mavlink::extended_sys_state{.landed_state = 1}).how, landed_state::on_ground);

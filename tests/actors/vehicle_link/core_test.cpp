@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -175,6 +176,22 @@ TEST(vehicle_link_core, a_heartbeat_that_comes_late_or_twice_is_dropped_and_coun
   EXPECT_EQ(c.it.describe(at(3 * s)).late_heartbeats, 2U);
 }
 
+// Of the two that tell a mode the later one says where the vehicle is.
+TEST(vehicle_link_core, a_current_mode_that_was_sent_before_a_heartbeat_that_has_come_is_dropped) {
+  connected c;
+  const mavlink::heartbeat beat{.type = mavlink::number(mavlink::mav_type::quadrotor),
+                                .autopilot = mavlink::number(mavlink::mav_autopilot::px4)};
+  const auto hears = [&](const auto& message, std::uint8_t sequence, std::int64_t now_ns) {
+    const auto frame = mavlink::encode(message, {1, 1}, sequence);
+    const auto done = c.it.on_bytes(godwit::io::link::only_peer, true, frame.span(), at(now_ns));
+    return observed<std::decay_t<decltype(message)>>(done).size();
+  };
+  EXPECT_EQ(hears(beat, 100, s), 1U);
+  EXPECT_EQ(hears(mavlink::current_mode{}, 99, s + ms), 0U);
+  EXPECT_EQ(hears(mavlink::current_mode{}, 102, s + 2 * ms), 1U);
+  EXPECT_EQ(hears(beat, 101, s + 3 * ms), 0U) << "and the other way round";
+}
+
 TEST(vehicle_link_core, what_is_not_on_the_list_is_counted_and_goes_no_further) {
   connected c;
   EXPECT_TRUE(c.vehicle.say(c.it, mavlink::param_value{}, 0).empty());
@@ -289,6 +306,40 @@ TEST(vehicle_link_core, nothing_that_was_decided_in_another_mode_is_sent) {
   const auto& outcome = std::get<resolved_transfer>(upload[0]).outcome;
   EXPECT_EQ(outcome.verdict, transfer::verdict::not_begun);
   EXPECT_EQ(outcome.holding, transfer::holding::unchanged);
+}
+
+TEST(vehicle_link_core, a_mode_that_current_mode_has_told_outdates_what_was_decided_before) {
+  connected c;
+  const auto flag = mavlink::number(mavlink::mav_mode_flag::safety_armed);
+  (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = 2, .autopilot = 12, .base_mode = flag, .custom_mode = 7}, s);
+  (void)c.vehicle.say(c.it, mavlink::current_mode{.custom_mode = 8, .intended_custom_mode = 8}, s + 500 * ms);
+  EXPECT_TRUE(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{7, true}}, at(2 * s))).empty());
+  EXPECT_EQ(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{8, true}}, at(2 * s))).size(), 1U);
+}
+
+TEST(vehicle_link_core, current_mode_is_asked_of_a_px4_alone_and_not_missed) {
+  const auto asked_for = [](mavlink::mav_autopilot autopilot) {
+    core it({}, {}, {});
+    vehicle_voice vehicle;
+    (void)it.on_link(link_up(), at(0));
+    auto done = vehicle.beat(it, 0, autopilot);
+    std::vector<float> ids;
+    for (std::int64_t now = ms; now < 30 * s; now += 100 * ms) {
+      for (const auto& each : sent_of<mavlink::command_long>(done))
+        if (each.command == 511)
+          ids.push_back(each.param1);
+      done = ids.empty() ? effects() : vehicle.say(it, ack(511, mavlink::mav_result::denied), now);
+      for (auto& each : it.on_time(at(now)))
+        done.push_back(std::move(each));
+      for (auto& each : vehicle.beat(it, now, autopilot))
+        done.push_back(std::move(each));
+    }
+    const auto missing = it.describe(at(30 * s)).missing_streams;
+    EXPECT_EQ(std::ranges::count(missing, "CURRENT_MODE"), 0);
+    return std::ranges::count(ids, static_cast<float>(mavlink::current_mode::message_id));
+  };
+  EXPECT_EQ(asked_for(mavlink::mav_autopilot::px4), stream_tries);
+  EXPECT_EQ(asked_for(mavlink::mav_autopilot::ardupilotmega), 0);
 }
 
 TEST(vehicle_link_core, a_position_travels_in_integers) {

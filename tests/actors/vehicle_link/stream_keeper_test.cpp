@@ -110,6 +110,20 @@ TEST(stream_keeper, falls_back_to_the_older_request_after_three_tries_and_then_w
   EXPECT_EQ(asked(keeper.next_request(now + stream_retry_ms * ms)).param1, static_cast<float>(attitude));
 }
 
+TEST(stream_keeper, what_is_optional_and_does_not_come_is_not_missed_nor_asked_for_by_the_older_request) {
+  stream_keeper keeper({{.message = attitude, .interval_ms = 500, .is_optional = true}});
+  keeper.begin(0);
+  std::int64_t now = 0;
+  for (int i = 0; i < stream_tries; ++i, now += 3 * s) {
+    EXPECT_EQ(asked(keeper.next_request(now)).param1, static_cast<float>(attitude)) << i;
+    keeper.on_outcome({}, now);
+  }
+  EXPECT_FALSE(keeper.next_request(now));
+  EXPECT_TRUE(keeper.missing().empty());
+  EXPECT_EQ(keeper.next_deadline_ns(), now + stream_retry_ms * ms);
+  EXPECT_EQ(asked(keeper.next_request(now + stream_retry_ms * ms)).param1, static_cast<float>(attitude));
+}
+
 TEST(stream_keeper, what_is_wanted_is_bounded) {
   stream_keeper keeper(std::vector<wanted_stream>(100, {attitude, 200}));
   keeper.begin(0);

@@ -242,9 +242,6 @@ void px4::take_plan(const plans::plan_change& what) {
 }
 
 void px4::end_turn() {
-  const std::pair modes(state().mode, state().intended);
-  if (std::exchange(told_modes_, modes) != modes)
-    static_cast<void>(with().tells.send(telemetry::current_mode_id, now().world_ns)); // it is known
   if (const auto news = stale_messages_.take_late())
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
 }

@@ -10,7 +10,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/repeated_reached.hpp"
@@ -69,8 +68,7 @@ private:
   void say_tabbed(mavlink::mav_severity severity, const std::string& text) { say(severity, text + '\t'); }
 
   repeated_reached reached_;
-  std::pair<const flight_mode*, const flight_mode*> told_modes_; // actual, intended
-  bool says_complete_ = false;                                   // it stands behind a landing, whoever landed it
+  bool says_complete_ = false; // it stands behind a landing, whoever landed it
   stale_messages stale_messages_;
   std::int64_t heard_station_ns_ = -1; // real time
   std::int64_t preflight_ends_ns_ = never_ns;

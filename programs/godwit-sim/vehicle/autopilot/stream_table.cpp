@@ -3,6 +3,7 @@
 #include <array>
 
 #include "io/mavlink/messages.hpp"
+#include "io/mavlink/messages/current_mode.hpp"
 
 namespace godwit::sim {
 
@@ -39,7 +40,7 @@ constexpr std::array<role::streamed_message, 13> px4_table{{
     {home_position::message_id, each_s(2)},
     {estimator_status::message_id, each_s(2)},
     {ping::message_id, each_s(10)},
-    {436, each_s(2)}, // CURRENT_MODE
+    {current_mode::message_id, each_s(2)},
 }};
 
 constexpr std::array<role::streamed_message, 12> ardupilot_table{{

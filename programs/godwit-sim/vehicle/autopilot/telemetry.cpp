@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
+#include "io/mavlink/messages/current_mode.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/units.hpp"
 #include "runtime/assert.hpp"
 
@@ -48,7 +48,7 @@ bool telemetry::knows(std::uint32_t id) const {
                                                        mavlink::timesync::message_id};
   if (id == mavlink::protocol_version::message_id)
     return quirks_.tells_protocol_version;
-  if (id == current_mode_id)
+  if (id == mavlink::current_mode::message_id)
     return quirks_.tells_intended_mode;
   if (id == mavlink::ekf_status_report::message_id)
     return quirks_.autopilot == mavlink::mav_autopilot::ardupilotmega;
@@ -65,8 +65,9 @@ bool telemetry::send(std::uint32_t id, std::int64_t world_ns) {
   case mavlink::heartbeat::message_id:
     out_.send(beat());
     return true;
-  case current_mode_id:
-    send_current_mode();
+  case mavlink::current_mode::message_id:
+    out_.send(
+        mavlink::current_mode{.custom_mode = state_.mode->custom, .intended_custom_mode = state_.intended->custom});
     return true;
   case mavlink::sys_status::message_id:
     out_.send(status());
@@ -134,15 +135,6 @@ mavlink::heartbeat telemetry::beat() const {
     how = mavlink::mav_state::critical;
   m.system_status = mavlink::number(how);
   return m;
-}
-
-// Which has no struct: custom_mode u32, intended_custom_mode u32, standard_mode u8 (0: none that it could name).
-void telemetry::send_current_mode() {
-  constexpr std::uint8_t crc_extra = 193;
-  std::array<std::byte, 9> payload{};
-  std::memcpy(payload.data(), &state_.mode->custom, sizeof state_.mode->custom);
-  std::memcpy(payload.data() + sizeof state_.mode->custom, &state_.intended->custom, sizeof state_.intended->custom);
-  out_.send_payload(current_mode_id, crc_extra, payload);
 }
 
 mavlink::sys_status telemetry::status() const {

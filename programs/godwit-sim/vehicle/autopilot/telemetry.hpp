@@ -31,11 +31,9 @@ public:
   // Satellites were lost at this place.
   void freeze_position(const position& where) { frozen_ = where; }
   void restart() { pings_ = 0; }
-  static constexpr std::uint32_t current_mode_id = 436; // CURRENT_MODE
 
 private:
   [[nodiscard]] mavlink::heartbeat beat() const;
-  void send_current_mode();
   [[nodiscard]] mavlink::sys_status status() const;
   [[nodiscard]] mavlink::gps_raw_int satellites(std::int64_t up_ns) const;
   [[nodiscard]] mavlink::global_position_int place(std::int64_t up_ns) const;

@@ -58,7 +58,7 @@ struct traits {
   bool hears_any_component = false;  // orders and parameters: of its system; else its own and 0
   bool tells_stale_position = false; // goes on with GLOBAL_POSITION_INT when there is no position
 
-  bool tells_intended_mode = false;  // CURRENT_MODE, also at each change
+  bool tells_intended_mode = false;  // CURRENT_MODE
   bool beats_at_mode_change = false; // a HEARTBEAT at once, besides those of each second
   bool sets_home_when_armed = false; // on the ground, until a command has fixed it
   bool home_is_free_again = false;   // by DO_SET_HOME with the place where it is; else until the next start

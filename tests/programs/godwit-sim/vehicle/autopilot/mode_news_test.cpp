@@ -1,39 +1,18 @@
 // How a change of mode is told, besides the HEARTBEAT of each second.
-#include <algorithm>
-#include <array>
-#include <cstring>
-
 #include <gtest/gtest.h>
 
+#include "io/mavlink/messages/current_mode.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
 namespace {
 
-constexpr std::uint32_t current_mode = 436;
-
-struct told_modes {
-  std::uint32_t actual = 0;
-  std::uint32_t intended = 0;
-  bool operator==(const told_modes&) const = default;
-};
-
-std::vector<told_modes> modes_told(const vehicle_world& world) {
-  std::vector<told_modes> result;
-  for (const auto& each : world.all()) {
-    if (each.id != current_mode)
-      continue;
-    std::array<std::byte, 9> payload{}; // cut behind its last byte that is not 0
-    constexpr std::size_t header = 10;
-    const auto size = std::to_integer<std::size_t>(each.bytes[1]);
-    std::copy_n(each.bytes.begin() + header, std::min(size, payload.size()), payload.begin());
-    told_modes told;
-    std::memcpy(&told.actual, payload.data(), sizeof told.actual);
-    std::memcpy(&told.intended, payload.data() + sizeof told.actual, sizeof told.intended);
-    result.push_back(told);
-  }
-  return result;
+void expect_told(const vehicle_world& world, std::uint32_t actual, std::uint32_t intended) {
+  const auto told = world.each<mavlink::current_mode>();
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().custom_mode, actual);
+  EXPECT_EQ(told.back().intended_custom_mode, intended);
 }
 
 TEST(mode_news, a_copter_and_a_plane_send_a_heartbeat_at_once_at_each_change_and_others_do_not) {
@@ -51,15 +30,22 @@ TEST(mode_news, a_copter_and_a_plane_send_a_heartbeat_at_once_at_each_change_and
   }
 }
 
-TEST(mode_news, a_px4_tells_the_mode_that_it_is_in_and_the_intended_one) {
+// As recorded: each 2 s unasked, and not at a change of the mode.
+TEST(mode_news, a_px4_tells_the_mode_that_it_is_in_and_the_intended_one_as_often_as_it_is_asked_to) {
   vehicle_world world(personality::px4);
   world.run_for(3 * s);
-  ASSERT_FALSE(modes_told(world).empty());
   constexpr auto loiter = px4_mode(4, 3);
   constexpr auto rtl = px4_mode(4, 5);
-  EXPECT_EQ(modes_told(world).back(), (told_modes{loiter, loiter}));
+  expect_told(world, loiter, loiter);
+  world.mark();
   ASSERT_EQ(world.command(mav_cmd::nav_return_to_launch), mav_result::accepted);
-  EXPECT_EQ(modes_told(world).back(), (told_modes{rtl, rtl})) << "at once";
+  EXPECT_TRUE(world.each<mavlink::current_mode>().empty()) << "it tells at its time";
+  world.run_for(2 * s);
+  expect_told(world, rtl, rtl);
+  ASSERT_EQ(world.command(mav_cmd::set_message_interval, {.p1 = 436, .p2 = 500'000}), mav_result::accepted);
+  world.mark();
+  world.run_for(4 * s);
+  EXPECT_NEAR(static_cast<double>(world.each<mavlink::current_mode>().size()), 8, 1);
 }
 
 TEST(mode_news, what_a_px4_does_by_itself_for_safety_changes_the_actual_mode_alone) {
@@ -68,7 +54,8 @@ TEST(mode_news, what_a_px4_does_by_itself_for_safety_changes_the_actual_mode_alo
   ASSERT_EQ(world.command(mav_cmd::mission_start), mav_result::accepted);
   ASSERT_TRUE(world.run_until([&] { return world.picture().mission_current == 2; }, 60 * s));
   world.subject().lose_position(true, world.now_ns());
-  EXPECT_EQ(modes_told(world).back(), (told_modes{px4_mode(4, 6), px4_mode(4, 4)}));
+  world.run_for(2 * s);
+  expect_told(world, px4_mode(4, 6), px4_mode(4, 4));
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include "actors/vehicle_link/actor.hpp"
 #include "io/sqlite/work_queue.hpp"
 #include "programs/godwitd/child_policies.hpp"
+#include "programs/godwitd/landing_watch/actor.hpp"
 #include "programs/godwitd/open_line.hpp"
 
 namespace godwit::daemon {
@@ -128,6 +129,11 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
   base.of_client->listener = made.executor;
   base.of_vehicle->add(base.failsafe);
   base.of_vehicle->add(made.executor);
+  base.of_vehicle->add(actors.add<landing_watch::actor>(
+      {.name = "landing_watch"}, replaceable, actors.guardian(), std::string(executor_name),
+      landing_watch::process_end([&actors](const std::string& why) {
+        actors.request_exit({runtime::exit_cause::essential_given_up, why});
+      })));
   return made;
 }
 

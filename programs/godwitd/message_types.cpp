@@ -1,6 +1,7 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
 #include "programs/godwitd/control/messages.hpp"
 #include "programs/godwitd/ground_run/messages.hpp"
+#include "programs/godwitd/landing_watch/messages.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
 #include "programs/godwitd/sightings/sighting_counts.hpp"
 #include "runtime/define_message.hpp"
@@ -12,6 +13,7 @@ GODWIT_DEFINE_MESSAGE(godwit::ground_run::retry_due);
 GODWIT_DEFINE_MESSAGE(godwit::ground_run::run_status);
 GODWIT_DEFINE_MESSAGE(godwit::ground_run::tick);
 GODWIT_DEFINE_MESSAGE(godwit::ground_run::woken);
+GODWIT_DEFINE_MESSAGE(godwit::landing_watch::tick);
 GODWIT_DEFINE_MESSAGE(godwit::sightings::get_sightings);
 GODWIT_DEFINE_MESSAGE(godwit::sightings::tick);
 GODWIT_DEFINE_MESSAGE(godwit::sightings::woken);

@@ -194,6 +194,36 @@ TEST_F(supervised, without_an_executor_the_link_and_the_failsafe_go_on) {
   EXPECT_EQ(look_at("failsafe").phase, child_phase::running);
 }
 
+// Nobody counts the landing then; the next process has an executor that reports what was flown.
+TEST_F(supervised, behind_a_landing_without_an_executor_the_process_ends_once_and_the_next_one_has_one) {
+  take_off();
+  ASSERT_NO_FATAL_FAILURE(give_up_twice("executor"));
+  const auto since_ns = flight.now_ns();
+  ASSERT_TRUE(flight.run_until([&] { return !flight.vehicle().describe().armed; }, 600)) << flight.story();
+  ASSERT_EQ(flight.processes(), 2) << "not in the air" << flight.story();
+  flight.run_for(9);
+  EXPECT_EQ(flight.processes(), 2) << "somebody may arm it again" << flight.story();
+  flight.run_for(6);
+  ASSERT_EQ(flight.processes(), 3) << flight.story();
+  EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
+  EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+  EXPECT_EQ(look_at("executor").phase, child_phase::running);
+  EXPECT_EQ(flight.processes(), 3) << flight.story();
+  EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+}
+
+TEST_F(supervised, an_executor_that_was_given_up_under_a_pilot_comes_back_when_the_pilot_has_disarmed) {
+  take_off();
+  ASSERT_NO_FATAL_FAILURE(give_up_twice("executor"));
+  flight.switch_mode(landing_mode(sim::personality::px4));
+  ASSERT_TRUE(flight.run_until([&] { return !flight.vehicle().describe().armed; }, 600)) << flight.story();
+  flight.run_for(60);
+  EXPECT_EQ(flight.processes(), 3) << flight.story();
+  EXPECT_EQ(look_at("executor").phase, child_phase::running);
+  EXPECT_TRUE(executor::needs_hand_back(flight.status().cause)) << "a person has it" << flight.story();
+  EXPECT_FALSE(flight.vehicle().describe().armed) << flight.story();
+}
+
 // Behind a flight: who delivers and who would fly again is essential, and the others do without each other.
 TEST_F(supervised, after_the_flight_each_child_that_is_given_up_ends_the_process_when_it_is_essential) {
   for (const auto* actor :

@@ -212,4 +212,35 @@ TEST(ground_port_on_a_line, tcpin_takes_a_station_and_takes_it_again) {
   EXPECT_TRUE(hears_a_frame(*again));
 }
 
+TEST(ground_port_on_a_line, serial_to_a_station_that_is_plugged_in_later_or_again_is_heard_each_way) {
+  io::link::testing::serial_line cable;
+  const auto uri = cable.uri();
+  cable.unplug();
+  const real_process p(uri);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300)); // nothing is there
+  for (int i = 0; i < 2; ++i) {
+    cable.plug_in();
+    EXPECT_TRUE(hears_a_frame(cable)) << i;
+    const auto before = p.line->counters().rx_chunks;
+    cable.write(gcs_beat);
+    EXPECT_TRUE(wait_until([&] { return p.line->counters().rx_chunks > before; })) << i;
+    cable.unplug();
+  }
+}
+
+// Behind the end of the port a read of the other end of a pseudo-terminal fails until the port has opened it again.
+TEST(ground_port_on_a_line, serial_of_a_port_that_comes_back_is_heard_by_a_station_that_stayed) {
+  const io::link::testing::serial_line cable;
+  for (int i = 0; i < 2; ++i) {
+    const real_process p(cable.uri());
+    mavlink::scanner scan;
+    int heard = 0;
+    EXPECT_TRUE(wait_until([&] {
+      const auto byte = cable.read(1);
+      scan.feed(std::as_bytes(std::span(byte)), [&](const mavlink::frame_view&) { ++heard; });
+      return heard > 0;
+    })) << i;
+  }
+}
+
 } // namespace

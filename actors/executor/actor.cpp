@@ -74,7 +74,10 @@ actor::behavior_type actor::handlers() {
       on<plan_taken>([this](const plan_taken& m) {
         then(core_->on_station(m, now()));
         if (others_->port)
-          tell(*others_->port, ground_port::plan_judged{m.type, m.plan_id, has_taken(current_state(), m)});
+          tell(*others_->port,
+               ground_port::plan_judged{m.type, m.plan_id,
+                                        has_taken(current_state(), m) ? ground_port::plan_verdict::taken
+                                                                      : ground_port::plan_verdict::refused});
       }),
       on<plan_cleared>([this](const plan_cleared& m) { then(core_->on_station(m, now())); }),
       hears<io::mavlink::heartbeat>(),

@@ -169,12 +169,16 @@ effects core::on_vehicle(const io::mavlink::home_position& m, instant now) {
 // -- orders that waited for the disk, and what became of orders -------------------------------------
 
 core::release core::lets_out(const order& what, instant now) {
-  const bool is_recoverys = what.number >= first_reading_back;
+  const bool is_clearing = what.number >= first_clearing;
+  const bool is_recoverys = !is_clearing && what.number >= first_reading_back;
   const auto& runner = flight_.runner;
-  if (!(is_recoverys ? recovery_.awaits(what.number) : runner.awaits(what.number)))
+  if (is_clearing ? !clearing_.awaits(what.number)
+                  : !(is_recoverys ? recovery_.awaits(what.number) : runner.awaits(what.number)))
     return release::revoked;
+  if (is_clearing && !clearing_.may_go_out())
+    return release::too_late;
   if (now.now_ns - what.decided_ns > order_is_worth_ns || flight_.authority.is_unclear() ||
-      (!is_recoverys && !runner.may_go_out(flight_.view)))
+      (!is_clearing && !is_recoverys && !runner.may_go_out(flight_.view)))
     return release::too_late;
   if (!what.expected.empty())
     flight_.authority.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
@@ -219,7 +223,9 @@ effects core::on_command(std::uint64_t number, const vehicle_link::command_outco
 
 effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome, instant now) {
   effects out;
-  if (number >= first_reading_back)
+  if (number >= first_clearing)
+    clearing_.on_transfer(out, number, outcome);
+  else if (number >= first_reading_back)
     recovery_.take_read_back(out, number, outcome, now);
   else if (flight_.runner.awaits(number))
     flight_.runner.on_transfer(flight_.world(now, out), number, outcome);

@@ -38,6 +38,7 @@
 #include "actors/executor/flight/operator_control.hpp"
 #include "actors/executor/flight/phase_table.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
+#include "actors/executor/flight/plan_clearing.hpp"
 #include "actors/executor/flight/preparation.hpp"
 #include "actors/executor/flight/recovery.hpp"
 #include "actors/executor/flight/return_place.hpp"
@@ -121,7 +122,9 @@ public:
   // -- people
   [[nodiscard]] effects on_station(const start_mission& m, instant now) { return stations_.on_start(m, now); }
   [[nodiscard]] effects on_station(const plan_taken& m, instant now) { return stations_.on_plan(m, now); }
-  [[nodiscard]] effects on_station(const plan_cleared& m, instant) { return stations_.on_cleared(m); }
+  [[nodiscard]] effects on_station(const plan_cleared& m, instant now) {
+    return stations_.on_cleared(m, recovery_.has_looked(), now);
+  }
   // As a start in flight: what it is answered with comes as a start_answer with KEY, or at once.
   [[nodiscard]] effects on_station(const set_current& m, std::uint64_t key, instant now);
   // What a person does through a station; the answer is given behind the effects.
@@ -181,7 +184,8 @@ private:
   operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_, watch_};
   flight_end end_{flight_, phases_, tasks_, watch_};
   return_place return_place_{flight_, tasks_};
-  gcs_view stations_{flight_, phases_, tasks_, watch_};
+  plan_clearing clearing_{flight_, phases_};
+  gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};
   station_acts acts_{flight_, watch_, preparation_, operators_};
 };
 

@@ -9,6 +9,7 @@
 #include "actors/executor/state.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/mission.hpp"
+#include "messages/ground_port/plan_judged.hpp"
 #include "messages/mission_client/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 
@@ -43,7 +44,7 @@ struct say_to_failsafe {
 
 // To ground_port.
 struct say_to_port {
-  std::variant<ground_port::set_mission, ground_port::mission_progress> what;
+  std::variant<ground_port::set_mission, ground_port::mission_progress, ground_port::plan_judged> what;
 };
 
 // The transfer under way is given up.

@@ -190,11 +190,15 @@ effects take(state& s, const station_fence_taken& happened, std::int64_t) {
   return {};
 }
 
+// What the vehicle is said to have goes with it: whether it is cleared or not, godwit does not follow it any more.
 effects take(state& s, const station_plan_dropped&, std::int64_t) {
-  for (auto* each : {&s.arrived, &s.mission})
-    if (*each && s.station && (*each)->mission_id == s.station->mission_id)
-      each->reset();
+  s.arrived.reset();
+  s.mission.reset();
   s.station.reset();
+  s.brings.reset();
+  s.flown.reset();
+  s.progress.plan.reset();
+  s.progress.held.clear();
   return {};
 }
 

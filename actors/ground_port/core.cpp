@@ -267,8 +267,7 @@ void core::finish(decision_context& t) {
 
 std::int64_t core::next_deadline_ns() const {
   const bool waits = !held_.empty() && held_.front().on_disk_ns;
-  const auto judged_by_ns =
-      waits ? *held_.front().on_disk_ns + judged_within_ns : std::numeric_limits<std::int64_t>::max();
+  const auto judged_by_ns = waits ? held_.front().judged_by_ns() : std::numeric_limits<std::int64_t>::max();
   return std::min({next_beat_ns_, judged_by_ns, server_->next_deadline_ns(), starts_.next_deadline_ns(),
                    report_.next_due_ns(), params_.next_due_ns(), texts_.next_due_ns()});
 }

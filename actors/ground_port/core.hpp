@@ -57,6 +57,8 @@ using mavlink::signing_settings;
 inline constexpr std::size_t max_waiting_for_disk = 16;
 // The executor has said by then what became of a plan; a station waits for about as long.
 inline constexpr std::int64_t judged_within_ns = 1'000'000'000;
+// The same of a clear, which goes to the vehicle and comes back from it, more than once where frames are lost.
+inline constexpr std::int64_t cleared_within_ns = 5'000'000'000;
 // What is to be told when they are on the disk.
 inline constexpr std::size_t max_held_messages = 64;
 // An answer that a crash has delayed for longer is not sent: the station has given up by then, and could take it for
@@ -189,7 +191,8 @@ private:
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 
   // core_mission.cpp
-  struct held; // waits for the disk
+  struct held;            // waits for the disk
+  struct awaited_verdict; // of the executor
   struct set_current_request {
     std::optional<vehicle_role::order> by_command; // none: by MISSION_SET_CURRENT
     mavlink::sender from;
@@ -200,7 +203,10 @@ private:
                    std::optional<mavlink::mission_ack> ack);
   void tell(decision_context& t, const mission_server::reaction& what);
   void dispatch_effect(decision_context& t);
-  void take_back(decision_context& t, held& refused);
+  [[nodiscard]] held held_for(mission_server::reaction&& next) const;
+  [[nodiscard]] bool repeats_clear(const mission_server::reaction& next) const;
+  void tell_verdict(decision_context& t, held& what);
+  void take_back(decision_context& t, const awaited_verdict& refused);
   void choose_current(decision_context& t, const set_current_request& set_current);
   void refuse_current(decision_context& t, const set_current_request& set_current, mavlink::mav_result result,
                       const std::string& text);
@@ -240,13 +246,20 @@ private:
   };
   std::array<shown, mission_server::plan_types> shown_;
   std::array<std::vector<mavlink::mission_item_int>, mission_server::plan_types> resolved_; // what a refusal leaves
+  struct awaited_verdict { // of the executor, about one plan
+    mavlink::mav_mission_type type = mavlink::mav_mission_type::mission;
+    std::uint32_t plan_id = 0; // 0: of a clear
+    std::optional<plan_verdict> verdict = {};
+  };
   struct held {
     std::uint64_t ticket = 0;
     mission_server::reaction reaction;
-    std::optional<mavlink::mav_mission_type> judges = {}; // the executor says what became of the plan of this type
-    std::uint32_t plan_id = 0;                            // of that plan
-    std::optional<plan_judged> judged = {};
+    std::vector<awaited_verdict> verdicts = {}; // the station hears the worst of them
+    bool is_clear = false;
     std::optional<std::int64_t> on_disk_ns = {};
+    [[nodiscard]] bool is_judged() const;
+    [[nodiscard]] std::optional<plan_verdict> worst() const; // none: one of them is missing
+    [[nodiscard]] std::int64_t judged_by_ns() const;         // of what is on the disk
   };
   std::deque<held> held_;
   std::uint64_t first_ticket_;

@@ -45,6 +45,17 @@ std::optional<mavlink::mission_ack> ack_in(const mission_server::reaction& of) {
   return std::nullopt;
 }
 
+// Of those of the type one at most has no verdict yet.
+template <class Verdicts>
+bool take_verdict(Verdicts& of, const plan_judged& m) {
+  const auto found = std::ranges::find_if(
+      of, [&](const auto& each) { return each.type == m.type && each.plan_id == m.plan_id && !each.verdict; });
+  if (found == of.end())
+    return false;
+  found->verdict = m.verdict;
+  return true;
+}
+
 } // namespace
 
 void core::make_server() {
@@ -57,23 +68,20 @@ void core::make_server() {
 // -- plans ----------------------------------------------------------------------------------------
 
 void core::go_on(decision_context& t, mission_server::reaction next) {
-  // To clear what is not there changes nothing that has to be written.
+  // To clear what is not there changes nothing that has to be written; but the vehicle may hold a mission of others.
   std::erase_if(next.changes, [&](const mission_server::plan_change& each) {
+    const bool is_of_vehicle = has_executor_ && each.type == mav_mission_type::mission;
     return each.kind == mission_server::plan_change_kind::begun_replacing ||
-           (each.kind == mission_server::plan_change_kind::cleared && waiting_for_disk_ == 0 &&
+           (each.kind == mission_server::plan_change_kind::cleared && waiting_for_disk_ == 0 && !is_of_vehicle &&
             shown_[place_of(each.type)].items == 0);
   });
   if (!next.changes.empty()) {
+    if (repeats_clear(next))
+      return;
     const auto ack = ack_in(next);
     for (std::size_t i = 0; i < next.changes.size(); ++i)
       note_change(t, next.changes[i], i + 1 == next.changes.size() ? ack : std::nullopt);
-    held waits{next_ticket_ - 1, std::move(next)};
-    const auto change = waits.reaction.changes.back();
-    if (has_executor_ && waits.reaction.changes.size() == 1 &&
-        change.kind == mission_server::plan_change_kind::replaced)
-      waits.judges = change.type;
-    waits.plan_id = change.plan_id;
-    held_.push_back(std::move(waits));
+    held_.push_back(held_for(std::move(next)));
     return;
   }
   if (held_.empty()) {
@@ -88,6 +96,29 @@ void core::go_on(decision_context& t, mission_server::reaction next) {
   }
   waiting.messages.insert(waiting.messages.end(), next.messages.begin(), next.messages.end());
   waiting.texts.insert(waiting.texts.end(), next.texts.begin(), next.texts.end());
+}
+
+core::held core::held_for(mission_server::reaction&& next) const {
+  held result{next_ticket_ - 1, std::move(next)};
+  for (const auto& each : result.reaction.changes) {
+    result.is_clear = result.is_clear || each.kind == mission_server::plan_change_kind::cleared;
+    if (has_executor_)
+      result.verdicts.push_back({each.type, each.plan_id, {}});
+  }
+  return result;
+}
+
+// A station that waits for the answer says it again: it hears that of the first.
+bool core::repeats_clear(const mission_server::reaction& next) const {
+  const auto is_clear = [](const mission_server::plan_change& each) {
+    return each.kind == mission_server::plan_change_kind::cleared;
+  };
+  if (held_.empty() || !held_.back().is_clear || !std::ranges::all_of(next.changes, is_clear))
+    return false;
+  const auto waits = ack_in(held_.back().reaction);
+  const auto again = ack_in(next);
+  return waits && again && waits->target_system == again->target_system &&
+         waits->target_component == again->target_component && waits->mission_type == again->mission_type;
 }
 
 void core::note_change(decision_context& t, const mission_server::plan_change& change,
@@ -138,46 +169,69 @@ effects core::on_durable(const plan_resolved& m, instant now) {
 effects core::on_plan_judged(const plan_judged& m, instant now) {
   decision_context t(*this, now);
   for (auto& each : held_)
-    if (each.judges == m.type && each.plan_id == m.plan_id && !each.judged) {
-      each.judged = m;
+    if (take_verdict(each.verdicts, m))
       break;
-    }
   dispatch_effect(t);
   finish(t);
   return std::move(t.done);
+}
+
+bool core::held::is_judged() const {
+  return std::ranges::all_of(verdicts, [](const awaited_verdict& each) { return each.verdict.has_value(); });
+}
+
+std::optional<plan_verdict> core::held::worst() const {
+  if (!is_judged())
+    return std::nullopt;
+  for (const auto bad : {plan_verdict::refused, plan_verdict::failed})
+    if (std::ranges::any_of(verdicts, [&](const awaited_verdict& each) { return each.verdict == bad; }))
+      return bad;
+  return plan_verdict::taken;
+}
+
+std::int64_t core::held::judged_by_ns() const {
+  return on_disk_ns.value_or(0) + (is_clear ? cleared_within_ns : judged_within_ns);
 }
 
 // In order: what is on the disk, and judged where the executor has to say what became of it.
 void core::dispatch_effect(decision_context& t) {
   while (!held_.empty() && held_.front().on_disk_ns) {
     auto& next = held_.front();
-    const bool is_late = t.now.monotonic_ns - *next.on_disk_ns >= judged_within_ns;
-    if (next.judges && !next.judged && !is_late)
+    if (!next.is_judged() && t.now.monotonic_ns < next.judged_by_ns())
       return;
     auto waits = std::move(next);
     held_.pop_front();
-    if (waits.judges && !(waits.judged && waits.judged->is_taken))
-      take_back(t, waits);
+    tell_verdict(t, waits);
     if (held_.empty())
       show_plans();
     tell(t, waits.reaction);
   }
 }
 
-// The plan from before is still the one, and the station hears so. Without an answer nobody knows: what is here stays.
-void core::take_back(decision_context& t, held& refused) {
-  const auto type = *refused.judges;
-  for (auto& each : refused.reaction.messages)
+// Where it is refused, the plan from before is still the one, and the station hears so. Without an answer nobody knows:
+// what is here stays.
+void core::tell_verdict(decision_context& t, held& what) {
+  const auto verdict = what.worst();
+  if (verdict == plan_verdict::taken)
+    return;
+  const bool is_refused = verdict == plan_verdict::refused;
+  for (auto& each : what.reaction.messages)
     if (auto* const ack = std::get_if<mavlink::mission_ack>(&each)) {
       ack->type =
-          mavlink::number(refused.judged ? mavlink::mav_mission_result::denied : mavlink::mav_mission_result::error);
+          mavlink::number(is_refused ? mavlink::mav_mission_result::denied : mavlink::mav_mission_result::error);
       ack->opaque_id = 0;
     }
-  if (!refused.judged) {
-    t.say(mav_severity::warning, "Upload: the executor does not answer");
-    return;
-  }
-  ++counts_.plans_refused;
+  if (!verdict)
+    t.say(mav_severity::warning, std::string(what.is_clear ? "Clear" : "Upload") + ": the executor does not answer");
+  if (is_refused)
+    ++counts_.plans_refused;
+  for (const auto& each : what.verdicts)
+    if (each.verdict == plan_verdict::refused)
+      take_back(t, each);
+}
+
+void core::take_back(decision_context& t, const awaited_verdict& refused) {
+  const auto type = refused.type;
   if (!held_.empty() || server_->is_receiving() || server_->plan(type).id != refused.plan_id)
     return; // another one has taken its place already
   server_->put_plan(type, resolved_[place_of(type)]);

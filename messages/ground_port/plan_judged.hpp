@@ -1,4 +1,4 @@
-// What the executor makes of a plan that a station has uploaded. Thread: plain values.
+// What the executor makes of a plan that a station has uploaded or cleared. Thread: plain values.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,26 @@
 
 namespace godwit::ground_port {
 
-// The answer to plan_taken, which is told and not asked: the station hears it as the answer to its upload. Why a plan
-// is not taken is said as a status_text.
+enum class plan_verdict {
+  taken,   // it is the one from now on; a clear: the vehicle has no plan any more
+  refused, // the plan from before is still the one
+  failed   // a clear: it is gone here, and may still be on the vehicle
+};
+
+constexpr auto enum_names(plan_verdict) {
+  return io::names<plan_verdict>(
+      {{plan_verdict::taken, "taken"}, {plan_verdict::refused, "refused"}, {plan_verdict::failed, "failed"}});
+}
+
+// The answer to plan_taken and plan_cleared, which are told and not asked: the station hears it as the answer to its
+// upload or clear. Why it is not taken is said as a status_text.
 struct plan_judged {
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
-  std::uint32_t plan_id = 0;
-  bool is_taken = false; // else the plan from before is still the one
+  std::uint32_t plan_id = 0; // 0: of a clear
+  plan_verdict verdict = plan_verdict::refused;
   static constexpr auto fields =
       io::table("ground_port.plan_judged", io::field("type", &plan_judged::type),
-                io::field("plan_id", &plan_judged::plan_id), io::field("is_taken", &plan_judged::is_taken));
+                io::field("plan_id", &plan_judged::plan_id), io::field("verdict", &plan_judged::verdict));
 };
 
 } // namespace godwit::ground_port

@@ -130,6 +130,12 @@ std::string flight_context::home_sentence() const {
          " m from the home of the mission";
 }
 
+std::string flight_context::who_else_brings_missions() const {
+  if (configured.has_service)
+    return "the missions service";
+  return configured.mission_id.empty() ? std::string() : std::string("a file");
+}
+
 bool flight_context::is_same_mission(const mission::document& next) const {
   return s.mission && s.mission->mission_id == next.mission_id;
 }

@@ -106,6 +106,9 @@ struct flight_context {
   [[nodiscard]] bool commands_home() const { return keeps_home() && !is_ardupilot(); }
   [[nodiscard]] std::string home_sentence() const; // where its returns lead, and how far that is off
 
+  // Than ground stations; empty: nobody.
+  [[nodiscard]] std::string who_else_brings_missions() const;
+
   // -- what is left of a mission
   [[nodiscard]] bool is_same_mission(const mission::document& next) const;
   [[nodiscard]] bool has_nothing_left(const mission::document& next) const;

@@ -20,13 +20,6 @@ bool is_same(const ground_port::mission_progress& a, const ground_port::mission_
   return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode;
 }
 
-// Empty: nobody.
-std::string who_else_brings_missions(const settings& configured) {
-  if (configured.has_service)
-    return "the missions service";
-  return configured.mission_id.empty() ? std::string() : std::string("a file");
-}
-
 // Each upload is a mission of its own, also when it says the same as one before: that is flown again.
 std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
   return mission::uuid_of_text("a ground station's plan " + std::to_string(plan_id) + " at " + std::to_string(wall_ns));
@@ -55,17 +48,17 @@ effects gcs_view::on_plan(const plan_taken& m, instant now) {
   }
 }
 
-effects gcs_view::on_cleared(const plan_cleared& m) {
+effects gcs_view::on_cleared(const plan_cleared& m, bool has_looked, instant now) {
+  effects out;
+  if (m.type == mav_mission_type::mission) {
+    told_plan_id_ = 0; // the port shows nothing now
+    clearing_.begin(out, has_looked, now);
+    return out;
+  }
   if (m.type == mav_mission_type::fence)
-    return take_fence({});
-  if (m.type != mav_mission_type::mission)
-    return {};
-  told_plan_id_ = 0; // the port shows nothing now
-  if (!flight_.s.station)
-    return {};
-  if (flight_.is_in_flight() || flight_.s.doing)
-    return {announce{"the plan was cleared while it is used, and stays", true}};
-  return {note{station_plan_dropped{}}};
+    out = take_fence({});
+  out.emplace_back(say_to_port{ground_port::plan_judged{m.type, 0, ground_port::plan_verdict::taken}});
+  return out;
 }
 
 // What stands here instead is shown to the station again.
@@ -86,7 +79,7 @@ bool gcs_view::begins_with_home(const std::vector<io::mavlink::mission_item_int>
 }
 
 effects gcs_view::take_plan(const plan_taken& m, instant now) {
-  if (auto elsewhere = who_else_brings_missions(flight_.configured); !elsewhere.empty())
+  if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
     return not_taken("missions come from " + elsewhere + " here");
   if (is_flight_begun(flight_.s))
     return not_taken("another one is flown; upload it after the flight");
@@ -116,7 +109,7 @@ effects gcs_view::take_plan(const plan_taken& m, instant now) {
 }
 
 effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
-  if (auto elsewhere = who_else_brings_missions(flight_.configured); !elsewhere.empty())
+  if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
     return items.empty() ? effects{} : not_taken("fences come from " + elsewhere + " here");
   auto fences = mission::import_fence_list(items);
   if (!fences)

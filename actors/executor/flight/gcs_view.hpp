@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actors/executor/flight/control_watch.hpp"
+#include "actors/executor/flight/plan_clearing.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/mission.hpp"
 
@@ -14,11 +15,12 @@ namespace godwit::executor {
 
 class gcs_view {
 public:
-  gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch)
-      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch) {}
+  gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
+           plan_clearing& clearing)
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), clearing_(clearing) {}
 
   [[nodiscard]] effects on_plan(const plan_taken& m, instant now);
-  [[nodiscard]] effects on_cleared(const plan_cleared& m);
+  [[nodiscard]] effects on_cleared(const plan_cleared& m, bool has_looked, instant now);
   [[nodiscard]] effects on_start(const start_mission& m, instant now);
   // What stations are to be told, when it has changed and once a second.
   [[nodiscard]] effects tell(instant now);
@@ -46,6 +48,7 @@ private:
   phase_machine& phases_;
   task_control& tasks_;
   control_watch& watch_;
+  plan_clearing& clearing_;
   std::optional<shown_plan> shown_;
   std::uint32_t told_plan_id_ = 0;
   std::string refused_upload_; // why the last upload of a station was not taken; empty: it was

@@ -358,6 +358,8 @@ void flight_world::take(const executor::say_to_port& each) {
     shown_items_ = plan->items;
     ++times_shown_;
   }
+  if (const auto* verdict = std::get_if<ground_port::plan_judged>(&each.what))
+    judged_.push_back(*verdict);
   const auto* progress = std::get_if<ground_port::mission_progress>(&each.what);
   const auto is_news = [&] {
     const auto& last = shown_progress_.back();

@@ -84,6 +84,8 @@ public:
   [[nodiscard]] int times_shown() const { return times_shown_; }
   [[nodiscard]] const std::vector<ground_port::mission_progress>& shown_progress() const { return shown_progress_; }
   [[nodiscard]] const std::vector<std::uint16_t>& shown_reached() const { return shown_reached_; }
+  // What became of what it uploaded or cleared; of uploads the actor says it.
+  [[nodiscard]] const std::vector<ground_port::plan_judged>& judged() const { return judged_; }
   [[nodiscard]] const std::vector<executor::start_answer>& start_answers() const { return start_answers_; }
   [[nodiscard]] std::int64_t wall_ns() const { return now().wall_ns; }
   [[nodiscard]] operators::answer say(operators::command_kind what);
@@ -255,6 +257,7 @@ private:
   std::vector<ground_port::mission_progress> shown_progress_; // where it changed
   std::vector<std::uint16_t> shown_reached_;
   std::vector<executor::start_answer> start_answers_;
+  std::vector<ground_port::plan_judged> judged_;
   int pushes_ = 0;
   int begins_ = 0;
   int pulls_ = 0;

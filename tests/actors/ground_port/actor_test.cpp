@@ -96,9 +96,12 @@ protected:
         }),
         on<executor::plan_taken>([this](const executor::plan_taken& m) {
           record_->plans.push_back(m.plan_id);
-          tell(record_->port, plan_judged{m.type, m.plan_id, true});
+          tell(record_->port, plan_judged{m.type, m.plan_id, plan_verdict::taken});
         }),
-        on<executor::plan_cleared>([this](const executor::plan_cleared&) { record_->plans.push_back(0); }),
+        on<executor::plan_cleared>([this](const executor::plan_cleared& m) {
+          record_->plans.push_back(0);
+          tell(record_->port, plan_judged{m.type, 0, plan_verdict::taken});
+        }),
         on_deferred<executor::station_act, executor::act_answer>(
             [this](const executor::station_act& m, std::uint64_t request) {
               record_->story.push_back("asked about " + m.what);

@@ -177,9 +177,16 @@ TEST(ground_port_core, clearing_all_types_is_acknowledged_once_when_all_are_on_t
 TEST(ground_port_core, clearing_what_is_not_there_is_acknowledged_and_writes_nothing) {
   port_fixture port;
   for (int i = 0; i < 100; ++i)
-    port.say(mavlink::mission_clear_all{});
+    port.say(mavlink::mission_clear_all{.mission_type = 1});
   EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
   EXPECT_EQ(port.events, 0U);
+}
+
+TEST(ground_port_core, clearing_a_mission_that_no_station_has_brought_still_clears_the_vehicle) {
+  port_fixture port;
+  port.say(mavlink::mission_clear_all{});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+  EXPECT_EQ(port.cleared.size(), 1U);
 }
 
 TEST(ground_port_core, a_mission_that_is_flown_is_not_cleared) {
@@ -537,7 +544,7 @@ TEST(ground_port_plans, an_upload_is_not_accepted_before_the_executor_has_taken_
   port.advance(500 * ms);
   EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
   const auto plan = port.taken.back();
-  port.judge({plan.type, plan.plan_id, true});
+  port.judge({plan.type, plan.plan_id, plan_verdict::taken});
   EXPECT_EQ(port.last<mavlink::mission_ack>().type, 0);
 }
 
@@ -547,6 +554,72 @@ TEST(ground_port_plans, an_executor_that_does_not_answer_is_an_error_and_not_an_
   (void)port.upload(3);
   port.advance(judged_within_ns);
   EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::error));
+}
+
+// -- what the executor makes of a clear -------------------------------------------------------------
+
+TEST(ground_port_plans, a_clear_that_the_executor_refuses_is_denied_and_the_plan_is_still_shown) {
+  port_fixture port;
+  const auto before = port.upload(3);
+  port.forget();
+  port.objects = true;
+  port.say(mavlink::mission_clear_all{});
+  ASSERT_EQ(port.sent<mavlink::mission_ack>().size(), 1U);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_denied);
+  EXPECT_EQ(port.download().size(), 3U);
+  EXPECT_EQ(port.shown().plans[0].plan_id, before.opaque_id);
+  EXPECT_EQ(port.disk.plans.at(0).items.size(), 3U);
+}
+
+TEST(ground_port_plans, a_clear_is_answered_once_when_the_vehicle_has_obeyed_it_however_often_it_is_said) {
+  port_fixture port;
+  port.upload(3);
+  port.forget();
+  port.judges = false;
+  for (int i = 0; i < 3; ++i) {
+    port.say(mavlink::mission_clear_all{});
+    port.advance(1 * s);
+  }
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+  EXPECT_EQ(port.cleared.size(), 1U) << "the executor is asked once";
+  port.judge({mav_mission_type::mission, 0, plan_verdict::taken});
+  ASSERT_EQ(port.sent<mavlink::mission_ack>().size(), 1U);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_accepted);
+}
+
+TEST(ground_port_plans, a_vehicle_that_does_not_clear_is_an_error_and_the_station_has_no_plan) {
+  port_fixture port;
+  port.upload(3);
+  port.judges = false;
+  port.say(mavlink::mission_clear_all{});
+  port.judge({mav_mission_type::mission, 0, plan_verdict::failed});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::error));
+  EXPECT_EQ(port.shown().plans[0].items, 0U);
+}
+
+TEST(ground_port_plans, a_clear_without_an_answer_is_an_error_and_not_an_acceptance) {
+  port_fixture port;
+  port.upload(3);
+  port.judges = false;
+  port.say(mavlink::mission_clear_all{});
+  port.forget();
+  port.advance(cleared_within_ns);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::error));
+}
+
+TEST(ground_port_plans, clearing_all_types_is_denied_when_one_of_them_is_and_that_one_stays) {
+  port_fixture port;
+  port.upload(3);
+  port.upload({waypoint(0, 5100)}, 2);
+  port.forget();
+  port.judges = false;
+  port.say(mavlink::mission_clear_all{.mission_type = 255});
+  port.judge({mav_mission_type::mission, 0, plan_verdict::refused});
+  EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty()) << "the other one is not known yet";
+  port.judge({mav_mission_type::rally, 0, plan_verdict::taken});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, ack_denied);
+  EXPECT_EQ(port.shown().plans[0].items, 3U);
+  EXPECT_EQ(port.shown().plans[2].items, 0U);
 }
 
 } // namespace

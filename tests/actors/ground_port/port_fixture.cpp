@@ -194,10 +194,12 @@ void port_fixture::dispatch(const durable_core::effect& each) {
         else if constexpr (std::is_same_v<M, executor::plan_taken>) {
           taken.push_back(m);
           if (judges)
-            carry_out(core_->on_plan_judged({m.type, m.plan_id, !objects}, now()));
-        } else if constexpr (std::is_same_v<M, executor::plan_cleared>)
+            carry_out(core_->on_plan_judged({m.type, m.plan_id, verdict()}, now()));
+        } else if constexpr (std::is_same_v<M, executor::plan_cleared>) {
           cleared.push_back(m);
-        else if constexpr (std::is_same_v<M, executor::start_mission>)
+          if (judges)
+            carry_out(core_->on_plan_judged({m.type, 0, verdict()}, now()));
+        } else if constexpr (std::is_same_v<M, executor::start_mission>)
           starts.push_back(m);
         else
           carry_out(core_->on_durable(m, now()));

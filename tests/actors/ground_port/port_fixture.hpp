@@ -139,7 +139,8 @@ public:
   std::vector<transmission> frames;
   std::vector<executor::start_mission> starts;
   bool judges = true;   // the executor, each plan
-  bool objects = false; // to every plan
+  bool objects = false; // to every plan, and to every clear
+  [[nodiscard]] plan_verdict verdict() const { return objects ? plan_verdict::refused : plan_verdict::taken; }
   std::vector<executor::plan_taken> taken;
   std::vector<executor::plan_cleared> cleared;
   std::vector<start_request_to_executor> set_currents;

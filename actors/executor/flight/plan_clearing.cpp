@@ -1,0 +1,75 @@
+#include "actors/executor/flight/plan_clearing.hpp"
+
+#include "io/mavlink/enums/mission.hpp"
+
+namespace godwit::executor {
+namespace {
+
+using ground_port::plan_verdict;
+
+say_to_port judged(plan_verdict verdict) {
+  return {ground_port::plan_judged{io::mavlink::mav_mission_type::mission, 0, verdict}};
+}
+
+} // namespace
+
+std::string plan_clearing::why_not_vehicle() const {
+  if (flight_.is_in_flight() || is_flight_begun(flight_.s))
+    return "it is flown";
+  if (flight_.has_person())
+    return "the vehicle has to be handed back first";
+  if (!flight_.view.is_connected() || !flight_.view.mode())
+    return "the vehicle is not heard";
+  return flight_.view.is_armed() ? "the vehicle is armed" : "";
+}
+
+std::string plan_clearing::why_not(bool has_looked) const {
+  if (const auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
+    return "missions come from " + elsewhere + " here";
+  if (auto why = why_not_vehicle(); !why.empty())
+    return why;
+  const auto at = flight_.s.status.now;
+  const bool is_between = at == phase::uploading || at == phase::starting || at == phase::post_flight;
+  const bool is_busy =
+      flight_.s.doing || flight_.has_open_intent() || flight_.wanted.start || flight_.authority.is_unclear();
+  if (!has_looked || is_busy || is_between)
+    return "something else is under way: " + flight_.sentence();
+  return {};
+}
+
+void plan_clearing::begin(effects& out, bool has_looked, instant now) {
+  if (const auto why = why_not(has_looked); !why.empty()) {
+    out.emplace_back(announce{"the plan is not cleared: " + why, true});
+    out.emplace_back(judged(plan_verdict::refused));
+    return;
+  }
+  drop_plan(out);
+  if (is_under_way_)
+    return;
+  is_under_way_ = true;
+  vehicle_link::upload_plan nothing; // no items: the vehicle's plan is cleared
+  nothing.only_while = vehicle_link::seen_state{flight_.view.mode()->custom_mode, flight_.view.is_armed()};
+  out.emplace_back(order{goes::after_notes, ++last_number_, now.now_ns, {}, std::move(nothing)});
+}
+
+void plan_clearing::drop_plan(effects& out) {
+  const auto& s = flight_.s;
+  if (!s.mission && !s.arrived && !s.station && !s.flown)
+    return;
+  out.emplace_back(note{station_plan_dropped{}});
+  phases_.go(out, trigger::mission_changed);
+}
+
+void plan_clearing::on_transfer(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome) {
+  if (!awaits(number))
+    return;
+  is_under_way_ = false;
+  if (outcome.verdict == vehicle_link::transfer::verdict::accepted) {
+    out.emplace_back(judged(plan_verdict::taken));
+    return;
+  }
+  out.emplace_back(announce{"the plan is cleared here, and may still be on the vehicle: " + outcome.reason, true});
+  out.emplace_back(judged(plan_verdict::failed));
+}
+
+} // namespace godwit::executor

@@ -8,6 +8,8 @@ tl::expected<void, std::string> line::open(const uri& where, const link_options&
                                            const std::function<void()>& wake) {
   link_callbacks callbacks;
   callbacks.received = [this, wake](peer_id peer, std::span<const std::byte> bytes, bool is_datagram) {
+    if (tap_)
+      tap_->received(peer, bytes, is_datagram);
     if (incoming().put(peer, bytes, is_datagram))
       wake();
   };
@@ -36,7 +38,11 @@ std::shared_ptr<link> line::current() const {
 
 bool line::send(std::span<const std::byte> frame, peer_id to) {
   const auto open = current();
-  return open && open->send(frame, to);
+  if (!open || !open->send(frame, to))
+    return false;
+  if (tap_)
+    tap_->sent(frame);
+  return true;
 }
 
 link_counters line::counters() const {

@@ -16,17 +16,16 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t run_digits = 10;
 constexpr std::size_t number_digits = 6;
-constexpr std::string_view extension = ".mcap";
 
 bool is_prefix_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-std::string segment_name(const std::string& prefix, std::uint64_t run, std::uint64_t number) {
+std::string segment_name(const segment_folder_options& options, std::uint64_t run, std::uint64_t number) {
   std::array<char, 48> digits;
   const int length = std::snprintf(digits.data(), digits.size(), "-%010llu-%06llu",
                                    static_cast<unsigned long long>(run), static_cast<unsigned long long>(number));
-  return prefix + std::string(digits.data(), static_cast<std::size_t>(length)) + std::string{extension};
+  return options.prefix + std::string(digits.data(), static_cast<std::size_t>(length)) + options.extension;
 }
 
 std::uint64_t number_in(std::string_view digits) {
@@ -36,14 +35,15 @@ std::uint64_t number_in(std::string_view digits) {
 }
 
 // Run and number of a name of ours. Whether a name is ours is decided by making it again.
-std::optional<segment> parse_name(const std::string& prefix, const std::string& name) {
-  if (name.size() != prefix.size() + 1 + run_digits + 1 + number_digits + extension.size()) {
+std::optional<segment> parse_name(const segment_folder_options& options, const std::string& name) {
+  const auto run_at = options.prefix.size() + 1;
+  if (name.size() != run_at + run_digits + 1 + number_digits + options.extension.size()) {
     return std::nullopt;
   }
   segment found;
-  found.run = number_in(std::string_view{name}.substr(prefix.size() + 1, run_digits));
-  found.number = number_in(std::string_view{name}.substr(prefix.size() + 1 + run_digits + 1, number_digits));
-  return segment_name(prefix, found.run, found.number) == name ? std::optional{found} : std::nullopt;
+  found.run = number_in(std::string_view{name}.substr(run_at, run_digits));
+  found.number = number_in(std::string_view{name}.substr(run_at + run_digits + 1, number_digits));
+  return segment_name(options, found.run, found.number) == name ? std::optional{found} : std::nullopt;
 }
 
 tl::unexpected<error> failed(const fs::path& path, std::string_view operation, const std::error_code& code) {
@@ -89,7 +89,7 @@ result<void> segment_folder::list() {
   std::error_code code;
   fs::directory_iterator entry{options_.folder, code};
   for (; !code && entry != fs::directory_iterator{}; entry.increment(code)) {
-    std::optional<segment> found = parse_name(options_.prefix, entry->path().filename().string());
+    std::optional<segment> found = parse_name(options_, entry->path().filename().string());
     if (!found || !entry->is_regular_file(code)) {
       continue;
     }
@@ -126,7 +126,7 @@ result<fs::path> segment_folder::add(std::uint64_t run) {
   if (auto room = make_room(); !room) {
     return tl::make_unexpected(room.error());
   }
-  segment next{options_.folder / segment_name(options_.prefix, run, number), run, number, options_.segment_bytes};
+  segment next{options_.folder / segment_name(options_, run, number), run, number, options_.segment_bytes};
   // It goes to the end even if its run sorts before others (a clock that was set back): the end is what is written now.
   segments_.push_back(next);
   return next.path;

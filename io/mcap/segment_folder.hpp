@@ -1,5 +1,5 @@
-// The segments of a recording in one folder: <prefix>-<run>-<number>.mcap, run and number with leading zeros, so that
-// names sort as the segments were made. Bounds what they take together by deleting the oldest.
+// The segments of a recording in one folder: <prefix>-<run>-<number>.mcap (or another ending), run and number with
+// leading zeros, so that names sort as the segments were made. Bounds what they take together by deleting the oldest.
 //
 // Only files of exactly such names are counted, completed and deleted. One process at a time works on a folder.
 // Sizes in bytes. Errors: io, invalid_argument, too_many. Thread: one at a time.
@@ -21,6 +21,7 @@ struct segment_folder_options {
   std::string prefix = "godwit"; // letters, digits, '_'
   std::uint64_t segment_bytes = max_segment_bytes;
   std::uint64_t total_bytes = std::uint64_t{256} << 20; // at least two segments
+  std::string extension = ".mcap";
 };
 
 struct segment {
@@ -44,8 +45,8 @@ public:
   // Checks the options, makes the folder and lists what is in it.
   [[nodiscard]] result<void> open(segment_folder_options options);
 
-  // Completes every segment whose end is missing. For the start, before anything is written; one damaged segment does
-  // not keep the others from being completed.
+  // MCAP only. Completes every segment whose end is missing. For the start, before anything is written; one damaged
+  // segment does not keep the others from being completed.
   [[nodiscard]] std::vector<segment_completion> complete_all();
 
   // Deletes the oldest segments until one more of segment_bytes fits into total_bytes, and gives the name for it. The

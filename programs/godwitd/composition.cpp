@@ -202,6 +202,7 @@ checked composition::open() {
   if (wanted_.flies)
     begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
   tell_open_lines();
+  open_link_log();
   host_->actors().start();
   open_vehicle();
   if (wanted_.flies)
@@ -237,6 +238,21 @@ checked composition::open_control() {
     return tl::make_unexpected(std::move(opened.error()));
   control_ = *std::move(opened);
   return {};
+}
+
+// Links that can not be recorded are no reason not to use them.
+void composition::open_link_log() {
+  if (!wanted_.link_log)
+    return;
+  auto opened = link_log::open(*wanted_.link_log, host_->journal().status().run, host_->time(), host_->health());
+  if (!opened) {
+    announce({opened.error(), true}, "link_log");
+    return;
+  }
+  link_log_ = *std::move(opened);
+  vehicle_port_->set_tap(link_log_->tap(recorded_link::vehicle));
+  ground_line_->set_tap(link_log_->tap(recorded_link::ground));
+  link_log_->start();
 }
 
 // A vehicle that can not be reached is no reason to keep what is owed to the service.
@@ -310,6 +326,8 @@ int composition::close(runtime::exit_code code) {
     feed_->stop();
   vehicle_port_->close();
   ground_line_->close();
+  if (link_log_)
+    link_log_->close();
   if (service_)
     service_->close();
   map_port_->close();

@@ -20,6 +20,7 @@
 #include "programs/godwitd/flight_actors.hpp"
 #include "programs/godwitd/ground_run/actor.hpp"
 #include "programs/godwitd/host_facts.hpp"
+#include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -62,6 +63,7 @@ private:
   void add_actors();
   void add_flight(control::peers& of_desk);
   void add_ground_run(control::peers& of_desk);
+  void open_link_log();
   void open_vehicle();
   void open_ground();
   void open_feed();
@@ -90,6 +92,7 @@ private:
   std::unique_ptr<host_facts> facts_;
   actor_surroundings outside_;
   std::unique_ptr<runtime::process> host_; // ends before what its actors meet
+  std::unique_ptr<link_log> link_log_;     // none: the links are not recorded
   base_actors base_;
   ground_run::own_handle run_; // of a run on the ground
   flight_actors flight_;       // else

@@ -214,6 +214,8 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
   daemon_settings result;
   result.process = runtime::options_from(configuration);
   result.process.trace->program = "godwitd";
+  if (configuration.at("trace").at("links").get<bool>())
+    result.link_log = share_of(*result.process.trace);
   read_what_to_do(configuration, result);
   if (auto source = read_source(configuration, result); !source)
     return tl::make_unexpected(std::move(source.error()));

@@ -18,6 +18,7 @@
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
 #include "programs/godwitd/crash_loop_guard.hpp"
+#include "programs/godwitd/link_log/link_log_options.hpp"
 #include "programs/godwitd/log/log_settings.hpp"
 #include "runtime/process.hpp"
 
@@ -25,6 +26,7 @@ namespace godwit::daemon {
 
 struct daemon_settings {
   runtime::process_options process;
+  std::optional<link_log_options> link_log;  // none: the links are not recorded
   std::optional<io::http::settings> service; // none: the mission comes from mission_file
   mission_client::settings client;           // how it is asked
   std::string mission_id;                    // with a service; else as the file says

@@ -20,7 +20,7 @@ mcap::result<void> tlog_writer::open(tlog_writer_options options) {
   const auto refuse = [&](std::string what) {
     return tl::make_unexpected(mcap::error{mcap::errc::invalid_argument, options.file.string(), std::move(what), 0});
   };
-  if (!options.file.has_filename())
+  if (!options.file.has_filename() && !options.next_file)
     return refuse("a .tlog needs the name of a file");
   if (options.file_bytes < buffer_bytes)
     return refuse("file_bytes must be at least " + std::to_string(buffer_bytes));
@@ -70,8 +70,8 @@ void tlog_writer::give_up_file() {
   const bool is_empty = file_.is_open() && file_.size_bytes() == 0;
   static_cast<void>(file_.close());
   std::error_code code;
-  if (is_empty && fs::is_regular_file(name_of(0), code))
-    fs::remove(name_of(0), code);
+  if (is_empty && fs::is_regular_file(file_.name(), code))
+    fs::remove(file_.name(), code);
 }
 
 mcap::result<void> tlog_writer::close() {
@@ -84,9 +84,15 @@ mcap::result<void> tlog_writer::provide_file() {
   if (file_.is_open() && file_.size_bytes() + buffer_.size() <= options_.file_bytes)
     return {};
   return file_.close()
-      .and_then([this] { return make_room_for_name(); })
-      .and_then([this] { return file_.create(name_of(0)); })
+      .and_then([this] { return next_name(); })
+      .and_then([this](const fs::path& name) { return file_.create(name); })
       .map([this] { ++counts_.files_opened; });
+}
+
+mcap::result<fs::path> tlog_writer::next_name() {
+  if (options_.next_file)
+    return options_.next_file();
+  return make_room_for_name().map([this] { return name_of(0); });
 }
 
 // Every file becomes one older; the oldest gives way. From the oldest on, so that a stop in between loses no more.

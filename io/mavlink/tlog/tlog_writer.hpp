@@ -1,6 +1,6 @@
 // Writes a .tlog of any length into files of bounded size: NAME.tlog is the one that is being written, NAME.1.tlog the
 // one before it, and so on up to `older_files`; what is older is deleted. One that is there at the start is kept as if
-// it had become full.
+// it had become full. With `next_file` its owner names the files instead, and bounds them.
 //
 // No secret gets in: signatures are taken off (strip_signature.hpp), and SETUP_SIGNING, which carries the key, is never
 // written. Records are gathered in a buffer and handed to the kernel when it is full and at flush(), which the owner
@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "io/mavlink/frame.hpp"
@@ -24,6 +25,8 @@ struct tlog_writer_options {
   std::filesystem::path file; // NAME.tlog, in a folder that exists
   std::uint64_t file_bytes = std::uint64_t{64} << 20;
   unsigned older_files = 3;
+  // The name of one more file, which is not there yet. Empty: `file` and `older_files` say it.
+  std::function<mcap::result<std::filesystem::path>()> next_file = {};
 };
 
 struct tlog_writer_counts {
@@ -56,6 +59,7 @@ public:
 private:
   [[nodiscard]] mcap::result<void> provide_file();
   void give_up_file();
+  [[nodiscard]] mcap::result<std::filesystem::path> next_name();
   [[nodiscard]] mcap::result<void> make_room_for_name();
   // NAME.N.tlog, for 0 NAME.tlog.
   [[nodiscard]] std::filesystem::path name_of(unsigned age) const;

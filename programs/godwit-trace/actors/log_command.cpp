@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "programs/godwit-trace/actors/delivery_filter.hpp"
+#include "programs/godwit-trace/actors/link_frames.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"
@@ -18,6 +19,7 @@ using runtime::delivery;
 struct log_arguments {
   trace_arguments trace;
   filter_arguments filter;
+  link_arguments link;
   bool follow = false;
 };
 
@@ -67,15 +69,31 @@ exit_code run_log(const log_arguments& given, console& to) {
     to.say(trace.error());
     return exit_code::failed;
   }
+  auto frames = open_links(given.link, **trace);
+  if (!frames) {
+    to.say(frames.error());
+    return exit_code::usage;
+  }
+  const auto print_frame = [&](const link_frame& frame) {
+    given.trace.json ? append_frame_json_line(to.out.text(), frame) : append_frame_line(to.out.text(), frame);
+  };
   delivery_filter filter(given.filter);
   const paint colours(to.is_terminal);
   delivery each;
   while (to.out.flush_if_full() && (*trace)->ordered.next(each)) {
+    while (const auto frame = frames->next_until(each.run, each.began_ns)) {
+      print_frame(*frame);
+      to.out.flush_if_full();
+    }
     if (filter.wants(each, (*trace)->names))
       append(to.out.text(), each, (*trace)->names, colours, given.trace.json);
   }
-  if (to.out.is_taken())
+  for (auto frame = frames->next(); frame && to.out.flush_if_full(); frame = frames->next())
+    print_frame(*frame);
+  if (to.out.is_taken()) {
     say_losses((*trace)->reader, to);
+    say_problems(*frames, to);
+  }
   return exit_code::ok;
 }
 
@@ -146,7 +164,9 @@ command add_log_command(CLI::App& to) {
   const auto given = std::make_shared<log_arguments>();
   add_trace_arguments(*app, given->trace);
   add_filter_arguments(*app, given->filter);
+  add_link_arguments(*app, given->link);
   app->add_flag("--follow,-f", given->follow, "Print what is added from now on, until interrupted")
+      ->excludes("--links")
       ->excludes("--from")
       ->excludes("--to");
   app->footer(
@@ -157,6 +177,7 @@ Examples:
   godwit-trace log trace | less -R
   godwit-trace log trace --actor executor --type 'failsafe.*,mission_client.*' --from 60 --to 90
   godwit-trace log trace --outcome crashed --json
+  godwit-trace log trace --links --name 'COMMAND_*,MISSION_*' --actor vehicle_link
   godwit-trace log trace --cause 13194139533338)");
   return {app, [given](console& into) { return run_log(*given, into); }};
 }

@@ -114,7 +114,7 @@ exit_code run_ls(const trace_arguments& given, console& to) {
     to.say(trace.error());
     return exit_code::failed;
   }
-  auto& [names, reader, ordered] = **trace;
+  auto& [names, reader, ordered, span] = **trace;
   std::map<std::uint64_t, run_row> runs;
   delivery each;
   while (reader.next(each)) // the order does not matter here

@@ -31,12 +31,13 @@ void add_trace_arguments(CLI::App& command, trace_arguments& to);
 
 // A trace that is being read, in order of time.
 struct opened_trace {
-  opened_trace(std::vector<runtime::trace_file> files, runtime::time_span_ns span)
-      : reader(std::move(files), names, span), ordered(reader) {}
+  opened_trace(std::vector<runtime::trace_file> files, runtime::time_span_ns wanted)
+      : reader(std::move(files), names, wanted), ordered(reader), span(wanted) {}
 
   runtime::name_table names;
   runtime::trace_reader reader;
   runtime::ordered_reader ordered;
+  runtime::time_span_ns span;
 };
 
 // Once for each pass: what has been read is gone.

@@ -60,6 +60,55 @@ TEST(line, what_comes_in_is_queued_and_whoever_takes_it_is_woken) {
   EXPECT_EQ(std::get<arrival>(*got).bytes.size(), 6U);
 }
 
+class notes final : public tap {
+public:
+  void received(peer_id, std::span<const std::byte> bytes, bool is_datagram) override {
+    const std::lock_guard guard(mutex_);
+    heard_ += is_datagram ? bytes.size() : 0;
+  }
+  void sent(std::span<const std::byte> frame) override {
+    const std::lock_guard guard(mutex_);
+    sent_ += frame.size();
+  }
+  [[nodiscard]] std::pair<std::size_t, std::size_t> sizes() {
+    const std::lock_guard guard(mutex_);
+    return {heard_, sent_};
+  }
+
+private:
+  std::mutex mutex_;
+  std::size_t heard_ = 0;
+  std::size_t sent_ = 0;
+};
+
+TEST(line, a_tap_hears_what_came_in_and_what_the_link_took_and_nothing_that_it_did_not) {
+  const udp_end far;
+  alarm_clock clock;
+  const auto tapped = std::make_shared<notes>();
+  line near;
+  near.set_tap(tapped);
+  std::array<std::byte, 3> hello{};
+  EXPECT_FALSE(near.send(hello, every_peer));
+  ASSERT_TRUE(near.open(*parse_uri("udpout://127.0.0.1:" + std::to_string(far.port())), {}, [&] { clock.ring(); }));
+  int rings = 0;
+  while (!near.send(hello, every_peer)) {
+    if (!near.incoming().take()) { // nothing left: the next change wakes
+      ASSERT_TRUE(clock.wait_for(++rings));
+    }
+  }
+  ASSERT_TRUE(far.receive());
+  far.send(far.last_sender(), "answer");
+  for (bool is_answered = false; !is_answered;) {
+    const auto got = near.incoming().take();
+    is_answered = got && std::holds_alternative<arrival>(*got);
+    if (!got) {
+      ASSERT_TRUE(clock.wait_for(++rings));
+    }
+  }
+  near.close();
+  EXPECT_EQ(tapped->sizes(), (std::pair<std::size_t, std::size_t>(6, 3)));
+}
+
 TEST(line, a_line_that_is_not_open_sends_nothing) {
   line closed;
   EXPECT_FALSE(closed.send({}, every_peer));

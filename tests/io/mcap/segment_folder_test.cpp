@@ -23,6 +23,22 @@ TEST(mcap_segment_folder, names_sort_as_the_segments_were_made) {
   EXPECT_EQ(segments.add(segment_folder::max_run + 1).error().code, errc::too_many);
 }
 
+TEST(mcap_segment_folder, recordings_of_other_endings_and_names_in_the_folder_are_left_alone) {
+  const temporary_folder folder;
+  store_bytes(folder / "godwit-0000000007-000001.mcap", {});
+  store_bytes(folder / "ground-0000000007-000001.tlog", {});
+  segment_folder segments;
+  auto options = options_for(folder);
+  options.prefix = "vehicle";
+  options.extension = ".tlog";
+  ASSERT_TRUE(segments.open(options));
+  for (int n = 0; n < 9; ++n)
+    ASSERT_TRUE(segments.add(7));
+  EXPECT_EQ(segments.segments().back().path.filename(), "vehicle-0000000007-000009.tlog");
+  EXPECT_TRUE(std::filesystem::exists(folder / "godwit-0000000007-000001.mcap"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "ground-0000000007-000001.tlog"));
+}
+
 TEST(mcap_segment_folder, a_run_that_comes_again_does_not_meet_its_old_names) {
   const temporary_folder folder;
   store_bytes(folder / "godwit-0000000007-000004.mcap", {});

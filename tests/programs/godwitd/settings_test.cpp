@@ -52,6 +52,19 @@ TEST(daemon_settings, a_token_does_not_go_to_another_computer_in_clear) {
   expect_blames("service", {{"service", "http://example.org"}, {"token-file", "token"}});
 }
 
+TEST(daemon_settings, the_links_are_recorded_within_the_bound_of_the_trace_unless_switched_off) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  const auto on = settings_from(configuration);
+  ASSERT_TRUE(on && on->link_log);
+  EXPECT_EQ(on->link_log->folder, on->process.trace->folder);
+  EXPECT_EQ(on->process.trace->total_bytes + 2 * on->link_log->total_bytes, std::uint64_t{256} << 20U);
+  configuration["trace"]["links"] = false;
+  const auto off = settings_from(configuration);
+  ASSERT_TRUE(off);
+  EXPECT_FALSE(off->link_log);
+  EXPECT_EQ(off->process.trace->total_bytes, std::uint64_t{256} << 20U);
+}
+
 TEST(daemon_settings, a_mission_from_a_file_needs_no_service) {
   const auto all = settings({{"mission", "survey.plan"}, {"vehicle", "udpin://127.0.0.1:14550"}});
   ASSERT_TRUE(all) << all.error();

@@ -227,6 +227,36 @@ TEST(mavlink_tlog_writer, options_without_sense_are_refused) {
   }
 }
 
+TEST(mavlink_tlog_writer, an_owner_that_names_the_files_finds_every_frame_in_them_in_order) {
+  const temporary_folder folder;
+  unsigned files = 0;
+  auto options = small_files({}, 0);
+  options.next_file = [&] { return folder / (std::to_string(++files) + ".tlog"); };
+  tlog_writer writer;
+  ASSERT_TRUE(writer.open(options));
+  write_heartbeats(writer, 0, 2 * heartbeats_in_a_file + 1);
+  ASSERT_TRUE(writer.close());
+  ASSERT_EQ(files, 3U);
+  std::uint64_t next_us = some_day_us;
+  for (unsigned n = 1; n <= files; ++n)
+    for (const auto& each : read_file(folder / (std::to_string(n) + ".tlog")).records)
+      EXPECT_EQ(each.timestamp_us, next_us++);
+  EXPECT_EQ(next_us, some_day_us + 2 * heartbeats_in_a_file + 1);
+}
+
+TEST(mavlink_tlog_writer, a_name_that_is_not_given_loses_frames_and_no_file) {
+  const temporary_folder folder;
+  auto options = small_files({}, 0);
+  options.next_file = []() -> mcap::result<fs::path> {
+    return tl::make_unexpected(mcap::error{mcap::errc::io, "folder", "no name", 0});
+  };
+  tlog_writer writer;
+  ASSERT_TRUE(writer.open(options));
+  write_heartbeats(writer, 0, 1);
+  EXPECT_FALSE(writer.flush());
+  EXPECT_EQ(writer.counts().frames_lost, 1U);
+}
+
 RC_GTEST_PROP(mavlink_tlog_writer_property, what_was_written_is_read_back_equal, ()) {
   std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
   const auto frames = some_frames(*rc::gen::inRange<std::size_t>(0, 3000), random);

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "programs/godwitd/control/unix_address.hpp"
+#include "programs/common/unix_address.hpp"
 #include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {

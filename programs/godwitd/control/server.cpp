@@ -13,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "programs/common/unix_address.hpp"
 #include "programs/godwitd/control/request_line.hpp"
-#include "programs/godwitd/control/unix_address.hpp"
 
 namespace godwit::control {
 

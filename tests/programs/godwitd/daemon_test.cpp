@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actors/domain/mission/write.hpp"
-#include "programs/godwitd/control/client.hpp"
+#include "programs/common/control_client.hpp"
 #include "tests/programs/godwitd/daemon_world.hpp"
 #include "tests/programs/godwitd/process.hpp"
 

@@ -13,8 +13,8 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 
-#include "programs/godwitd/control/client.hpp"
-#include "programs/godwitd/control/unix_address.hpp"
+#include "programs/common/control_client.hpp"
+#include "programs/common/unix_address.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "programs/godwitd/control/client.hpp"
+#include "programs/common/control_client.hpp"
 
 #include <array>
 #include <cerrno>
@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "io/link/descriptor.hpp"
-#include "programs/godwitd/control/unix_address.hpp"
+#include "programs/common/unix_address.hpp"
 
 namespace godwit::control {
 namespace {

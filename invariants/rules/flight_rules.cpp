@@ -47,6 +47,7 @@ struct report {
   std::string mission;
   std::uint64_t number = 0;
   std::uint64_t generation = 0;
+  std::uint64_t revision = 0;
   std::string kind;
   std::string whole;
 };
@@ -56,7 +57,7 @@ template <class State>
 class about_reports : public invariant {
 public:
   void take(const delivery& each, const name_table& names) final {
-    if (!type_.is(each.type, names) || each.how != outcome::handled)
+    if (!type_.is(each.type, names) || !has_come(each.how))
       return;
     const auto message = object_in(each);
     const auto found = message.find("report");
@@ -65,7 +66,11 @@ public:
     const auto no = number(*found, "report_no");
     if (!no)
       return;
-    const report told{text(*found, "mission_id"), *no, number(*found, "generation").value_or(0), text(*found, "kind"),
+    const report told{text(*found, "mission_id"),
+                      *no,
+                      number(*found, "generation").value_or(0),
+                      number(*found, "revision").value_or(0),
+                      text(*found, "kind"),
                       found->dump()};
     if (missions_.size() < max_missions || missions_.contains(told.mission))
       look(told, missions_[told.mission], each);
@@ -75,6 +80,11 @@ protected:
   virtual void look(const report& told, State& known, const delivery& each) = 0;
 
 private:
+  // Behind a crash the report may be durable already: it does not come again then, or as a repetition.
+  static bool has_come(outcome how) {
+    return how == outcome::handled || how == outcome::crashed || how == outcome::repetition;
+  }
+
   known_name type_{"mission_client.report_progress"};
   std::map<std::string, State> missions_;
 };
@@ -102,17 +112,19 @@ class reports_without_gap final : public about_reports<told_reports> {
 
 struct completion {
   std::uint64_t at = 0; // number of the report; 0: not complete
+  std::uint64_t revision = 0;
   std::uint64_t id = 0;
 };
 
 class complete_once final : public about_reports<completion> {
   void look(const report& told, completion& known, const delivery& each) override {
-    if (known.at != 0 && told.number > known.at)
+    const bool is_newer = told.revision > known.revision; // the service has sent it further
+    if (known.at != 0 && told.number > known.at && !is_newer)
       find(certainty::certain, each, {known.id, each.id},
            "mission " + told.mission + " was complete with report " + std::to_string(known.at) + ", and report " +
                std::to_string(told.number) + " (" + told.kind + ") came behind it");
-    if (told.kind == "complete" && known.at == 0)
-      known = {told.number, each.id};
+    if (told.kind == "complete" && (known.at == 0 || is_newer))
+      known = {told.number, told.revision, each.id};
   }
 };
 

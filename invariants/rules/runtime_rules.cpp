@@ -1,7 +1,10 @@
 #include "invariants/rules/runtime_rules.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
+
+#include "invariants/rules/message_types.hpp"
 
 namespace godwit::invariants {
 
@@ -13,6 +16,9 @@ using runtime::outcome;
 
 // The trace's clock is measured anew all the time: two threads agree to within this.
 constexpr std::int64_t clock_tolerance_ns = 1'000'000;
+
+// Told to the asker by its own runtime, under the id of the question: that one may have been taken all the same.
+constexpr std::string_view question_without_answer = "runtime.ask_failed";
 
 // The newest deliveries by id. Memory: fixed; an older one is forgotten for a newer.
 template <class Value>
@@ -51,17 +57,22 @@ public:
     if (const auto* cause = recent_.find(each.run, each.cause)) {
       if (cause->began_ns > each.began_ns + clock_tolerance_ns)
         find(certainty::certain, each, {each.cause, each.id}, "a message was taken before the one that caused it");
-      if (cause->actor != each.sender && each.id != 0)
+      const bool is_of_runtime = each.id == 0 || each.id == each.cause; // a question that failed is its own cause
+      if (!is_of_runtime && !cause->was_taken_by(each.sender))
         find(certainty::certain, each, {each.cause, each.id},
              names.name(each.sender) + " sent it because of a message that " + names.name(cause->actor) + " took");
     }
-    recent_.put(each.run, each.id, {each.began_ns, each.actor});
+    const auto* before = recent_.find(each.run, each.id);
+    const auto other = before == nullptr ? each.actor : before->actor == each.actor ? before->other : before->actor;
+    recent_.put(each.run, each.id, {each.began_ns, each.actor, other});
   }
 
 private:
   struct taken {
     std::int64_t began_ns = 0;
     std::uint32_t actor = 0;
+    std::uint32_t other = 0; // that took it before; of a question that failed: who was asked, and who asked
+    [[nodiscard]] bool was_taken_by(std::uint32_t who) const { return actor == who || other == who; }
   };
   recent_messages<taken> recent_;
 };
@@ -145,7 +156,7 @@ private:
 class handled_once final : public invariant {
 public:
   void take(const delivery& each, const name_table& names) override {
-    if (each.how != outcome::handled)
+    if (each.how != outcome::handled || ask_failed_.is(each.type, names))
       return;
     if (const auto* before = recent_.find(each.run, each.id)) {
       if (before->actor == each.actor && before->incarnation == each.incarnation)
@@ -165,6 +176,7 @@ private:
     std::uint32_t incarnation = 0;
   };
   recent_messages<handled> recent_;
+  known_name ask_failed_{question_without_answer};
 };
 
 } // namespace

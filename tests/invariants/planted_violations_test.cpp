@@ -204,6 +204,36 @@ TEST(invariants, a_kill_between_two_reports_explains_a_gap) {
   EXPECT_EQ(judge(gap).at("reports_without_gap"), verdict::undecided);
 }
 
+// What flights of godwit-drill have shown to be sound.
+TEST(invariants, a_report_whose_handler_crashed_may_be_durable_and_not_come_again) {
+  auto crashed = sound_record();
+  crashed[8].how = outcome::crashed; // report 2
+  EXPECT_EQ(judge(crashed).at("reports_without_gap"), verdict::held);
+}
+
+TEST(invariants, a_mission_that_was_complete_goes_on_with_a_newer_revision) {
+  auto further = sound_record();
+  auto next = report(41, 4, "started", 3);
+  next.body.insert(next.body.find("\"generation\""), "\"revision\":2,");
+  further.push_back(next);
+  EXPECT_EQ(judge(further), all_held());
+}
+
+TEST(invariants, a_question_that_fails_is_told_under_its_own_id_and_causes_what_comes_of_it) {
+  auto failed = sound_record();
+  failed.push_back({.at_ms = 41, .actor = "vehicle_link", .type = "t", .id = 70, .sender = "executor"});
+  failed.push_back({.at_ms = 42,
+                    .actor = "executor",
+                    .type = "runtime.ask_failed",
+                    .id = 70,
+                    .cause = 70,
+                    .sender = "executor",
+                    .incarnation = 2});
+  failed.push_back({.at_ms = 43, .actor = "failsafe", .type = "t", .id = 71, .cause = 70, .sender = "executor"});
+  failed.push_back({.at_ms = 44, .actor = "failsafe", .type = "t", .id = 72, .cause = 70, .sender = "vehicle_link"});
+  EXPECT_EQ(judge(failed), all_held());
+}
+
 TEST(invariants, ids_begin_again_with_each_run) {
   auto twice = sound_record();
   twice.pop_back(); // the mission is not complete yet

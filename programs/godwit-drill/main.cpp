@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "programs/godwit-drill/command_line.hpp"
+#include "programs/godwit-drill/flights/flight_drill.hpp"
 #include "programs/godwit-drill/report.hpp"
 #include "programs/godwit-drill/runtime_drill.hpp"
 #include "programs/godwit-drill/scratch_folder.hpp"
@@ -18,22 +20,12 @@ namespace {
 using namespace godwit;
 using runtime::exit_code;
 
-struct arguments {
-  std::uint64_t messages = 1'000'000;
-  std::uint64_t crashes = 1'000;
-  std::uint64_t seed = 1;
-  std::string config_file;
-  std::string json_file;
-  std::string journal_file;
-  std::string trace_folder;
-};
-
 int fail(exit_code code, const std::string& what) {
   std::fprintf(stderr, "godwit-drill: %s\n", what.c_str());
   return static_cast<int>(code);
 }
 
-int run_runtime(const arguments& given) {
+int run_runtime(const drill::runtime_arguments& given) {
   auto configuration = given.config_file.empty()
                            ? runtime::load_config("{}", "defaults", runtime::godwit_schema())
                            : runtime::load_config_file(given.config_file, runtime::godwit_schema());
@@ -78,24 +70,13 @@ int run_runtime(const arguments& given) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Crash-recovery drills: makes actors crash and counts what was lost or done twice."};
+  CLI::App app{"Drills: makes actors and whole flights of godwitd fail, and counts what was lost or done twice."};
   app.require_subcommand(1);
-  arguments given;
-  auto* runtime_command = app.add_subcommand("runtime", "Messages through supervised actors while these are crashed.");
-  runtime_command->add_option("--messages", given.messages, "How many messages")
-      ->capture_default_str()
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
-  runtime_command->add_option("--crashes", given.crashes, "How many crashes, spread over the run")
-      ->capture_default_str()
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
-  runtime_command->add_option("--seed", given.seed, "Draws who crashes, where and when")->capture_default_str();
-  runtime_command->add_option("--config", given.config_file,
-                              "Configuration file (config/godwit.json shows the defaults)");
-  runtime_command->add_option("--json", given.json_file, "Writes the counts to this file");
-  runtime_command->add_option(
-      "--journal", given.journal_file,
-      "Keeps the journal as this new file: drill_effect(sender, seq) has a row for each tenth message");
-  runtime_command->add_option("--trace", given.trace_folder, "Keeps the trace in this folder (MCAP files)");
+  drill::runtime_arguments runtime_given;
+  drill::flight_drill_options flights;
+  std::optional<drill::flight_drill> chosen;
+  drill::add_runtime_command(app, runtime_given);
+  drill::add_flight_commands(app, flights, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -104,5 +85,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "godwit-drill: %s\n\n%s", error.what(), app.help().c_str());
     return static_cast<int>(exit_code::usage);
   }
-  return run_runtime(given);
+  if (!chosen)
+    return run_runtime(runtime_given);
+  flights.which = *chosen;
+  return drill::run_flight_drill(flights);
 }

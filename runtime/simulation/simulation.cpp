@@ -72,12 +72,21 @@ void planned_crashes::hit(crash_point point, std::uint32_t actor, std::uint64_t)
 
 simulation::simulation(simulated_disk& disk, std::uint64_t seed, system_options options, bool traced)
     : journal_(disk), trace_(names_, time_), crashes_(names_) {
+  begin(disk, seed, options, traced ? &trace_ : nullptr);
+}
+
+simulation::simulation(simulated_disk& disk, std::uint64_t seed, trace_sink* record, system_options options)
+    : journal_(disk), trace_(names_, time_), crashes_(names_) {
+  begin(disk, seed, options, record);
+}
+
+void simulation::begin(const simulated_disk& disk, std::uint64_t seed, system_options options, trace_sink* record) {
   services outside;
   outside.time = &time_;
   outside.names = &names_;
   outside.health = &health_;
   outside.durable = &journal_;
-  outside.trace = traced ? &trace_ : nullptr;
+  outside.trace = record;
   outside.crashes = &crashes_;
   outside.seed = seed;
   options.simulated = true;

@@ -78,6 +78,8 @@ public:
   static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
   simulation(simulated_disk& disk, std::uint64_t seed, system_options options = {}, bool traced = true);
+  // RECORD takes the deliveries in place of trace(); null: nobody does. It outlives the simulation.
+  simulation(simulated_disk& disk, std::uint64_t seed, trace_sink* record, system_options options = {});
   simulation(const simulation&) = delete;
   simulation& operator=(const simulation&) = delete;
   ~simulation();
@@ -86,6 +88,7 @@ public:
   [[nodiscard]] simulated_journal& journal() { return journal_; }
   [[nodiscard]] const health_board& health() const { return health_; }
   [[nodiscard]] const memory_trace& trace() const { return trace_; }
+  [[nodiscard]] const directory& names() const { return names_; }
   [[nodiscard]] std::optional<exit_request> exit() const { return system_->exit_requested(); }
   [[nodiscard]] std::int64_t now_ns() const { return time_.monotonic_ns(); }
   [[nodiscard]] const time_source& time() const { return time_; }
@@ -131,6 +134,7 @@ public:
   }
 
 private:
+  void begin(const simulated_disk& disk, std::uint64_t seed, system_options options, trace_sink* record);
   [[nodiscard]] stable_address* find(const std::string& actor) const;
   void request(const actor_ref& to, std::chrono::nanoseconds timeout, envelope question,
                std::function<void(const envelope&)> on_answer, std::function<void(const ask_error&)> on_error);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "actors/mapobjects_store/map_port.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_record.hpp"
 #include "programs/godwit-drill/flight_simulation/stepped_map.hpp"
 #include "programs/godwitd/flight_actors.hpp"
 #include "programs/godwitd/flight_state.hpp"
@@ -16,8 +17,10 @@ const std::int64_t daemon_process::wall_began_ns = runtime::simulated_time::star
 
 struct daemon_process::parts {
   parts(process_surroundings& around, std::int64_t now_ns, std::uint64_t seed)
-      : outside(around), map(std::make_shared<stepped_map>(around.map_file)), world(around.journal, seed, {}, false),
-        facts([&around] { return around.free_disk_bytes; }, world.time()) {
+      : outside(around), map(std::make_shared<stepped_map>(around.map_file)),
+        world(around.journal, seed, around.record), facts([&around] { return around.free_disk_bytes; }, world.time()) {
+    if (around.record != nullptr)
+      around.record->begin_process(world.names(), world.time());
     world.pass_time_until(now_ns);
     surround(seed);
     auto& actors = world.actors();

@@ -24,6 +24,8 @@
 
 namespace godwit::drill {
 
+class flight_record;
+
 // What a process meets, and what is left of it.
 struct process_surroundings {
   daemon::daemon_settings settings;
@@ -33,6 +35,7 @@ struct process_surroundings {
   std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
   std::function<void(std::string_view part, const std::string& sentence)> say;
   std::function<void(const executor::phase_status& now)> on_phase_status;
+  flight_record* record = nullptr; // null: its deliveries are not looked at
 };
 
 class daemon_process {

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "actors/domain/geo/geodesic.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 
@@ -59,6 +60,8 @@ std::string flaw_of_items(const std::vector<mission::progress_report>& reports, 
 bool moves_vehicle(const vehicle_order& order) {
   constexpr std::array harmless{mavlink::number(mavlink::mav_cmd::set_message_interval),
                                 mavlink::number(mavlink::mav_cmd::request_message)};
+  if (order.puts_to_rest)
+    return false;
   switch (order.message_id) {
   case mavlink::command_long::message_id:
   case mavlink::command_int::message_id:
@@ -84,6 +87,49 @@ std::string flaw_of_reports(flight_simulation& flight) {
   if (flaw.empty() && flight.status().now == executor::phase::done)
     flaw = flaw_of_items(reports, flight.service().mission(flight.mission_id()));
   return flaw;
+}
+
+report_counts count_reports(flight_simulation& flight) {
+  report_counts result;
+  std::set<std::uint32_t> numbers;
+  std::set<std::tuple<std::uint32_t, progress_kind, std::string>> told;
+  std::set<std::string> items;
+  for (const auto& each : flight.reports()) {
+    const bool is_new = numbers.insert(each.report_no).second;
+    const auto item = each.item_id.value_or("");
+    if (!is_new || (each.item_id && !told.emplace(each.generation, each.kind, item).second))
+      ++result.doubled;
+    if (each.kind == progress_kind::reached || each.kind == progress_kind::skipped)
+      items.insert(item);
+  }
+  if (!numbers.empty())
+    result.lost = *numbers.rbegin() - numbers.size();
+  if (flight.status().now == executor::phase::done)
+    for (const auto& each : flight.service().mission(flight.mission_id()).items)
+      result.lost += items.contains(mission::id_of(each)) ? 0 : 1;
+  return result;
+}
+
+std::string flaw_of_place(flight_simulation& flight) {
+  if (flight.status().now != executor::phase::done)
+    return {};
+  constexpr double near_m = 15;        // of where a mission leads; actors/domain has the same for its end
+  constexpr double near_plane_m = 150; // a fixed wing lands by a long approach
+  const auto seen = flight.vehicle().describe();
+  const auto mission = flight.service().mission(flight.mission_id());
+  auto wanted = mission.return_point;
+  if (const auto* place = std::get_if<mission::waypoint>(&mission.items.back()))
+    wanted = place->at;
+  else if (const auto* landing = std::get_if<mission::land>(&mission.items.back()))
+    wanted = landing->at;
+  const auto away_m = geo::distance_m(geo::point{seen.where.latitude_deg, seen.where.longitude_deg},
+                                      geo::point{wanted.latitude, wanted.longitude});
+  if (seen.in_air)
+    return "the mission is done, and the vehicle is in the air";
+  if (away_m > (flight.who() == sim::personality::plane ? near_plane_m : near_m))
+    return "the mission is done, and the vehicle stands " + std::to_string(static_cast<int>(away_m)) +
+           " m from where it leads";
+  return {};
 }
 
 std::string flaw_of_end(const flight_simulation& flight) {

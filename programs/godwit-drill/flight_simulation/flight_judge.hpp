@@ -13,10 +13,21 @@ namespace godwit::drill {
 // may come again, with the same content: its answer was lost. Empty: it holds; else a sentence.
 [[nodiscard]] std::string flaw_of_reports(flight_simulation& flight);
 
+// Reports that are missing, or items that no report tells of although the mission is done; and what was told twice.
+struct report_counts {
+  std::uint64_t lost = 0;
+  std::uint64_t doubled = 0;
+};
+[[nodiscard]] report_counts count_reports(flight_simulation& flight);
+
+// A mission that is done ends on the ground, near where its last item leads. Empty: it does, or is not done.
+[[nodiscard]] std::string flaw_of_place(flight_simulation& flight);
+
 // It has its end, or waits for a person and says for what.
 [[nodiscard]] std::string flaw_of_end(const flight_simulation& flight);
 
-// Orders since SINCE_NS that move the vehicle or could: modes, arming, starts, another item, another plan.
+// Orders since SINCE_NS that move the vehicle or could: modes, arming, starts, another item, another plan. Not the mode
+// that takes the mission mode from a vehicle on the ground, so that nothing moves by itself.
 [[nodiscard]] int moves_since(const flight_simulation& flight, std::int64_t since_ns);
 
 } // namespace godwit::drill

@@ -42,4 +42,19 @@ bool fly_with_help(flight_simulation& flight) {
   return is_at_rest() && flight.run_until([&] { return is_told(flight); }, delivery_s);
 }
 
+bool start_by_station(flight_simulation& flight) {
+  constexpr int most_times = 20;
+  const auto is_under_way = [&] { return flight.status().in_flight || executor::is_at_rest(flight.status().now); };
+  for (int i = 0; i < most_times && !is_under_way(); ++i) {
+    if (executor::needs_hand_back(flight.status().cause))
+      flight.say(operators::command_kind::hand_back);
+    if (flight.status().now == phase::paused)
+      flight.say(operators::command_kind::resume);
+    flight.run_for(1);
+    flight.station().start_mission();
+    (void)flight.run_until(is_under_way, 4);
+  }
+  return is_under_way();
+}
+
 } // namespace godwit::drill

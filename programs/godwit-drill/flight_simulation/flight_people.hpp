@@ -11,4 +11,8 @@ namespace godwit::drill {
 // end.
 [[nodiscard]] bool fly_with_help(flight_simulation& flight);
 
+// A station starts the mission, again until it is under way: what is under way in godwit is a reason to be refused.
+// False: it does not begin.
+[[nodiscard]] bool start_by_station(flight_simulation& flight);
+
 } // namespace godwit::drill

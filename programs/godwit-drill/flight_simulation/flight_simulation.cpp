@@ -1,9 +1,11 @@
 #include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "actors/domain/mission/read.hpp"
 #include "io/fields/field_table.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwitd/configuration.hpp"
@@ -39,8 +41,9 @@ daemon::daemon_settings settings_for(const std::string& mission_id, const flight
 flight_simulation::flight_simulation(const options& wanted) : flight_simulation(wanted, short_mission(wanted.who)) {}
 
 flight_simulation::flight_simulation(const options& wanted, const mission::document& mission)
-    : seed_(wanted.seed), test_rng_(wanted.seed), is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id),
-      service_(daemon_process::wall_began_ns), station_([this](std::span<const std::byte> frame) {
+    : seed_(wanted.seed), who_(wanted.who), planted_(wanted.planted), test_rng_(wanted.seed),
+      is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id), service_(daemon_process::wall_began_ns),
+      station_([this](std::span<const std::byte> frame) {
         if (process_)
           process_->ground_wire().receive(frame);
       }),
@@ -62,7 +65,12 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   outside_.say = [this](std::string_view part, const std::string& sentence) {
     note(std::string(part) + ": " + sentence);
   };
-  outside_.on_phase_status = [this](const executor::phase_status& now) { status_ = now; };
+  outside_.on_phase_status = [this](const executor::phase_status& now) { take_status(now); };
+  if (wanted.is_recorded)
+    record_ = std::make_unique<flight_record>();
+  if (record_ && planted_ == planted_flaw::forget_delivery)
+    record_->forget_second_report();
+  outside_.record = record_.get();
   begins_ns_ = now_ns_;
 }
 
@@ -80,6 +88,7 @@ void flight_simulation::step(std::int64_t end_ns) {
   else if (now_ns_ >= begins_ns_)
     begin_process();
   line_.on_time(now_ns_);
+  plant();
   if (vehicle_->next_deadline_ns() <= now_ns_)
     vehicle_->on_time(now_ns_);
   service_.on_time(now_ns_);
@@ -134,6 +143,7 @@ void flight_simulation::kill_process() {
   (void)exchange(); // what it has sent is on its way
   process_.reset();
   begins_ns_ = now_ns_ + restart_takes_ns;
+  killed_ns_ = now_ns_;
 }
 
 // As the service manager does it.
@@ -200,6 +210,10 @@ void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
     order.command = mavlink::decode<mavlink::command_long>(frame).command;
   if (frame.id() == mavlink::command_int::message_id)
     order.command = mavlink::decode<mavlink::command_int>(frame).command;
+  const auto seen = vehicle_->describe();
+  const bool sets_mode =
+      order.command == mavlink::number(mavlink::mav_cmd::do_set_mode) || frame.id() == mavlink::set_mode::message_id;
+  order.puts_to_rest = sets_mode && !seen.armed && (seen.mode == "AUTO" || seen.mode == "AUTO.MISSION");
   if (frame.id() != mavlink::heartbeat::message_id)
     orders_.push_back(order);
   vehicle_->on_frame(frame, now_ns_);
@@ -228,6 +242,31 @@ void flight_simulation::forge_bytes(target_line where, std::span<const std::byte
   run_until_idle();
 }
 
+// -- what a flight is to do wrong ---------------------------------------------------------------------
+
+void flight_simulation::take_status(const executor::phase_status& now) {
+  status_ = now;
+  if (killed_ns_ && now.now != executor::phase::disconnected) {
+    process_recovery_ns_ = now_ns_ - *killed_ns_;
+    killed_ns_.reset();
+  }
+  if (now.cause == executor::pause_cause::taken_over && planted_ == planted_flaw::order_to_person &&
+      !order_to_person_ns_)
+    order_to_person_ns_ = now_ns_ + 2'000'000'000;
+}
+
+void flight_simulation::plant() {
+  if (!order_to_person_ns_ || now_ns_ < *order_to_person_ns_)
+    return;
+  order_to_person_ns_ = std::numeric_limits<std::int64_t>::max();
+  mavlink::command_long order;
+  order.target_system = 1;
+  order.target_component = 1;
+  order.command = mavlink::number(mavlink::mav_cmd::mission_start);
+  const auto frame = mavlink::encode(order, {1, 191}, 0);
+  reaches_vehicle(frame.view());
+}
+
 // -- people -----------------------------------------------------------------------------------------
 
 void flight_simulation::say(operators::command_kind what) {
@@ -252,6 +291,14 @@ std::vector<mission::progress_report> flight_simulation::reports() {
     GODWIT_ASSERT(read.has_value(), "the service has stored a good report");
     result.push_back(*std::move(read));
   }
+  if (result.size() < 3)
+    return result;
+  const auto third = result.begin() + 2;
+  GODWIT_ASSERT(planted_ != planted_flaw::end_process, "drill: it was asked to end here");
+  if (planted_ == planted_flaw::lose_report)
+    result.erase(third);
+  else if (planted_ == planted_flaw::double_report)
+    result.insert(third, mission::progress_report(*third));
   return result;
 }
 

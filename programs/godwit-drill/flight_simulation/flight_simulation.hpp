@@ -22,6 +22,8 @@
 #include "messages/mission/document.hpp"
 #include "messages/mission/progress.hpp"
 #include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_record.hpp"
+#include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
 #include "programs/godwit-drill/scratch_folder.hpp"
@@ -36,6 +38,7 @@ struct vehicle_order {
   std::int64_t at_ns = 0;
   std::uint32_t message_id = 0;
   std::uint16_t command = 0; // of COMMAND_LONG and COMMAND_INT
+  bool puts_to_rest = false; // a mode for a vehicle that stands disarmed in its mission mode: godwit may send it always
 };
 
 class flight_simulation {
@@ -52,7 +55,9 @@ public:
     sim::line_faults line = {};
     // On UDP one heartbeat is not believed; nobody goes there, the frames come by a line of the simulation's.
     std::string vehicle_line = "udpin://127.0.0.1:0";
-    bool is_shuffled = true; // else in the order that costs least
+    bool is_shuffled = true;  // else in the order that costs least
+    bool is_recorded = false; // what its actors do is held against the promises of invariants/
+    planted_flaw planted = planted_flaw::none;
   };
 
   static constexpr std::int64_t restart_takes_ns = 300'000'000;
@@ -105,6 +110,8 @@ public:
   // None while it is down.
   [[nodiscard]] daemon_process* process() { return process_.get(); }
   [[nodiscard]] process_surroundings& outside() { return outside_; }
+  // Of a flight that is recorded.
+  [[nodiscard]] const flight_record& record() const { return *record_; }
   void say(operators::command_kind what);
   void say(operators::command what);
 
@@ -117,6 +124,10 @@ public:
   [[nodiscard]] const std::vector<vehicle_order>& orders() const { return orders_; }
   [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
   [[nodiscard]] int processes() const { return processes_; }
+  [[nodiscard]] sim::personality who() const { return who_; }
+  // From the newest kill until the next process knew the vehicle; nothing: there was no kill, or it does not know it
+  // yet.
+  [[nodiscard]] std::optional<std::int64_t> process_recovery_ns() const { return process_recovery_ns_; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   // What the program log would say, with its part in front.
   [[nodiscard]] bool was_told(const std::string& words) const;
@@ -138,9 +149,13 @@ private:
   void arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged);
   void reaches_vehicle(const io::mavlink::frame_view& frame);
   void note(const std::string& sentence);
+  void take_status(const executor::phase_status& now);
+  void plant();
   void forge_bytes(target_line where, std::span<const std::byte> frame);
 
   std::uint64_t seed_;
+  sim::personality who_;
+  planted_flaw planted_;
   std::mt19937_64 test_rng_;
   bool is_shuffled_;
   std::string mission_id_;
@@ -157,11 +172,15 @@ private:
   std::unique_ptr<sim::vehicle> vehicle_;
   io::mavlink::scanner damaged_;
 
+  std::unique_ptr<flight_record> record_;
   process_surroundings outside_;
   std::unique_ptr<daemon_process> process_;
   int processes_ = 0;
   std::optional<daemon::crash_loop_guard> ledger_; // of the process that runs
   std::int64_t begins_ns_ = 0;                     // the next process, when there is none
+  std::optional<std::int64_t> killed_ns_;          // and the vehicle is not known since
+  std::optional<std::int64_t> process_recovery_ns_;
+  std::optional<std::int64_t> order_to_person_ns_; // planted
   struct planned_kill {
     std::uint64_t commit = 0;
     side where = side::after;

@@ -1,0 +1,62 @@
+#include "programs/godwit-drill/flight_simulation/flight_record.hpp"
+
+#include <algorithm>
+
+#include "io/fields/binary.hpp"
+
+namespace godwit::drill {
+
+void flight_record::begin_process(const runtime::directory& names, const runtime::time_source& time) {
+  directory_ = &names;
+  time_ = &time;
+  incarnations_.clear();
+  ++run_;
+}
+
+void flight_record::record(const runtime::trace_entry& entry, const runtime::message_type& type,
+                           const void* body) noexcept {
+  ++deliveries_;
+  const auto& actor = directory_->name(entry.actor);
+  auto& newest = incarnations_[actor];
+  newest = std::max(newest, entry.incarnation);
+  const bool is_report = type.name == "mission_client.report_progress" && entry.how == runtime::outcome::handled;
+  if (is_report && reports_until_forgotten_ > 0 && --reports_until_forgotten_ == 0)
+    return;
+  runtime::delivery each;
+  each.run = run_;
+  each.id = entry.id;
+  each.cause = entry.cause;
+  each.began_ns = entry.began;
+  each.duration_ns = entry.ended - entry.began;
+  each.actor = names_.number(actor);
+  each.sender = names_.number(directory_->name(entry.sender));
+  each.type = names_.number(type.name);
+  each.incarnation = entry.incarnation;
+  each.how = entry.how;
+  io::byte_sink sink(memory_);
+  type.encode(sink, body);
+  text_.clear();
+  if (sink.overflow()) {
+    each.oversize = true;
+  } else {
+    io::byte_source source(std::span<const std::byte>(memory_.data(), sink.used()));
+    type.append_decoded(text_, source);
+  }
+  each.body = text_;
+  checker_.take(each, names_);
+}
+
+std::uint32_t flight_record::incarnation_of(const std::string& actor) const {
+  const auto found = incarnations_.find(actor);
+  return found == incarnations_.end() ? 0 : found->second;
+}
+
+std::vector<std::string> flight_record::broken() const {
+  std::vector<std::string> result;
+  for (const auto& each : checker_.judge())
+    if (each.how == invariants::verdict::violated)
+      result.push_back(std::string(each.which->name) + ": " + each.findings.front().what);
+  return result;
+}
+
+} // namespace godwit::drill

@@ -1,0 +1,49 @@
+// What the actors of a flight did, over all of its processes: each delivery is held against the promises of invariants/
+// as it happens, and none is kept. Times are those of the flight. Thread: the flight's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "invariants/checker.hpp"
+#include "runtime/clock.hpp"
+#include "runtime/directory.hpp"
+#include "runtime/trace/trace_sink.hpp"
+
+namespace godwit::drill {
+
+class flight_record final : public runtime::trace_sink {
+public:
+  // What follows is of another process. Both outlive it.
+  void begin_process(const runtime::directory& names, const runtime::time_source& time);
+  // The second report to mission_client is left out, so that the promises are seen to be looked for.
+  void forget_second_report() { reports_until_forgotten_ = 2; }
+
+  [[nodiscard]] std::int64_t ticks() const noexcept override { return time_->monotonic_ns(); }
+  void record(const runtime::trace_entry& entry, const runtime::message_type& type, const void* body) noexcept override;
+
+  // What is not kept, as sentences; empty: all is.
+  [[nodiscard]] std::vector<std::string> broken() const;
+  // The newest incarnation of ACTOR that has taken a message in this process; 0: none has.
+  [[nodiscard]] std::uint32_t incarnation_of(const std::string& actor) const;
+  [[nodiscard]] std::uint64_t deliveries() const { return deliveries_; }
+
+private:
+  static constexpr std::size_t max_body_bytes = 64 * 1024; // as the trace of the daemon takes them
+
+  const runtime::directory* directory_ = nullptr;
+  const runtime::time_source* time_ = nullptr;
+  std::uint64_t run_ = 0;
+  std::uint64_t deliveries_ = 0;
+  int reports_until_forgotten_ = 0; // 0: none is
+  runtime::name_table names_;
+  invariants::checker checker_;
+  std::array<std::byte, max_body_bytes> memory_{};
+  std::string text_;
+  std::map<std::string, std::uint32_t> incarnations_;
+};
+
+} // namespace godwit::drill

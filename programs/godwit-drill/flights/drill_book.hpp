@@ -1,0 +1,53 @@
+// Counts what the flights of a drill came to, and says it: a table, a JSON document, and each flight with a flaw.
+// Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "programs/godwit-drill/flights/flight_outcome.hpp"
+
+namespace godwit::drill {
+
+struct flight_figures {
+  std::uint64_t flights = 0;
+  std::uint64_t not_tried = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t with_takeover = 0;
+  std::uint64_t kills = 0;
+  std::uint64_t crashes = 0;
+  std::uint64_t lost = 0;
+  std::uint64_t doubled = 0;
+  double flown_s = 0;
+  std::vector<double> recoveries_ms;
+
+  void take(const flight_outcome& each);
+};
+
+class drill_book {
+public:
+  // KEEPS_ALL: the document has each flight and not only those with a flaw.
+  explicit drill_book(bool keeps_all) : keeps_all_(keeps_all) {}
+
+  void take(const flight_outcome& each);
+
+  [[nodiscard]] const flight_figures& total() const { return total_; }
+  // TOOK_S: of this machine, by all workers together.
+  [[nodiscard]] std::string to_table(double took_s) const;
+  [[nodiscard]] nlohmann::json to_json(double took_s) const;
+
+private:
+  bool keeps_all_;
+  std::map<std::string, flight_figures> groups_;
+  flight_figures total_;
+  nlohmann::json kept_ = nlohmann::json::array();
+};
+
+// With AGAIN, the command that flies it once more.
+[[nodiscard]] std::string text_of_failure(const flight_outcome& each, const std::string& again);
+
+} // namespace godwit::drill

@@ -1,0 +1,191 @@
+#include "programs/godwit-drill/flights/flight_drill.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <span>
+
+#include "programs/common/exit_code.hpp"
+#include "programs/godwit-drill/flights/case_runner.hpp"
+#include "programs/godwit-drill/flights/drill_book.hpp"
+#include "programs/godwit-drill/flights/flight_case.hpp"
+#include "programs/godwit-drill/flights/random_flight.hpp"
+#include "programs/godwit-drill/progress_bar.hpp"
+
+namespace godwit::drill {
+namespace {
+
+using programs::exit_code;
+
+constexpr std::array all_vehicles{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
+                                  sim::personality::plane};
+constexpr std::size_t most_stories = 10; // of one run; a failing flight behind these is named without its story
+
+std::vector<sim::personality> vehicles_of(const flight_drill_options& options) {
+  if (options.who)
+    return {*options.who};
+  return {all_vehicles.begin(), all_vehicles.end()};
+}
+
+// How many commits a whole flight of each has. Flown by workers, as all flights are: nothing of a flight is left here.
+std::vector<std::uint64_t> count_commits(vehicles which, unsigned jobs) {
+  std::vector<std::uint64_t> result(which.size());
+  run_cases(
+      which.size(), {.jobs = jobs}, [&](std::size_t i) { return fly_undisturbed(which[i], {}); },
+      [&](std::size_t i, const flight_outcome& outcome) { result[i] = outcome.commits; });
+  return result;
+}
+
+std::vector<flight_case> cases_of(const flight_drill_options& options) {
+  const auto which = vehicles_of(options);
+  switch (options.which) {
+  case flight_drill::simulate:
+    return {};
+  case flight_drill::actors:
+    return actor_cases(which);
+  case flight_drill::process:
+    return process_cases(which, count_commits(which, options.jobs));
+  case flight_drill::people:
+    return people_cases(which);
+  }
+  return {};
+}
+
+// The options that change what a flight of this name is.
+std::string words_of(const flight_drill_options& options) {
+  std::string result = "godwit-drill " + std::string(io::name_of(options.which));
+  if (options.who && options.which == flight_drill::simulate)
+    result += " --personality " + std::string(io::name_of(*options.who));
+  if (options.planted != planted_flaw::none)
+    result += " --plant " + std::string(io::name_of(options.planted));
+  return result;
+}
+
+// The flights of a run by their index: where they come from, and how each is flown again.
+class flight_list {
+public:
+  explicit flight_list(const flight_drill_options& options) : options_(options), cases_(cases_of(options)) {
+    if (!options.only.empty())
+      std::erase_if(cases_, [&](const flight_case& each) { return each.name != options.only; });
+    if (options.sample && *options.sample < cases_.size()) {
+      std::mt19937_64 drawn(options.sample_seed);
+      std::ranges::shuffle(cases_, drawn);
+      cases_.resize(*options.sample);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const {
+    return is_by_seed() ? options_.seeds.last - options_.seeds.first + 1 : cases_.size();
+  }
+  [[nodiscard]] std::string name(std::size_t index) const {
+    return is_by_seed() ? "seed " + std::to_string(options_.seeds.first + index) : cases_[index].name;
+  }
+  [[nodiscard]] std::string group(std::size_t index) const {
+    return is_by_seed() ? "process gone" : cases_[index].group;
+  }
+  [[nodiscard]] std::string again(std::size_t index) const {
+    if (!is_by_seed())
+      return words_of(options_) + " --only " + cases_[index].name;
+    return words_of(options_) + " --seeds " + std::to_string(options_.seeds.first + index);
+  }
+  [[nodiscard]] flight_outcome fly(std::size_t index) const {
+    const flight_wishes wishes{options_.planted, size() == 1};
+    return is_by_seed() ? fly_random(options_.seeds.first + index, options_.who, wishes) : cases_[index].fly(wishes);
+  }
+
+private:
+  [[nodiscard]] bool is_by_seed() const { return options_.which == flight_drill::simulate; }
+
+  const flight_drill_options& options_;
+  std::vector<flight_case> cases_;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point began) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+bool write_json(const std::string& file, nlohmann::json document, const flight_drill_options& options) {
+  document["drill"] = io::name_of(options.which);
+  document["jobs"] = options.jobs;
+  std::ofstream out(file);
+  out << document.dump(2) << '\n';
+  return static_cast<bool>(out.flush());
+}
+
+int say_end(const drill_book& book, const flight_list& flights, const flight_drill_options& options, double took_s) {
+  std::printf("\n%s", book.to_table(took_s).c_str());
+  if (!options.json_file.empty() && !write_json(options.json_file, book.to_json(took_s), options)) {
+    std::fprintf(stderr, "godwit-drill: %s can not be written\n", options.json_file.c_str());
+    return static_cast<int>(exit_code::failed);
+  }
+  const auto failed = book.total().failed;
+  if (failed > 0) {
+    std::printf("FAILED: %llu of %zu flights\n", static_cast<unsigned long long>(failed), flights.size());
+    return static_cast<int>(exit_code::failed);
+  }
+  std::printf("passed: nothing lost, nothing doubled, no promise broken\n");
+  return static_cast<int>(exit_code::ok);
+}
+
+} // namespace
+
+std::optional<seed_range> seed_range_from(const std::string& text) {
+  const auto dots = text.find("..");
+  seed_range result;
+  const auto read = [](std::string_view digits, std::uint64_t& to) {
+    const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), to);
+    return code == std::errc() && end == digits.data() + digits.size();
+  };
+  const std::string_view whole = text;
+  if (!read(whole.substr(0, dots), result.first))
+    return std::nullopt;
+  result.last = result.first;
+  if (dots != std::string::npos && !read(whole.substr(dots + 2), result.last))
+    return std::nullopt;
+  if (result.last < result.first || result.last - result.first == UINT64_MAX)
+    return std::nullopt;
+  return result;
+}
+
+int run_flight_drill(const flight_drill_options& options) {
+  const flight_list flights(options);
+  if (flights.size() == 0) {
+    std::fprintf(stderr, "godwit-drill: there is no flight %s in this drill\n", options.only.c_str());
+    return static_cast<int>(exit_code::usage);
+  }
+  std::printf("%s: %zu flights, %u at a time\n", words_of(options).c_str(), flights.size(), options.jobs);
+  if (options.sample)
+    std::printf("drawn with --sample %llu --sample-seed %llu\n", static_cast<unsigned long long>(*options.sample),
+                static_cast<unsigned long long>(options.sample_seed));
+  std::fflush(stdout);
+  drill_book book(options.which != flight_drill::simulate);
+  progress_bar bar(flights.size());
+  const auto began = std::chrono::steady_clock::now();
+  run_cases(
+      flights.size(), {.jobs = options.jobs}, [&](std::size_t index) { return flights.fly(index); },
+      [&](std::size_t index, flight_outcome outcome) {
+        if (outcome.name.empty()) { // its process is gone
+          outcome.name = flights.name(index);
+          outcome.group = flights.group(index);
+        }
+        book.take(outcome);
+        const auto failed = book.total().failed;
+        if (!outcome.held()) {
+          if (failed > most_stories)
+            outcome.story.clear();
+          std::printf("%s", text_of_failure(outcome, flights.again(index)).c_str());
+          std::fflush(stdout);
+        } else if (flights.size() == 1) {
+          std::printf("%s", outcome.story.c_str());
+        }
+        bar.show(book.total().flights, std::to_string(failed) + " failed");
+      });
+  bar.finish();
+  return say_end(book, flights, options, seconds_since(began));
+}
+
+} // namespace godwit::drill

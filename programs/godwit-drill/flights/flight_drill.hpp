@@ -1,0 +1,47 @@
+// Flies all cases of one drill and says what came of them. Thread: one, and no other in the process.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
+#include "programs/godwit-sim/vehicle/personality.hpp"
+
+namespace godwit::drill {
+
+enum class flight_drill { simulate, actors, process, people };
+
+constexpr auto enum_names(flight_drill) {
+  return io::names<flight_drill>({{flight_drill::simulate, "simulate"},
+                                  {flight_drill::actors, "actors"},
+                                  {flight_drill::process, "process"},
+                                  {flight_drill::people, "people"}});
+}
+
+struct seed_range {
+  std::uint64_t first = 1;
+  std::uint64_t last = 100; // flown, too
+};
+
+// "A..B" or "A". Nothing: it is neither, or A is behind B.
+[[nodiscard]] std::optional<seed_range> seed_range_from(const std::string& text);
+
+struct flight_drill_options {
+  flight_drill which = flight_drill::simulate;
+  seed_range seeds;                    // of simulate
+  std::optional<sim::personality> who; // else all that the drill knows
+  std::string only;                    // name of the one case that is flown, and its story told
+  std::optional<std::uint64_t> sample; // so many of the cases, drawn by sample_seed; else all
+  std::uint64_t sample_seed = 1;
+  unsigned jobs = 1;
+  planted_flaw planted = planted_flaw::none;
+  std::string json_file; // empty: none
+};
+
+// Says it on stdout, and on stderr how far it is. The exit code: 0, 1 (a flight has a flaw, or the file can not be
+// written) or 2 (there is no such case).
+[[nodiscard]] int run_flight_drill(const flight_drill_options& options);
+
+} // namespace godwit::drill

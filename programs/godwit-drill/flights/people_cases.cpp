@@ -1,0 +1,125 @@
+// A person takes the vehicle by a mode of it, and godwit knows of it from the vehicle alone: nothing is commanded
+// behind that until somebody hands it back. Then they say that it goes on; where godwit can not (a plane does not take
+// off again) it waits, and says for what.
+//
+// The mission mode is none of these modes: while the mission flies nobody can tell it from godwit's own.
+#include <array>
+
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flights/flight_case.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
+
+namespace godwit::drill {
+namespace {
+
+using executor::pause_cause;
+using executor::phase;
+
+constexpr std::array parts{phase::ready, phase::starting, phase::flying, phase::landing, phase::paused};
+
+sim::mode_table modes_of(sim::personality who) {
+  switch (who) {
+  case sim::personality::rover:
+    return sim::rover_modes();
+  case sim::personality::px4:
+    return sim::px4_modes();
+  case sim::personality::ardupilot:
+    return sim::copter_modes();
+  case sim::personality::plane:
+    return sim::plane_modes();
+  }
+  return {};
+}
+
+struct takeover {
+  sim::personality who;
+  phase part; // paused: in flight, by a word of an operator
+  sim::flight_mode mode;
+
+  [[nodiscard]] std::string group() const {
+    return std::string(io::name_of(who)) + "/" + std::string(io::name_of(part));
+  }
+  [[nodiscard]] std::string name() const { return group() + "/" + std::string(mode.name); }
+};
+
+// False: the flight has no such part.
+bool reach(flight_simulation& flight, phase part) {
+  const auto is_there = [&] { return flight.status().now == part || executor::is_at_rest(flight.status().now); };
+  if (part != phase::paused && part != phase::flying)
+    return flight.run_until(is_there, 120) && flight.status().now == part;
+  const auto is_on_its_way = [&] {
+    const auto seen = flight.vehicle().describe();
+    return flight.status().now == phase::flying && (seen.in_air || flight.who() == sim::personality::rover);
+  };
+  if (!flight.run_until(is_on_its_way, 120))
+    return false;
+  flight.run_for(1);
+  if (part == phase::flying)
+    return flight.status().now == phase::flying;
+  flight.say(operators::command_kind::pause);
+  const bool is_paused = flight.run_until_phase(phase::paused, 20);
+  flight.run_for(6); // an order of the last 5 s could be what changed the mode
+  return is_paused && flight.status().cause == pause_cause::asked;
+}
+
+// Why it can not be taken here; empty: it is.
+std::string take(flight_simulation& flight, const takeover& what) {
+  if (!reach(flight, what.part))
+    return "the flight has no such part";
+  if (flight.vehicle().describe().mode == what.mode.name)
+    return "it is in this mode already";
+  flight.switch_mode(what.mode.custom);
+  flight.run_for(0.1);
+  return flight.vehicle().describe().mode == what.mode.name ? "" : "the vehicle does not change to it";
+}
+
+void leave_alone(watched_flight& watched, const takeover& what) {
+  constexpr double seen_within_s = 3; // heartbeats come each second, and those of a mode change at once
+  constexpr double left_alone_s = 15;
+  auto& flight = watched.flight();
+  const auto taken_ns = flight.now_ns();
+  const auto is_seen = [&] { return executor::needs_hand_back(flight.status().cause); };
+  if (flight.run_until(is_seen, seen_within_s)) {
+    ++watched.so_far().takeovers;
+    watched.note_recovery(static_cast<double>(flight.now_ns() - taken_ns) * 1e-6);
+  } else if (what.part != phase::ready) { // on the ground it is enough that nothing is commanded
+    watched.expect("godwit has not seen that a person has the vehicle");
+  }
+  const auto since_ns = flight.now_ns();
+  flight.run_for(left_alone_s);
+  const auto moves = moves_since(flight, since_ns);
+  watched.expect(moves == 0 ? "" : std::to_string(moves) + " commands went out while a person had the vehicle");
+  const auto seen = flight.vehicle().describe();
+  if (!seen.armed && seen.mode == what.mode.name)
+    flight.switch_mode(pilot_mode(what.who)); // who hands it back on the ground leaves it in a mode that can be armed
+}
+
+flight_outcome fly(const takeover& what, const flight_wishes& wishes) {
+  const bool waits_for_start = what.part == phase::ready;
+  watched_flight watched({.who = what.who, .starts_by_itself = !waits_for_start}, wishes, what.name(), what.group());
+  watched.so_far().skipped = take(watched.flight(), what);
+  if (watched.so_far().skipped.empty())
+    leave_alone(watched, what);
+  if (waits_for_start)
+    watched.expect(start_by_station(watched.flight()) ? "" : "a station could not start it");
+  return watched.finish_or_wait();
+}
+
+} // namespace
+
+std::vector<flight_case> people_cases(vehicles which) {
+  std::vector<flight_case> result;
+  for (const auto who : which)
+    for (const auto part : parts)
+      for (const auto& mode : modes_of(who)) {
+        if (mode.kind == sim::mode_kind::mission)
+          continue;
+        const takeover what{who, part, mode};
+        result.push_back(
+            {what.name(), what.group(), [what](const flight_wishes& wishes) { return fly(what, wishes); }});
+      }
+  return result;
+}
+
+} // namespace godwit::drill

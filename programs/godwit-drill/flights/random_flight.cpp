@@ -1,0 +1,140 @@
+#include "programs/godwit-drill/flights/random_flight.hpp"
+
+#include <array>
+#include <random>
+#include <string>
+
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
+#include "programs/godwit-drill/flights/actor_names.hpp"
+
+namespace godwit::drill {
+namespace {
+
+using executor::phase;
+using runtime::crash_point;
+
+enum class trouble {
+  kill_process,
+  kill_at_commit,
+  throw_somewhere,
+  kill_actor,
+  pilot,
+  pause,
+  assignment,
+  cut,
+  service
+};
+constexpr std::size_t kinds_of_trouble = 9;
+constexpr std::size_t most_troubles = 6;
+constexpr std::uint64_t known_vehicles = 3; // the plane is not among them (docs/roadmap.md)
+
+class random_flight {
+public:
+  random_flight(std::uint64_t seed, std::optional<sim::personality> who, const flight_wishes& wishes)
+      : test_rng_(seed), who_(drawn(who)), watched_(any_flight(test_rng_, who_, seed), wishes,
+                                                    "seed " + std::to_string(seed), std::string(io::name_of(who_))),
+        flight_(watched_.flight()) {}
+
+  flight_outcome fly() {
+    const auto troubles = test_rng_() % (most_troubles + 1);
+    for (std::size_t i = 0; i < troubles && !executor::is_at_rest(flight_.status().now); ++i) {
+      flight_.run_for(0.05 * static_cast<double>(test_rng_() % 200));
+      make(static_cast<trouble>(test_rng_() % kinds_of_trouble));
+    }
+    return watched_.finish();
+  }
+
+private:
+  // Drawn also when it is named, so that the rest of the flight is the same.
+  sim::personality drawn(std::optional<sim::personality> who) {
+    const auto any = static_cast<sim::personality>(test_rng_() % known_vehicles);
+    return who.value_or(any);
+  }
+
+  // Half of the lines lose and double frames.
+  static flight_simulation::options any_flight(std::mt19937_64& test_rng, sim::personality who, std::uint64_t seed) {
+    flight_simulation::options result{.who = who, .seed = seed};
+    if (test_rng() % 2 == 0)
+      return result;
+    result.line.in.loss = result.line.out.loss = 0.01 * static_cast<double>(test_rng() % 6);
+    result.line.in.duplication = result.line.out.duplication = 0.01 * static_cast<double>(test_rng() % 6);
+    return result;
+  }
+
+  const char* any_actor() { return actor_names[test_rng_() % actor_names.size()]; }
+
+  void make(trouble what) {
+    switch (what) {
+    case trouble::kill_process:
+      return flight_.kill_process();
+    case trouble::kill_at_commit:
+      return flight_.kill_process_at_commit(flight_.commits() + 1 + test_rng_() % 5,
+                                            static_cast<flight_simulation::side>(test_rng_() % 2));
+    case trouble::throw_somewhere:
+      if (auto* process = flight_.process()) {
+        process->crash_at(any_actor(), static_cast<crash_point>(test_rng_() % 4));
+        ++watched_.so_far().crashes;
+      }
+      return;
+    case trouble::kill_actor:
+      if (auto* process = flight_.process())
+        watched_.so_far().crashes += process->kill(any_actor()) ? 1 : 0;
+      return;
+    case trouble::pilot:
+      return take_over();
+    case trouble::pause:
+      return flight_.say(operators::command_kind::pause);
+    case trouble::assignment:
+      return assign();
+    case trouble::cut:
+      return flight_.cut_line(0.1 * static_cast<double>(test_rng_() % 100));
+    case trouble::service:
+      return flight_.service().set_fault(std::array{"lose on post-progress times 2", "status 503 times 3",
+                                                    "drop times 3", "delay 2s times 2"}[test_rng_() % 4]);
+    }
+  }
+
+  // In the middle of a mission; a kill of the process meanwhile changes nothing.
+  void take_over() {
+    const auto& at = flight_.status();
+    if (!at.in_flight || at.now != phase::flying || !flight_.vehicle().describe().armed)
+      return;
+    flight_.switch_mode(pilot_mode(who_));
+    if (!flight_.run_until_phase(phase::paused, 8) || flight_.status().cause != executor::pause_cause::taken_over)
+      return; // it had come to its end meanwhile
+    ++watched_.so_far().takeovers;
+    const auto since_ns = flight_.now_ns();
+    if (test_rng_() % 3 == 0)
+      flight_.kill_process();
+    flight_.run_for(4);
+    watched_.expect(moves_since(flight_, since_ns) == 0 ? "" : "something was commanded after a takeover");
+  }
+
+  void assign() {
+    if (flight_.reports().empty())
+      return;
+    const auto name = "n" + std::to_string(++assignments_);
+    sim::missions::assignment_request wanted;
+    wanted.replace_after_item_id = test_rng_() % 2 == 0 ? "w1" : "w2";
+    wanted.items = {place(who_, name + "a", 20, 20), place(who_, name + "b", -30, 20)};
+    if (who_ != sim::personality::rover)
+      wanted.items.push_back(way_home(who_, name + "home"));
+    (void)flight_.service().assign(flight_.mission_id(), wanted, flight_.now_ns());
+  }
+
+  std::mt19937_64 test_rng_;
+  sim::personality who_;
+  watched_flight watched_;
+  flight_simulation& flight_;
+  int assignments_ = 0;
+};
+
+} // namespace
+
+flight_outcome fly_random(std::uint64_t seed, std::optional<sim::personality> who, const flight_wishes& wishes) {
+  return random_flight(seed, who, wishes).fly();
+}
+
+} // namespace godwit::drill

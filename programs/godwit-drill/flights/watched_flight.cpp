@@ -1,0 +1,72 @@
+#include "programs/godwit-drill/flights/watched_flight.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+
+namespace godwit::drill {
+namespace {
+
+flight_simulation::options recorded(flight_simulation::options wanted, const flight_wishes& wishes) {
+  wanted.is_recorded = true;
+  wanted.planted = wishes.planted;
+  return wanted;
+}
+
+} // namespace
+
+watched_flight::watched_flight(flight_simulation::options wanted, const flight_wishes& wishes, std::string name,
+                               std::string group)
+    : wishes_(wishes), flight_(recorded(std::move(wanted), wishes)) {
+  outcome_.name = std::move(name);
+  outcome_.group = std::move(group);
+}
+
+void watched_flight::expect(const std::string& flaw) {
+  if (!flaw.empty())
+    outcome_.flaws.push_back(flaw);
+}
+
+void watched_flight::note_recovery(double ms) { outcome_.recovery_ms = std::max(ms, outcome_.recovery_ms.value_or(0)); }
+
+flight_outcome watched_flight::finish() {
+  expect(fly_with_help(flight_) ? "" : "it has no end");
+  expect(flaw_of_end(flight_));
+  expect(flaw_of_place(flight_));
+  return judge();
+}
+
+flight_outcome watched_flight::finish_or_wait() {
+  constexpr double decides_within_s = 20; // what the last word of a person brings
+  const auto waits = [&] {
+    const auto& at = flight_.status();
+    const bool is_with_person = at.now == executor::phase::paused || at.now == executor::phase::ready;
+    return executor::is_at_rest(at.now) || (is_with_person && !at.reason.empty());
+  };
+  (void)fly_with_help(flight_);
+  expect(flight_.run_until(waits, decides_within_s) ? "" : "it neither ends nor waits for a person");
+  return judge();
+}
+
+flight_outcome watched_flight::judge() {
+  expect(flaw_of_reports(flight_));
+  for (const auto& each : flight_.record().broken())
+    expect(each);
+  const auto counts = count_reports(flight_);
+  outcome_.lost = counts.lost;
+  outcome_.doubled = counts.doubled;
+  outcome_.kills = static_cast<std::uint64_t>(std::max(flight_.processes() - 1, 0));
+  outcome_.commits = flight_.commits();
+  outcome_.deliveries = flight_.record().deliveries();
+  if (const auto took_ns = flight_.process_recovery_ns())
+    note_recovery(static_cast<double>(*took_ns) * 1e-6);
+  outcome_.flown_s = static_cast<double>(flight_.now_ns()) * 1e-9;
+  outcome_.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  if (wishes_.tells_story || !outcome_.held())
+    outcome_.story = flight_.story();
+  return outcome_;
+}
+
+} // namespace godwit::drill

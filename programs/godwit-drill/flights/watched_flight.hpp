@@ -1,0 +1,44 @@
+// One flight of a drill with its judges: what goes wrong is made by the drill, what must hold is asked here.
+// Thread: one.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
+#include "programs/godwit-drill/flights/flight_outcome.hpp"
+
+namespace godwit::drill {
+
+// Of all flights of a drill.
+struct flight_wishes {
+  planted_flaw planted = planted_flaw::none;
+  bool tells_story = false; // also of a flight without a flaw
+};
+
+class watched_flight {
+public:
+  watched_flight(flight_simulation::options wanted, const flight_wishes& wishes, std::string name, std::string group);
+
+  [[nodiscard]] flight_simulation& flight() { return flight_; }
+  [[nodiscard]] flight_outcome& so_far() { return outcome_; }
+  // A sentence; empty ones are no flaw.
+  void expect(const std::string& flaw);
+  // The longest one counts.
+  void note_recovery(double ms);
+  // Lets it come to its end with the help of people, and asks all judges; the vehicle must stand where its mission
+  // leads.
+  [[nodiscard]] flight_outcome finish();
+  // The same, where a person has led the vehicle away: it may also wait for a person, and say for what.
+  [[nodiscard]] flight_outcome finish_or_wait();
+
+private:
+  [[nodiscard]] flight_outcome judge();
+
+  flight_wishes wishes_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  flight_simulation flight_;
+  flight_outcome outcome_;
+};
+
+} // namespace godwit::drill

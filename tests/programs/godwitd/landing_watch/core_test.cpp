@@ -42,10 +42,17 @@ TEST(landing_watch, a_vehicle_that_is_not_heard_does_not_stand) {
   EXPECT_FALSE(watch.stands(124 * s)) << "it may have been armed meanwhile";
 }
 
+runtime::child_report child(const std::string& name, runtime::child_phase phase) {
+  runtime::child_report result;
+  result.name = name;
+  result.phase = phase;
+  return result;
+}
+
 TEST(landing_watch, who_is_restarted_is_not_given_up) {
   runtime::children all;
   for (const auto phase : {runtime::child_phase::running, runtime::child_phase::starting}) {
-    all.list = {{.name = "executor", .phase = phase}, {.name = "other", .phase = runtime::child_phase::given_up}};
+    all.list = {child("executor", phase), child("other", runtime::child_phase::given_up)};
     EXPECT_FALSE(is_given_up(all, "executor"));
   }
   all.list[0].phase = runtime::child_phase::given_up;

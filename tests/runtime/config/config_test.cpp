@@ -53,7 +53,7 @@ TEST(config, an_empty_document_is_the_default_configuration_of_the_runtime) {
   ASSERT_TRUE(loaded) << loaded.error().message();
   const auto expected = json::parse(R"({
     "journal": {"path": "godwit.db"},
-    "trace": {"directory": "trace", "segment_mib": 8, "total_mib": 256, "flush_ms": 100},
+    "trace": {"directory": "trace", "segment_mib": 8, "total_mib": 256, "flush_ms": 100, "links": true},
     "scheduler": {"workers": 0, "max_throughput": 20},
     "supervision": {"ping_period_ms": 1000, "ping_warn_ms": 3000, "ping_fatal_ms": 10000, "stop_timeout_ms": 2000}
   })");
@@ -86,11 +86,12 @@ TEST(config, given_values_stay_beside_the_defaults) {
 }
 
 TEST(config, all_errors_are_reported_at_once_with_path_and_allowed_values) {
-  EXPECT_EQ(message_of(R"({"trace": {"total_mib": 5, "segmnt_mib": 4}, "scheduler": {"workers": "two"}})"),
-            "godwit.json: scheduler.workers is \"two\"; allowed: a whole number from 0 to 256\n"
-            "godwit.json: trace.total_mib is 5; allowed: a whole number from 16 to 65536\n"
-            "godwit.json: trace.segmnt_mib is not known; did you mean segment_mib?; allowed: directory, flush_ms, "
-            "segment_mib, total_mib");
+  EXPECT_EQ(
+      message_of(R"({"trace": {"total_mib": 5, "segmnt_mib": 4}, "scheduler": {"workers": "two"}})"),
+      "godwit.json: scheduler.workers is \"two\"; allowed: a whole number from 0 to 256\n"
+      "godwit.json: trace.total_mib is 5; allowed: a whole number from 16 to 65536\n"
+      "godwit.json: trace.segmnt_mib is not known; did you mean segment_mib?; allowed: directory, flush_ms, links, "
+      "segment_mib, total_mib");
 }
 
 TEST(config, the_number_of_reported_problems_has_a_bound_and_the_rest_is_counted) {

@@ -204,6 +204,26 @@ std::size_t bytes_of_records(const reading& seen) {
   return bytes;
 }
 
+// These in their order, but for what lies within a record that is none: a beginning of a frame that the bytes behind it
+// make one of an unknown id, or, once in 65,536, one with a right checksum.
+bool is_whole_but_for(std::size_t unknown_frames, const std::vector<plain_record>& seen,
+                      const std::vector<plain_record>& expected) {
+  constexpr std::size_t shortest_record = tlog_time_size + 12;
+  constexpr std::size_t most_chances = 1;
+  std::size_t chances = 0;
+  auto next = expected.begin();
+  for (const auto& each : seen) {
+    const auto found = std::find(next, expected.end(), each);
+    if (found == expected.end())
+      ++chances;
+    else
+      next = found + 1;
+  }
+  const auto missing = expected.size() + chances - seen.size();
+  return chances <= most_chances &&
+         missing <= (unknown_frames + chances) * (max_tlog_record_size / shortest_record + 1);
+}
+
 // Right records with anything between them, or a file cut anywhere: what is whole comes out, in its order.
 RC_GTEST_PROP(mavlink_tlog_reader_property, no_right_frame_is_lost, ()) {
   std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
@@ -222,13 +242,15 @@ RC_GTEST_PROP(mavlink_tlog_reader_property, no_right_frame_is_lost, ()) {
     expected.push_back({time_us, to_hex(frame)});
   }
   const auto whole = read_bytes(log.bytes());
-  RC_ASSERT(verified(whole) == expected);
+  const auto right = verified(whole);
+  RC_ASSERT(is_whole_but_for(whole.records.size() - right.size(), right, expected));
   RC_ASSERT(bytes_of_records(whole) + whole.counts.skipped_bytes == log.bytes().size());
 
   const auto cut = read_bytes(byte_view(log.bytes()).first(random() % log.bytes().size()));
   const auto before_cut = verified(cut);
-  RC_ASSERT(before_cut.size() <= expected.size());
-  RC_ASSERT(std::equal(before_cut.begin(), before_cut.end(), expected.begin()));
+  RC_ASSERT(is_whole_but_for(expected.size(), before_cut, expected));
+  RC_ASSERT(cut.records.size() > before_cut.size() || right != expected ||
+            std::equal(before_cut.begin(), before_cut.end(), expected.begin()));
   RC_ASSERT(may_break || cut.counts.skipped_bytes < max_tlog_record_size);
 }
 

@@ -198,6 +198,8 @@ effects core::on_telemetry(const telemetry& m, instant now) {
 effects core::on_progress(const mission_progress& m, instant now) {
   decision_context t(*this, now);
   progress_ = m;
+  if (m.state != mavlink::mission_state::active)
+    is_hold_asked_ = false;
   // The start item is used up, whoever started the mission.
   if (is_running() && noted_start_item_ && !starts_.is_asked() && !is_busy_with_disk()) {
     noted_start_item_.reset();

@@ -234,6 +234,7 @@ private:
   start_dedup starts_;
   command_dedup words_;
   passing::act_queue acts_;
+  bool is_hold_asked_ = false; // through a station, and not shown by the progress yet
   passing::budget to_vehicle_{to_vehicle_most};
   passing::budget to_stations_{to_stations_most};
   vehicle_role::current_report report_;

@@ -292,11 +292,12 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
 }
 
 void core::start_or_resume(decision_context& t, vehicle_role::order what) {
-  if (is_running() && mode_.kind == mode_kind::mission)
+  const bool is_held = std::exchange(is_hold_asked_, false);
+  if (!is_held && is_running() && mode_.kind == mode_kind::mission)
     return answer(t, what, mav_result::accepted);
   what.param1 = what.param2 = 0;
   const auto state = progress_ ? progress_->state : mavlink::mission_state::unknown;
-  if (is_armed_ && state == mavlink::mission_state::paused)
+  if (is_armed_ && (is_held || state == mavlink::mission_state::paused))
     return say_word_of(t, what, operators::command_kind::resume);
   start(t, what);
 }
@@ -322,6 +323,8 @@ effects core::on_act_answer(std::uint64_t request, const executor::act_answer& m
       refuse_act(t, *asked, m.reason);
     else if (asked->order)
       answer(t, *asked->order, mav_result::accepted);
+    if (m.verdict == act_verdict::done && asked->act.kind == act_kind::hold)
+      is_hold_asked_ = true;
   }
   finish(t);
   return std::move(t.done);

@@ -82,7 +82,9 @@ std::string operator_control::why_not(const operators::command& m, bool has_look
 }
 
 std::string operator_control::why_not_resume() const {
-  if (flight_.s.status.now != phase::paused)
+  const auto& doing = flight_.runner.doing();
+  const bool is_pausing = doing && doing->kind == task_kind::hold; // then it goes on behind that
+  if (flight_.s.status.now != phase::paused && !is_pausing)
     return "the flight is not paused: " + flight_.sentence();
   if (flight_.is_in_flight() && !flight_.view.is_under_way())
     return "the vehicle stands on the ground; say it again when its flight has ended, in a few seconds";

@@ -106,6 +106,16 @@ TEST_P(station_acts, a_hold_in_flight_is_godwits_pause) {
   EXPECT_EQ(world.durable().status.cause, pause_cause::asked);
 }
 
+TEST_P(station_acts, a_resume_right_behind_a_hold_goes_on_when_it_holds) {
+  ASSERT_TRUE(fly());
+  ASSERT_EQ(world.station_does(act_kind::hold).verdict, act_verdict::done);
+  EXPECT_TRUE(world.say(command_kind::resume).is_taken);
+  EXPECT_TRUE(
+      world.run_until([&] { return world.durable().status.now == phase::flying && !world.durable().doing; }, 20))
+      << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
 TEST_P(station_acts, a_hold_of_who_has_the_vehicle_is_passed_on) {
   ASSERT_TRUE(fly());
   (void)world.station_does(act_kind::command);

@@ -309,6 +309,20 @@ TEST_F(ground_port_passing, the_mission_mode_resumes_a_flight_that_is_paused) {
   EXPECT_EQ(port.last<mavlink::command_ack>().command, 176);
 }
 
+TEST_F(ground_port_passing, the_mission_mode_right_behind_a_hold_resumes_and_is_no_repeated_start) {
+  port.upload(3);
+  set_mode(3);
+  port.executor_answers(executor::start_verdict::started);
+  port.vehicle_says(copter_beat(3, true));
+  port.executor_says(mission_progress{port.shown().plans[0].plan_id, 1, mavlink::mission_state::active});
+  set_mode(17);
+  port.executor_says(act_verdict::done);
+  set_mode(3); // before anything shows the hold
+  ASSERT_EQ(port.words.size(), 1U);
+  EXPECT_EQ(port.words[0].what.kind, operators::command_kind::resume);
+  EXPECT_EQ(port.starts.size(), 1U);
+}
+
 TEST_F(ground_port_passing, a_mode_of_a_vehicle_that_was_never_heard_is_refused) {
   port_fixture fresh(passing_settings());
   fresh.say(command(mav_cmd::do_set_mode, 1, 3));

@@ -26,6 +26,9 @@ const vehicles = {
 
 const number_of = ([main, sub]) => (sub === undefined ? main : (main << 16 | sub << 24) >>> 0);
 
+// A person's: godwit, too, has seen by then what the station has seen.
+const a_moment = () => new Promise((go) => setTimeout(go, 300));
+
 async function see_mode(station, mode, within_ms = 10_000) {
   const shows = ({ autopilot, customMode }) => autopilot !== 8 && customMode === number_of(mode);
   check(await station.wait_for(["HEARTBEAT"], shows, within_ms), `the vehicle does not show mode ${mode}`);
@@ -51,6 +54,11 @@ async function see_progress(station) {
     "the mission is not shown as active");
 }
 
+async function see_in_air(station) {
+  const in_air = ({ relativeAlt }) => relativeAlt > 8_000;
+  check(await station.wait_for(["GLOBAL_POSITION_INT"], in_air, 20_000), "the vehicle does not take off");
+}
+
 async function prepare(station, { plan }) {
   check(await station.wait_for(["HEARTBEAT"], undefined, undefined, 0), "no heartbeat of the vehicle is forwarded");
   check(await station.upload(plan) === accepted, "the upload was refused");
@@ -64,10 +72,12 @@ async function as_mavsdk(station, vehicle) {
   check(await station.command(arm, [1]) === accepted, "arming is refused");
   await start_by_mode(station, vehicle.mission);
   await see_progress(station);
+  if (vehicle.plan === flight) await see_in_air(station);
   await change_mode(station, vehicle.hold);
   await see_mode(station, vehicle.hold);
   await change_mode(station, vehicle.mission);
   await see_mode(station, vehicle.mission);
+  await a_moment();
   await change_mode(station, vehicle.home);
   await see_mode(station, vehicle.home);
 }
@@ -81,13 +91,13 @@ async function as_mavproxy(station, vehicle) {
   const armed = ({ autopilot, baseMode }) => autopilot !== 8 && (baseMode & is_armed) !== 0;
   check(await station.wait_for(["HEARTBEAT"], armed, 10_000), "the vehicle is not armed");
   check(await station.command(nav_takeoff, [0, 0, 0, 0, 0, 0, 10]) === accepted, "the take-off is refused");
-  const in_air = ({ relativeAlt }) => relativeAlt > 8_000;
-  check(await station.wait_for(["GLOBAL_POSITION_INT"], in_air, 20_000), "the vehicle does not take off");
+  await see_in_air(station);
   set_mode(vehicle.mission);
   await see_mode(station, vehicle.mission);
   await see_progress(station);
   set_mode(vehicle.loiter);
   await see_mode(station, vehicle.loiter);
+  await a_moment();
   set_mode(vehicle.mission);
   await see_mode(station, vehicle.mission);
   set_mode(vehicle.home);

@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "actors/domain/mission/convert/item_list_import.hpp"
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/fields/field_table.hpp"
@@ -17,17 +16,6 @@ runtime::health_colour colour_of(const phase_status& status) {
     return runtime::health_colour::green;
   const bool is_expected = status.cause == pause_cause::asked || status.cause == pause_cause::plan_ended;
   return is_expected ? runtime::health_colour::yellow : runtime::health_colour::red;
-}
-
-// It is the one that counts now, or counted before: no difference to who has uploaded it. Rally points are not used.
-bool has_taken(const state& s, const plan_taken& m) {
-  using io::mavlink::mav_mission_type;
-  if (m.type == mav_mission_type::mission)
-    return s.station && s.station->plan_id == m.plan_id;
-  if (m.type != mav_mission_type::fence)
-    return true;
-  const auto fences = mission::import_fence_list(m.items);
-  return fences && *fences == s.station_fences;
 }
 
 } // namespace
@@ -71,14 +59,7 @@ actor::behavior_type actor::handlers() {
       on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),
       on_deferred<set_current, current_answer>(
           [this](const set_current& m, std::uint64_t request_id) { obey(m, request_id); }),
-      on<plan_taken>([this](const plan_taken& m) {
-        then(core_->on_station(m, now()));
-        if (others_->port)
-          tell(*others_->port,
-               ground_port::plan_judged{m.type, m.plan_id,
-                                        has_taken(current_state(), m) ? ground_port::plan_verdict::taken
-                                                                      : ground_port::plan_verdict::refused});
-      }),
+      on<plan_taken>([this](const plan_taken& m) { then(core_->on_station(m, now())); }),
       on<plan_cleared>([this](const plan_cleared& m) { then(core_->on_station(m, now())); }),
       hears<io::mavlink::heartbeat>(),
       hears<io::mavlink::current_mode>(),

@@ -15,6 +15,15 @@ namespace transfer = vehicle_link::transfer;
 
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
+// Each part numbers its orders in a range of its own.
+enum class order_owner { runner, recovery, clearing };
+
+order_owner owner_of(std::uint64_t number) {
+  if (number >= first_clearing)
+    return order_owner::clearing;
+  return number >= first_reading_back ? order_owner::recovery : order_owner::runner;
+}
+
 } // namespace
 
 // -- the arbiter ------------------------------------------------------------------------------------
@@ -168,17 +177,35 @@ effects core::on_vehicle(const io::mavlink::home_position& m, instant now) {
 
 // -- orders that waited for the disk, and what became of orders -------------------------------------
 
+bool core::awaits(std::uint64_t number) const {
+  switch (owner_of(number)) {
+  case order_owner::clearing:
+    return clearing_.awaits(number);
+  case order_owner::recovery:
+    return recovery_.awaits(number);
+  case order_owner::runner:
+    break;
+  }
+  return flight_.runner.awaits(number);
+}
+
+bool core::may_go_out(std::uint64_t number) const {
+  switch (owner_of(number)) {
+  case order_owner::clearing:
+    return clearing_.may_go_out();
+  case order_owner::recovery: // it asks for what the vehicle holds, and changes nothing
+    return true;
+  case order_owner::runner:
+    break;
+  }
+  return flight_.runner.may_go_out(flight_.view);
+}
+
 core::release core::lets_out(const order& what, instant now) {
-  const bool is_clearing = what.number >= first_clearing;
-  const bool is_recoverys = !is_clearing && what.number >= first_reading_back;
-  const auto& runner = flight_.runner;
-  if (is_clearing ? !clearing_.awaits(what.number)
-                  : !(is_recoverys ? recovery_.awaits(what.number) : runner.awaits(what.number)))
+  if (!awaits(what.number))
     return release::revoked;
-  if (is_clearing && !clearing_.may_go_out())
-    return release::too_late;
-  if (now.now_ns - what.decided_ns > order_is_worth_ns || flight_.authority.is_unclear() ||
-      (!is_clearing && !is_recoverys && !runner.may_go_out(flight_.view)))
+  const bool is_old = now.now_ns - what.decided_ns > order_is_worth_ns;
+  if (is_old || flight_.authority.is_unclear() || !may_go_out(what.number))
     return release::too_late;
   if (!what.expected.empty())
     flight_.authority.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
@@ -223,14 +250,20 @@ effects core::on_command(std::uint64_t number, const vehicle_link::command_outco
 
 effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome, instant now) {
   effects out;
-  if (number >= first_clearing)
+  switch (owner_of(number)) {
+  case order_owner::clearing:
     clearing_.on_transfer(out, number, outcome);
-  else if (number >= first_reading_back)
+    break;
+  case order_owner::recovery:
     recovery_.take_read_back(out, number, outcome, now);
-  else if (flight_.runner.awaits(number))
-    flight_.runner.on_transfer(flight_.world(now, out), number, outcome);
-  else if (flight_.s.progress.upload) // of a task that was dropped
-    out.emplace_back(note{flight_.runner.uploads().end(outcome)});
+    break;
+  case order_owner::runner:
+    if (flight_.runner.awaits(number))
+      flight_.runner.on_transfer(flight_.world(now, out), number, outcome);
+    else if (flight_.s.progress.upload) // of a task that was dropped
+      out.emplace_back(note{flight_.runner.uploads().end(outcome)});
+    break;
+  }
   return out;
 }
 

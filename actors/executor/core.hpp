@@ -165,6 +165,9 @@ private:
   [[nodiscard]] bool deploy_arrived(effects& out, instant now) { return changes_.deploy_arrived(out, now); }
   [[nodiscard]] bool follow_started(effects& out, instant) { return start_.follow(out); }
   [[nodiscard]] bool take_back(effects& out, instant) { return watch_.take_back(out); }
+  // What the order NUMBER is an answer to is still wanted; and may still be done.
+  [[nodiscard]] bool awaits(std::uint64_t number) const;
+  [[nodiscard]] bool may_go_out(std::uint64_t number) const;
   void lose_plan(effects& out, trigger what, instant now);
   [[nodiscard]] bool leave_to_person(effects& out, instant now);
   [[nodiscard]] bool begin_wanted(effects& out, instant now);

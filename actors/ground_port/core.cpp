@@ -233,7 +233,7 @@ effects core::on_time(instant now) {
       now.monotonic_ns - autopilot_heard_ns_.value_or(0) >= stands_in_again_after_ns)
     stand_down(t, false);
   go_on(t, server_->on_time(now.monotonic_ns));
-  dispatch_effect(t);
+  tell_judged(t);
   if (const auto record = starts_.on_time(now))
     t.note(start_noted{*record});
   if (now.monotonic_ns >= next_beat_ns_)

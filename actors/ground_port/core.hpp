@@ -202,7 +202,7 @@ private:
   void note_change(decision_context& t, const mission_server::plan_change& change,
                    std::optional<mavlink::mission_ack> ack);
   void tell(decision_context& t, const mission_server::reaction& what);
-  void dispatch_effect(decision_context& t);
+  void tell_judged(decision_context& t);
   [[nodiscard]] held held_for(mission_server::reaction&& next) const;
   [[nodiscard]] bool repeats_clear(const mission_server::reaction& next) const;
   void tell_verdict(decision_context& t, held& what);

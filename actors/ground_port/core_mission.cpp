@@ -161,7 +161,7 @@ effects core::on_durable(const plan_resolved& m, instant now) {
       each.on_disk_ns = now.monotonic_ns;
   if (held_.empty())
     show_plans(); // of the executor's: no station waits for it
-  dispatch_effect(t);
+  tell_judged(t);
   finish(t);
   return std::move(t.done);
 }
@@ -171,7 +171,7 @@ effects core::on_plan_judged(const plan_judged& m, instant now) {
   for (auto& each : held_)
     if (take_verdict(each.verdicts, m))
       break;
-  dispatch_effect(t);
+  tell_judged(t);
   finish(t);
   return std::move(t.done);
 }
@@ -194,7 +194,7 @@ std::int64_t core::held::judged_by_ns() const {
 }
 
 // In order: what is on the disk, and judged where the executor has to say what became of it.
-void core::dispatch_effect(decision_context& t) {
+void core::tell_judged(decision_context& t) {
   while (!held_.empty() && held_.front().on_disk_ns) {
     auto& next = held_.front();
     if (!next.is_judged() && t.now.monotonic_ns < next.judged_by_ns())

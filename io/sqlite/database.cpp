@@ -109,10 +109,10 @@ bool database::read_only() const { return sqlite3_db_readonly(handle_.get(), "ma
 std::int64_t database::changes() const { return sqlite3_changes64(handle_.get()); }
 
 std::string quoted(const std::string& text) {
-  std::string result;
+  std::string result = "'";
   for (const char each : text)
-    result += each == '\'' ? "''" : std::string(1, each);
-  return result;
+    result.append(each == '\'' ? 2 : 1, each);
+  return result + "'";
 }
 
 } // namespace godwit::io::sqlite

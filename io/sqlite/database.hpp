@@ -62,7 +62,7 @@ private:
   handle_ptr handle_;
 };
 
-// For a text in a statement that can not have parameters; without the quotation marks around it.
+// TEXT as a literal, for a statement that can not have parameters.
 [[nodiscard]] std::string quoted(const std::string& text);
 
 } // namespace godwit::io::sqlite

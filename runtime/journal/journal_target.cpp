@@ -75,7 +75,7 @@ store_result<void> journal_target::look_at_file() {
 }
 
 tl::expected<io::sqlite::store_file, journal_error> journal_target::copy_to(const std::string& path) {
-  if (is_lost_whole_ && file_->db.exec("VACUUM INTO '" + io::sqlite::quoted(path) + "'"))
+  if (is_lost_whole_ && file_->db.exec("VACUUM INTO " + io::sqlite::quoted(path)))
     if (auto copied = make_file_(path))
       return copied;
   auto made = make_file_(path);

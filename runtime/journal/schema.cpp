@@ -7,6 +7,7 @@ namespace godwit::runtime {
 namespace {
 
 using io::sqlite::database;
+using io::sqlite::quoted;
 using io::sqlite::store_result;
 
 // The last event number of an actor is not stored: a snapshot covers the events that it deletes, so the greater of the
@@ -47,13 +48,6 @@ CREATE VIEW actor AS
 )";
 
 std::int64_t newest(const table_definition& table) { return static_cast<std::int64_t>(table.migrations.size()); }
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text)
-    result.append(c == '\'' ? 2 : 1, c);
-  return result + "'";
-}
 
 // 0 = the table is not there.
 store_result<std::int64_t> version_of(database& db, const std::string& file, const std::string& name) {

@@ -51,8 +51,8 @@ struct flight_context {
   bool is_journal_nearly_full = false;                      // what waits for the disk is near its bound
   command_queue wanted;
   homing_state homing;
-  std::int64_t arming_until_ns =
-      0;                     // a station's arm has gone on to the vehicle, which shows it within a heartbeat or two
+  // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
+  std::int64_t arming_until_ns = 0;
   bool is_home_told = false; // by the vehicle, since it was armed for this flight
   bool was_up = false;       // it has been in the air, as far as this incarnation knows
 

@@ -1,5 +1,6 @@
 #include "actors/executor/flight/gcs_view.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -38,6 +39,15 @@ bool prepare_again(flight_context& flight) {
 // -- what they upload -------------------------------------------------------------------------------
 
 effects gcs_view::on_plan(const plan_taken& m, instant now) {
+  auto out = take(m, now);
+  const bool is_noted = std::ranges::any_of(out, [](const effect& each) { return std::holds_alternative<note>(each); });
+  out.emplace_back(say_to_port{ground_port::plan_judged{m.type, m.plan_id,
+                                                        is_noted || counts(m) ? ground_port::plan_verdict::taken
+                                                                              : ground_port::plan_verdict::refused}});
+  return out;
+}
+
+effects gcs_view::take(const plan_taken& m, instant now) {
   switch (m.type) {
   case mav_mission_type::mission:
     return take_plan(m, now);
@@ -46,6 +56,16 @@ effects gcs_view::on_plan(const plan_taken& m, instant now) {
   default:
     return {announce{"the rally points are not used: a mission returns to one point", true}};
   }
+}
+
+// That it counted before makes no difference to who has uploaded it. Rally points are not used.
+bool gcs_view::counts(const plan_taken& m) const {
+  if (m.type == mav_mission_type::mission)
+    return flight_.s.station && flight_.s.station->plan_id == m.plan_id;
+  if (m.type != mav_mission_type::fence)
+    return true;
+  const auto fences = mission::import_fence_list(m.items);
+  return fences && *fences == flight_.s.station_fences;
 }
 
 effects gcs_view::on_cleared(const plan_cleared& m, bool has_looked, instant now) {

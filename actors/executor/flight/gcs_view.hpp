@@ -19,6 +19,7 @@ public:
            plan_clearing& clearing)
       : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), clearing_(clearing) {}
 
+  // Answered with plan_judged to the port.
   [[nodiscard]] effects on_plan(const plan_taken& m, instant now);
   [[nodiscard]] effects on_cleared(const plan_cleared& m, bool has_looked, instant now);
   [[nodiscard]] effects on_start(const start_mission& m, instant now);
@@ -36,6 +37,8 @@ private:
     bool is_upload = false; // as it came; else as the vehicle has it
   };
   [[nodiscard]] const shown_plan& shown();
+  [[nodiscard]] effects take(const plan_taken& m, instant now);
+  [[nodiscard]] bool counts(const plan_taken& m) const; // it is the one here
   [[nodiscard]] effects take_plan(const plan_taken& m, instant now);
   [[nodiscard]] effects take_fence(const std::vector<io::mavlink::mission_item_int>& items);
   [[nodiscard]] effects not_taken(const std::string& why);

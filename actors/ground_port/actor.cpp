@@ -25,87 +25,53 @@ std::string sentence_for(runtime::ask_errc why) {
 
 template <class M>
 auto actor::hears() {
-  return on<M>([this](const M& message) {
-    carry_out(core_->on_telemetry(message, now()));
-    after_turn();
-  });
+  return on<M>([this](const M& message) { then(core_->on_telemetry(message, now())); });
 }
 
 actor::actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
              std::shared_ptr<const peers> others)
-    : durable_actor(std::move(context)), settings_(std::move(configured)), signing_(std::move(signing)),
-      line_(std::move(line)), others_(std::move(others)) {}
+    : line_actor(std::move(context), std::move(line)), settings_(std::move(configured)), signing_(std::move(signing)),
+      others_(std::move(others)) {}
 
 actor::~actor() = default;
 
 actor::behavior_type actor::handlers() {
-  const auto then = [this](const effects& wanted) {
-    carry_out(wanted);
-    after_turn();
-  };
-  return {on<executor::start_answer>(
-              [this, then](const executor::start_answer& m) { then(core_->on_start_answer(m, now())); }),
-          on<mission_progress>([this, then](const mission_progress& m) { then(core_->on_progress(m, now())); }),
-          on<item_reached>([this, then](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
-          on<status_text>([this, then](const status_text& m) { then(core_->on_status_text(m, now())); }),
-          on<plan_judged>([this, then](const plan_judged& m) { then(core_->on_plan_judged(m, now())); }),
-          on<set_mission>([this, then](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
-          on<get_port>([this](const get_port&) {
-            auto result = core_->describe(now());
-            result.counts.push_back({"dropped_in", line_->incoming().dropped_bytes()});
-            result.counts.push_back({"dropped_out", dropped_out_});
-            return result;
-          }),
-          on<vehicle_link::relayed_frame>(
-              [this, then](const vehicle_link::relayed_frame& m) { then(core_->on_relayed(m, now())); }),
-          hears<mavlink::heartbeat>(),
-          hears<mavlink::sys_status>(),
-          hears<mavlink::system_time>(),
-          hears<mavlink::gps_raw_int>(),
-          hears<mavlink::attitude>(),
-          hears<mavlink::global_position_int>(),
-          hears<mavlink::mission_current>(),
-          hears<mavlink::mission_item_reached>(),
-          hears<mavlink::vfr_hud>(),
-          hears<mavlink::battery_status>(),
-          hears<mavlink::autopilot_version>(),
-          hears<mavlink::fence_status>(),
-          hears<mavlink::home_position>(),
-          hears<mavlink::extended_sys_state>(),
-          hears<mavlink::statustext>(),
-          on<wake>([this](const wake&) { drain(); })};
-}
-
-void actor::on_deadline() {
-  carry_out(core_->on_time(now()));
-  drain(); // also when a wake was lost with an incarnation
+  return {
+      on<executor::start_answer>([this](const executor::start_answer& m) { then(core_->on_start_answer(m, now())); }),
+      on<mission_progress>([this](const mission_progress& m) { then(core_->on_progress(m, now())); }),
+      on<item_reached>([this](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
+      on<status_text>([this](const status_text& m) { then(core_->on_status_text(m, now())); }),
+      on<plan_judged>([this](const plan_judged& m) { then(core_->on_plan_judged(m, now())); }),
+      on<set_mission>([this](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
+      on<get_port>([this](const get_port&) {
+        auto result = core_->describe(now());
+        result.counts.push_back({"dropped_in", dropped_in()});
+        result.counts.push_back({"dropped_out", dropped_out()});
+        return result;
+      }),
+      on<vehicle_link::relayed_frame>(
+          [this](const vehicle_link::relayed_frame& m) { then(core_->on_relayed(m, now())); }),
+      hears<mavlink::heartbeat>(),
+      hears<mavlink::sys_status>(),
+      hears<mavlink::system_time>(),
+      hears<mavlink::gps_raw_int>(),
+      hears<mavlink::attitude>(),
+      hears<mavlink::global_position_int>(),
+      hears<mavlink::mission_current>(),
+      hears<mavlink::mission_item_reached>(),
+      hears<mavlink::vfr_hud>(),
+      hears<mavlink::battery_status>(),
+      hears<mavlink::autopilot_version>(),
+      hears<mavlink::fence_status>(),
+      hears<mavlink::home_position>(),
+      hears<mavlink::extended_sys_state>(),
+      hears<mavlink::statustext>(),
+      on<wake>([this](const wake&) { drain(); })};
 }
 
 void actor::started() {
   core_.emplace(settings_, signing_, current_state(), others_->executor.has_value(), now());
-  if (const auto status = line_->incoming().newest_status())
-    carry_out(core_->on_link(*status, now()));
-  tell(me(), wake{}); // what came in meanwhile waits
-  wake_at(core_->next_deadline_ns());
-}
-
-void actor::drain() {
-  for (int i = 0; i < max_chunks_per_turn; ++i) {
-    const auto next = line_->incoming().take();
-    if (!next) {
-      after_turn();
-      return;
-    }
-    std::visit([this](const auto& what) { take(what); }, *next);
-  }
-  tell(me(), wake{}); // there may be more; what others say comes first
-  after_turn();
-}
-
-void actor::take(const io::link::link_status& what) { carry_out(core_->on_link(what, now())); }
-
-void actor::take(const io::link::arrival& what) {
-  carry_out(core_->on_bytes(what.peer, what.is_datagram, what.bytes, now()));
+  begin_line();
 }
 
 // -- effects --------------------------------------------------------------------------------------
@@ -116,31 +82,23 @@ void actor::carry_out(const effects& wanted) {
 }
 
 void actor::carry_out(const start_request_to_executor& each) {
-  const auto then = [this](const effects& wanted) {
-    carry_out(wanted);
-    after_turn();
-  };
   ask(
       *others_->executor, current_patience, each.what,
-      [this, then, request = each.request](const executor::current_answer& answer) {
+      [this, request = each.request](const executor::current_answer& answer) {
         then(core_->on_current_answer(request, answer, now()));
       },
-      [this, then, request = each.request](const runtime::ask_error& why) {
+      [this, request = each.request](const runtime::ask_error& why) {
         then(core_->on_current_failed(request, sentence_for(why.code), now()));
       });
 }
 
 void actor::carry_out(const word_to_say& each) {
-  const auto then = [this](const effects& wanted) {
-    carry_out(wanted);
-    after_turn();
-  };
   ask(
       *others_->executor, command_patience, each.what,
-      [this, then, request = each.request](const operators::answer& answer) {
+      [this, request = each.request](const operators::answer& answer) {
         then(core_->on_word_answer(request, answer, now()));
       },
-      [this, then, request = each.request](const runtime::ask_error& why) {
+      [this, request = each.request](const runtime::ask_error& why) {
         then(core_->on_word_failed(request, sentence_for(why.code), now()));
       });
 }
@@ -151,16 +109,12 @@ void actor::carry_out(const pass_on& each) {
 }
 
 void actor::carry_out(const act_to_ask& each) {
-  const auto then = [this](const effects& wanted) {
-    carry_out(wanted);
-    after_turn();
-  };
   ask(
       *others_->executor, act_patience, each.what,
-      [this, then, request = each.request](const executor::act_answer& answer) {
+      [this, request = each.request](const executor::act_answer& answer) {
         then(core_->on_act_answer(request, answer, now()));
       },
-      [this, then, request = each.request](const runtime::ask_error& why) {
+      [this, request = each.request](const runtime::ask_error& why) {
         then(core_->on_act_failed(request, sentence_for(why.code), now()));
       });
 }
@@ -175,31 +129,6 @@ void actor::carry_out(const operator_link& each) {
     tell(ear, each);
 }
 
-// The frames go last. Up to there a crash leaves nothing sent, and the message is handled again; from there on it is
-// not, because a station must not be told twice.
-void actor::after_turn() {
-  post_health();
-  wake_at(core_->next_deadline_ns());
-  reserve_signing_time();
-  if (!outgoing_.empty())
-    at_end([this] { send_outgoing(); });
-}
-
-void actor::reserve_signing_time() {
-  if (const auto ceiling = core_->wanted_reservation(now()))
-    commit(signing_time_reserved{mavlink::units(*ceiling)});
-}
-
-void actor::send_outgoing() {
-  mark_committed();
-  for (const auto& each : outgoing_)
-    if (!line_->send(each.frame.span(), each.to))
-      ++dropped_out_;
-  outgoing_.clear();
-}
-
-void actor::post_health() { show_health(core_->health(now())); }
-
 void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
@@ -209,8 +138,7 @@ void actor::dispatch(const durable_core::effect& each) {
           if (others_->executor)
             tell(*others_->executor, m);
         } else {
-          carry_out(core_->on_durable(m, now()));
-          after_turn();
+          then(core_->on_durable(m, now()));
         }
       },
       each);

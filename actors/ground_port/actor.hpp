@@ -12,19 +12,17 @@
 #include <vector>
 
 #include "actors/ground_port/core.hpp"
+#include "actors/line/line_actor.hpp"
 #include "io/link/wire.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
-#include "runtime/durable_actor.hpp"
 
 namespace godwit::ground_port {
 
 using io::link::wire;
 
-// So much of what came in is handled in one turn, before other mail has its own.
-inline constexpr int max_chunks_per_turn = 32;
 // The executor has answered a command by then, also where the vehicle changes its mode first; and a change of the item
 // when the vehicle has taken it, with a few tries.
 inline constexpr std::chrono::seconds command_patience{3};
@@ -45,7 +43,7 @@ struct peers {
   std::vector<operator_ear> operator_ears;
 };
 
-class actor final : public runtime::durable_actor<own_handle, durable_core> {
+class actor final : public line::line_actor<own_handle, durable_core, core, wake, signing_time_reserved> {
 public:
   // CONFIGURED has no objection_to.
   actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
@@ -55,18 +53,13 @@ public:
 protected:
   behavior_type handlers() override;
   void started() override;
-  void on_deadline() override;
   void dispatch(const durable_core::effect& each) override;
 
 private:
-  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
   template <class M>
   auto hears();
-  void drain();
-  void take(const io::link::link_status& what);
-  void take(const io::link::arrival& what);
-  void carry_out(const effects& wanted);
-  void carry_out(const transmission& each) { outgoing_.push_back(each); }
+  void carry_out(const effects& wanted) override;
+  void carry_out(const transmission& each) { queue_frame(each); }
   void carry_out(const durable_event& each) { commit(each); }
   void carry_out(const start_request_to_executor& each);
   void carry_out(const word_to_say& each);
@@ -74,18 +67,10 @@ private:
   void carry_out(const act_to_ask& each);
   void carry_out(const tell_taken_over&);
   void carry_out(const operator_link& each);
-  void after_turn();
-  void reserve_signing_time();
-  void post_health();
-  void send_outgoing();
 
   settings settings_;
   signing_settings signing_;
-  std::shared_ptr<wire> line_;
   std::shared_ptr<const peers> others_;
-  std::optional<core> core_;
-  std::vector<transmission> outgoing_; // of this turn
-  std::uint64_t dropped_out_ = 0;
 };
 
 } // namespace godwit::ground_port

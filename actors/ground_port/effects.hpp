@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actors/ground_port/state.hpp"
+#include "actors/line/transmission.hpp"
 #include "io/link/status.hpp"
 #include "io/mavlink/frame.hpp"
 #include "messages/executor/station_act.hpp"
@@ -16,10 +17,7 @@
 
 namespace godwit::ground_port {
 
-struct transmission {
-  io::link::peer_id to = io::link::every_peer;
-  io::mavlink::frame_buffer frame;
-};
+using line::transmission;
 
 // The executor is asked; its answer comes back with the request's number.
 struct start_request_to_executor {

@@ -10,21 +10,18 @@
 #include <optional>
 #include <vector>
 
+#include "actors/line/line_actor.hpp"
 #include "actors/vehicle_link/core.hpp"
 #include "actors/vehicle_link/listeners.hpp"
 #include "actors/vehicle_link/state.hpp"
 #include "io/link/wire.hpp"
 #include "messages/vehicle_link/handle.hpp"
-#include "runtime/durable_actor.hpp"
 
 namespace godwit::vehicle_link {
 
 using io::link::wire;
 
-// So much of what came in is handled in one turn, before other mail has its own.
-inline constexpr int max_chunks_per_turn = 32;
-
-class actor final : public runtime::durable_actor<own_handle, durable_core> {
+class actor final : public line::line_actor<own_handle, durable_core, core, wake, signing_time_reserved> {
 public:
   actor(runtime::spawn_context context, settings configured, signing_settings signing, std::shared_ptr<wire> line,
         std::shared_ptr<const listeners> ears);
@@ -33,33 +30,20 @@ public:
 protected:
   behavior_type handlers() override;
   void started() override;
-  void on_deadline() override;
   void dispatch(const durable_core::effect& each) override;
   [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
-  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
-  void drain();
-  void take(const io::link::link_status& what);
-  void take(const io::link::arrival& what);
-  void carry_out(const effects& wanted);
-  void carry_out(const transmission& each);
+  void carry_out(const effects& wanted) override;
+  void carry_out(const transmission& each) { queue_frame(each); }
   void carry_out(const resolved_command& each);
   void carry_out(const resolved_transfer& each);
   void carry_out(const observation& each);
   void carry_out(const announcement& each);
-  void after_turn();
-  void reserve_signing_time();
-  void post_health();
-  void send_outgoing();
 
   settings settings_;
   signing_settings signing_;
-  std::shared_ptr<wire> line_;
   std::shared_ptr<const listeners> ears_;
-  std::optional<core> core_;
-  std::vector<transmission> outgoing_; // of this turn
-  std::uint64_t dropped_out_ = 0;
 };
 
 } // namespace godwit::vehicle_link

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "actors/line/transmission.hpp"
 #include "actors/vehicle_link/message_allowlist.hpp"
 #include "actors/vehicle_link/pending_commands.hpp"
 #include "io/link/status.hpp"
@@ -17,10 +18,7 @@ namespace godwit::vehicle_link {
 
 using mavlink::instant;
 
-struct transmission {
-  io::link::peer_id to = io::link::every_peer;
-  mavlink::frame_buffer frame;
-};
+using line::transmission;
 
 // The transfer that an actor asked for is over.
 struct resolved_transfer {

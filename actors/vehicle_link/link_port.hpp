@@ -1,29 +1,11 @@
-// Joins a link to the actor: what comes in is queued, and the actor is woken when it has nothing left to do.
-//
-//   auto port = std::make_shared<link_port>();
-//   auto link = actors.add<vehicle_link::actor>({.name = "vehicle_link"}, policy, settings, port, ...);
-//   actors.start();
-//   if (auto opened = port->open(where, options, actors.make_gateway("vehicle_port"), link); !opened) ...
-//
-// It outlives the incarnations of the actor, so that a crash of the actor closes no line. Close it before the actors
-// are stopped. Thread: open and close by the owner; the rest from any.
+// The line of vehicle_link. Thread: as line_port.
 #pragma once
 
-#include <string>
-
-#include <tl/expected.hpp>
-
-#include "io/link/line.hpp"
+#include "actors/line/line_port.hpp"
 #include "messages/vehicle_link/handle.hpp"
-#include "runtime/gateway.hpp"
 
 namespace godwit::vehicle_link {
 
-class link_port final : public io::link::line {
-public:
-  // The error is that of io::link::open_link.
-  [[nodiscard]] tl::expected<void, std::string> open(const io::link::uri& where, const io::link::link_options& options,
-                                                     runtime::gateway gateway, wake_handle actor);
-};
+using link_port = line::line_port<wake_handle, wake>;
 
 } // namespace godwit::vehicle_link

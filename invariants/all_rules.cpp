@@ -12,7 +12,7 @@ std::span<const rule> all_rules() {
   static constexpr const char* progress = "docs/architecture.md, How far a mission got";
   static constexpr const char* executor = "docs/actors/executor.md";
   static constexpr const char* failsafe = "docs/actors/failsafe.md";
-  static constexpr std::array<rule, 11> rules{{
+  static constexpr std::array<rule, 12> rules{{
       {"cause_before_effect", "A message is taken after the one that caused it, which its sender took.", inside,
        make_cause_before_effect},
       {"one_handler_at_a_time", "An actor is in one handler at a time.", inside, make_one_handler_at_a_time},
@@ -27,6 +27,8 @@ std::span<const rule> all_rules() {
        progress, make_complete_once},
       {"generation_never_falls", "Reports are of the newest plan that is flown, never of an older one.", progress,
        make_generation_never_falls},
+      {"guarded_by_its_fences", "What is flown of a mission is guarded by the fences of that mission.", failsafe,
+       make_guarded_by_its_fences},
       {"pilot_is_left_alone", "While a pilot has the vehicle, godwit does not arm or start it.", executor,
        make_pilot_is_left_alone},
       {"restart_starts_nothing", "Nothing is armed or started because an actor was restarted.", executor,

@@ -145,6 +145,61 @@ class generation_never_falls final : public about_reports<newest_generation> {
   }
 };
 
+// The failsafe is given the fences of a plan before the plan is. A revision that the record does not show has those of
+// the newest before it: an assignment changes no fences.
+class guarded_by_its_fences final : public invariant {
+public:
+  void take(const delivery& each, const name_table& names) override {
+    if (each.how != outcome::handled)
+      return;
+    if (loaded_.is(each.type, names)) {
+      const auto message = object_in(each);
+      if (const auto found = message.find("document"); found != message.end() && found->is_object())
+        note_mission(*found);
+    } else if (guard_.is(each.type, names)) {
+      guarded_by_ = object_in(each).value("geofences", json()).dump();
+      guard_id_ = each.id;
+    } else if (report_.is(each.type, names)) {
+      const auto message = object_in(each);
+      if (const auto found = message.find("report"); found != message.end() && found->is_object())
+        look(*found, each);
+    }
+  }
+
+private:
+  using fences_by_revision = std::map<std::uint64_t, std::string>;
+
+  void note_mission(const json& document) {
+    const auto id = text(document, "mission_id");
+    const auto revision = number(document, "revision");
+    if (revision && (missions_.size() < max_missions || missions_.contains(id)))
+      missions_[id][*revision] = document.value("geofences", json()).dump();
+  }
+
+  void look(const json& report, const delivery& each) {
+    const auto mission = missions_.find(text(report, "mission_id"));
+    const auto kind = text(report, "kind");
+    const bool is_of_flight = kind == "started" || kind == "reached";
+    if (!is_of_flight || mission == missions_.end() || guarded_by_.empty())
+      return;
+    auto from = mission->second.upper_bound(number(report, "revision").value_or(0));
+    if (from != mission->second.begin())
+      --from;
+    const bool is_guarded =
+        std::any_of(from, mission->second.end(), [&](const auto& revision) { return revision.second == guarded_by_; });
+    if (!is_guarded)
+      find(certainty::if_complete, each, {guard_id_, each.id},
+           "mission " + mission->first + " is flown, and the failsafe was given other fences than it has");
+  }
+
+  known_name loaded_{"mission_client.mission_loaded"};
+  known_name guard_{"failsafe.guard_mission"};
+  known_name report_{"mission_client.report_progress"};
+  std::map<std::string, fences_by_revision> missions_;
+  std::string guarded_by_; // empty: not seen yet
+  std::uint64_t guard_id_ = 0;
+};
+
 // True for what makes a vehicle that stands begin to move.
 bool starts_a_vehicle(const json& command) {
   const auto which = number(command, "command");
@@ -276,6 +331,7 @@ private:
 std::unique_ptr<invariant> make_reports_without_gap() { return std::make_unique<reports_without_gap>(); }
 std::unique_ptr<invariant> make_complete_once() { return std::make_unique<complete_once>(); }
 std::unique_ptr<invariant> make_generation_never_falls() { return std::make_unique<generation_never_falls>(); }
+std::unique_ptr<invariant> make_guarded_by_its_fences() { return std::make_unique<guarded_by_its_fences>(); }
 std::unique_ptr<invariant> make_pilot_is_left_alone() { return std::make_unique<pilot_is_left_alone>(); }
 std::unique_ptr<invariant> make_restart_starts_nothing() { return std::make_unique<restart_starts_nothing>(); }
 std::unique_ptr<invariant> make_latch_holds() { return std::make_unique<latch_holds>(); }

@@ -59,6 +59,29 @@ row start_command(std::int64_t at_ms, std::uint64_t id, std::uint64_t cause) {
           .body = R"({"command":300,"param1":0.0})"};
 }
 
+row mission_loaded(std::uint64_t id, int revision, const std::string& fences) {
+  return {.at_ms = 16,
+          .actor = "executor",
+          .type = "mission_client.mission_loaded",
+          .id = id,
+          .sender = "mission_client",
+          .body = R"({"document":{"mission_id":"m","revision":)" + std::to_string(revision) + R"(,"geofences":[)" +
+                  fences + "]}}",
+          .incarnation = 2};
+}
+
+row guard(std::uint64_t id, const std::string& fences) {
+  return {.at_ms = 17,
+          .actor = "failsafe",
+          .type = "failsafe.guard_mission",
+          .id = id,
+          .sender = "executor",
+          .body = R"({"geofences":[)" + fences + "]}"};
+}
+
+// Behind the start, in front of the reports.
+void insert_before_reports(record& to, const record& rows) { to.insert(to.begin() + 7, rows.begin(), rows.end()); }
+
 // A flight in which all is as promised: a start by a word, a crash that is put back, a pilot, the end.
 record sound_record() {
   return {
@@ -152,6 +175,10 @@ const std::map<std::string, std::function<void(record&)>>& plants() {
       {"reports_without_gap", [](record& r) { r[8] = report(21, 1, "reached", 2); }},
       {"complete_once", [](record& r) { r.push_back(report(41, 4, "reached", 2)); }},
       {"generation_never_falls", [](record& r) { r.back() = report(40, 3, "complete", 1); }},
+      {"guarded_by_its_fences",
+       [](record& r) {
+         insert_before_reports(r, {mission_loaded(61, 0, R"({"kind":"INCLUSION"})"), guard(62, "")});
+       }},
       {"pilot_is_left_alone", [](record& r) { r.push_back(start_command(41, 58, 7)); }},
       {"restart_starts_nothing", [](record& r) { r.insert(r.begin() + 7, start_command(15, 59, 5)); }},
       {"latch_holds",
@@ -217,6 +244,22 @@ TEST(invariants, a_mission_that_was_complete_goes_on_with_a_newer_revision) {
   next.body.insert(next.body.find("\"generation\""), "\"revision\":2,");
   further.push_back(next);
   EXPECT_EQ(judge(further), all_held());
+}
+
+TEST(invariants, a_flight_may_be_guarded_by_the_fences_of_a_newer_revision_and_not_of_an_older_one) {
+  const std::string first = R"({"kind":"INCLUSION"})";
+  const std::string second = R"({"kind":"EXCLUSION"})";
+  auto ahead = sound_record(); // its reports are of revision 0
+  insert_before_reports(ahead, {mission_loaded(61, 0, first), mission_loaded(62, 1, second), guard(63, second)});
+  EXPECT_EQ(judge(ahead).at("guarded_by_its_fences"), verdict::held);
+  for (auto& each : ahead)
+    if (const auto at = each.body.find("\"generation\""); at != std::string::npos)
+      each.body.insert(at, "\"revision\":2,"); // an assignment's
+  EXPECT_EQ(judge(ahead).at("guarded_by_its_fences"), verdict::held) << "it has the fences of the one before";
+  for (auto& each : ahead)
+    if (each.type == "failsafe.guard_mission")
+      each.body = guard(63, first).body;
+  EXPECT_EQ(judge(ahead).at("guarded_by_its_fences"), verdict::violated);
 }
 
 TEST(invariants, a_question_that_fails_is_told_under_its_own_id_and_causes_what_comes_of_it) {

@@ -108,6 +108,8 @@ bool flight_context::came_down_as_planned(instant now) const {
 }
 
 bool flight_context::is_complete_credible(instant now) const {
+  if (has_open_intent() && !view.is_armed()) // of what stands, the plan that is brought or started counts
+    return false;
   if (!s.flown || view.owner().vehicle == flight::vehicle_class::rover)
     return true;
   if (ends_on_ground())

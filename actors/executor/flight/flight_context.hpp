@@ -94,7 +94,8 @@ struct flight_context {
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;
   // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the
-  // plan leads: on the ground there, or in the air in a mode of the plan.
+  // plan leads: on the ground there, or in the air in a mode of the plan; and not any more when the next one is brought
+  // to a vehicle that stands.
   [[nodiscard]] bool is_complete_credible(instant now) const;
 
   // -- home

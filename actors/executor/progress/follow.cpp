@@ -183,6 +183,8 @@ void take(decision_context& t, const current_told& what) {
     hold(t, what.message);
   else
     follow(t, what.message);
+  if (what.is_disarmed && !t.s.upload && t.s.plan && t.s.plan->generation.complete_upto)
+    catch_up(t); // no REACHED comes of a vehicle that stands
 }
 
 void take(decision_context& t, const reached_told& what) {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/mission/utc_text.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 
@@ -38,8 +39,10 @@ std::string flaw_of_order(const std::vector<mission::progress_report>& reports) 
     }
     if (each.item_id && !told.emplace(generation, each.kind, *each.item_id).second)
       return at + " tells of " + *each.item_id + " a second time";
-    if (each.kind == progress_kind::complete && !complete.insert(each.revision).second)
-      return at + " completes the mission a second time";
+    if (complete.contains(each.revision))
+      return at + " comes behind the one that completes the mission";
+    if (each.kind == progress_kind::complete)
+      complete.insert(each.revision);
   }
   return {};
 }
@@ -55,6 +58,14 @@ std::string flaw_of_items(const std::vector<mission::progress_report>& reports, 
     if (!told.contains(mission::id_of(each)))
       return "item " + mission::id_of(each) + " was never told";
   return {};
+}
+
+std::map<std::string, mission::position> waypoints_of(const mission::document& mission) {
+  std::map<std::string, mission::position> result;
+  for (const auto& each : mission.items)
+    if (const auto* place = std::get_if<mission::waypoint>(&each))
+      result.emplace(place->id, place->at);
+  return result;
 }
 
 bool moves_vehicle(const vehicle_order& order) {
@@ -129,6 +140,27 @@ std::string flaw_of_place(flight_simulation& flight) {
   if (away_m > (flight.who() == sim::personality::plane ? near_plane_m : near_m))
     return "the mission is done, and the vehicle stands " + std::to_string(static_cast<int>(away_m)) +
            " m from where it leads";
+  return {};
+}
+
+std::string flaw_of_truth(flight_simulation& flight) {
+  if (std::ranges::any_of(flight.orders(), &vehicle_order::clears_armed))
+    return "the plan was taken from a vehicle that was armed";
+  constexpr double near_m = 20;        // an autopilot goes on within this of a waypoint
+  constexpr double near_plane_m = 120; // and a fixed wing turns before it
+  constexpr std::int64_t between_looks_ns = 2 * flight_track::look_every_ns;
+  const bool is_plane = flight.who() == sim::personality::plane;
+  auto places = waypoints_of(flight.first_mission());
+  places.merge(waypoints_of(flight.service().mission(flight.mission_id())));
+  for (const auto& each : flight.reports()) {
+    const auto place = places.find(each.item_id.value_or(""));
+    if (each.kind != progress_kind::reached || place == places.end())
+      continue;
+    const auto at_ns = mission::time_of_utc_text(each.at).value_or(0) - daemon_process::wall_began_ns;
+    if (!flight.track().was_near(place->second, is_plane ? near_plane_m : near_m, at_ns + between_looks_ns))
+      return "report " + std::to_string(each.report_no) + " says that " + place->first +
+             " was reached, and the vehicle had not been there";
+  }
   return {};
 }
 

@@ -8,9 +8,9 @@
 
 namespace godwit::drill {
 
-// Of what the service has got: no report is missing or doubled, they came in order, no generation or index goes back, a
-// revision is complete once; when the mission is done each of its items was told. A report that the service has already
-// may come again, with the same content: its answer was lost. Empty: it holds; else a sentence.
+// Of what the service has got: no report is missing or doubled, they came in order, no generation or index goes back,
+// nothing comes of a revision behind its completion; when the mission is done each of its items was told. A report that
+// the service has already may come again, with the same content: its answer was lost. Empty: it holds; else a sentence.
 [[nodiscard]] std::string flaw_of_reports(flight_simulation& flight);
 
 // Reports that are missing, or items that no report tells of although the mission is done; and what was told twice.
@@ -22,6 +22,10 @@ struct report_counts {
 
 // A mission that is done ends on the ground, near where its last item leads. Empty: it does, or is not done.
 [[nodiscard]] std::string flaw_of_place(flight_simulation& flight);
+
+// What a report says was reached the vehicle had been at; and nothing took its plan from it while it was armed. Empty:
+// it is so.
+[[nodiscard]] std::string flaw_of_truth(flight_simulation& flight);
 
 // It has its end, or waits for a person and says for what.
 [[nodiscard]] std::string flaw_of_end(const flight_simulation& flight);

@@ -42,8 +42,8 @@ flight_simulation::flight_simulation(const options& wanted) : flight_simulation(
 
 flight_simulation::flight_simulation(const options& wanted, const mission::document& mission)
     : seed_(wanted.seed), who_(wanted.who), planted_(wanted.planted), test_rng_(wanted.seed),
-      is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id), service_(daemon_process::wall_began_ns),
-      station_([this](std::span<const std::byte> frame) {
+      is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id), first_mission_(mission),
+      service_(daemon_process::wall_began_ns), station_([this](std::span<const std::byte> frame) {
         if (process_)
           process_->ground_wire().receive(frame);
       }),
@@ -91,6 +91,8 @@ void flight_simulation::step(std::int64_t end_ns) {
   plant();
   if (vehicle_->next_deadline_ns() <= now_ns_)
     vehicle_->on_time(now_ns_);
+  if (track_.is_due(now_ns_))
+    track_.look(*vehicle_, now_ns_);
   service_.on_time(now_ns_);
   station_.on_time(now_ns_);
   run_until_idle();
@@ -214,6 +216,10 @@ void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
   const bool sets_mode =
       order.command == mavlink::number(mavlink::mav_cmd::do_set_mode) || frame.id() == mavlink::set_mode::message_id;
   order.puts_to_rest = sets_mode && !seen.armed && (seen.mode == "AUTO" || seen.mode == "AUTO.MISSION");
+  const bool clears =
+      frame.id() == mavlink::mission_clear_all::message_id ||
+      (frame.id() == mavlink::mission_count::message_id && mavlink::decode<mavlink::mission_count>(frame).count == 0);
+  order.clears_armed = clears && seen.armed;
   if (frame.id() != mavlink::heartbeat::message_id)
     orders_.push_back(order);
   vehicle_->on_frame(frame, now_ns_);
@@ -317,7 +323,7 @@ std::string flight_simulation::story() {
   for (const auto& each : reports())
     result += std::to_string(each.report_no) + " r" + std::to_string(each.revision) + " g" +
               std::to_string(each.generation) + " " + std::string(io::name_of(each.kind)) + " " +
-              each.item_id.value_or("") + (each.inferred ? " (inferred)" : "") + "\n";
+              each.item_id.value_or("") + (each.inferred ? " (inferred)" : "") + " at " + each.at + "\n";
   const auto seen = vehicle_->describe();
   return result + "vehicle: " + seen.mode + (seen.armed ? ", armed" : ", disarmed") +
          (seen.in_air ? ", in the air" : "") + ", mission " + seen.mission_state + " at " +

@@ -23,6 +23,7 @@
 #include "messages/mission/progress.hpp"
 #include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_record.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_track.hpp"
 #include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
@@ -39,6 +40,7 @@ struct vehicle_order {
   std::uint32_t message_id = 0;
   std::uint16_t command = 0; // of COMMAND_LONG and COMMAND_INT
   bool puts_to_rest = false; // a mode for a vehicle that stands disarmed in its mission mode: godwit may send it always
+  bool clears_armed = false; // it takes the plan from a vehicle that is armed
 };
 
 class flight_simulation {
@@ -122,6 +124,9 @@ public:
   // As the executor has told it last.
   [[nodiscard]] const executor::phase_status& status() const { return status_; }
   [[nodiscard]] const std::vector<vehicle_order>& orders() const { return orders_; }
+  [[nodiscard]] const flight_track& track() const { return track_; }
+  // The mission as it was when the flight began.
+  [[nodiscard]] const mission::document& first_mission() const { return first_mission_; }
   [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
   [[nodiscard]] int processes() const { return processes_; }
   [[nodiscard]] sim::personality who() const { return who_; }
@@ -159,11 +164,13 @@ private:
   std::mt19937_64 test_rng_;
   bool is_shuffled_;
   std::string mission_id_;
+  mission::document first_mission_;
   std::int64_t now_ns_ = 1'000'000'000;
   scratch_folder folder_;
   std::vector<std::string> told_;
   executor::phase_status status_;
   std::vector<vehicle_order> orders_;
+  flight_track track_;
   std::uint8_t forged_ = 0;
 
   simulated_service service_;

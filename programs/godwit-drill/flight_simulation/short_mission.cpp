@@ -28,6 +28,16 @@ mission::item way_home(sim::personality who, const std::string& id) {
   return mission::return_home{id};
 }
 
+mission::geofence fence_around(double metres) {
+  const auto corner = [&](double north_m, double east_m) {
+    return mission::vertex{home_latitude + north_m / metres_of_latitude, home_longitude + east_m / metres_of_longitude};
+  };
+  mission::geofence result;
+  result.vertices = {corner(-metres, -metres), corner(-metres, metres), corner(metres, metres),
+                     corner(metres, -metres)};
+  return result;
+}
+
 mission::document short_mission(sim::personality who) {
   mission::document result;
   result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";

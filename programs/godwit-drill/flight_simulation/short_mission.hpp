@@ -14,6 +14,8 @@ namespace godwit::drill {
 [[nodiscard]] mission::item place(const std::string& id, double north_m, double east_m, double up_m);
 // The same for this vehicle, at 20 m unless it drives: a plane needs more room, and is sent so many times as far.
 [[nodiscard]] mission::item place(sim::personality who, const std::string& id, double north_m, double east_m);
+// A square around home, this far from it to each side.
+[[nodiscard]] mission::geofence fence_around(double metres);
 // Take-off, a waypoint, a landing on the way; and behind it take-off, a waypoint and home.
 [[nodiscard]] mission::document with_landing_on_the_way();
 inline constexpr double plane_goes_farther = 5;

@@ -42,6 +42,8 @@ void simulated_station::start_mission() {
   send(wanted);
 }
 
+void simulated_station::clear_mission() { send(mavlink::mission_clear_all{.target_system = 1, .target_component = 1}); }
+
 void simulated_station::command(mavlink::mav_cmd what, float param1, float param2, float param3, float param7) {
   results_.erase(mavlink::number(what));
   mavlink::command_long wanted;

@@ -31,6 +31,7 @@ public:
   void receive(std::span<const std::byte> bytes);
 
   void start_mission();
+  void clear_mission();
   // To the autopilot, as a station that knows of no godwit speaks.
   void command(io::mavlink::mav_cmd what, float param1 = 0, float param2 = 0, float param3 = 0, float param7 = 0);
   void ask_for_params();

@@ -24,17 +24,20 @@ enum class trouble {
   pause,
   assignment,
   cut,
-  service
+  service,
+  disk,
+  clear
 };
-constexpr std::size_t kinds_of_trouble = 9;
+constexpr std::size_t kinds_of_trouble = 11;
 constexpr std::size_t most_troubles = 6;
 constexpr std::uint64_t known_vehicles = 3; // the plane is not among them (docs/roadmap.md)
 
 class random_flight {
 public:
   random_flight(std::uint64_t seed, std::optional<sim::personality> who, const flight_wishes& wishes)
-      : test_rng_(seed), who_(drawn(who)), watched_(any_flight(test_rng_, who_, seed), wishes,
-                                                    "seed " + std::to_string(seed), std::string(io::name_of(who_))),
+      : test_rng_(seed), who_(drawn(who)),
+        watched_(any_flight(test_rng_, who_, seed), any_mission(test_rng_, who_), wishes,
+                 "seed " + std::to_string(seed), std::string(io::name_of(who_))),
         flight_(watched_.flight()) {}
 
   flight_outcome fly() {
@@ -60,6 +63,14 @@ private:
       return result;
     result.line.in.loss = result.line.out.loss = 0.01 * static_cast<double>(test_rng() % 6);
     result.line.in.duplication = result.line.out.duplication = 0.01 * static_cast<double>(test_rng() % 6);
+    return result;
+  }
+
+  // Half of them inside a fence.
+  static mission::document any_mission(std::mt19937_64& test_rng, sim::personality who) {
+    auto result = short_mission(who);
+    if (test_rng() % 2 == 0)
+      result.geofences.push_back(fence_around(250));
     return result;
   }
 
@@ -93,15 +104,35 @@ private:
     case trouble::service:
       return flight_.service().set_fault(std::array{"lose on post-progress times 2", "status 503 times 3",
                                                     "drop times 3", "delay 2s times 2"}[test_rng_() % 4]);
+    case trouble::disk:
+      return stall_disk(0.5 * static_cast<double>(1 + test_rng_() % 12));
+    case trouble::clear:
+      return flight_.station().clear_mission();
     }
   }
 
-  // In the middle of a mission; a kill of the process meanwhile changes nothing.
+  // Nothing is written meanwhile; a process that is killed comes back with a disk that writes.
+  void stall_disk(double seconds) {
+    if (auto* process = flight_.process())
+      process->fail_journal(true);
+    flight_.run_for(seconds);
+    if (auto* process = flight_.process())
+      process->fail_journal(false);
+  }
+
+  std::uint32_t any_mode_of_pilot() {
+    const std::array modes{pilot_mode(who_), hold_mode(who_),
+                           who_ == sim::personality::rover ? pilot_mode(who_) : landing_mode(who_)};
+    return modes.at(test_rng_() % modes.size());
+  }
+
+  // From the start to the last leg; a kill of the process meanwhile changes nothing.
   void take_over() {
     const auto& at = flight_.status();
-    if (!at.in_flight || at.now != phase::flying || !flight_.vehicle().describe().armed)
+    const bool flies = at.now == phase::starting || at.now == phase::flying || at.now == phase::landing;
+    if (!flies || !flight_.vehicle().describe().armed)
       return;
-    flight_.switch_mode(pilot_mode(who_));
+    flight_.switch_mode(any_mode_of_pilot());
     if (!flight_.run_until_phase(phase::paused, 8) || flight_.status().cause != executor::pause_cause::taken_over)
       return; // it had come to its end meanwhile
     ++watched_.so_far().takeovers;

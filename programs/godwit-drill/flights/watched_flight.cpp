@@ -5,6 +5,7 @@
 
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -17,9 +18,13 @@ flight_simulation::options recorded(flight_simulation::options wanted, const fli
 
 } // namespace
 
-watched_flight::watched_flight(flight_simulation::options wanted, const flight_wishes& wishes, std::string name,
+watched_flight::watched_flight(const flight_simulation::options& wanted, const flight_wishes& wishes, std::string name,
                                std::string group)
-    : wishes_(wishes), flight_(recorded(std::move(wanted), wishes)) {
+    : watched_flight(wanted, short_mission(wanted.who), wishes, std::move(name), std::move(group)) {}
+
+watched_flight::watched_flight(flight_simulation::options wanted, const mission::document& mission,
+                               const flight_wishes& wishes, std::string name, std::string group)
+    : wishes_(wishes), flight_(recorded(std::move(wanted), wishes), mission) {
   outcome_.name = std::move(name);
   outcome_.group = std::move(group);
 }
@@ -52,6 +57,7 @@ flight_outcome watched_flight::finish_or_wait() {
 
 flight_outcome watched_flight::judge() {
   expect(flaw_of_reports(flight_));
+  expect(flaw_of_truth(flight_));
   for (const auto& each : flight_.record().broken())
     expect(each);
   const auto counts = count_reports(flight_);

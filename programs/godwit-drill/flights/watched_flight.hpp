@@ -18,7 +18,11 @@ struct flight_wishes {
 
 class watched_flight {
 public:
-  watched_flight(flight_simulation::options wanted, const flight_wishes& wishes, std::string name, std::string group);
+  // Of short_mission(), or of MISSION.
+  watched_flight(const flight_simulation::options& wanted, const flight_wishes& wishes, std::string name,
+                 std::string group);
+  watched_flight(flight_simulation::options wanted, const mission::document& mission, const flight_wishes& wishes,
+                 std::string name, std::string group);
 
   [[nodiscard]] flight_simulation& flight() { return flight_; }
   [[nodiscard]] flight_outcome& so_far() { return outcome_; }

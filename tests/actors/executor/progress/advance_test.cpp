@@ -143,6 +143,16 @@ TEST_P(advance_any, a_complete_without_a_reached_is_inferred) {
             (texts{"started A#0 g1", "reached A#0 g1 inferred", "reached B#1 g1 inferred", "complete g1 inferred"}));
 }
 
+TEST_P(advance_any, a_vehicle_that_stands_disarmed_is_complete_without_waiting_for_a_reached) {
+  d.fly({"A", "B"});
+  d.reached(0);
+  d.current(1);
+  d.said();
+  d.wait_s(5);
+  d.take(current_told{d.current_message(1, mission_state::complete), true});
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1 inferred", "complete g1 inferred"}));
+}
+
 TEST_P(advance_any, complete_is_reported_once) {
   d.fly({"A", "B"});
   d.reached(0);

@@ -1,6 +1,7 @@
 // A whole mission of the missions service on the real composition of the daemon, while nobody crashes.
 #include <gtest/gtest.h>
 
+#include "actors/domain/geo/geodesic.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
@@ -33,6 +34,14 @@ protected:
     ASSERT_TRUE(flight.run_until(has_been_there, 120)) << flight.story();
   }
 };
+
+mission::position place_at(const std::string& waypoint) {
+  const auto items = short_mission(sim::personality::px4).items;
+  for (const auto& each : items)
+    if (mission::id_of(each) == waypoint)
+      return std::get<mission::waypoint>(each).at;
+  return {};
+}
 
 TEST_P(whole_flight, a_mission_is_fetched_uploaded_flown_and_told_once_and_in_order) {
   EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
@@ -161,6 +170,29 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, whole_flight,
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
 // What makes a failure of a random flight worth anything.
+// PX4 says of any landing that its plan is complete. At home, and behind a hand-back, it may be so.
+TEST(landed_at_home_by_a_pilot, a_mission_is_complete_or_flown_on_and_never_both) {
+  for (int tenths = 0; tenths <= 15; ++tenths) {
+    flight_simulation flight({.who = sim::personality::px4});
+    const auto is_over_home = [&] {
+      const auto seen = flight.vehicle().describe().where;
+      const auto& home = flight.first_mission().return_point;
+      return flight.track().was_near(place_at("w3"), 10, flight.now_ns()) &&
+             geo::distance_m(geo::point{seen.latitude_deg, seen.longitude_deg},
+                             geo::point{home.latitude, home.longitude}) < 5;
+    };
+    ASSERT_TRUE(flight.run_until(is_over_home, 120)) << flight.story();
+    flight.switch_mode(landing_mode(sim::personality::px4));
+    ASSERT_TRUE(flight.run_until([&] { return !flight.vehicle().describe().armed; }, 60)) << flight.story();
+    flight.run_for(5);
+    flight.say(operators::command_kind::hand_back);
+    flight.run_for(0.1 * tenths);
+    flight.say(operators::command_kind::resume);
+    EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+    EXPECT_EQ(flaw_of_reports(flight), "") << "resumed " << tenths << " tenths of a second later\n" << flight.story();
+  }
+}
+
 TEST(flight_simulation, the_same_seed_flies_the_same_flight) {
   const auto story_of = [](std::uint64_t seed) {
     flight_simulation flight({.seed = seed});

@@ -45,6 +45,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(godwit_options INTERFACE -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow
                          -Wno-array-bounds)
 endif()
+if(GODWIT_PLANTED_BUGS)
+  target_compile_definitions(godwit_options INTERFACE GODWIT_PLANTED_BUGS)
+endif()
 if(GODWIT_FUZZ)
   target_compile_options(godwit_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)

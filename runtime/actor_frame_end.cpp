@@ -5,6 +5,7 @@
 #include "runtime/incarnation.hpp"
 #include "runtime/internal_messages.hpp"
 #include "runtime/journal_exceptions.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::runtime {
 
@@ -73,6 +74,8 @@ void actor_frame::end_crashed(const delivery& d, const envelope& m) {
   // A message is not to blame for a journal that takes nothing.
   if (not_its_fault || address().may_retry(current_.id, crashes) ||
       !write_dead_letter(m, crashes, current_exception_text())) {
+    if (GODWIT_PLANTED(drop_redelivery))
+      return;
     // The sender goes along: what is put back is confirmed to it in the end.
     requeued_.push_back({make_mail(d.requester.who ? d.requester.who : d.effect_sender, d.requester.mid, m)});
     return;

@@ -48,6 +48,7 @@
 #include "runtime/internal_messages.hpp"
 #include "runtime/journal/write_size.hpp"
 #include "runtime/journal_exceptions.hpp"
+#include "runtime/planted_bug.hpp"
 #include "runtime/stored_state.hpp"
 #include "runtime/variant_json.hpp"
 
@@ -217,6 +218,8 @@ private:
     case effect_kind::durable:
       if (stage(what, pending_))
         break;
+      if (GODWIT_PLANTED(report_before_commit))
+        this->send_at_once([&] { dispatch(what); });
       pending_.effects.push_back({id, alternative_name(what), alternative_json(what), answer_to});
       gate_.push_back({.what = std::move(what), .id = id, .answer_to = answer_to});
       break;

@@ -7,6 +7,7 @@
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/fields/field_table.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -308,7 +309,7 @@ void actor::carry_out(const effects& wanted) {
 }
 
 void actor::carry_out(const order& each) {
-  if (each.when == goes::at_once)
+  if (each.when == goes::at_once || GODWIT_PLANTED(forget_gate))
     send(each);
   else
     after_commit([this, each] { dispatch_effect(each); });

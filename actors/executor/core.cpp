@@ -7,6 +7,7 @@
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "io/mavlink/enums.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -140,7 +141,9 @@ effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   const auto& s = flight_.s;
   effects out;
   progress::current_told told{m, !flight_.view.is_armed(), !flight_.has_person() && flight_.authority.is_ours()};
-  if (flight_.view.says_complete() && !flight_.is_complete_credible(now))
+  const bool believes_all = GODWIT_PLANTED(complete_on_foreign_landing);
+  told.is_ours = told.is_ours || believes_all;
+  if (flight_.view.says_complete() && !flight_.is_complete_credible(now) && !believes_all)
     told.message.mission_state = io::mavlink::number(io::mavlink::mission_state::active);
   if (s.progress.plan && progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});
@@ -202,6 +205,8 @@ bool core::may_go_out(std::uint64_t number) const {
 }
 
 core::release core::lets_out(const order& what, instant now) {
+  if (GODWIT_PLANTED(let_stale_order_out))
+    return release::now;
   if (!awaits(what.number))
     return release::revoked;
   const bool is_old = now.now_ns - what.decided_ns > order_is_worth_ns;

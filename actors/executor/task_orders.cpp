@@ -8,6 +8,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/messages/position.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -79,7 +80,8 @@ void task_runner::ask(const world& w, const stand_by&) {
 void task_runner::ask(const world& w, const guard&) {
   failsafe::guard_mission limits;
   if (w.durable.flown) {
-    limits.geofences = w.durable.flown->mission.geofences;
+    if (w.durable.progress.last_generation == 0 || !GODWIT_PLANTED(forget_fence_revision))
+      limits.geofences = w.durable.flown->mission.geofences;
     limits.land_start = w.durable.flown->landing_sequence;
     limits.plan_end = end_of_plan(w.view.owner(), w.durable);
   }

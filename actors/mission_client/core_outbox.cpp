@@ -7,6 +7,7 @@
 #include "actors/mission_client/decision_context.hpp"
 #include "actors/mission_client/keys.hpp"
 #include "actors/mission_client/retry_policy.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::mission_client {
 
@@ -26,7 +27,9 @@ void close_assignment(state& s, const outbox_row& row) {
 
 // ROWS leave the outbox; what is removed at once moves what stays only once.
 void remove_rows(decision_context& t, const std::vector<std::string>& keys, noted_as how) {
-  const std::unordered_set<std::string_view> leaving(keys.begin(), keys.end());
+  std::unordered_set<std::string_view> leaving(keys.begin(), keys.end());
+  if (GODWIT_PLANTED(lose_outbox_row) && t.s.rows.size() > keys.size())
+    leaving.insert(t.s.rows[keys.size()].key);
   std::erase_if(t.s.rows, [&](const outbox_row& each) {
     if (!leaving.contains(each.key))
       return false;
@@ -151,7 +154,9 @@ void take(decision_context& t, const report_progress& m) {
   auto report = m.report;
   report.report_no = note.service_report_no + 1;
   const bool is_renumbered = report.report_no != m.report.report_no;
-  const auto key = is_renumbered ? derived_key({m.key, std::to_string(report.report_no)}) : m.key;
+  auto key = is_renumbered ? derived_key({m.key, std::to_string(report.report_no)}) : m.key;
+  if (GODWIT_PLANTED(reuse_idempotency_key) && !t.s.rows.empty())
+    key = t.s.rows.back().key;
   if (!add_row(
           t,
           {.key = key, .to = destination::progress, .mission_id = report.mission_id, .body = mission::to_text(report)},

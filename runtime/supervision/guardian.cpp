@@ -9,6 +9,7 @@
 #include "runtime/caf_mail.hpp"
 #include "runtime/internal_messages.hpp"
 #include "runtime/kill_message.hpp"
+#include "runtime/planted_bug.hpp"
 #include "runtime/stable_address.hpp"
 #include "runtime/supervision/ping_ledger.hpp"
 #include "runtime/supervision/supervision_core.hpp"
@@ -210,6 +211,9 @@ private:
       spawn_context born{&outside_, child.spec.address, child.number, actor_ref(ctrl()), std::move(restored)};
       auto made = caf::actor_cast<caf::strong_actor_ptr>(system().spawn<incarnation>(std::move(born), child.spec.make));
       monitor(caf::actor_cast<caf::actor>(made));
+      if (child.number > 1 && GODWIT_PLANTED(restart_twice))
+        system().spawn<incarnation>(spawn_context{&outside_, child.spec.address, child.number, actor_ref(ctrl()), {}},
+                                    child.spec.make);
       child.incarnation = made;
       pings_.watch(index, now_ns());
       address(child).bind(std::move(made), context());

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/fields/field_table.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
 
@@ -96,7 +97,7 @@ bool control_watch::heed(effects& out, instant now) {
     phases_.go(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + in_its_mode());
     return true;
   }
-  if (!is_ours_to_lose || flight_.has_person())
+  if (!is_ours_to_lose || flight_.has_person() || (flight_.is_starting() && GODWIT_PLANTED(repeat_start_over_person)))
     return false;
   if (!flight_.view.mode()) // not heard: a pilot may have it, and nothing is said again but a stop
     return flight_.runner.is_busy() && !flight_.runner.is_stop();
@@ -129,9 +130,11 @@ bool control_watch::judge_holder(effects& out) {
 }
 
 void control_watch::yield(effects& out, trigger to, const std::string& why) {
-  flight_.runner.drop(flight_.world({}, out));
-  tasks_.end(out, why);
-  flight_.wanted.drop_all_behind_takeover();
+  if (!GODWIT_PLANTED(act_after_takeover)) {
+    flight_.runner.drop(flight_.world({}, out));
+    tasks_.end(out, why);
+    flight_.wanted.drop_all_behind_takeover();
+  }
   if (to != trigger::failsafe_acts && (!flight_.failsafe_status || !flight_.failsafe_status->taken_over))
     say_taken_over(out);
   phases_.go(out, to, why);

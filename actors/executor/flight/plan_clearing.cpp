@@ -1,6 +1,7 @@
 #include "actors/executor/flight/plan_clearing.hpp"
 
 #include "io/mavlink/enums/mission.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -14,6 +15,8 @@ say_to_port judged(plan_verdict verdict) {
 } // namespace
 
 std::string plan_clearing::why_not_vehicle() const {
+  if (GODWIT_PLANTED(clear_while_armed))
+    return {};
   if (flight_.is_in_flight() || is_flight_begun(flight_.s))
     return "it is flown";
   if (flight_.has_person())
@@ -24,6 +27,8 @@ std::string plan_clearing::why_not_vehicle() const {
 }
 
 std::string plan_clearing::why_not(bool has_looked) const {
+  if (GODWIT_PLANTED(clear_while_armed))
+    return {};
   if (const auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
     return "missions come from " + elsewhere + " here";
   if (auto why = why_not_vehicle(); !why.empty())

@@ -8,6 +8,7 @@
 #include "actors/executor/flight/vehicle_steps.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_meaning.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -35,7 +36,8 @@ void recovery::begin() {
     flight_.wanted.set_current_item = plan->generation.is_not_at_start_told && !plan->generation.is_armed;
   const auto at = s.status.now;
   const bool is_fresh = !s.doing && !flight_.is_in_flight() && !flight_.has_open_intent();
-  has_looked_ = is_fresh && (at == phase::disconnected || at == phase::connected || is_over(at));
+  has_looked_ =
+      (is_fresh && (at == phase::disconnected || at == phase::connected || is_over(at))) || GODWIT_PLANTED(skip_look);
 }
 
 // -- the first look ---------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/assert.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor::progress {
 
@@ -127,7 +128,7 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
   if (g.is_finished || g.complete_upto)
     return;
   const auto at = g.moved_to.value_or(g.current);
-  if (std::max(at, sequence) < last_movement(plan.map).value_or(0))
+  if (std::max(at, sequence) < last_movement(plan.map).value_or(0) && !GODWIT_PLANTED(complete_on_foreign_landing))
     return; // PX4 says so of any landing; the plan is not done by that
   const bool was_waiting = is_waiting(g);
   const bool is_put_back = sequence < at; // ArduPilot, when it disarms

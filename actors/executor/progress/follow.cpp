@@ -8,6 +8,7 @@
 #include "actors/executor/progress/patience.hpp"
 #include "actors/executor/progress/plan_match.hpp"
 #include "io/mavlink/enums.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor::progress {
 
@@ -16,7 +17,8 @@ namespace {
 using io::mavlink::mission_current;
 
 bool is_resolving(const decision_context& t) {
-  return !is_over(t.s.plan->generation.resolving_since_ns, t.now_ns, settling_ns);
+  return !is_over(t.s.plan->generation.resolving_since_ns, t.now_ns, settling_ns) &&
+         !GODWIT_PLANTED(believe_late_frame) && !GODWIT_PLANTED(old_plans_progress);
 }
 
 void hold(decision_context& t, const mission_current& message) {
@@ -37,6 +39,8 @@ bool says_complete(const mission_current& message) {
 // on in a plan with the same content, says with its old sequence that the old plan is complete, or says in a late
 // message without an id where it was in the old plan.
 bool is_at_start(const decision_context& t, const mission_current& message) {
+  if (GODWIT_PLANTED(old_plans_progress))
+    return true;
   const auto& plan = *t.s.plan;
   const auto& g = plan.generation;
   if (g.origin == generation_origin::same_plan)

@@ -1,6 +1,7 @@
 #include "actors/executor/progress/plan_match.hpp"
 
 #include "io/mavlink/enums.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor::progress {
 
@@ -17,6 +18,8 @@ bool says_no_plan(const io::mavlink::mission_current& message) {
 } // namespace
 
 plan_match match_of(const io::mavlink::mission_current& message, const followed_plan& plan) {
+  if (GODWIT_PLANTED(old_plans_progress))
+    return plan_match::ours;
   if (says_no_plan(message))
     return plan_match::other;
   if (plan.vehicle_plan_id) {

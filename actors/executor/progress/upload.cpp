@@ -5,6 +5,7 @@
 #include "actors/executor/progress/cut_over.hpp"
 #include "actors/executor/progress/follow.hpp"
 #include "runtime/assert.hpp"
+#include "runtime/planted_bug.hpp"
 
 namespace godwit::executor::progress {
 
@@ -59,6 +60,8 @@ void take(decision_context& t, const upload_intended& what) {
       pending_upload{.generation = t.s.last_generation + 1, .intent = what, .id_seen = {}, .unconfirmed_reached = {}};
   if (what.id_before == 0U)
     t.s.upload->intent.id_before.reset();
+  if (GODWIT_PLANTED(swap_cut_over))
+    cut_over(t, std::nullopt);
 }
 
 void take(decision_context& t, const upload_ended& what) {

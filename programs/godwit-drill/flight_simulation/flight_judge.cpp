@@ -146,6 +146,8 @@ std::string flaw_of_place(flight_simulation& flight) {
 std::string flaw_of_truth(flight_simulation& flight) {
   if (std::ranges::any_of(flight.orders(), &vehicle_order::clears_armed))
     return "the plan was taken from a vehicle that was armed";
+  if (flight.sent_without_intent())
+    return "a plan or a start went out before its intent was on the disk";
   constexpr double near_m = 20;        // an autopilot goes on within this of a waypoint
   constexpr double near_plane_m = 120; // and a fixed wing turns before it
   constexpr std::int64_t between_looks_ns = 2 * flight_track::look_every_ns;

@@ -23,8 +23,8 @@ struct report_counts {
 // A mission that is done ends on the ground, near where its last item leads. Empty: it does, or is not done.
 [[nodiscard]] std::string flaw_of_place(flight_simulation& flight);
 
-// What a report says was reached the vehicle had been at; and nothing took its plan from it while it was armed. Empty:
-// it is so.
+// What a report says was reached the vehicle had been at; nothing took its plan from it while it was armed; and no plan
+// and no start went out before its intent was on the disk. Empty: it is so.
 [[nodiscard]] std::string flaw_of_truth(flight_simulation& flight);
 
 // It has its end, or waits for a person and says for what.

@@ -7,6 +7,7 @@
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
+#include "programs/godwit-drill/flight_simulation/intent_on_disk.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "runtime/assert.hpp"
@@ -118,13 +119,29 @@ bool flight_simulation::exchange() {
   if (!process_)
     return false;
   const auto orders = process_->vehicle_wire().take_sent();
-  for (const auto& each : orders)
+  for (const auto& each : orders) {
+    look_at_intent(mavlink::frame_view(each.data()));
     line_.send(sim::way::in, each, now_ns_);
+  }
   const auto shown = process_->ground_wire().take_sent();
   for (const auto& each : shown)
     station_.receive(each);
   const bool has_called = service_.take_from(process_->service_port(), now_ns_);
   return !orders.empty() || !shown.empty() || has_called;
+}
+
+// Who sends a plan or a start has written first that it will.
+void flight_simulation::look_at_intent(const mavlink::frame_view& frame) {
+  const bool brings_plan =
+      frame.id() == mavlink::mission_count::message_id && mavlink::decode<mavlink::mission_count>(frame).count > 0;
+  const bool starts =
+      frame.id() == mavlink::command_long::message_id &&
+      mavlink::decode<mavlink::command_long>(frame).command == mavlink::number(mavlink::mav_cmd::mission_start);
+  if (!brings_plan && !starts)
+    return;
+  const auto intent = read_intent(outside_.journal.actors["executor"].kept);
+  if ((brings_plan && !intent.brings_plan) || (starts && !intent.starts))
+    sent_without_intent_ = true;
 }
 
 // -- the process ------------------------------------------------------------------------------------

@@ -125,6 +125,8 @@ public:
   [[nodiscard]] const executor::phase_status& status() const { return status_; }
   [[nodiscard]] const std::vector<vehicle_order>& orders() const { return orders_; }
   [[nodiscard]] const flight_track& track() const { return track_; }
+  // A plan or a start went out before what it is for was on the disk.
+  [[nodiscard]] bool sent_without_intent() const { return sent_without_intent_; }
   // The mission as it was when the flight began.
   [[nodiscard]] const mission::document& first_mission() const { return first_mission_; }
   [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
@@ -152,6 +154,7 @@ private:
   void begin_process();
   [[nodiscard]] bool is_time_to_die();
   void arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged);
+  void look_at_intent(const io::mavlink::frame_view& frame);
   void reaches_vehicle(const io::mavlink::frame_view& frame);
   void note(const std::string& sentence);
   void take_status(const executor::phase_status& now);
@@ -171,6 +174,7 @@ private:
   executor::phase_status status_;
   std::vector<vehicle_order> orders_;
   flight_track track_;
+  bool sent_without_intent_ = false;
   std::uint8_t forged_ = 0;
 
   simulated_service service_;

@@ -56,13 +56,16 @@ private:
     return who.value_or(any);
   }
 
-  // Half of the lines lose and double frames.
+  // Half of the lines lose, double, delay and mix up frames.
   static flight_simulation::options any_flight(std::mt19937_64& test_rng, sim::personality who, std::uint64_t seed) {
     flight_simulation::options result{.who = who, .seed = seed};
     if (test_rng() % 2 == 0)
       return result;
     result.line.in.loss = result.line.out.loss = 0.01 * static_cast<double>(test_rng() % 6);
     result.line.in.duplication = result.line.out.duplication = 0.01 * static_cast<double>(test_rng() % 6);
+    result.line.in.reorder = result.line.out.reorder = 0.01 * static_cast<double>(test_rng() % 4);
+    result.line.in.delay = result.line.out.delay = std::chrono::milliseconds(20 * (test_rng() % 10));
+    result.line.out.late = 0.002 * static_cast<double>(test_rng() % 6);
     return result;
   }
 

@@ -181,7 +181,8 @@ private:
   energy_control energy_{flight_};
   service_view service_{flight_};
   preparation preparation_{flight_, phases_, tasks_, energy_, service_};
-  flight_start start_{flight_, phases_, tasks_, watch_, preparation_};
+  part_choice parts_{flight_, tasks_};
+  flight_start start_{flight_, phases_, tasks_, watch_, preparation_, parts_};
   plan_changes changes_{flight_, phases_, tasks_};
   homecoming homecoming_{flight_, phases_, tasks_};
   operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_, watch_};

@@ -53,6 +53,8 @@ void settle_deployment(state& s, std::uint32_t generation_before, bool was_assig
       s.arrived.reset();
     if (s.change && s.mission->revision > s.change->base_revision)
       resolve_change(s, true);
+    if (s.brings->station)
+      s.station = std::exchange(s.brings->station, {});
     s.flown = std::move(s.brings);
   }
   s.brings.reset();

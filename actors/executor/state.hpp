@@ -77,10 +77,37 @@ struct task {
   std::uint64_t number = 0; // rises with each
   task_kind kind = task_kind::deploy;
   bool goes_on = false;                   // deploy: it is under way, and flies on with the new plan
-  std::optional<std::uint64_t> start_key; // start: of the station that waits for the answer
+  std::optional<std::uint64_t> start_key; // of the station that waits for the answer to its start
   static constexpr auto fields =
       io::table("executor.task", io::field("number", &task::number), io::field("kind", &task::kind),
                 io::field("goes_on", &task::goes_on), io::field("start_key", &task::start_key));
+};
+
+// Of a station's plan: the items that its start has asked for. The plan stays whole beside them, because the next start
+// may ask for others.
+struct station_part {
+  std::uint16_t first = 0; // in the upload
+  std::uint16_t last = 0;
+  mission::document whole;
+  std::vector<std::uint16_t> places; // as in station_plan, of `whole`
+  static constexpr auto fields = io::table(
+      "executor.station_part", io::field("first", &station_part::first), io::field("last", &station_part::last),
+      io::field("whole", &station_part::whole), io::field("places", &station_part::places));
+};
+
+// The plan of a ground station that is the mission, or the one that comes next.
+struct station_plan {
+  std::string mission_id;                // made for it
+  std::int32_t revision = 1;             // of the mission, as long as nobody else has changed it
+  std::uint32_t plan_id = 0;             // of the upload
+  std::uint16_t items = 0;               // of the upload
+  std::vector<std::uint16_t> places;     // for each item of the mission: of the item in the upload that it was made of
+  std::optional<station_part> part = {}; // that the mission is; none: it is the whole upload
+  static constexpr auto fields =
+      io::table("executor.station_plan", io::field("mission_id", &station_plan::mission_id),
+                io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
+                io::field("items", &station_plan::items), io::field("places", &station_plan::places),
+                io::field("part", &station_plan::part));
 };
 
 // The plan that an upload brings, until the upload is resolved.
@@ -90,23 +117,11 @@ struct deployment {
   std::optional<std::uint16_t> landing_sequence;
   std::vector<plan::planned_survey> surveys;
   std::optional<mission::assignment> asked = {}; // that it carries out in flight, until the upload is resolved
-  static constexpr auto fields =
-      io::table("executor.deployment", io::field("mission", &deployment::mission),
-                io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence),
-                io::field("surveys", &deployment::surveys), io::field("asked", &deployment::asked));
-};
-
-// The plan of a ground station that is the mission, or the one that comes next.
-struct station_plan {
-  std::string mission_id;            // made for it
-  std::int32_t revision = 1;         // of the mission, as long as nobody else has changed it
-  std::uint32_t plan_id = 0;         // of the upload
-  std::uint16_t items = 0;           // of the upload
-  std::vector<std::uint16_t> places; // for each item of the mission: of the item in the upload that it was made of
-  static constexpr auto fields =
-      io::table("executor.station_plan", io::field("mission_id", &station_plan::mission_id),
-                io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
-                io::field("items", &station_plan::items), io::field("places", &station_plan::places));
+  std::optional<station_plan> station = {};      // the same of a part that a station's start asks for
+  static constexpr auto fields = io::table(
+      "executor.deployment", io::field("mission", &deployment::mission), io::field("items", &deployment::items),
+      io::field("landing_sequence", &deployment::landing_sequence), io::field("surveys", &deployment::surveys),
+      io::field("asked", &deployment::asked), io::field("station", &deployment::station));
 };
 
 // -- events besides those of the progress -----------------------------------------------------------

@@ -36,6 +36,7 @@ struct plan_change {
 struct start_flight {
   std::optional<start_mission> asked; // by a ground station, which waits for its answer
   bool has_taken_off = false;         // under that station, which gives the vehicle back in the air
+  std::int64_t part_until_ns = 0;     // it waits for so long until its part of the plan is ready; 0: it does not
 };
 
 struct command_queue {

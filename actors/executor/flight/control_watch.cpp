@@ -129,12 +129,17 @@ bool control_watch::judge_holder(effects& out) {
   return true;
 }
 
+void control_watch::drop_all(effects& out, const std::string& why) {
+  flight_.runner.drop(flight_.world({}, out));
+  tasks_.end(out, why);
+  if (const auto& start = flight_.wanted.start; start && start->asked)
+    tasks_.answer_start(out, start->asked->key, start_verdict::not_ready, why);
+  flight_.wanted.drop_all_behind_takeover();
+}
+
 void control_watch::yield(effects& out, trigger to, const std::string& why) {
-  if (!GODWIT_PLANTED(act_after_takeover)) {
-    flight_.runner.drop(flight_.world({}, out));
-    tasks_.end(out, why);
-    flight_.wanted.drop_all_behind_takeover();
-  }
+  if (!GODWIT_PLANTED(act_after_takeover))
+    drop_all(out, why);
   if (to != trigger::failsafe_acts && (!flight_.failsafe_status || !flight_.failsafe_status->taken_over))
     say_taken_over(out);
   phases_.go(out, to, why);

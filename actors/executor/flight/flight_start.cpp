@@ -43,9 +43,12 @@ bool flight_start::waits_for_arming(instant now) const {
 }
 
 bool flight_start::begin_wanted(effects& out, instant now) {
-  if (!flight_.wanted.start || waits_for_arming(now))
+  if (!flight_.wanted.start || waits_for_arming(now) || parts_.waits(now))
     return false;
-  const auto what = *std::exchange(flight_.wanted.start, {});
+  auto what = *std::exchange(flight_.wanted.start, {});
+  const bool is_on_ground = what.asked && !what.has_taken_off && !flight_.is_in_flight();
+  if (is_on_ground && now.wall_ns <= what.asked->obey_until_ns && parts_.begin(out, what, now))
+    return true;
   if (what.asked && what.has_taken_off && flight_.s.status.now == phase::ready)
     begin_in_air(out, *what.asked);
   else if (what.asked)
@@ -73,9 +76,11 @@ std::string flight_start::why_not_in_flight() const {
 }
 
 // What is paused goes on when it is started from the first item; else it goes to the item that is named.
-void flight_start::begin_in_flight(effects& out, const start_mission& asked) {
+void flight_start::begin_in_flight(effects& out, const start_mission& asked, instant now) {
   if (const auto why = why_not_in_flight(); !why.empty())
     return tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
+  if (parts_.begin_in_flight(out, asked, now))
+    return;
   const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
   if (!sequence)
     return tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
@@ -90,6 +95,9 @@ void flight_start::begin_in_air(effects& out, const start_mission& asked) {
   const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
   if (asked.first != 0 && !sequence)
     return tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
+  if (!parts_.is_had_as_it_is(asked))
+    return tasks_.answer_start(out, asked.key, start_verdict::not_ready,
+                               "another part of the plan is ready, and in the air only that can be started");
   if (!flight_.is_in_air() || !flight_.s.progress.plan || flight_.has_open_intent())
     return tasks_.answer_start(out, asked.key, start_verdict::not_ready, flight_.sentence());
   flight_.adopt_flight();
@@ -105,7 +113,7 @@ void flight_start::begin_asked(effects& out, const start_mission& asked, instant
   if (now.wall_ns > asked.obey_until_ns)
     tasks_.answer_start(out, asked.key, start_verdict::too_late, "the request came too late");
   else if (flight_.is_in_flight())
-    begin_in_flight(out, asked);
+    begin_in_flight(out, asked, now);
   else if (const auto why = why_not_ready(out, now); !why.empty())
     tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
   else if (const auto disarmed = why_not_armed(); !disarmed.empty())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "actors/executor/flight/control_watch.hpp"
+#include "actors/executor/flight/part_choice.hpp"
 #include "actors/executor/flight/preparation.hpp"
 
 namespace godwit::executor {
@@ -10,8 +11,8 @@ namespace godwit::executor {
 class flight_start {
 public:
   flight_start(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
-               preparation& prepared)
-      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), preparation_(prepared) {}
+               preparation& prepared, part_choice& parts)
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), preparation_(prepared), parts_(parts) {}
 
   // The one that is wanted.
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
@@ -25,7 +26,7 @@ public:
 
 private:
   void begin(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence);
-  void begin_in_flight(effects& out, const start_mission& asked);
+  void begin_in_flight(effects& out, const start_mission& asked, instant now);
   void begin_in_air(effects& out, const start_mission& asked);
   [[nodiscard]] bool waits_for_arming(instant now) const;
   [[nodiscard]] std::string why_not_in_flight() const;
@@ -40,6 +41,7 @@ private:
   task_control& tasks_;
   control_watch& watch_;
   preparation& preparation_;
+  part_choice& parts_;
 };
 
 } // namespace godwit::executor

@@ -6,6 +6,7 @@
 
 #include "actors/domain/mission/convert/item_list_import.hpp"
 #include "actors/domain/mission/rules.hpp"
+#include "actors/executor/station_part.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_checksum.hpp"
@@ -19,11 +20,6 @@ constexpr std::int64_t tell_period_ns = 1'000'000'000;
 
 bool is_same(const ground_port::mission_progress& a, const ground_port::mission_progress& b) {
   return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode;
-}
-
-// Each upload is a mission of its own, also when it says the same as one before: that is flown again.
-std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
-  return mission::uuid_of_text("a ground station's plan " + std::to_string(plan_id) + " at " + std::to_string(wall_ns));
 }
 
 // Behind a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
@@ -157,7 +153,7 @@ effects gcs_view::on_start(const start_mission& m, instant now) {
     tasks_.answer_start(out, m.key, start_verdict::no_such_item, why);
   else if (flight_.has_person() && !watch_.may_hand_back(m.asked_by))
     tasks_.answer_start(out, m.key, start_verdict::not_ready, flight_.s.status.reason);
-  else if (hand_back(); fly_again(out, now) || prepare_again(flight_))
+  else if (hand_back(); fly_again(out, m, now) || prepare_again(flight_))
     tasks_.answer_start(out, m.key, start_verdict::not_ready, "it is prepared anew; start it when it is ready");
   else if (flight_.wanted.start || flight_.runner.is_busy())
     tasks_.answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + flight_.sentence());
@@ -173,25 +169,20 @@ std::string gcs_view::why_not_meant(const start_mission& m) {
   const auto& plan = shown();
   if (m.plan_id != plan.plan_id)
     return refused_upload_.empty() ? "another plan is here by now; load it from the vehicle" : refused_upload_;
-  if (m.last + std::size_t{1} < plan.items)
-    return "a mission is flown to its last item";
+  if (!plan.is_upload && m.last + std::size_t{1} < plan.items)
+    return "only a plan of a station is flown in part, as it came";
   return {};
 }
 
-// A station's plan that was flown is flown again as another mission.
-bool gcs_view::fly_again(effects& out, instant now) {
-  const auto* uploaded = uploaded_mission(flight_.s);
-  if (!is_at_rest(flight_.s.status.now) || uploaded == nullptr || flight_.s.arrived)
+// A station's plan that was flown, or the part of it that is asked for, is flown again as another mission.
+bool gcs_view::fly_again(effects& out, const start_mission& m, instant now) {
+  if (!is_at_rest(flight_.s.status.now) || flight_.s.arrived)
     return false;
-  auto plan = *flight_.s.station;
-  auto mission = *uploaded;
-  plan.mission_id = new_mission_id(plan.plan_id, now.wall_ns);
-  plan.revision = 1;
-  mission.mission_id = plan.mission_id;
-  mission.revision = plan.revision;
-  mission.geofences = flight_.s.station_fences;
-  out.emplace_back(note{station_plan_taken{std::move(plan), std::move(mission)}});
-  return true;
+  const bool takes_off = flight_.view.owner().vehicle != flight::vehicle_class::rover;
+  const auto again = part_of_plan(flight_.s, {m.first, m.last}, takes_off);
+  if (again)
+    out.emplace_back(note{as_new_mission(*again, now.wall_ns)});
+  return again.has_value();
 }
 
 // -- what they see ----------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ private:
   [[nodiscard]] effects not_taken(const std::string& why);
   [[nodiscard]] std::string why_not_meant(const start_mission& m);
   void hand_back();
-  [[nodiscard]] bool fly_again(effects& out, instant now);
+  [[nodiscard]] bool fly_again(effects& out, const start_mission& m, instant now);
   [[nodiscard]] bool begins_with_home(const std::vector<io::mavlink::mission_item_int>& items) const;
 
   flight_context& flight_;

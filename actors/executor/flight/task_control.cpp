@@ -28,18 +28,25 @@ void task_control::begin_deploy(effects& out, const mission::document& mission, 
   begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, mission, what, assignment);
 }
 
+void task_control::begin_part(effects& out, const station_plan_taken& part, const plan::flight_plan& what,
+                              std::uint64_t key) {
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, true, key}, part.mission, what, {}, part.plan);
+}
+
 void task_control::begin_way_home(effects& out, const plan::flight_plan& what) {
   begin_plan(out, {flight_.s.last_task + 1, task_kind::come_home_by_plan, true, {}}, *flight_.s.mission, what, {});
 }
 
 void task_control::begin_plan(effects& out, const task& doing, const mission::document& mission,
-                              const plan::flight_plan& what, const std::optional<std::string>& assignment) {
+                              const plan::flight_plan& what, const std::optional<std::string>& assignment,
+                              const std::optional<station_plan>& station) {
   progress::upload_intended intent{mission.revision, what.map, {}, {}};
   if (flight_.view.keeps_plan_ids() && flight_.view.current())
     intent.id_before = flight_.view.current()->mission_id;
   if (assignment)
     intent.assignment = progress::assignment_key{*assignment, ids::derived_uuid(*assignment, mission.mission_id)};
-  out.emplace_back(note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys}}});
+  out.emplace_back(
+      note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys, {}, station}}});
   flight_.wanted.set_current_item = false;
   flight_.wanted.finish_replan = flight_.wanted.finish_replan && !doing.goes_on;
   deploying_over_ = flight_.s.progress.last_generation;
@@ -68,7 +75,7 @@ bool task_control::run(effects& out, instant now) {
   const auto what = flight_.runner.doing();
   if (what && is_pointless(*what)) {
     flight_.runner.drop(flight_.world(now, out));
-    out.emplace_back(note{task_ended{what->number}});
+    end(out, "the plan before it has ended");
     return true;
   }
   switch (flight_.runner.advance(flight_.world(now, out))) {
@@ -111,13 +118,13 @@ void task_control::end(effects& out, const std::string& why) {
 
 void task_control::finish(effects& out, const task& what) {
   out.emplace_back(note{task_ended{what.number}});
+  if (what.start_key)
+    answer_start(out, *what.start_key, start_verdict::started, {});
   switch (what.kind) {
   case task_kind::deploy:
     finish_deploy(out, what);
     return;
   case task_kind::start:
-    if (what.start_key)
-      answer_start(out, *what.start_key, start_verdict::started, {});
     start_refused_since_ns_ = 0;
     flight_.was_up = flight_.view.is_under_way();
     out.emplace_back(note{preflight::took_off{}});
@@ -127,8 +134,6 @@ void task_control::finish(effects& out, const task& what) {
     phases_.go(out, trigger::held, std::exchange(flight_.wanted.why_halt, {}));
     return;
   case task_kind::resume:
-    if (what.start_key)
-      answer_start(out, *what.start_key, start_verdict::started, {});
     phases_.go(out, trigger::resumed);
     return;
   case task_kind::come_home:

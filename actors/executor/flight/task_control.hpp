@@ -21,6 +21,8 @@ public:
   // GOES_ON: in flight, into the new plan. ASSIGNMENT: that the plan carries out.
   void begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                     const std::optional<std::string>& assignment, bool goes_on);
+  // In flight: a part of a station's plan, for the station that waits for the answer to its start.
+  void begin_part(effects& out, const station_plan_taken& part, const plan::flight_plan& what, std::uint64_t key);
   // In flight: of no mission, and flown at once.
   void begin_way_home(effects& out, const plan::flight_plan& what);
   // At SEQUENCE of the vehicle.
@@ -39,7 +41,7 @@ public:
 
 private:
   void begin_plan(effects& out, const task& doing, const mission::document& mission, const plan::flight_plan& what,
-                  const std::optional<std::string>& assignment);
+                  const std::optional<std::string>& assignment, const std::optional<station_plan>& station = {});
   void finish_way_home(effects& out);
   [[nodiscard]] bool is_pointless(const task& what) const;
   void finish(effects& out, const task& what);

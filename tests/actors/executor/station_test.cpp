@@ -128,23 +128,6 @@ TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
   EXPECT_FALSE(world.say(operators::command_kind::start).is_taken);
 }
 
-TEST_P(flight_by_station, on_the_ground_what_flies_begins_with_its_take_off_and_nothing_ends_before_the_end) {
-  flight_world world(by_stations(GetParam()));
-  const auto items = station_items(GetParam());
-  ASSERT_TRUE(bring(world, items));
-  if (GetParam() != sim::personality::rover) {
-    auto from_the_middle = start_of(world, items);
-    from_the_middle.first = 1;
-    world.station_says(from_the_middle);
-    EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
-  }
-  auto half = start_of(world, items);
-  half.last = 1;
-  world.station_says(half);
-  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
-  EXPECT_EQ(world.durable().status.now, phase::ready);
-}
-
 TEST_P(flight_by_station, FR_00089_a_start_while_it_flies_restarts_at_the_item_that_is_named) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());

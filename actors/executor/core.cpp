@@ -17,9 +17,11 @@ namespace transfer = vehicle_link::transfer;
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
 // Each part numbers its orders in a range of its own.
-enum class order_owner { runner, recovery, clearing };
+enum class order_owner { runner, recovery, clearing, last_line };
 
 order_owner owner_of(std::uint64_t number) {
+  if (number >= first_of_last_line)
+    return order_owner::last_line;
   if (number >= first_clearing)
     return order_owner::clearing;
   return number >= first_reading_back ? order_owner::recovery : order_owner::runner;
@@ -30,7 +32,7 @@ order_owner owner_of(std::uint64_t number) {
 // -- the arbiter ------------------------------------------------------------------------------------
 
 // The first that has something to do keeps the others waiting. Above: who has the vehicle, and words that stop it.
-const std::array<core::rule, 16> core::rules{
+const std::array<core::rule, 17> core::rules{
     &core::look,              // a new incarnation, at the vehicle
     &core::heed,              // somebody else has it, or may have
     &core::come_home,         // around the fences
@@ -45,6 +47,7 @@ const std::array<core::rule, 16> core::rules{
     &core::follow_started,    // our plan is flown, and nobody here has started it
     &core::take_back,         // an operator has handed the vehicle back
     &core::leave_to_person,   // nothing below is done while somebody else has it
+    &core::bring_last_line,   // fences and rally points, behind a plan that is ready
     &core::begin_wanted,      // what was begun before, a change, resume, start
     &core::prepare,           // the next flight, on the ground
 };
@@ -183,6 +186,8 @@ effects core::on_vehicle(const io::mavlink::home_position& m, instant now) {
 
 bool core::awaits(std::uint64_t number) const {
   switch (owner_of(number)) {
+  case order_owner::last_line:
+    return last_line_.awaits(number);
   case order_owner::clearing:
     return clearing_.awaits(number);
   case order_owner::recovery:
@@ -195,6 +200,8 @@ bool core::awaits(std::uint64_t number) const {
 
 bool core::may_go_out(std::uint64_t number) const {
   switch (owner_of(number)) {
+  case order_owner::last_line:
+    return last_line_.may_go_out();
   case order_owner::clearing:
     return clearing_.may_go_out();
   case order_owner::recovery: // it asks for what the vehicle holds, and changes nothing
@@ -242,8 +249,9 @@ effects core::on_late(const order& what, instant now) {
 // It was given up before it went out, and so nobody answers it.
 effects core::on_revoked(const order& what) {
   const auto& doing = flight_.runner.doing();
-  if (!std::holds_alternative<vehicle_link::upload_plan>(what.what) || !flight_.s.progress.upload ||
-      (doing && brings_plan(doing->kind)))
+  const bool is_of_task =
+      owner_of(what.number) == order_owner::runner && std::holds_alternative<vehicle_link::upload_plan>(what.what);
+  if (!is_of_task || !flight_.s.progress.upload || (doing && brings_plan(doing->kind)))
     return {};
   return {note{flight_.runner.uploads().end_unsent("it was given up")}};
 }
@@ -257,6 +265,9 @@ effects core::on_command(std::uint64_t number, const vehicle_link::command_outco
 effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome, instant now) {
   effects out;
   switch (owner_of(number)) {
+  case order_owner::last_line:
+    last_line_.on_transfer(out, number, outcome, now);
+    break;
   case order_owner::clearing:
     clearing_.on_transfer(out, number, outcome);
     break;
@@ -337,6 +348,13 @@ effects core::on_delivered(const mission_client::mission_resolved& m, instant) {
 }
 
 // -- people -----------------------------------------------------------------------------------------
+
+effects core::on_station(const plan_cleared& m, instant now) {
+  auto out = last_line_.stop(); // the vehicle is cleared in its place
+  const auto more = stations_.on_cleared(m, recovery_.has_looked(), now);
+  out.insert(out.end(), more.begin(), more.end());
+  return out;
+}
 
 operators::answer core::on_operator(const operators::command& m, instant now) {
   using operators::command_kind;

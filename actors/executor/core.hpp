@@ -35,6 +35,7 @@
 #include "actors/executor/flight/flight_start.hpp"
 #include "actors/executor/flight/gcs_view.hpp"
 #include "actors/executor/flight/homecoming.hpp"
+#include "actors/executor/flight/last_line.hpp"
 #include "actors/executor/flight/operator_control.hpp"
 #include "actors/executor/flight/phase_table.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
@@ -122,9 +123,7 @@ public:
   // -- people
   [[nodiscard]] effects on_station(const start_mission& m, instant now) { return stations_.on_start(m, now); }
   [[nodiscard]] effects on_station(const plan_taken& m, instant now) { return stations_.on_plan(m, now); }
-  [[nodiscard]] effects on_station(const plan_cleared& m, instant now) {
-    return stations_.on_cleared(m, recovery_.has_looked(), now);
-  }
+  [[nodiscard]] effects on_station(const plan_cleared& m, instant now);
   // As a start in flight: what it is answered with comes as a start_answer with KEY, or at once.
   [[nodiscard]] effects on_station(const set_current& m, std::uint64_t key, instant now);
   // What a person does through a station; the answer is given behind the effects.
@@ -150,7 +149,7 @@ public:
 private:
   // True: something is under way, and the rest waits.
   using rule = bool (core::*)(effects&, instant);
-  static const std::array<rule, 16> rules;
+  static const std::array<rule, 17> rules;
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
   [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now); }
@@ -170,6 +169,7 @@ private:
   [[nodiscard]] bool may_go_out(std::uint64_t number) const;
   void lose_plan(effects& out, trigger what, instant now);
   [[nodiscard]] bool leave_to_person(effects& out, instant now);
+  [[nodiscard]] bool bring_last_line(effects& out, instant now) { return last_line_.advance(out, now); }
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
   [[nodiscard]] bool prepare(effects& out, instant now);
 
@@ -189,6 +189,7 @@ private:
   flight_end end_{flight_, phases_, tasks_, watch_};
   return_place return_place_{flight_, tasks_};
   plan_clearing clearing_{flight_, phases_};
+  last_line last_line_{flight_, clearing_};
   gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};
   station_acts acts_{flight_, watch_, preparation_, operators_};
 };

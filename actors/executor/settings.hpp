@@ -63,6 +63,7 @@ struct settings {
   double drain_percent_per_min = 0; // of the battery, before it was measured in a flight; 0: not known
   bool allow_partial = false;       // of a station's plan: take what a mission can say, and tell what it can not
   bool shows_home = false;          // to stations, where the vehicle keeps its home as item 0: they take us for it
+  bool brings_last_line = true;     // fences and rally points to the vehicle as well: flight/last_line.hpp
   bool marks_landings = false;      // of fixed wings, with DO_LAND_START: see plan/setting.hpp
   preflight::settings checks;
 };

@@ -192,6 +192,16 @@ effects take(state& s, const station_fence_taken& happened, std::int64_t) {
   return {};
 }
 
+effects take(state& s, const station_rally_taken& happened, std::int64_t) {
+  s.station_rally = happened.items;
+  return {};
+}
+
+effects take(state& s, const last_line_brought& happened, std::int64_t) {
+  s.last_line = happened.what;
+  return {};
+}
+
 // What the vehicle is said to have goes with it: whether it is cleared or not, godwit does not follow it any more.
 effects take(state& s, const station_plan_dropped&, std::int64_t) {
   s.arrived.reset();

@@ -6,7 +6,7 @@
 //   those of preflight            what operators have to know
 //   mission_arrived, _taken, deletion_told: none
 //   assignment_kept, _rejected    the answer that turns it down
-//   station_plan_taken, _dropped, and station_fence_taken: none
+//   station_plan_taken, _dropped, and station_fence_taken, station_rally_taken, last_line_brought: none
 //   change_asked                  what the service is to change; _resolved: none
 //   task_begun, task_ended        none; a task is on the disk before its first order goes out, but for hold,
 //                                 return and stand down
@@ -253,6 +253,28 @@ struct station_fence_taken {
       io::table("executor.station_fence_taken", io::field("fences", &station_fence_taken::fences));
 };
 
+// Its rally points, which go to the vehicle with its plans; none: they were cleared.
+struct station_rally_taken {
+  std::vector<io::mavlink::mission_item_int> items;
+  static constexpr auto fields =
+      io::table("executor.station_rally_taken", io::field("items", &station_rally_taken::items));
+};
+
+// What godwit has brought to the vehicle besides its plan, or may have: it clears that, and nothing of others.
+struct brought_last_line {
+  bool has_fence = false;
+  bool has_rally = false;
+  static constexpr auto fields =
+      io::table("executor.brought_last_line", io::field("has_fence", &brought_last_line::has_fence),
+                io::field("has_rally", &brought_last_line::has_rally));
+  friend bool operator==(const brought_last_line&, const brought_last_line&) = default;
+};
+
+struct last_line_brought {
+  brought_last_line what;
+  static constexpr auto fields = io::table("executor.last_line_brought", io::field("what", &last_line_brought::what));
+};
+
 // Its own message has made the vehicle its person's, until it is handed back.
 struct station_took_over {
   station by;
@@ -299,6 +321,8 @@ struct state {
   std::vector<mission::item> set_aside;       // by go_to: what the mission had left
   std::optional<station_plan> station;
   std::vector<mission::geofence> station_fences;
+  std::vector<io::mavlink::mission_item_int> station_rally;
+  brought_last_line last_line;
   std::optional<deployment> brings; // of the upload under way
   std::optional<deployment> flown;  // on the vehicle
   std::optional<task> doing;
@@ -321,6 +345,7 @@ struct state {
       io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
       io::field("change", &state::change), io::field("set_aside", &state::set_aside),
       io::field("station", &state::station), io::field("station_fences", &state::station_fences),
+      io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
       io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
       io::field("last_task", &state::last_task), io::field("standing", &state::status),
       io::field("person", &state::person), io::field("awaits_word", &state::awaits_word),
@@ -345,8 +370,8 @@ struct durable_core {
                    preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
                    preflight::restarted, mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked,
                    change_resolved, assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken,
-                   station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
-                   supervision::failsafe_missed, home_kept, home_commanded>;
+                   station_rally_taken, last_line_brought, station_plan_dropped, task_begun, task_ended, phase_status,
+                   station_took_over, start_resolved, supervision::failsafe_missed, home_kept, home_commanded>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

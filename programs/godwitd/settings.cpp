@@ -129,6 +129,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();
   to.flight.fence_margin_m = flight.at("fence_margin_m").get<double>();
   to.flight.allow_partial = to.allow_partial;
+  to.flight.brings_last_line = flight.at("last_line").get<bool>();
   to.flight.marks_landings = flight.at("marks_landings").get<bool>();
   to.flight.refused_inserts = io::value_of<executor::refusal_policy>(text(flight, "refused_inserts")).value();
   to.flight.deleted_mission = io::value_of<executor::deletion_policy>(text(flight, "deleted_mission")).value();

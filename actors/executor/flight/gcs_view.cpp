@@ -50,7 +50,7 @@ effects gcs_view::take(const plan_taken& m, instant now) {
   case mav_mission_type::fence:
     return take_fence(m.items);
   default:
-    return {announce{"the rally points are not used: a mission returns to one point", true}};
+    return take_rally(m.items);
   }
 }
 
@@ -71,8 +71,7 @@ effects gcs_view::on_cleared(const plan_cleared& m, bool has_looked, instant now
     clearing_.begin(out, has_looked, now);
     return out;
   }
-  if (m.type == mav_mission_type::fence)
-    out = take_fence({});
+  out = m.type == mav_mission_type::fence ? take_fence({}) : take_rally({});
   out.emplace_back(say_to_port{ground_port::plan_judged{m.type, 0, ground_port::plan_verdict::taken}});
   return out;
 }
@@ -140,6 +139,17 @@ effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& i
   if (is_flight_begun(flight_.s))
     out.emplace_back(announce{"the fence counts from the next flight on", true});
   return out;
+}
+
+// godwit flies to none of them: they go to the vehicle with the station's plan.
+effects gcs_view::take_rally(const std::vector<io::mavlink::mission_item_int>& items) {
+  if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
+    return items.empty()
+               ? effects{}
+               : effects{announce{"the rally points are not used: missions come from " + elsewhere + " here", true}};
+  if (!flight_.configured.brings_last_line)
+    return items.empty() ? effects{} : effects{announce{"the rally points are not used (flight.last_line)", true}};
+  return {note{station_rally_taken{items}}};
 }
 
 // -- what they start --------------------------------------------------------------------------------

@@ -41,6 +41,7 @@ private:
   [[nodiscard]] bool counts(const plan_taken& m) const; // it is the one here
   [[nodiscard]] effects take_plan(const plan_taken& m, instant now);
   [[nodiscard]] effects take_fence(const std::vector<io::mavlink::mission_item_int>& items);
+  [[nodiscard]] effects take_rally(const std::vector<io::mavlink::mission_item_int>& items);
   [[nodiscard]] effects not_taken(const std::string& why);
   [[nodiscard]] std::string why_not_meant(const start_mission& m);
   void hand_back();

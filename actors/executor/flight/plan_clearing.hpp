@@ -27,6 +27,7 @@ public:
   // again meanwhile is answered with the same outcome.
   void begin(effects& out, bool has_looked, instant now);
   [[nodiscard]] bool awaits(std::uint64_t number) const { return is_under_way_ && number == last_number_; }
+  [[nodiscard]] bool is_under_way() const { return is_under_way_; }
   // The vehicle is still one that may be cleared.
   [[nodiscard]] bool may_go_out() const { return why_not_vehicle().empty(); }
   void on_transfer(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);

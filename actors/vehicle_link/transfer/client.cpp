@@ -82,6 +82,9 @@ step client::begin(const parties& who, std::unique_ptr<operation> what, std::int
   who_ = who;
   running_ = std::move(what);
   cancel_repeats_left_ = 0;
+  stale_cancels_left_ = max_cancel_repeats;
+  began_ns_ = now_ns;
+  is_answered_ = false;
   step out;
   running_->start(out, now_ns);
   return out;
@@ -106,14 +109,30 @@ bool client::concerns_running(const M& m) {
 }
 
 template <class M>
+bool client::is_stale(const M& m, std::int64_t now_ns) const {
+  const bool is_ours = m.target_system == ourselves_.system && m.target_component == ourselves_.component;
+  return !is_idle() && is_ours && m.mission_type != number(who_.mission_type) &&
+         m.mission_type < number(mav_mission_type::all) && stale_cancels_left_ > 0 && !is_answered_ &&
+         now_ns - began_ns_ >= other_is_stale_ns;
+}
+
+template <class M>
 step client::on_any_request(const M& m, std::int64_t now_ns) {
   step out;
+  if (is_stale(m, now_ns)) {
+    --stale_cancels_left_;
+    mavlink::mission_ack cancelled;
+    cancelled.type = number(mav_mission_result::operation_cancelled);
+    out.messages.emplace_back(with(static_cast<mav_mission_type>(m.mission_type)).addressed(cancelled));
+    return out;
+  }
   if (is_idle() && cancel_repeats_left_ > 0 && who_.concerns(m)) {
     --cancel_repeats_left_;
     mavlink::mission_ack cancelled;
     cancelled.type = number(mav_mission_result::operation_cancelled);
     out.messages.emplace_back(who_.addressed(cancelled));
   } else if (concerns_running(m)) {
+    is_answered_ = true;
     running_->on_request(out, m.seq, now_ns);
     end_if_finished(out, now_ns);
   }

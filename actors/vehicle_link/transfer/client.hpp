@@ -24,6 +24,11 @@ namespace godwit::vehicle_link::transfer {
 // PX4 asks for 5 s, four times a second; a few answers suffice to reach it over a bad line.
 inline constexpr int max_cancel_repeats = 5;
 
+// A vehicle that still asks for items of another type of plan, of an upload whose sender has died, may hear nothing
+// else meanwhile: it is told that this one is cancelled. Not before its late frames are gone, and only as long as it
+// has asked for nothing of the transfer that runs: a PX4 takes a cancel for any of them.
+inline constexpr std::int64_t other_is_stale_ns = 1'000 * ns_per_ms;
+
 // Nothing of an upload or a clear, and nothing that the vehicle said to it, is on the line so long after it has ended.
 // The next upload of the same type does not begin sooner: no number in the protocol tells the frames of two of them
 // apart.
@@ -62,6 +67,8 @@ private:
   [[nodiscard]] bool concerns_running(const M& m);
   template <class M>
   [[nodiscard]] step on_any_request(const M& m, std::int64_t now_ns);
+  template <class M>
+  [[nodiscard]] bool is_stale(const M& m, std::int64_t now_ns) const;
   [[nodiscard]] parties with(mavlink::mav_mission_type type) const { return {ourselves_, peer_, type}; }
   [[nodiscard]] step begin(const parties& who, std::unique_ptr<operation> what, std::int64_t now_ns);
   void end_if_finished(const step& out, std::int64_t now_ns);
@@ -73,6 +80,9 @@ private:
   parties who_; // of the running or the last transfer
   std::unique_ptr<operation> running_;
   int cancel_repeats_left_ = 0;
+  int stale_cancels_left_ = 0;
+  std::int64_t began_ns_ = 0; // the running or the last transfer
+  bool is_answered_ = false;  // by a request
   bool keeps_plan_ids_;
   std::array<std::int64_t, 3> quiet_from_ns_{}; // by type: nothing of the last upload is on the line any more
   std::uint64_t ignored_ = 0;

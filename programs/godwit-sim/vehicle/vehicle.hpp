@@ -48,6 +48,8 @@ struct vehicle_picture {
   int mission_current = 0;
   int mission_count = 0;
   std::uint32_t mission_id = 0; // 0: none, or an autopilot without ids
+  int fence_count = 0;          // items
+  int rally_count = 0;
   double battery_percent = 0;
   bool has_position = true;  // GPS
   std::int64_t world_ms = 0; // since the autopilot's start

@@ -223,6 +223,8 @@ vehicle_picture vehicle::parts::describe() const {
           .mission_current = progress.seq,
           .mission_count = craft_.mission().count(),
           .mission_id = progress.mission_id,
+          .fence_count = static_cast<int>(plans_.plan(mavlink::mav_mission_type::fence).items.size()),
+          .rally_count = static_cast<int>(plans_.plan(mavlink::mav_mission_type::rally).items.size()),
           .battery_percent = power_.percent(),
           .has_position = state_.has_position,
           .world_ms = state_.up_ns(now_.world_ns) / ns_per_ms};

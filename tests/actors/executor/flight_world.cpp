@@ -41,6 +41,7 @@ flight_world::flight_world(const options& wanted)
   settings_.refused_inserts = wanted.refused_inserts;
   settings_.deleted_mission = wanted.deleted_mission;
   settings_.shows_home = wanted.shows_home;
+  settings_.brings_last_line = wanted.brings_last_line;
   settings_.marks_landings = wanted.marks_landings;
   settings_.checks.asks_for_straight_return = true;
   settings_.drain_percent_per_min = wanted.drain_percent_per_min;
@@ -406,7 +407,9 @@ void flight_world::take(const executor::order& each) {
   const bool stands_by = state_.doing && state_.doing->kind == executor::task_kind::stand_by;
   const bool changes_nothing = std::holds_alternative<failsafe::guard_mission>(each.what) ||
                                std::holds_alternative<vehicle_link::download_plan>(each.what);
-  orders_ += stands_by || changes_nothing ? 0 : 1;
+  const bool is_last_line = each.number >= executor::first_of_last_line;
+  last_line_orders_ += is_last_line ? 1 : 0;
+  orders_ += stands_by || changes_nothing || is_last_line ? 0 : 1;
   if (!std::holds_alternative<failsafe::guard_mission>(each.what))
     asked_[each.number] = std::holds_alternative<vehicle_link::upload_plan>(each.what) ||
                           std::holds_alternative<vehicle_link::download_plan>(each.what);
@@ -470,11 +473,15 @@ bool flight_world::is_lost(std::span<const std::byte> frame) {
 }
 
 bool flight_world::is_silenced(std::span<const std::byte> frame) const {
-  if (lost_message_ == 0)
+  if (lost_message_ == 0 && !loses_fences_)
     return false;
   bool result = false;
   io::mavlink::scanner one;
-  one.feed(frame, [&](const io::mavlink::frame_view& each) { result = each.id() == lost_message_; });
+  one.feed(frame, [&](const io::mavlink::frame_view& each) {
+    const bool is_of_fence = each.id() == io::mavlink::mission_count::message_id &&
+                             io::mavlink::decode<io::mavlink::mission_count>(each).mission_type != 0;
+    result = (lost_message_ != 0 && each.id() == lost_message_) || (loses_fences_ && is_of_fence);
+  });
   return result;
 }
 

@@ -37,6 +37,7 @@ public:
     double speed = 5; // of the vehicle's world
     bool has_service = true;
     bool shows_home = false;
+    bool brings_last_line = true;
     bool marks_landings = false; // of a plane
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
     executor::deletion_policy deleted_mission = executor::deletion_policy::go_on;
@@ -136,6 +137,10 @@ public:
   // All that went to the vehicle to change something: commands, uploads, items to go on with; what is counted in
   // stand_bys() is not.
   [[nodiscard]] int orders() const { return orders_; }
+  // Of these, so many were for fences and rally points; they are not counted in orders().
+  [[nodiscard]] int last_line_orders() const { return last_line_orders_; }
+  // No transfer of a fence or of rally points comes to the vehicle.
+  void lose_fences(bool are_lost) { loses_fences_ = are_lost; }
   void set_loss(double share) { lost_ = share; }
   void set_journal_nearly_full(bool is_so);
   // The next so many of this MAV_CMD do not come to the vehicle.
@@ -247,6 +252,8 @@ private:
   std::vector<std::uint16_t> commands_;
   int stand_bys_ = 0;
   int orders_ = 0;
+  int last_line_orders_ = 0;
+  bool loses_fences_ = false;
   bool is_journal_nearly_full_ = false;
   std::pair<std::uint16_t, int> losses_; // MAV_CMD, how many more
   std::uint32_t lost_message_ = 0;

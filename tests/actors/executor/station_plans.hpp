@@ -68,6 +68,17 @@ inline upload station_items(sim::personality who) {
   return numbered(result);
 }
 
+inline upload fence_around(sim::personality who, double half_side_m) {
+  upload result;
+  for (const auto& [north, east] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
+    auto corner = waypoint_at(who, north * half_side_m, east * half_side_m);
+    corner.command = number(mav_cmd::nav_fence_polygon_vertex_inclusion);
+    corner.param1 = 4;
+    result.push_back(corner);
+  }
+  return numbered(result);
+}
+
 inline plan_taken taken(const upload& items, mav_mission_type type = mav_mission_type::mission) {
   return {type, io::mavlink::checksum_of(items), items, {255, 190}};
 }

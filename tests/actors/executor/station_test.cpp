@@ -266,17 +266,6 @@ TEST_P(flight_by_station, who_takes_us_for_an_ardupilot_is_shown_home_as_item_0)
 
 // -- its fence ------------------------------------------------------------------------------------
 
-upload fence_around(sim::personality who, double half_side_m) {
-  upload result;
-  for (const auto& [north, east] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}) {
-    auto corner = waypoint_at(who, north * half_side_m, east * half_side_m);
-    corner.command = number(mav_cmd::nav_fence_polygon_vertex_inclusion);
-    corner.param1 = 4;
-    result.push_back(corner);
-  }
-  return numbered(result);
-}
-
 TEST_P(flight_by_station, the_fence_of_a_station_is_checked_and_watched) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());

@@ -88,6 +88,25 @@ TEST(client, repeats_a_cancel_to_a_vehicle_that_still_asks_and_not_for_ever) {
   EXPECT_EQ(repeats, transfer::max_cancel_repeats);
 }
 
+TEST(client, cancels_an_upload_of_another_type_that_the_vehicle_still_asks_for_and_nothing_else) {
+  auto client = px4_client();
+  auto stale = to_us(mavlink::mission_request_int{});
+  stale.mission_type = number(mav_mission_type::fence);
+  EXPECT_TRUE(client.on(stale, ms).messages.empty()) << "nothing of ours runs";
+  (void)client.upload(mav_mission_type::mission, mission_of(3), ms);
+  EXPECT_TRUE(client.on(stale, 500 * ms).messages.empty()) << "it may be a late one";
+  auto anybodys = stale;
+  anybodys.target_system = 0;
+  EXPECT_TRUE(client.on(anybodys, 1'500 * ms).messages.empty());
+  const auto out = client.on(stale, 1'500 * ms);
+  ASSERT_EQ(out.messages.size(), 1U);
+  const auto& told = std::get<mavlink::mission_ack>(out.messages.front());
+  EXPECT_EQ(told.type, number(mavlink::mav_mission_result::operation_cancelled));
+  EXPECT_EQ(told.mission_type, number(mav_mission_type::fence));
+  (void)client.on(to_us(mavlink::mission_request_int{}), 1'600 * ms);
+  EXPECT_TRUE(client.on(stale, 1'700 * ms).messages.empty()) << "it has begun with ours";
+}
+
 TEST(client, does_not_begin_an_upload_while_frames_of_the_last_one_may_be_on_the_line) {
   auto client = px4_client();
   (void)client.upload(mav_mission_type::mission, mission_of(3), ms);

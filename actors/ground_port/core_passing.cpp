@@ -364,6 +364,8 @@ void core::refuse_act(decision_context& t, const passing::waiting_act& what, con
 
 // The value that stays is the answer to a parameter that is not set.
 void core::read_back(decision_context& t, const relayed_frame& asked) {
+  if (asked.payload.empty()) // all zeros, which some programs cut off: it names no parameter
+    return;
   const auto m = mavlink::decode_payload<mavlink::param_set>(std::as_bytes(std::span(asked.payload)));
   mavlink::param_request_read set_current;
   set_current.target_system = m.target_system;

@@ -346,6 +346,14 @@ TEST_F(ground_port_passing, a_parameter_that_is_not_set_is_read_back) {
   EXPECT_EQ(port.passed_on.back().message, 23U);
 }
 
+// Found by tests/fuzz/passing_router_fuzz.cpp.
+TEST_F(ground_port_passing, of_a_parameter_without_a_name_nothing_is_read_back) {
+  say_frame(mavlink::param_set::message_id, {});
+  ASSERT_EQ(port.acts.size(), 1U);
+  port.executor_says(act_verdict::refused, "not while the vehicle is armed");
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
 TEST_F(ground_port_passing, files_are_written_only_where_the_executor_lets_and_plans_never) {
   std::vector<std::uint8_t> open{0, 1, 1, 7, 0, 0, 11, 4, 0, 0, 0, 0, 0, 0, 0, '@', 'S', 'Y', 'S'};
   say_frame(110, open);

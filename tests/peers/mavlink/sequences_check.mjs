@@ -1,16 +1,20 @@
 #!/usr/bin/env node
 // The sequences in which other programs fly a mission, through godwitd, with node-mavlink as the station:
 //
-//   node sequences_check.mjs GODWIT_SIM GODWITD rover|px4|ardupilot mavsdk|mavproxy
+//   node sequences_check.mjs GODWIT_SIM GODWITD rover|px4|ardupilot mavsdk|mavproxy|part
 //
 // mavsdk:   upload; arm and the mission mode in one breath (DO_SET_MODE); pause and go on by modes; return.
 // mavproxy: upload; GUIDED, arm, take off (SET_MODE, COMMAND_LONG); AUTO in the air; LOITER and AUTO again; RTL.
+// part:     upload; MISSION_START of a part while disarmed, which prepares it; arm and the same start; it ends there.
 // godwitd arms nothing here. Exit 0 if all is as it must be, 1 if not, 2 on wrong usage.
 import { fly_with_daemon, main_of } from "./flying_daemon.mjs";
 import { check, compare, item, nav_return, nav_takeoff, square } from "./plans.mjs";
 
 const accepted = 0;
 const temporarily_rejected = 1;
+const denied = 2;
+const in_progress = 5;
+const mission_start = 300;
 const do_set_mode = 176;
 const arm = 400;
 const custom_mode_enabled = 1;
@@ -104,10 +108,34 @@ async function as_mavproxy(station, vehicle) {
   await see_mode(station, vehicle.home);
 }
 
-const names = [...Object.keys(vehicles).map((each) => `${each} mavsdk`), "ardupilot mavproxy"];
+// Until it is answered otherwise than "not yet".
+async function start_part(station, first, last) {
+  for (const end = Date.now() + 30_000; Date.now() < end; await new Promise((go) => setTimeout(go, 200))) {
+    const result = await station.command(mission_start, [first, last]);
+    if (result !== temporarily_rejected && result !== in_progress) return result;
+  }
+  throw new Error("a part of the mission can not be started within 30 s");
+}
+
+async function as_part(station, vehicle) {
+  await prepare(station, vehicle);
+  const first = vehicle.plan === flight ? 2 : 1; // what flies takes off before it
+  const told = () => station.heard.filter(({ name }) => name === "MISSION_ITEM_REACHED").map(({ message }) => message.seq);
+  check(await start_part(station, first, first) === denied, "a vehicle that is disarmed is started");
+  check(await station.command(arm, [1]) === accepted, "arming is refused");
+  const result = await start_part(station, first, first);
+  check(result === accepted, `the start of item ${first} is answered with ${result}`);
+  check(await station.wait_for(["MISSION_ITEM_REACHED"], ({ seq }) => seq === first, 60_000, 0), "it is not reached");
+  await new Promise((go) => setTimeout(go, 3_000)); // a minute of the vehicle
+  const items = [...new Set(told())];
+  compare(vehicle.plan, await station.download(), 0);
+  check(JSON.stringify(items) === JSON.stringify(vehicle.plan === flight ? [0, first] : [first]), `reached: ${items}`);
+}
+
+const names = [...Object.keys(vehicles).flatMap((each) => [`${each} mavsdk`, `${each} part`]), "ardupilot mavproxy"];
 await main_of("sequences_check.mjs", names, async (vehicle_path, daemon_path, name, program) => {
   const began = Date.now();
-  const fly = program === "mavsdk" ? as_mavsdk : as_mavproxy;
+  const fly = { mavsdk: as_mavsdk, mavproxy: as_mavproxy, part: as_part }[program];
   await fly_with_daemon(vehicle_path, daemon_path, name, [], (station) => fly(station, vehicles[name]));
   console.log(`${name} as ${program} flies it: ${Date.now() - began} ms`);
 });

@@ -91,6 +91,8 @@ bool simulated_journal::step() {
     return false;
   if (failing_)
     return recover_while_failing();
+  if (holding_ && std::holds_alternative<journal_write>(queue_.front()))
+    return false;
   if (std::holds_alternative<recovery>(queue_.front())) {
     auto asked = std::get<recovery>(std::move(queue_.front()));
     queue_.pop_front();

@@ -42,6 +42,8 @@ public:
   void fail_writes(bool failing) { failing_ = failing; }
   // As if its queue was full.
   void refuse_writes(bool refusing) { refusing_ = refusing; }
+  // As while the disk syncs: nothing commits, and what is behind a write waits with it. It does not fail.
+  void hold(bool holding) { holding_ = holding; }
   // The next write of ACTOR with an event can never commit, nor can the first after each of the next TIMES - 1
   // recoveries.
   void break_writes_of(const std::string& actor, int times) { to_break_[actor] = times; }
@@ -66,6 +68,7 @@ private:
   std::map<std::string, std::uint64_t> newest_incarnation_;
   bool failing_ = false;
   bool refusing_ = false;
+  bool holding_ = false;
   std::map<std::string, int> to_break_;
   std::vector<journal_write> failed_;           // and not told yet
   std::map<std::string, journal_error> broken_; // actors with a write that can never commit, until they recover

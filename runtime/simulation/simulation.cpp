@@ -1,6 +1,7 @@
 #include "runtime/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <caf/scheduler/test_coordinator.hpp>
 
@@ -27,8 +28,22 @@ public:
   ~simulated_scheduler() = default;
 
   [[nodiscard]] std::int64_t now_ns() const { return coordinator_->clock().now().time_since_epoch().count(); }
-  [[nodiscard]] auto& jobs() { return coordinator_->jobs; }
-  bool run_once() { return coordinator_->try_run_once(); }
+  // Those that can run.
+  [[nodiscard]] auto& jobs() {
+    set_hanging_aside();
+    return coordinator_->jobs;
+  }
+  bool run_once() {
+    set_hanging_aside();
+    return coordinator_->try_run_once();
+  }
+  void hang(const std::string& actor) { to_hang_.insert(actor); }
+  void end_hanging() {
+    to_hang_.clear();
+    hanging_.clear();
+    coordinator_->jobs.insert(coordinator_->jobs.end(), aside_.begin(), aside_.end());
+    aside_.clear();
+  }
   [[nodiscard]] std::optional<std::int64_t> next_timer_ns() const {
     const auto& due = coordinator_->clock().schedule();
     return due.empty() ? std::nullopt : std::optional(due.begin()->first.time_since_epoch().count());
@@ -53,7 +68,24 @@ public:
   }
 
 private:
+  void set_hanging_aside() {
+    if (to_hang_.empty() && hanging_.empty())
+      return;
+    std::erase_if(coordinator_->jobs, [this](caf::resumable* each) {
+      const auto* who = dynamic_cast<caf::local_actor*>(each);
+      if (who != nullptr && to_hang_.erase(who->name()) > 0)
+        hanging_.insert(each);
+      const bool hangs = hanging_.contains(each);
+      if (hangs)
+        aside_.push_back(each); // with its reference, so that no other incarnation gets its place in memory
+      return hangs;
+    });
+  }
+
   caf::scheduler::test_coordinator* coordinator_;
+  std::set<std::string, std::less<>> to_hang_; // actors
+  std::set<caf::resumable*> hanging_;
+  std::vector<caf::resumable*> aside_;
   caf::event_based_actor* asker_ = nullptr;
   caf::strong_actor_ptr asker_alive_;
 };
@@ -99,6 +131,7 @@ void simulation::begin(const simulated_disk& disk, std::uint64_t seed, system_op
 
 simulation::~simulation() {
   crashes_.clear();
+  scheduler_->end_hanging();
   system_->kill_all();
   scheduler_->end_asker();
   while (scheduler_->run_once()) {
@@ -161,6 +194,8 @@ bool simulation::kill(const std::string& actor) {
   auto* found = find(actor);
   return found != nullptr && found->kill();
 }
+
+void simulation::hang(const std::string& actor) { scheduler_->hang(actor); }
 
 address_counters simulation::counters(const std::string& actor) const {
   const auto* found = find(actor);

@@ -39,12 +39,14 @@ class simulated_time final : public time_source {
 public:
   void follow(const simulated_scheduler& scheduler) { scheduler_ = &scheduler; }
   [[nodiscard]] std::int64_t monotonic_ns() const noexcept override;
-  [[nodiscard]] std::int64_t wall_ns() const noexcept override { return start_ns + monotonic_ns(); }
+  [[nodiscard]] std::int64_t wall_ns() const noexcept override { return start_ns + ahead_ns_ + monotonic_ns(); }
+  void set_wall_ahead(std::int64_t ns) { ahead_ns_ = ns; }
 
   static constexpr std::int64_t start_ns = 1'800'000'000'000'000'000; // 2027-01-15, a round number
 
 private:
   const simulated_scheduler* scheduler_ = nullptr;
+  std::int64_t ahead_ns_ = 0; // of the wall clock, before the true time
 };
 
 // Crashes that the test asked for: the next time ACTOR passes POINT it throws.
@@ -109,6 +111,11 @@ public:
   void forget_planned_crashes() { crashes_.clear(); }
   // Ends the incarnation between two messages. False: there is none now.
   bool kill(const std::string& actor);
+  // The incarnation of ACTOR that would run next never comes out of a handler again: it takes no message, and nothing
+  // ends it.
+  void hang(const std::string& actor);
+  // Somebody has set the wall clock: so far ahead of the true time, or behind it.
+  void set_wall_ahead(std::int64_t ns) { time_.set_wall_ahead(ns); }
   [[nodiscard]] address_counters counters(const std::string& actor) const;
 
   template <class Handle, class T>

@@ -115,9 +115,18 @@ effects take(state& s, const M& happened, std::int64_t now_ns) {
 template <class M>
 concept of_preflight = std::is_constructible_v<preflight::event, M>;
 
+// Somebody else has had it under way, or we have and know nothing of it: people may be where it has come down.
+bool is_under_way_without_us(const preflight::looked& look) {
+  return std::ranges::any_of(look.what.findings, [](const preflight::finding& each) {
+    return each.check == "on_ground" && each.how == preflight::verdict::fail;
+  });
+}
+
 template <of_preflight M>
 effects take(state& s, const M& happened, std::int64_t now_ns) {
   effects out;
+  if constexpr (std::is_same_v<M, preflight::looked>)
+    s.awaits_word = s.awaits_word || is_under_way_without_us(happened);
   for (const auto& each : preflight::apply(s.preflight, preflight::event(happened), now_ns))
     std::visit([&](const auto& what) { out.emplace_back(what); }, each);
   return out;

@@ -330,7 +330,7 @@ struct state {
   phase_status status;
   std::optional<executor::station>
       person;               // through which the person acts who has the vehicle; none: another way, or nobody has
-  bool awaits_word = false; // this mission has flown, or was resumed on the ground: a person starts it, nothing else
+  bool awaits_word = false; // it has flown, was resumed on the ground, or was under way without us: a person starts it
   std::optional<kept_home> home;   // of this mission
   bool has_commanded_home = false; // and has not freed it
   preflight::state preflight;

@@ -54,7 +54,7 @@ effects gcs_view::take(const plan_taken& m, instant now) {
   }
 }
 
-// That it counted before makes no difference to who has uploaded it. Rally points are not used.
+// That it counted before makes no difference to who has uploaded it. What comes of rally points is said.
 bool gcs_view::counts(const plan_taken& m) const {
   if (m.type == mav_mission_type::mission)
     return flight_.s.station && flight_.s.station->plan_id == m.plan_id;

@@ -122,7 +122,7 @@ constexpr std::array table{
     row(trigger::plan_brought, any, no_guard, ready),
     pauses(trigger::plan_brought_held, cause::asked, "held as asked"),
     with(row(trigger::start_waits, of(ready), no_guard, stays), cause::none,
-         "this mission was begun before; a person has to start it"),
+         "this mission was begun before, or the vehicle was under way without godwit; a person has to start it"),
     row(trigger::start_begun, of(ready), no_guard, starting),
     row(trigger::start_refused, any, no_guard, ready),
     flies(pauses(trigger::start_failed, cause::not_done), flight_bit::if_in_air),

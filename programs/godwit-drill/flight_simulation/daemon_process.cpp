@@ -22,6 +22,7 @@ struct daemon_process::parts {
     if (around.record != nullptr)
       around.record->begin_process(world.names(), world.time());
     world.pass_time_until(now_ns);
+    world.set_wall_ahead(around.wall_ahead_ns);
     surround(seed);
     auto& actors = world.actors();
     base = daemon::add_base(actors, around.settings, meets);
@@ -112,6 +113,20 @@ bool daemon_process::kill(const std::string& actor) { return parts_->world.kill(
 void daemon_process::fail_journal(bool failing) { parts_->world.journal().fail_writes(failing); }
 
 void daemon_process::fill_journal(bool full) { parts_->world.journal().refuse_writes(full); }
+
+void daemon_process::hold_journal(bool held) { parts_->world.journal().hold(held); }
+
+void daemon_process::sync_journal() {
+  hold_journal(false);
+  const auto before = parts_->outside.journal.commits;
+  while (parts_->outside.journal.commits == before && parts_->world.journal().step()) {
+  }
+  hold_journal(true);
+}
+
+void daemon_process::hang(const std::string& actor) { parts_->world.hang(actor); }
+
+void daemon_process::set_wall_ahead(std::int64_t ns) { parts_->world.set_wall_ahead(ns); }
 
 runtime::health_colour daemon_process::health(const std::string& component) const {
   auto worst = runtime::health_colour::green;

@@ -33,6 +33,7 @@ struct process_surroundings {
   std::string map_file;
   executor::supervision::circumstances process; // of the next one
   std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
+  std::int64_t wall_ahead_ns = 0; // of the wall clock, before the true time
   std::function<void(std::string_view part, const std::string& sentence)> say;
   std::function<void(const executor::phase_status& now)> on_phase_status;
   flight_record* record = nullptr; // null: its deliveries are not looked at
@@ -75,6 +76,12 @@ public:
   void fail_journal(bool failing);
   // Its queue is full.
   void fill_journal(bool full);
+  // The disk syncs for so long as it is held; sync_journal() is the end of one sync.
+  void hold_journal(bool held);
+  void sync_journal();
+  // Its incarnation never comes out of a handler again.
+  void hang(const std::string& actor);
+  void set_wall_ahead(std::int64_t ns);
   [[nodiscard]] runtime::health_colour health(const std::string& component) const;
 
   // Why the guardian wants the process to end.

@@ -68,26 +68,6 @@ std::map<std::string, mission::position> waypoints_of(const mission::document& m
   return result;
 }
 
-bool moves_vehicle(const vehicle_order& order) {
-  constexpr std::array harmless{mavlink::number(mavlink::mav_cmd::set_message_interval),
-                                mavlink::number(mavlink::mav_cmd::request_message)};
-  if (order.puts_to_rest)
-    return false;
-  switch (order.message_id) {
-  case mavlink::command_long::message_id:
-  case mavlink::command_int::message_id:
-    return std::ranges::find(harmless, order.command) == harmless.end();
-  case mavlink::set_mode::message_id:
-  case mavlink::mission_set_current::message_id:
-  case mavlink::mission_count::message_id:
-  case mavlink::mission_clear_all::message_id:
-  case mavlink::param_set::message_id:
-    return true;
-  default:
-    return false;
-  }
-}
-
 } // namespace
 
 std::string flaw_of_reports(flight_simulation& flight) {
@@ -175,9 +155,37 @@ std::string flaw_of_end(const flight_simulation& flight) {
   return at.reason.empty() ? "it is paused, and says not why" : "";
 }
 
+bool moves_vehicle(const vehicle_order& order) {
+  constexpr std::array harmless{mavlink::number(mavlink::mav_cmd::set_message_interval),
+                                mavlink::number(mavlink::mav_cmd::request_message)};
+  if (order.puts_to_rest)
+    return false;
+  switch (order.message_id) {
+  case mavlink::command_long::message_id:
+  case mavlink::command_int::message_id:
+    return std::ranges::find(harmless, order.command) == harmless.end();
+  case mavlink::set_mode::message_id:
+  case mavlink::mission_set_current::message_id:
+  case mavlink::mission_count::message_id:
+  case mavlink::mission_clear_all::message_id:
+  case mavlink::param_set::message_id:
+    return true;
+  default:
+    return false;
+  }
+}
+
 int moves_since(const flight_simulation& flight, std::int64_t since_ns) {
   return static_cast<int>(std::ranges::count_if(
       flight.orders(), [&](const vehicle_order& each) { return each.at_ns >= since_ns && moves_vehicle(each); }));
+}
+
+int starts_since(const flight_simulation& flight, std::int64_t since_ns) {
+  return static_cast<int>(std::ranges::count_if(flight.orders(), [&](const vehicle_order& each) {
+    const bool is_transfer = each.message_id == mavlink::mission_count::message_id ||
+                             each.message_id == mavlink::mission_clear_all::message_id;
+    return each.at_ns >= since_ns && moves_vehicle(each) && !is_transfer;
+  }));
 }
 
 } // namespace godwit::drill

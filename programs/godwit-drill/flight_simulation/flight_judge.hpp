@@ -30,8 +30,11 @@ struct report_counts {
 // It has its end, or waits for a person and says for what.
 [[nodiscard]] std::string flaw_of_end(const flight_simulation& flight);
 
+[[nodiscard]] bool moves_vehicle(const vehicle_order& order);
 // Orders since SINCE_NS that move the vehicle or could: modes, arming, starts, another item, another plan. Not the mode
 // that takes the mission mode from a vehicle on the ground, so that nothing moves by itself.
 [[nodiscard]] int moves_since(const flight_simulation& flight, std::int64_t since_ns);
+// Those of them that are no transfer of a plan: a vehicle that stands may be brought one.
+[[nodiscard]] int starts_since(const flight_simulation& flight, std::int64_t since_ns);
 
 } // namespace godwit::drill

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "actors/domain/mission/read.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/intent_on_disk.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwitd/configuration.hpp"
@@ -17,8 +19,8 @@ namespace {
 
 namespace mavlink = io::mavlink;
 
-// A person's own sender: a radio beside the vehicle, of which godwit knows nothing.
-constexpr mavlink::sender pilot{254, 190};
+// The guard has refused a start: until the service manager asks again.
+constexpr std::int64_t asked_again_ns = 10'000'000'000;
 
 // As an operator writes them; addresses are needed, and nobody goes there.
 daemon::daemon_settings settings_for(const std::string& mission_id, const flight_simulation::options& wanted) {
@@ -45,7 +47,7 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
     : seed_(wanted.seed), who_(wanted.who), planted_(wanted.planted), test_rng_(wanted.seed),
       is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id), first_mission_(mission),
       service_(daemon_process::wall_began_ns), station_([this](std::span<const std::byte> frame) {
-        if (process_)
+        if (process_ && !is_station_cut())
           process_->ground_wire().receive(frame);
       }),
       line_(wanted.seed, [this](sim::way to, std::span<const std::byte> frame, bool is_damaged) {
@@ -78,15 +80,20 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
 // -- time -------------------------------------------------------------------------------------------
 
 std::int64_t flight_simulation::next_due_ns() const {
+  auto process_ns = begins_ns_;
+  if (process_)
+    process_ns = is_suspended()
+                     ? suspended_until_ns_
+                     : std::min(process_->next_timer_ns(), sync_ends_ns_.value_or(process_->next_timer_ns()));
   return std::min({vehicle_->next_deadline_ns(), line_.next_deadline_ns(), service_.next_deadline_ns(),
-                   station_.next_deadline_ns(), process_ ? process_->next_timer_ns() : begins_ns_});
+                   station_.next_deadline_ns(), process_ns});
 }
 
 void flight_simulation::step(std::int64_t end_ns) {
   now_ns_ = std::clamp(next_due_ns(), now_ns_, end_ns);
-  if (process_)
+  if (process_ && !is_suspended())
     process_->pass_time_until(now_ns_);
-  else if (now_ns_ >= begins_ns_)
+  else if (!process_ && now_ns_ >= begins_ns_)
     begin_process();
   line_.on_time(now_ns_);
   plant();
@@ -108,11 +115,20 @@ void flight_simulation::run_until_idle() {
 }
 
 void flight_simulation::run_process() {
-  if (process_ && !is_shuffled_ && !planned_kill_)
-    return process_->run_until_idle();
+  if (is_suspended())
+    return;
+  end_sync();
+  if (process_ && !is_shuffled_ && !planned_)
+    process_->run_until_idle();
+  else
+    run_shuffled();
+  begin_sync();
+}
+
+void flight_simulation::run_shuffled() {
   while (process_ && process_->step(test_rng_()))
-    if (is_time_to_die())
-      kill_process();
+    if (is_planned_now())
+      std::exchange(planned_, std::nullopt)->what();
 }
 
 bool flight_simulation::exchange() {
@@ -125,7 +141,8 @@ bool flight_simulation::exchange() {
   }
   const auto shown = process_->ground_wire().take_sent();
   for (const auto& each : shown)
-    station_.receive(each);
+    if (!is_station_cut())
+      station_.receive(each);
   const bool has_called = service_.take_from(process_->service_port(), now_ns_);
   return !orders.empty() || !shown.empty() || has_called;
 }
@@ -147,22 +164,21 @@ void flight_simulation::look_at_intent(const mavlink::frame_view& frame) {
 // -- the process ------------------------------------------------------------------------------------
 
 void flight_simulation::begin_process() {
-  note("process " + std::to_string(++processes_));
   ledger_.emplace(folder_.file("godwit.starts"), outside_.settings.restarts);
-  const auto verdict = ledger_->begin({"boot", now_ns_ / 1'000'000}, status_.in_flight);
-  GODWIT_ASSERT(verdict.may_start, "drill: it ends less often than the guard allows");
+  const auto verdict = ledger_->begin(moment(), status_.in_flight);
+  if (!verdict.may_start) {
+    note("it does not start: " + verdict.sentence);
+    begins_ns_ = now_ns_ + asked_again_ns;
+    return;
+  }
+  note("process " + std::to_string(++processes_));
   outside_.process = {verdict.may_end_fast, verdict.is_reduced};
   process_ = std::make_unique<daemon_process>(outside_, now_ns_, test_rng_());
+  process_->hold_journal(sync_takes_ns_ > 0);
 }
 
-void flight_simulation::kill_process() {
-  if (!process_)
-    return;
-  note("killed at commit " + std::to_string(commits()));
-  (void)exchange(); // what it has sent is on its way
-  process_.reset();
-  begins_ns_ = now_ns_ + restart_takes_ns;
-  killed_ns_ = now_ns_;
+daemon::boot_moment flight_simulation::moment() const {
+  return {"boot " + std::to_string(boots_), now_ns_ / 1'000'000};
 }
 
 // As the service manager does it.
@@ -172,40 +188,8 @@ void flight_simulation::watch_process() {
     return;
   note("the process ends: " + why->reason);
   if (why->cause == runtime::exit_cause::given_up_in_flight)
-    ledger_->end_fast({"boot", now_ns_ / 1'000'000});
+    ledger_->end_fast(moment());
   kill_process();
-}
-
-bool flight_simulation::give_up(const std::string& actor, double most_s) {
-  note(actor + " is to be given up");
-  const auto before = processes_;
-  const bool is_done = run_until(
-      [&] {
-        if (process_ == nullptr || processes_ != before)
-          return true;
-        (void)process_->kill(actor);
-        run_until_idle();
-        return process_ == nullptr || process_->look_at(actor).phase == runtime::child_phase::given_up;
-      },
-      most_s);
-  run_until_idle();
-  return is_done;
-}
-
-void flight_simulation::kill_process_at_commit(std::uint64_t number, side where) {
-  planned_kill_ = planned_kill{number, where};
-}
-
-// Before: somewhere between the first write that would be in this commit and the commit.
-bool flight_simulation::is_time_to_die() {
-  if (!planned_kill_ || commits() + 1 < planned_kill_->commit)
-    return false;
-  const bool is_done = commits() >= planned_kill_->commit;
-  const bool is_now =
-      is_done || (planned_kill_->where == side::before && process_->has_uncommitted() && test_rng_() % 4 == 0);
-  if (is_now)
-    planned_kill_.reset();
-  return is_now;
 }
 
 // -- the vehicle ------------------------------------------------------------------------------------
@@ -240,29 +224,9 @@ void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
   if (frame.id() != mavlink::heartbeat::message_id)
     orders_.push_back(order);
   vehicle_->on_frame(frame, now_ns_);
-}
-
-void flight_simulation::switch_mode(std::uint32_t custom_mode) {
-  note("a pilot switches to mode " + std::to_string(custom_mode));
-  mavlink::set_mode wanted;
-  wanted.target_system = 1;
-  wanted.base_mode = 1;
-  wanted.custom_mode = custom_mode;
-  const auto frame = mavlink::encode(wanted, pilot, 0);
-  vehicle_->on_frame(frame.view(), now_ns_);
-}
-
-void flight_simulation::cut_line(double seconds) {
-  note("the line is cut for " + std::to_string(seconds) + " s");
-  line_.cut(now_ns_ + static_cast<std::int64_t>(seconds * 1e9));
-}
-
-void flight_simulation::forge_bytes(target_line where, std::span<const std::byte> frame) {
-  if (!process_)
-    return;
-  auto& line = where == target_line::vehicle ? process_->vehicle_wire() : process_->ground_wire();
-  line.receive(frame, stranger);
-  run_until_idle();
+  if (moves_vehicle(order))
+    note("message " + std::to_string(order.message_id) + ", command " + std::to_string(order.command) +
+         " has come to the vehicle, which is in " + vehicle_->describe().mode);
 }
 
 // -- what a flight is to do wrong ---------------------------------------------------------------------
@@ -278,18 +242,6 @@ void flight_simulation::take_status(const executor::phase_status& now) {
     order_to_person_ns_ = now_ns_ + 2'000'000'000;
 }
 
-void flight_simulation::plant() {
-  if (!order_to_person_ns_ || now_ns_ < *order_to_person_ns_)
-    return;
-  order_to_person_ns_ = std::numeric_limits<std::int64_t>::max();
-  mavlink::command_long order;
-  order.target_system = 1;
-  order.target_component = 1;
-  order.command = mavlink::number(mavlink::mav_cmd::mission_start);
-  const auto frame = mavlink::encode(order, {1, 191}, 0);
-  reaches_vehicle(frame.view());
-}
-
 // -- people -----------------------------------------------------------------------------------------
 
 void flight_simulation::say(operators::command_kind what) {
@@ -300,7 +252,8 @@ void flight_simulation::say(operators::command_kind what) {
 
 void flight_simulation::say(operators::command what) {
   note("the operator says " + std::string(io::name_of(what.kind)));
-  what.by = "drill";
+  if (what.by.empty())
+    what.by = "drill";
   if (process_)
     process_->say(what);
 }
@@ -331,6 +284,12 @@ void flight_simulation::note(const std::string& sentence) {
 
 bool flight_simulation::was_told(const std::string& words) const {
   return std::ranges::any_of(told_, [&](const std::string& each) { return each.find(words) != std::string::npos; });
+}
+
+bool flight_simulation::was_told_last(const std::string& words) const {
+  constexpr std::size_t newest = 2;
+  const auto from = told_.size() > newest ? told_.end() - newest : told_.begin();
+  return std::any_of(from, told_.end(), [&](const std::string& each) { return each.find(words) != std::string::npos; });
 }
 
 std::string flight_simulation::story() {

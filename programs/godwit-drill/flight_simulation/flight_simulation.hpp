@@ -92,11 +92,28 @@ public:
   enum class side { before, after };
   // Crashes it as soon as it runs again, until it is given up or the process is another one. True: within MOST_S.
   bool give_up(const std::string& actor, double most_s = 20);
-  // At the N-th commit of all processes, counted from 1.
-  void kill_process_at_commit(std::uint64_t number, side where);
+  // At the N-th commit of all processes, counted from 1. One is planned at a time.
+  void at_commit(std::uint64_t number, side where, std::function<void()> what);
+  void kill_process_at_commit(std::uint64_t number, side where) {
+    at_commit(number, where, [this] { kill_process(); });
+  }
+  // The computer: it is off for so long, and the crashes that were counted were of the boot before.
+  void lose_power(double seconds);
+  // A person removes the file in which abnormal ends are counted, and starts it again.
+  void forget_abnormal_ends();
+  // The process gets no processor for so long; then it sees that time has passed.
+  void suspend_process(double seconds);
+  // So far ahead of the true time, or behind it, from now on; the service keeps the true time.
+  void set_wall_ahead(std::int64_t ns);
+  // Each commit takes so long from now on; 0: none takes time.
+  void slow_journal(double sync_s);
   // As a pilot's switch would, without godwit knowing.
   void switch_mode(std::uint32_t custom_mode);
   void cut_line(double seconds);
+  void set_line(const sim::line_faults& faults) { line_.set(faults); }
+  void cut_station(double seconds);
+  void cut_service(double seconds);
+  void reboot_vehicle();
   // Somebody else speaks on a line, from an address of his own and under any name.
   static constexpr io::link::peer_id stranger = 66;
   enum class target_line { vehicle, ground };
@@ -107,6 +124,7 @@ public:
 
   // -- its parts
   [[nodiscard]] sim::vehicle& vehicle() { return *vehicle_; }
+  [[nodiscard]] const sim::vehicle& vehicle() const { return *vehicle_; }
   [[nodiscard]] simulated_service& service() { return service_; }
   [[nodiscard]] simulated_station& station() { return station_; }
   // None while it is down.
@@ -138,6 +156,8 @@ public:
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   // What the program log would say, with its part in front.
   [[nodiscard]] bool was_told(const std::string& words) const;
+  // Among the newest sentences.
+  [[nodiscard]] bool was_told_last(const std::string& words) const;
   // As the service has them, in the order in which they came.
   [[nodiscard]] std::vector<mission::progress_report> reports();
   // All of it, for messages of tests.
@@ -148,11 +168,16 @@ private:
   [[nodiscard]] std::int64_t next_due_ns() const;
   void run_until_idle();
   void run_process();
+  void run_shuffled();
   // True: something was moved.
   bool exchange();
   void watch_process();
   void begin_process();
-  [[nodiscard]] bool is_time_to_die();
+  [[nodiscard]] bool is_planned_now();
+  [[nodiscard]] bool is_suspended() const { return now_ns_ < suspended_until_ns_; }
+  [[nodiscard]] bool is_station_cut() const { return now_ns_ < station_cut_until_ns_; }
+  void end_sync();
+  void begin_sync();
   void arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged);
   void look_at_intent(const io::mavlink::frame_view& frame);
   void reaches_vehicle(const io::mavlink::frame_view& frame);
@@ -160,6 +185,7 @@ private:
   void take_status(const executor::phase_status& now);
   void plant();
   void forge_bytes(target_line where, std::span<const std::byte> frame);
+  [[nodiscard]] daemon::boot_moment moment() const;
 
   std::uint64_t seed_;
   sim::personality who_;
@@ -192,11 +218,17 @@ private:
   std::optional<std::int64_t> killed_ns_;          // and the vehicle is not known since
   std::optional<std::int64_t> process_recovery_ns_;
   std::optional<std::int64_t> order_to_person_ns_; // planted
-  struct planned_kill {
+  struct planned {
     std::uint64_t commit = 0;
     side where = side::after;
+    std::function<void()> what;
   };
-  std::optional<planned_kill> planned_kill_;
+  std::optional<planned> planned_;
+  int boots_ = 1;
+  std::int64_t suspended_until_ns_ = 0;
+  std::int64_t station_cut_until_ns_ = 0;
+  std::int64_t sync_takes_ns_ = 0;
+  std::optional<std::int64_t> sync_ends_ns_; // the one that is under way
 };
 
 } // namespace godwit::drill

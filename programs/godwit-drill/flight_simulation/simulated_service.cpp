@@ -82,6 +82,8 @@ void simulated_service::on_time(std::int64_t now_ns) {
 }
 
 void simulated_service::advance(open_call& each, std::int64_t now_ns) {
+  if (is_cut(now_ns) && now_ns < each.gives_up_ns)
+    return lose(each, now_ns);
   switch (each.at) {
   case stage::on_its_way:
     return answer(each, now_ns, missions::patience::some);
@@ -95,6 +97,14 @@ void simulated_service::advance(open_call& each, std::int64_t now_ns) {
     deliver(each);
     each.due_ns = never_ns;
   }
+}
+
+// What was on the wire is gone; what the service has done with it is done.
+void simulated_service::lose(open_call& each, std::int64_t now_ns) {
+  each.at = stage::answered;
+  each.answer.emplace();
+  each.answer->is_lost = true;
+  each.due_ns = std::max(each.gives_up_ns, now_ns);
 }
 
 void simulated_service::answer(open_call& each, std::int64_t now_ns, missions::patience how_long) {

@@ -85,6 +85,9 @@ public:
   void set_fault(std::string_view words);
   void clear_faults() { faults_.clear(); }
 
+  // Nothing gets to it, and no answer from it, until then; who asked waits until his patience is over.
+  void cut(std::int64_t until_ns) { cut_until_ns_ = until_ns; }
+
   // -- what it has
   [[nodiscard]] mission::document mission(const std::string& mission_id);
   [[nodiscard]] std::vector<sim::missions::stored_row> rows(const std::string& mission_id,
@@ -104,7 +107,9 @@ private:
     std::optional<sim::missions::delivery> answer = {};
   };
 
+  [[nodiscard]] bool is_cut(std::int64_t now_ns) const { return now_ns < cut_until_ns_; }
   void advance(open_call& each, std::int64_t now_ns);
+  void lose(open_call& each, std::int64_t now_ns);
   void answer(open_call& each, std::int64_t now_ns, sim::missions::patience how_long);
   void deliver(const open_call& each);
 
@@ -115,6 +120,7 @@ private:
   sim::missions::faulty_service faulty_;
   std::deque<open_call> open_;
   std::uint64_t assigned_ = 0;
+  std::int64_t cut_until_ns_ = 0;
 };
 
 } // namespace godwit::drill

@@ -48,6 +48,30 @@ TEST_P(process_kill, at_any_commit_of_a_flight_loses_and_doubles_nothing) {
   EXPECT_GE(kills, static_cast<int>(last / stride * 8 / 10));
 }
 
+// Nobody knows of the flight then, and people may stand where it has come down.
+class lost_journal : public testing::TestWithParam<sim::personality> {};
+
+TEST_P(lost_journal, of_a_flight_under_way_starts_nothing_behind_its_landing_until_a_person_says_so) {
+  flight_simulation flight({.who = GetParam()});
+  const auto is_under_way = [&] {
+    const auto seen = flight.vehicle().describe();
+    return flight.status().now == executor::phase::flying && seen.mission_current >= 2 && seen.ground_speed_mps > 1;
+  };
+  ASSERT_TRUE(flight.run_until(is_under_way, 120)) << flight.story();
+  flight.kill_process();
+  flight.outside().journal.actors.clear();
+  const auto since_ns = flight.now_ns();
+  flight.run_for(90);
+  EXPECT_EQ(starts_since(flight, since_ns), 0) << flight.story();
+  EXPECT_EQ(flight.status().now, executor::phase::ready) << flight.story();
+  EXPECT_FALSE(flight.status().reason.empty()) << flight.story();
+  EXPECT_TRUE(start_by_station(flight)) << flight.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(every_vehicle, lost_journal,
+                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
+                         [](const auto& who) { return std::string(io::name_of(who.param)); });
+
 INSTANTIATE_TEST_SUITE_P(
     every_vehicle, process_kill,
     testing::Values(kill_case{sim::personality::rover, side::before}, kill_case{sim::personality::rover, side::after},

@@ -21,11 +21,18 @@ const char* purpose_of(flight_drill which) {
   case flight_drill::simulate:
     return "Missions of the whole daemon in virtual time, with faults and people drawn from seeds.";
   case flight_drill::actors:
-    return "Each actor throws once, at each crash point in each part of a flight of each vehicle.";
+    return "Actors throw at each crash point, two at once, until they are given up, or hang, in each part of a flight.";
   case flight_drill::process:
-    return "The process is killed before and behind each commit of a mission of each vehicle.";
+    return "The process is killed at each commit of a mission, at any moment, and again and again.";
+  case flight_drill::disk:
+    return "The journal's disk fails, is slow, loses its power or its file at the writes of a mission.";
+  case flight_drill::links:
+    return "The lines to vehicle, station and service are cut or bad, the autopilot starts again, a stranger speaks.";
   case flight_drill::people:
-    return "A person takes each vehicle by each of its modes in each part of a flight.";
+    return "People take each vehicle in each part of a flight, again, and while godwitd is dead; or contradict "
+           "themselves.";
+  case flight_drill::clock:
+    return "The wall clock is set in each part of a flight, and the process is suspended.";
   }
   return "";
 }
@@ -48,6 +55,8 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
         ->check([](const std::string& text) {
           return seed_range_from(text) ? std::string() : "seeds are A..B or A, and A is not behind B: " + text;
         });
+    command.add_option("--without", given.without,
+                       "Leaves out fault N of each flight: 0 a bad line, 1 and up in order");
     return;
   }
   command.add_option("--only", given.only, "Flies this case and tells its story");

@@ -20,11 +20,12 @@ double percentile(std::vector<double> values, double p) {
 
 std::string row(const std::string& name, const flight_figures& of) {
   std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "%-22s %8llu %9llu %7llu %9llu %6llu %7llu %5llu %8llu", name.c_str(),
+  std::snprintf(text.data(), text.size(), "%-22s %8llu %9llu %7llu %6llu %9llu %6llu %7llu %5llu %8llu", name.c_str(),
                 static_cast<unsigned long long>(of.flights), static_cast<unsigned long long>(of.not_tried),
-                static_cast<unsigned long long>(of.failed), static_cast<unsigned long long>(of.with_takeover),
-                static_cast<unsigned long long>(of.kills), static_cast<unsigned long long>(of.crashes),
-                static_cast<unsigned long long>(of.lost), static_cast<unsigned long long>(of.doubled));
+                static_cast<unsigned long long>(of.failed), static_cast<unsigned long long>(of.known),
+                static_cast<unsigned long long>(of.with_takeover), static_cast<unsigned long long>(of.kills),
+                static_cast<unsigned long long>(of.crashes), static_cast<unsigned long long>(of.lost),
+                static_cast<unsigned long long>(of.doubled));
   std::string result = text.data();
   if (!of.recoveries_ms.empty()) {
     std::snprintf(text.data(), text.size(), " %8.1f %8.1f %8.1f", percentile(of.recoveries_ms, 50),
@@ -35,10 +36,17 @@ std::string row(const std::string& name, const flight_figures& of) {
 }
 
 nlohmann::json to_json(const std::string& name, const flight_figures& of) {
-  nlohmann::json result{{"name", name},         {"flights", of.flights}, {"not_tried", of.not_tried},
-                        {"failed", of.failed},  {"kills", of.kills},     {"crashes", of.crashes},
-                        {"lost", of.lost},      {"doubled", of.doubled}, {"with_takeover", of.with_takeover},
-                        {"flown_s", of.flown_s}};
+  nlohmann::json result{{"name", name},
+                        {"flights", of.flights},
+                        {"not_tried", of.not_tried},
+                        {"failed", of.failed},
+                        {"known", of.known},
+                        {"kills", of.kills},
+                        {"lost", of.lost},
+                        {"doubled", of.doubled},
+                        {"crashes", of.crashes},
+                        {"flown_s", of.flown_s},
+                        {"with_takeover", of.with_takeover}};
   if (!of.recoveries_ms.empty())
     result["recovery_ms"] = {{"p50", percentile(of.recoveries_ms, 50)},
                              {"p99", percentile(of.recoveries_ms, 99)},
@@ -52,6 +60,7 @@ void flight_figures::take(const flight_outcome& each) {
   ++flights;
   not_tried += each.skipped.empty() ? 0 : 1;
   failed += each.held() ? 0 : 1;
+  known += each.held() && !each.known.empty() ? 1 : 0;
   with_takeover += each.takeovers > 0 ? 1 : 0;
   kills += each.kills;
   crashes += each.crashes;
@@ -70,8 +79,9 @@ void drill_book::take(const flight_outcome& each) {
 }
 
 std::string drill_book::to_table(double took_s) const {
-  std::string result = "                        flights not tried  failed takeovers  kills crashes  lost  doubled"
-                       "   p50 ms   p99 ms   max ms\n";
+  std::string result =
+      "                        flights not tried  failed  known takeovers  kills crashes  lost  doubled"
+      "   p50 ms   p99 ms   max ms\n";
   for (const auto& [name, figures] : groups_)
     result += row(name, figures);
   result += row("all", total_);

@@ -17,6 +17,7 @@ struct flight_figures {
   std::uint64_t flights = 0;
   std::uint64_t not_tried = 0;
   std::uint64_t failed = 0;
+  std::uint64_t known = 0; // without a flaw but those that are known
   std::uint64_t with_takeover = 0;
   std::uint64_t kills = 0;
   std::uint64_t crashes = 0;

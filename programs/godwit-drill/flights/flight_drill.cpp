@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <span>
 
@@ -14,6 +15,7 @@
 #include "programs/godwit-drill/flights/drill_book.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
 #include "programs/godwit-drill/flights/random_flight.hpp"
+#include "programs/godwit-drill/flights/shrink.hpp"
 #include "programs/godwit-drill/progress_bar.hpp"
 
 namespace godwit::drill {
@@ -23,6 +25,7 @@ using programs::exit_code;
 
 constexpr std::array all_vehicles{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
                                   sim::personality::plane};
+constexpr std::size_t most_shrunk = 5;   // failing flights of one run that are flown again with fewer faults
 constexpr std::size_t most_stories = 10; // of one run; a failing flight behind these is named without its story
 
 std::vector<sim::personality> vehicles_of(const flight_drill_options& options) {
@@ -31,13 +34,34 @@ std::vector<sim::personality> vehicles_of(const flight_drill_options& options) {
   return {all_vehicles.begin(), all_vehicles.end()};
 }
 
-// How many commits a whole flight of each has. Flown by workers, as all flights are: nothing of a flight is left here.
-std::vector<std::uint64_t> count_commits(vehicles which, unsigned jobs) {
-  std::vector<std::uint64_t> result(which.size());
+// By vehicle.
+struct undisturbed_flights {
+  std::vector<std::uint64_t> commits;
+  std::vector<double> flown_s;
+};
+
+// Flown by workers, as all flights are: nothing of a flight is left here.
+undisturbed_flights fly_each_undisturbed(vehicles which, unsigned jobs) {
+  undisturbed_flights result{std::vector<std::uint64_t>(which.size()), std::vector<double>(which.size())};
   run_cases(
       which.size(), {.jobs = jobs}, [&](std::size_t i) { return fly_undisturbed(which[i], {}); },
-      [&](std::size_t i, const flight_outcome& outcome) { result[i] = outcome.commits; });
+      [&](std::size_t i, const flight_outcome& outcome) {
+        result.commits[i] = outcome.commits;
+        result.flown_s[i] = outcome.flown_s;
+      });
   return result;
+}
+
+std::vector<flight_case> joined(std::vector<flight_case> some, std::vector<flight_case> others) {
+  some.insert(some.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+  return some;
+}
+
+std::vector<flight_case> cases_by_commit(flight_drill drill, vehicles which, unsigned jobs) {
+  const auto flown = fly_each_undisturbed(which, jobs);
+  if (drill == flight_drill::disk)
+    return disk_cases(which, flown.commits);
+  return joined(process_cases(which, flown.commits), kill_cases(which, flown.flown_s));
 }
 
 std::vector<flight_case> cases_of(const flight_drill_options& options) {
@@ -46,11 +70,16 @@ std::vector<flight_case> cases_of(const flight_drill_options& options) {
   case flight_drill::simulate:
     return {};
   case flight_drill::actors:
-    return actor_cases(which);
+    return joined(actor_cases(which), actor_loss_cases(which));
   case flight_drill::process:
-    return process_cases(which, count_commits(which, options.jobs));
+  case flight_drill::disk:
+    return cases_by_commit(options.which, which, options.jobs);
+  case flight_drill::links:
+    return link_cases(which);
   case flight_drill::people:
-    return people_cases(which);
+    return joined(people_cases(which), takeover_cases(which));
+  case flight_drill::clock:
+    return clock_cases(which);
   }
   return {};
 }
@@ -90,11 +119,16 @@ public:
   [[nodiscard]] std::string again(std::size_t index) const {
     if (!is_by_seed())
       return words_of(options_) + " --only " + cases_[index].name;
-    return words_of(options_) + " --seeds " + std::to_string(options_.seeds.first + index);
+    auto result = words_of(options_) + " --seeds " + std::to_string(options_.seeds.first + index);
+    for (const auto fault : options_.without)
+      result += " --without " + std::to_string(fault);
+    return result;
   }
   [[nodiscard]] flight_outcome fly(std::size_t index) const {
     const flight_wishes wishes{options_.planted, size() == 1};
-    return is_by_seed() ? fly_random(options_.seeds.first + index, options_.who, wishes) : cases_[index].fly(wishes);
+    if (is_by_seed())
+      return fly_random(options_.seeds.first + index, options_.who, wishes, options_.without);
+    return cases_[index].fly(wishes);
   }
 
 private:
@@ -116,6 +150,28 @@ bool write_json(const std::string& file, nlohmann::json document, const flight_d
   return static_cast<bool>(out.flush());
 }
 
+// Flies failing flights again with fewer and fewer faults, each in a worker, and says with which they still fail.
+void say_shrunk(const flight_drill_options& options, const std::vector<flight_outcome>& failing) {
+  for (const auto& each : failing) {
+    auto one = options;
+    one.seeds.first = one.seeds.last = std::stoull(each.name.substr(std::string_view("seed ").size()));
+    const auto fails = [&](const std::vector<std::uint64_t>& without) {
+      bool is_failing = false;
+      run_cases(
+          1, {},
+          [&](std::size_t) {
+            return fly_random(one.seeds.first, one.who, {one.planted, false}, without);
+          },
+          [&](std::size_t, const flight_outcome& outcome) { is_failing = !outcome.held(); });
+      return is_failing;
+    };
+    one.without = not_needed_to_fail(each.faults, fails);
+    std::printf("%s fails with %llu of %llu faults: %s\n", each.name.c_str(),
+                static_cast<unsigned long long>(each.faults - one.without.size()),
+                static_cast<unsigned long long>(each.faults), flight_list(one).again(0).c_str());
+  }
+}
+
 int say_end(const drill_book& book, const flight_list& flights, const flight_drill_options& options, double took_s) {
   std::printf("\n%s", book.to_table(took_s).c_str());
   if (!options.json_file.empty() && !write_json(options.json_file, book.to_json(took_s), options)) {
@@ -127,7 +183,11 @@ int say_end(const drill_book& book, const flight_list& flights, const flight_dri
     std::printf("FAILED: %llu of %zu flights\n", static_cast<unsigned long long>(failed), flights.size());
     return static_cast<int>(exit_code::failed);
   }
-  std::printf("passed: nothing lost, nothing doubled, no promise broken\n");
+  if (book.total().known > 0)
+    std::printf("passed, but for the known findings of %llu flights (docs/roadmap.md)\n",
+                static_cast<unsigned long long>(book.total().known));
+  else
+    std::printf("passed: nothing lost, nothing doubled, no promise broken\n");
   return static_cast<int>(exit_code::ok);
 }
 
@@ -164,6 +224,7 @@ int run_flight_drill(const flight_drill_options& options) {
   std::fflush(stdout);
   drill_book book(options.which != flight_drill::simulate);
   progress_bar bar(flights.size());
+  std::vector<flight_outcome> to_shrink;
   const auto began = std::chrono::steady_clock::now();
   run_cases(
       flights.size(), {.jobs = options.jobs}, [&](std::size_t index) { return flights.fly(index); },
@@ -171,9 +232,12 @@ int run_flight_drill(const flight_drill_options& options) {
         if (outcome.name.empty()) { // its process is gone
           outcome.name = flights.name(index);
           outcome.group = flights.group(index);
+          outcome.faults = options.which == flight_drill::simulate ? most_faults : 0;
         }
         book.take(outcome);
         const auto failed = book.total().failed;
+        if (!outcome.held() && outcome.faults > 0 && options.without.empty() && to_shrink.size() < most_shrunk)
+          to_shrink.push_back(outcome);
         if (!outcome.held()) {
           if (failed > most_stories)
             outcome.story.clear();
@@ -185,7 +249,9 @@ int run_flight_drill(const flight_drill_options& options) {
         bar.show(book.total().flights, std::to_string(failed) + " failed");
       });
   bar.finish();
-  return say_end(book, flights, options, seconds_since(began));
+  const auto took_s = seconds_since(began);
+  say_shrunk(options, to_shrink);
+  return say_end(book, flights, options, took_s);
 }
 
 } // namespace godwit::drill

@@ -11,13 +11,16 @@
 
 namespace godwit::drill {
 
-enum class flight_drill { simulate, actors, process, people };
+enum class flight_drill { simulate, actors, process, disk, links, people, clock };
 
 constexpr auto enum_names(flight_drill) {
   return io::names<flight_drill>({{flight_drill::simulate, "simulate"},
                                   {flight_drill::actors, "actors"},
                                   {flight_drill::process, "process"},
-                                  {flight_drill::people, "people"}});
+                                  {flight_drill::disk, "disk"},
+                                  {flight_drill::links, "links"},
+                                  {flight_drill::people, "people"},
+                                  {flight_drill::clock, "clock"}});
 }
 
 struct seed_range {
@@ -31,6 +34,7 @@ struct seed_range {
 struct flight_drill_options {
   flight_drill which = flight_drill::simulate;
   seed_range seeds;                    // of simulate
+  std::vector<std::uint64_t> without;  // of simulate: faults that no flight has
   std::optional<sim::personality> who; // else all that the drill knows
   std::string only;                    // name of the one case that is flown, and its story told
   std::optional<std::uint64_t> sample; // so many of the cases, drawn by sample_seed; else all

@@ -15,7 +15,9 @@ struct flight_outcome {
   std::string name;                  // of the case; given again with --only or --seeds it flies the same flight
   std::string group;                 // row of the table that it counts in
   std::vector<std::string> flaws;    // sentences; empty: all that was promised held
+  std::vector<std::string> known;    // flaws that are entered in docs/roadmap.md (known_findings.hpp)
   std::string skipped;               // why there was nothing to try; empty: it was tried
+  std::uint64_t faults = 0;          // of a random flight: those that its seed has drawn
   std::uint64_t lost = 0;            // reports
   std::uint64_t doubled = 0;         // reports
   std::uint64_t kills = 0;           // of the process
@@ -30,7 +32,8 @@ struct flight_outcome {
   static constexpr auto fields =
       io::table("drill.flight_outcome", io::field("name", &flight_outcome::name),
                 io::field("group", &flight_outcome::group), io::field("flaws", &flight_outcome::flaws),
-                io::field("skipped", &flight_outcome::skipped), io::field("lost", &flight_outcome::lost),
+                io::field("known", &flight_outcome::known), io::field("skipped", &flight_outcome::skipped),
+                io::field("faults", &flight_outcome::faults), io::field("lost", &flight_outcome::lost),
                 io::field("doubled", &flight_outcome::doubled), io::field("kills", &flight_outcome::kills),
                 io::field("crashes", &flight_outcome::crashes), io::field("takeovers", &flight_outcome::takeovers),
                 io::field("commits", &flight_outcome::commits), io::field("deliveries", &flight_outcome::deliveries),

@@ -5,9 +5,9 @@
 // The mission mode is none of these modes: while the mission flies nobody can tell it from godwit's own.
 #include <array>
 
-#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
+#include "programs/godwit-drill/flights/left_alone.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 
 namespace godwit::drill {
@@ -75,21 +75,8 @@ std::string take(flight_simulation& flight, const takeover& what) {
 }
 
 void leave_alone(watched_flight& watched, const takeover& what) {
-  constexpr double seen_within_s = 3; // heartbeats come each second, and those of a mode change at once
-  constexpr double left_alone_s = 15;
   auto& flight = watched.flight();
-  const auto taken_ns = flight.now_ns();
-  const auto is_seen = [&] { return executor::needs_hand_back(flight.status().cause); };
-  if (flight.run_until(is_seen, seen_within_s)) {
-    ++watched.so_far().takeovers;
-    watched.note_recovery(static_cast<double>(flight.now_ns() - taken_ns) * 1e-6);
-  } else if (what.part != phase::ready) { // on the ground it is enough that nothing is commanded
-    watched.expect("godwit has not seen that a person has the vehicle");
-  }
-  const auto since_ns = flight.now_ns();
-  flight.run_for(left_alone_s);
-  const auto moves = moves_since(flight, since_ns);
-  watched.expect(moves == 0 ? "" : std::to_string(moves) + " commands went out while a person had the vehicle");
+  expect_left_alone(watched, what.part != phase::ready); // there it is enough that nothing is commanded
   const auto seen = flight.vehicle().describe();
   if (!seen.armed && seen.mode == what.mode.name)
     flight.switch_mode(pilot_mode(what.who)); // who hands it back on the ground leaves it in a mode that can be armed

@@ -6,6 +6,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
+#include "programs/godwit-drill/flights/known_findings.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -14,6 +15,16 @@ flight_simulation::options recorded(flight_simulation::options wanted, const fli
   wanted.is_recorded = true;
   wanted.planted = wishes.planted;
   return wanted;
+}
+
+// A check says so: behind what has led it away a plane, for one, does not take off again.
+constexpr const char* mission_can_not_be_flown = "The mission can not be flown by this vehicle";
+
+// As a plane that was called home, until somebody lands it.
+bool circles_at_home(const flight_simulation& flight) {
+  const auto& at = flight.status();
+  return flight.who() == sim::personality::plane && at.now == executor::phase::landing && !at.reason.empty() &&
+         flight.vehicle().describe().mode == "RTL";
 }
 
 } // namespace
@@ -48,9 +59,11 @@ flight_outcome watched_flight::finish_or_wait() {
   const auto waits = [&] {
     const auto& at = flight_.status();
     const bool is_with_person = at.now == executor::phase::paused || at.now == executor::phase::ready;
-    return executor::is_at_rest(at.now) || (is_with_person && !at.reason.empty());
+    return executor::is_at_rest(at.now) || (is_with_person && !at.reason.empty()) || circles_at_home(flight_) ||
+           (at.now == executor::phase::preflight && flight_.was_told_last(mission_can_not_be_flown));
   };
-  (void)fly_with_help(flight_);
+  if (!circles_at_home(flight_))
+    (void)fly_with_help(flight_);
   expect(flight_.run_until(waits, decides_within_s) ? "" : "it neither ends nor waits for a person");
   return judge();
 }
@@ -70,6 +83,7 @@ flight_outcome watched_flight::judge() {
     note_recovery(static_cast<double>(*took_ns) * 1e-6);
   outcome_.flown_s = static_cast<double>(flight_.now_ns()) * 1e-9;
   outcome_.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  set_known_aside(outcome_);
   if (wishes_.tells_story || !outcome_.held())
     outcome_.story = flight_.story();
   return outcome_;

@@ -71,6 +71,26 @@ class Flights(unittest.TestCase):
         self.assertEqual(repeated.returncode, FAILED, repeated)
         self.assertIn("stands where 3 should", repeated.stdout)
 
+    def test_a_failing_flight_is_flown_again_with_the_fewest_faults_that_it_needs(self):
+        for plant in ("lose_report", "end_process"):
+            with self.subTest(plant):
+                result = run("simulate", "--seeds", "3", "--plant", plant)
+                self.assertEqual(result.returncode, FAILED, result)
+                shrunk = re.search(r"seed 3 fails with 0 of \d faults: godwit-drill (.*)", result.stdout)
+                again = run(*shrunk.group(1).split())
+                self.assertEqual(again.returncode, FAILED, again)
+                self.assertNotIn("fails with", again.stdout)
+                self.assertNotIn("killed at", again.stdout)
+
+    def test_each_drill_of_cases_flies_a_sample(self):
+        for drill in ("actors", "process", "disk", "links", "people", "clock"):
+            with self.subTest(drill):
+                report = self.folder / f"{drill}.json"
+                result = run(drill, "--personality", "rover", "--sample", "3", "--sample-seed", "5", "--json", report)
+                self.assertEqual(result.returncode, 0, result)
+                document = json.loads(report.read_text())
+                self.assertEqual((document["drill"], document["total"]["flights"]), (drill, 3))
+
     def test_a_flight_that_ends_its_process_is_a_finding_of_that_flight(self):
         result = run("simulate", "--seeds", "1..3", "--jobs", "1", "--plant", "end_process")
         self.assertEqual(result.returncode, FAILED, result)

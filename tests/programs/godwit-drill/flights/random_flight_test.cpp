@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace {
 
 using namespace godwit;
@@ -33,6 +35,17 @@ TEST(random_flight, flies_the_same_again_from_its_seed) {
   EXPECT_EQ(first.story, second.story);
   EXPECT_EQ(first.deliveries, second.deliveries);
   EXPECT_NE(first.story, fly_random(12, std::nullopt, {.tells_story = true}).story);
+}
+
+TEST(random_flight, without_all_of_its_faults_is_undisturbed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    std::vector<std::uint64_t> all(most_faults);
+    std::iota(all.begin(), all.end(), 0);
+    const auto outcome = fly_random(seed, std::nullopt, {}, all);
+    EXPECT_TRUE(outcome.held()) << outcome.flaws.front();
+    EXPECT_EQ(outcome.kills + outcome.crashes + outcome.takeovers, 0U) << seed;
+    EXPECT_LE(outcome.faults, most_faults);
+  }
 }
 
 TEST(random_flight, finds_a_report_that_is_lost) {

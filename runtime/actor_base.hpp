@@ -15,6 +15,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -45,6 +46,18 @@ protected:
   }
 
   [[nodiscard]] Mailbox me() const { return Mailbox(context().address); }
+
+  // An input that comes by no mailbox (facts of the host, of the process): recorded where it differs from LAST. Where
+  // the actor is replayed, VALUE becomes what was recorded.
+  template <io::has_fields T>
+  void observe(T& value, std::optional<T>& last) {
+    if (outside().replayed != nullptr) {
+      outside().replayed->observed(type_of<T>(), &value);
+    } else if (is_traced() && !(last && io::equal(*last, value))) {
+      record_observed(type_of<T>(), &value);
+      last = value;
+    }
+  }
 
   // A handler for a tell (F returns nothing) or an ask (F returns the answer).
   template <class T, class F>

@@ -235,6 +235,39 @@ void actor_frame::record(const delivery& d, const envelope& m, outcome how) {
   sink->record(entry, *m.type, m.body.data());
 }
 
+trace_entry actor_frame::entry_without_id() const {
+  trace_entry entry;
+  entry.began = outside().trace->ticks();
+  entry.ended = entry.began;
+  entry.actor = address().number();
+  entry.sender = entry.actor;
+  entry.incarnation = static_cast<std::uint32_t>(context_.number);
+  return entry;
+}
+
+void actor_frame::record_observed(const message_type& type, const void* value) {
+  auto entry = entry_without_id();
+  entry.cause = current_.id;
+  outside().trace->record(entry, type, value);
+}
+
+void actor_frame::record_restored(const std::string& document) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; document.size() <= max_restored_bytes && at < document.size();) {
+    auto end = std::min(at + restored_part_bytes, document.size());
+    while (end < document.size() && (static_cast<unsigned char>(document[end]) & 0xC0U) == 0x80U)
+      --end; // no character is cut
+    parts.push_back(document.substr(at, end - at));
+    at = end;
+  }
+  restored each{0, static_cast<std::uint32_t>(parts.size()), document.size(), {}};
+  do {
+    if (!parts.empty())
+      each.text = std::move(parts[each.part]);
+    outside().trace->record(entry_without_id(), type_of<restored>(), &each);
+  } while (++each.part < each.parts);
+}
+
 // -- the runtime's own messages, and what nobody takes --------------------------------------------
 
 bool actor_frame::handle_runtime_message(const envelope& m) {

@@ -117,6 +117,11 @@ protected:
   [[nodiscard]] virtual std::int64_t submitted_upto() const;
   // Events up to here are on the disk.
   void note_written(std::int64_t upto);
+  // Records VALUE, which came in beside the mailbox while the current message is handled.
+  void record_observed(const message_type& type, const void* value);
+  // Records what this incarnation was restored from, as JSON.
+  void record_restored(const std::string& document);
+  [[nodiscard]] bool is_traced() const { return outside().trace != nullptr; }
   // Runs F as the handling of M, a message of the runtime's own: held back, traced, but never put back.
   void run_internal(const envelope& m, const std::function<void()>& f);
   template <class T>
@@ -166,6 +171,7 @@ private:
   void end_crashed(const delivery& d, const envelope& m);
   void end_for_failed_write(const write_failed& why);
   void record(const delivery& d, const envelope& m, outcome how);
+  [[nodiscard]] trace_entry entry_without_id() const;
   void confirm_effect(const delivery& d);
   [[nodiscard]] bool write_dead_letter(const envelope& m, int crashes, const std::string& reason);
   [[nodiscard]] header stamp();

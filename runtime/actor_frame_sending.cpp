@@ -43,6 +43,10 @@ void actor_frame::send_held() {
       each.to = address().take_requester(each.answers).who; // null: it has been answered meanwhile
     if (!each.to)
       continue;
+    if (outside().replayed != nullptr) [[unlikely]] {
+      outside().replayed->take(*each.to.get(), *each.element, each.delay_ns, each.answer_type);
+      continue;
+    }
     if (each.delay_ns <= 0)
       each.to->enqueue(std::move(each.element), host.context());
     else
@@ -156,7 +160,7 @@ void actor_frame::request(const actor_ref& to, std::chrono::nanoseconds timeout,
                     },
                     [this, head, on_error](caf::error& why) { receive_failure(head, describe(why), on_error); }});
   host.request_response_timeout(caf::duration{timeout}, id);
-  hold({strong(to), make_mail(host.ctrl(), id, {head, &type, std::move(body)}), 0, 0});
+  hold({strong(to), make_mail(host.ctrl(), id, {head, &type, std::move(body)}), 0, 0, &answer_type});
 }
 
 void actor_frame::receive_answer(const envelope& m, const message_type& expected,
@@ -194,7 +198,9 @@ void actor_frame::answer_deferred(std::uint64_t request_id, const message_type& 
   const auto mid = address().awaited_mid(request_id);
   if (!mid)
     return; // nobody waits any more
-  hold({nullptr, make_mail(strong(context_.address), mid->response_id(), {stamp(), &type, std::move(body)}), 0,
+  auto head = stamp();
+  head.cause = request_id;
+  hold({nullptr, make_mail(strong(context_.address), mid->response_id(), {head, &type, std::move(body)}), 0,
         request_id});
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <string_view>
 
 namespace godwit::runtime {
 
@@ -15,6 +16,9 @@ enum class crash_point : std::uint8_t {
   after_commit,    // the handler's write was handed to the journal, its effects have not gone out
   before_dispatch, // the event is durable, its next effect goes out now
 };
+
+// So begins the reason of a crash that no code of the actor made: its message does not crash when it is replayed.
+inline constexpr std::string_view planned_crash_words = "planned by the ";
 
 struct injected_crash : std::runtime_error {
   using std::runtime_error::runtime_error;

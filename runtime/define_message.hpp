@@ -8,12 +8,15 @@
 // Tests whose message types are their own include this file and need no macro.
 #pragma once
 
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "io/fields/binary.hpp"
 #include "io/fields/json_schema.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
+#include "runtime/envelope.hpp"
 #include "runtime/message_type.hpp"
 
 namespace godwit::runtime {
@@ -28,6 +31,12 @@ const message_type& type_of() noexcept {
       [](std::string& out, const void* body) { io::append_json(out, *static_cast<const T*>(body)); },
       [](const nlohmann::json& document, void* body) {
         const auto read = io::read_json(document, *static_cast<T*>(body));
+        return read ? std::string() : read.error().message();
+      },
+      [](const nlohmann::json& document, message_body& body) {
+        T value{};
+        const auto read = io::read_json(document, value);
+        body = message_body::of(std::move(value));
         return read ? std::string() : read.error().message();
       },
   };

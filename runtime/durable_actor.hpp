@@ -123,6 +123,8 @@ protected:
   void start() final {
     const auto restored = this->take_restored();
     restore(restored);
+    if (this->is_traced())
+      this->record_restored(restored_json(restored, {last_event_, this->wall_ns(), state::version, json_of(state_)}));
     this->run_internal(this->own_message(durable{restored.durable_upto}), [&] {
       actor_base<Mailbox>::start();
       for (const auto& each : Core::resume(state_, this->wall_ns()))
@@ -297,9 +299,9 @@ private:
   // -- what goes out after it ---------------------------------------------------------------------
 
   void durable_upto(std::int64_t upto) final {
-    this->note_written(upto); // it may have been written before it was noted
-    written_upto_ = std::max(written_upto_, upto);
-    if (!gate_.empty() && gate_.front().upto <= written_upto_)
+    this->note_written(upto); // it may have been written before it was noted; recorded for what does not wait later
+    const bool is_news = upto > std::exchange(written_upto_, std::max(written_upto_, upto));
+    if (is_news || (!gate_.empty() && gate_.front().upto <= written_upto_))
       this->run_internal(this->own_message(durable{upto}), [this] { open_gate(written_upto_); });
   }
 

@@ -15,7 +15,8 @@ struct actor_frame::held_message {
   caf::strong_actor_ptr to;
   caf::mailbox_element_ptr element;
   std::int64_t delay_ns = 0;
-  std::uint64_t answers = 0; // id of the request that this is the late answer to
+  std::uint64_t answers = 0;                 // id of the request that this is the late answer to
+  const message_type* answer_type = nullptr; // of a question
 };
 
 // One message on its way through a handler.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,12 @@ public:
   [[nodiscard]] const handler_row* find(const message_type* type) const {
     const auto found = std::ranges::find(rows_, type, &handler_row::type);
     return found == rows_.end() ? nullptr : &*found;
+  }
+
+  // By the name of the type.
+  [[nodiscard]] const message_type* type_named(std::string_view name) const {
+    const auto found = std::ranges::find_if(rows_, [&](const auto& each) { return each.type->name == name; });
+    return found == rows_.end() ? nullptr : found->type;
   }
 
 protected:

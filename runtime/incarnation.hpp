@@ -17,6 +17,8 @@ public:
 
   [[nodiscard]] const char* name() const override;
   void on_exit() override { frame_->leave(); }
+  // Of the mailbox, by its name; null: it does not take the type.
+  [[nodiscard]] const message_type* takes(std::string_view name) const { return frame_->handlers_.type_named(name); }
 
 protected:
   caf::behavior make_behavior() override;

@@ -36,6 +36,21 @@ struct write_failed {
                                            io::field("what", &write_failed::what));
 };
 
+// What a durable actor was restored from when its incarnation began: for the trace alone, recorded before its first
+// message. TEXT of all parts behind each other is the JSON of runtime::recovered with the later events applied
+// (stored_state.hpp). PARTS is 0 where it was too large.
+struct restored {
+  std::uint32_t part = 0; // from 0 on
+  std::uint32_t parts = 0;
+  std::uint64_t bytes = 0; // of all parts
+  std::string text;
+  static constexpr auto fields =
+      io::table("runtime.restored", io::field("part", &restored::part), io::field("parts", &restored::parts),
+                io::field("bytes", &restored::bytes), io::field("text", &restored::text));
+};
+inline constexpr std::size_t restored_part_bytes = std::size_t{48} * 1024; // below what the trace takes of a message
+inline constexpr std::size_t max_restored_bytes = std::size_t{512} * 1024; // half of what a thread's ring holds
+
 // Actor to itself: a time that it waits for has come. One that an earlier one has overtaken has an old number.
 struct deadline {
   std::uint64_t number = 0;

@@ -21,6 +21,8 @@ class byte_source;
 
 namespace godwit::runtime {
 
+class message_body;
+
 struct message_type {
   std::string_view name;
   void (*encode)(io::byte_sink& sink, const void* body);             // compact bytes, secrets left out
@@ -29,6 +31,8 @@ struct message_type {
   void (*append_json)(std::string& out, const void* body);           // secrets left out
   // Reads BODY strictly; returns what is wrong and where, empty when nothing is.
   std::string (*read_json)(const nlohmann::json& document, void* body);
+  // The same into a body of its own.
+  std::string (*read_body)(const nlohmann::json& document, message_body& body);
 };
 
 template <io::has_fields T>

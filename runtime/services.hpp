@@ -10,6 +10,7 @@
 #include "runtime/directory.hpp"
 #include "runtime/health_board.hpp"
 #include "runtime/journal/journal.hpp"
+#include "runtime/replay/replay_port.hpp"
 #include "runtime/trace/trace_sink.hpp"
 
 namespace godwit::runtime {
@@ -21,6 +22,7 @@ struct services {
   journal* durable = nullptr;      // may be null when no actor is persistent
   trace_sink* trace = nullptr;     // null = no trace
   crash_points* crashes = nullptr; // null = none planned
+  replay_port* replayed = nullptr; // null but where a recorded actor is replayed
   std::uint64_t seed = 0;          // for the jitter of restarts
 };
 

@@ -42,7 +42,7 @@ bool is_runtime_message(const caf::mailbox_element& element) {
 
 stable_address::stable_address(caf::actor_config& config, std::uint32_t number, address_options options)
     : caf::monitorable_actor(config), number_(number), options_(std::move(options)),
-      ids_(ids_before_run(options_.run) + 1) {}
+      id_base_(std::uint64_t{number} << count_bits), ids_(ids_before_run(options_.run) + 1) {}
 
 // -- senders --------------------------------------------------------------------------------------
 

@@ -55,7 +55,13 @@ public:
   [[nodiscard]] on_crash policy() const { return options_.policy; }
 
   // A fresh message id: the address's number and a count, below 2^53.
-  std::uint64_t next_id() { return (std::uint64_t{number_} << 41U) | ids_.fetch_add(1, std::memory_order_relaxed); }
+  std::uint64_t next_id() { return id_base_ | ids_.fetch_add(1, std::memory_order_relaxed); }
+
+  // The next id is ID, as this address had it in a recorded process. For an actor that is replayed.
+  void continue_ids_from(std::uint64_t id) {
+    id_base_ = id & ~count_mask;
+    ids_.store(id & count_mask);
+  }
 
   // False once the incarnation has been replaced.
   [[nodiscard]] bool is_current(std::uint64_t incarnation) const {
@@ -157,8 +163,12 @@ private:
     return enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed) >= options_.mailbox_bound;
   }
 
+  static constexpr unsigned count_bits = 41;
+  static constexpr std::uint64_t count_mask = (std::uint64_t{1} << count_bits) - 1;
+
   const std::uint32_t number_;
   const address_options options_;
+  std::uint64_t id_base_; // written again for a replay only, which has one thread
 
   mutable std::shared_mutex mutex_; // shared: forwarding; unique: everything that changes what is below
   caf::strong_actor_ptr target_;

@@ -24,4 +24,34 @@ void read_snapshot(const std::string& actor, const snapshot_record& snapshot, in
     throw state_unreadable(actor, wrong);
 }
 
+std::string restored_json(const recovered& from, const snapshot_record& state) {
+  std::string out = R"({"version":)" + std::to_string(state.version) + R"(,"last_event":)" +
+                    std::to_string(state.number) + R"(,"at_ns":)" + std::to_string(state.at_ns) +
+                    R"(,"durable_upto":)" + std::to_string(from.durable_upto) + R"(,"effects":[)";
+  for (const auto& each : from.effects) {
+    out += (&each == from.effects.data() ? R"({"event":)" : R"(,{"event":)") + std::to_string(each.id.event) +
+           R"(,"n":)" + std::to_string(each.id.n) + R"(,"answer_to":)" + std::to_string(each.answer_to) +
+           R"(,"type":")" + each.type + R"(","body":)" + each.body + '}';
+  }
+  return out + R"(],"state":)" + state.body + '}';
+}
+
+std::optional<recovered> read_restored(const nlohmann::json& document) {
+  try {
+    recovered result;
+    result.last_event = document.at("last_event").get<std::int64_t>();
+    result.durable_upto = document.at("durable_upto").get<std::int64_t>();
+    result.snapshot = {result.last_event, document.at("at_ns").get<std::int64_t>(), document.at("version").get<int>(),
+                       document.at("state").dump()};
+    for (const auto& each : document.at("effects"))
+      result.effects.push_back({{each.at("event").get<std::int64_t>(), each.at("n").get<std::uint32_t>()},
+                                each.at("type").get<std::string>(),
+                                each.at("body").dump(),
+                                each.at("answer_to").get<std::uint64_t>()});
+    return result;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
 } // namespace godwit::runtime

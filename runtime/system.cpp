@@ -68,6 +68,7 @@ gateway system::make_gateway(const std::string& name) {
 void system::start() {
   GODWIT_ASSERT(!guardian_, "a system starts once");
   guardian_options options;
+  options.self = guardian_address_;
   options.how = options_.how;
   options.ping = options_.ping;
   options.stop_timeout = options_.stop_timeout;

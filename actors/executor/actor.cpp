@@ -96,7 +96,10 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, current_state());
-  supervisor_.emplace(world_.process(), incarnation_number(), world_.children());
+  supervision::own_process process{world_.process(), world_.children()};
+  std::optional<supervision::own_process> not_recorded;
+  observe(process, not_recorded);
+  supervisor_.emplace(process.how, incarnation_number(), std::move(process.children));
   at_end([this] { world_.on_phase_status(current_state().status); });
   supervise();
   read_host_status();
@@ -170,6 +173,7 @@ void actor::ask_for_failsafe_status() {
 
 void actor::read_host_status() {
   auto seen = world_.read_host_status();
+  observe(seen.journal, journal_facts_);
   seen.actors = supervisor_->facts();
   core_->on_host_status(std::move(seen));
 }

@@ -130,8 +130,9 @@ private:
   bool is_asking_failsafe_status_ = false;
   bool is_asking_children_ = false;
   bool is_sending_table_ = false;
-  std::uint64_t revoked_ = 0;        // orders that waited for the disk and were not meant any more
-  std::set<std::uint64_t> currents_; // set_current requests that wait for their answer
+  std::optional<preflight::journal_facts> journal_facts_; // as recorded last
+  std::uint64_t revoked_ = 0;                             // orders that waited for the disk and were not meant any more
+  std::set<std::uint64_t> currents_;                      // set_current requests that wait for their answer
 };
 
 } // namespace godwit::executor

@@ -26,12 +26,13 @@ namespace godwit::trace_tool {
 [[nodiscard]] command add_verify_command(CLI::App& to);
 [[nodiscard]] command add_diff_command(CLI::App& to);
 [[nodiscard]] command add_export_command(CLI::App& to);
+[[nodiscard]] command add_replay_command(CLI::App& to);
 [[nodiscard]] command add_bundle_command(CLI::App& to);
 
 inline constexpr add_command all_commands[] = {
-    add_ls_command,      add_log_command,        add_show_command,   add_flow_command,   add_stats_command,
-    add_crashes_command, add_flight_command,     add_verify_command, add_diff_command,   add_export_command,
-    add_bundle_command,  add_tlog_command,       add_link_command,   add_upload_command, add_download_command,
-    add_clear_command,   add_completion_command, add_man_command};
+    add_ls_command,       add_log_command,    add_show_command,       add_flow_command, add_stats_command,
+    add_crashes_command,  add_flight_command, add_verify_command,     add_diff_command, add_replay_command,
+    add_export_command,   add_bundle_command, add_tlog_command,       add_link_command, add_upload_command,
+    add_download_command, add_clear_command,  add_completion_command, add_man_command};
 
 } // namespace godwit::trace_tool

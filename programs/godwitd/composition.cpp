@@ -77,6 +77,8 @@ checked composition::open_files() {
     return tl::make_unexpected(std::string("no descriptor is left: ") + std::strerror(errno));
   control_answers_ = std::make_shared<control::response_queue>(std::move(readable));
   wanted_.process.seed = fresh_seed();
+  if (wanted_.process.trace)
+    wanted_.process.trace->about["mission_id"] = wanted_.mission_id;
   auto host = runtime::process::open(wanted_.process);
   if (!host)
     return tl::make_unexpected(std::move(host.error()));

@@ -9,6 +9,7 @@
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/ground_port/passing/table.hpp"
 #include "io/fields/field_table.hpp"
+#include "programs/common/redaction.hpp"
 #include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {
@@ -215,6 +216,7 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
   daemon_settings result;
   result.process = runtime::options_from(configuration);
   result.process.trace->program = "godwitd";
+  result.process.trace->about["settings"] = programs::without_secrets(configuration).dump();
   if (configuration.at("trace").at("links").get<bool>())
     result.link_log = share_of(*result.process.trace);
   read_what_to_do(configuration, result);

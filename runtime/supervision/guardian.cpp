@@ -91,11 +91,11 @@ private:
   void receive_of_supervisor(const envelope& m) {
     if (m.is<get_children>()) {
       auto promise = make_response_promise();
-      promise.deliver(envelope::of({0, m.head.id, 0, 0, 0}, report()));
+      promise.deliver(envelope::of(stamp(m.head.id), report()));
     } else if (m.is<supervise>()) {
       take_table(m.as<supervise>());
       auto promise = make_response_promise();
-      promise.deliver(envelope::of({0, m.head.id, 0, 0, 0}, supervised{epoch_}));
+      promise.deliver(envelope::of(stamp(m.head.id), supervised{epoch_}));
     } else {
       outside_.health->post("guardian", health_colour::yellow,
                             "was sent " + std::string(m.type->name) + ", which it does not take");
@@ -425,7 +425,13 @@ private:
       outside_.trace->record(entry, type_of<child_event>(), &event);
     }
     if (supervisor_)
-      strong(supervisor_.ref())->enqueue(make_internal_mail(std::move(event)), context());
+      strong(supervisor_.ref())
+          ->enqueue(make_mail(nullptr, caf::make_message_id(), envelope::of(stamp(0), std::move(event))), context());
+  }
+
+  [[nodiscard]] header stamp(std::uint64_t cause) const {
+    auto& self = address_of(options_.self);
+    return {self.next_id(), cause, 0, 0, self.number()};
   }
 
   void post_health(std::size_t index, health_colour colour, std::string reason) {

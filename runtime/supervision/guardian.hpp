@@ -27,6 +27,7 @@
 namespace godwit::runtime {
 
 struct guardian_options {
+  actor_ref self; // its stable address, for the ids of what it tells
   strategy how = strategy::one_for_one;
   ping_policy ping;
   milliseconds stop_timeout{2'000};     // for each child; then it is killed, and after as long again left behind

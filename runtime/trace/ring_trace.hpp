@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -32,6 +33,8 @@ struct trace_options {
   milliseconds flush{100};
   std::uint64_t run = 1; // part of the file names; the journal counts it
   std::string program = "godwit";
+  // What else a reader has to know of the run, such as its settings without secrets; in each segment.
+  std::map<std::string, std::string> about;
 };
 
 struct trace_counts {

@@ -47,7 +47,10 @@ trace_renderer::open(trace_options options, const directory& names, const time_s
   files.segments.segment_bytes = options.segment_bytes;
   files.segments.total_bytes = options.total_bytes;
   files.run = options.run;
-  files.run_info = {{"program", options.program}, {"run", std::to_string(options.run)}};
+  files.run_info = {{"program", options.program},
+                    {"run", std::to_string(options.run)},
+                    {"monotonic_to_utc_ns", std::to_string(result->wall_offset_ns_)}};
+  files.run_info.insert(options.about.begin(), options.about.end());
   files.flush_interval_ns = static_cast<std::uint64_t>(std::chrono::nanoseconds(options.flush).count());
   if (auto opened = result->writer_.open(std::move(files)); !opened)
     return tl::unexpected("the trace can not be written: " + opened.error().message());

@@ -22,6 +22,7 @@ const message_type type_of_add{
     []() { return nlohmann::json::object(); },
     [](std::string& out, const void*) { out += "{}"; },
     [](const nlohmann::json&, void*) { return std::string(); },
+    [](const nlohmann::json&, message_body&) { return std::string(); },
 };
 
 } // namespace

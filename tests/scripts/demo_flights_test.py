@@ -2,7 +2,8 @@
 """The demo flies: demo_flights_test.py FOLDER_OF_PROGRAMS [TIMES_REAL_TIME].
 
 Three combinations of vehicle and mission, and QGroundControl's plan; with TEST_FULL=1 each shipped mission with each
-vehicle. Mission progress has to come whole over another tail, a crash and a kill."""
+vehicle. Mission progress has to come whole over another tail, a crash and a kill; executor and failsafe, run again from
+the trace, do the same."""
 
 import json
 import os
@@ -44,11 +45,12 @@ def processes_of(folder):
 class Flights(unittest.TestCase):
     def fly(self, *words):
         """Returns the summary."""
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as apart:
             summary = Path(folder) / "summary.json"
+            kept = Path(apart) / "kept"
             environment = {**os.environ, "TMPDIR": folder}
             result = subprocess.run(
-                command("--summary", str(summary), *words),
+                command("--summary", str(summary), "--keep", str(kept), *words),
                 capture_output=True,
                 text=True,
                 timeout=PATIENCE_S,
@@ -57,7 +59,20 @@ class Flights(unittest.TestCase):
             )
             self.assertEqual(result.returncode, 0, f"{words}\n{result.stdout}{result.stderr}")
             self.assertEqual([each.name for each in Path(folder).iterdir()], ["summary.json"])
+            self.replay(kept / "trace")
             return json.loads(summary.read_text(encoding="utf-8"))
+
+    def replay(self, trace):
+        """What was recorded is done again."""
+        for actor in ("executor", "failsafe"):
+            result = subprocess.run(
+                [PROGRAMS / "godwit-trace", "replay", actor, trace],
+                capture_output=True,
+                text=True,
+                timeout=PATIENCE_S,
+                check=False,
+            )
+            self.assertEqual(result.returncode, 0, f"{result.stdout}{result.stderr}")
 
     def test_each_report_is_delivered_once_over_another_tail_a_crash_and_a_kill(self):
         for personality, mission in ALL if os.environ.get("TEST_FULL") else FEW:

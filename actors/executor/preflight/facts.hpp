@@ -16,6 +16,7 @@
 #include "actors/executor/plan/flight_plan.hpp"
 #include "actors/executor/plan/plan_error.hpp"
 #include "actors/executor/plan/straight_return.hpp"
+#include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "messages/flight/vehicle_class.hpp"
 #include "messages/mission/document.hpp"
@@ -78,6 +79,10 @@ struct journal_facts {
   bool is_sound = false;                   // the integrity check passed
   bool is_nearly_full = false;             // what waits to be written is near its bound: the disk is too slow
   std::optional<std::uint64_t> free_bytes; // of its disk; absent: the system does not tell
+  static constexpr auto fields = io::table(
+      "executor.journal_facts", io::field("is_writable", &journal_facts::is_writable),
+      io::field("is_sound", &journal_facts::is_sound), io::field("is_nearly_full", &journal_facts::is_nearly_full),
+      io::field("free_bytes", &journal_facts::free_bytes));
 };
 
 struct actor_fact {

@@ -44,6 +44,10 @@ void flight_record::record(const runtime::trace_entry& entry, const runtime::mes
   }
   each.body = text_;
   checker_.take(each, names_);
+  if (!listen_)
+    return;
+  each.began_ns += time_->wall_ns() - time_->monotonic_ns();
+  listen_(each);
 }
 
 std::uint32_t flight_record::incarnation_of(const std::string& actor) const {

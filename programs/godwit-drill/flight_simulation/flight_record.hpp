@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "invariants/checker.hpp"
@@ -21,6 +23,11 @@ public:
   void begin_process(const runtime::directory& names, const runtime::time_source& time);
   // The second report to mission_client is left out, so that the promises are seen to be looked for.
   void forget_second_report() { reports_until_forgotten_ = 2; }
+
+  // LISTEN hears of each delivery, too; its run counts processes, and its time is since 1970. Before the first.
+  using listener = std::function<void(const runtime::delivery& each)>;
+  void tell(listener listen) { listen_ = std::move(listen); }
+  [[nodiscard]] runtime::name_table& names() { return names_; }
 
   [[nodiscard]] std::int64_t ticks() const noexcept override { return time_->monotonic_ns(); }
   void record(const runtime::trace_entry& entry, const runtime::message_type& type, const void* body) noexcept override;
@@ -44,6 +51,7 @@ private:
   std::array<std::byte, max_body_bytes> memory_{};
   std::string text_;
   std::map<std::string, std::uint32_t> incarnations_;
+  listener listen_;
 };
 
 } // namespace godwit::drill

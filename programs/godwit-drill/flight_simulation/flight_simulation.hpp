@@ -132,6 +132,7 @@ public:
   [[nodiscard]] process_surroundings& outside() { return outside_; }
   // Of a flight that is recorded.
   [[nodiscard]] const flight_record& record() const { return *record_; }
+  [[nodiscard]] flight_record& record() { return *record_; }
   void say(operators::command_kind what);
   void say(operators::command what);
 

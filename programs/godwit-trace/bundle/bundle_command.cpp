@@ -8,10 +8,10 @@
 
 #include "io/sqlite/backup.hpp"
 #include "programs/common/control_client.hpp"
+#include "programs/common/redaction.hpp"
 #include "programs/godwit-trace/actors/link_frames.hpp"
 #include "programs/godwit-trace/bundle/bundle_plan.hpp"
 #include "programs/godwit-trace/bundle/flight_choice.hpp"
-#include "programs/godwit-trace/bundle/redaction.hpp"
 #include "programs/godwit-trace/bundle/tar_writer.hpp"
 #include "programs/godwit-trace/commands.hpp"
 #include "programs/godwit-trace/utc_time.hpp"
@@ -82,7 +82,7 @@ void add_status(const bundle_arguments& given, bundle_plan& to) {
   const auto answer = control::ask_daemon(given.control, {{"do", "status"}});
   if (answer)
     to.add_text(std::string(top) + "status.json", "what the running godwitd says of itself",
-                without_secrets(*answer).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+                programs::without_secrets(*answer).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
   else
     to.leave_out("status.json", answer.error());
 }
@@ -203,7 +203,7 @@ exit_code run_bundle(bundle_arguments given, console& to) {
     return exit_code::failed;
   }
   plan.add_text(std::string(top) + "configuration.json", "the configuration, complete with defaults, without secrets",
-                without_secrets(*configuration).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+                programs::without_secrets(*configuration).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
   add_status(given, plan);
   add_logs(given, plan);
   add_journal(given, copy.path, plan);

@@ -220,11 +220,19 @@ void trace_reader::note_trace_loss(std::string_view body) {
 void trace_reader::take(const io::mcap::metadata_record& metadata) {
   if (metadata.name == run_metadata && run_ == 0)
     run_ = number_in(metadata.values, "run");
+  if (metadata.name == run_metadata)
+    about_[run_].insert(metadata.values.begin(), metadata.values.end());
   if (metadata.name == lost_metadata)
     note({.kind = loss_kind::unwritten,
           .records = number_in(metadata.values, "messages"),
           .what = "the disk refused",
           .is_hole = true});
+}
+
+const trace_reader::string_map& trace_reader::about(std::uint64_t run) const {
+  static const string_map nothing;
+  const auto found = about_.find(run);
+  return found == about_.end() ? nothing : found->second;
 }
 
 // A cut is a hole only if records of this run stand behind it.

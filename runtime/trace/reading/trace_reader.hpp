@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,7 @@ struct read_counts {
 
 class trace_reader {
 public:
+  using string_map = std::map<std::string, std::string>;
   static constexpr std::size_t max_losses = 10'000; // kept one by one; further ones are only counted
 
   // NAMES must live longer.
@@ -55,6 +57,8 @@ public:
   [[nodiscard]] std::uint64_t losses_not_kept() const { return losses_not_kept_; }
   [[nodiscard]] const read_counts& counts() const { return counts_; }
   [[nodiscard]] const std::vector<trace_file>& files() const { return files_; }
+  // What the files that were read say of RUN itself, such as its settings; empty: nothing.
+  [[nodiscard]] const string_map& about(std::uint64_t run) const;
   // Called with the bytes that are done and those that there are, at each file and each few MiB.
   void on_progress(std::function<void(std::uint64_t, std::uint64_t)> call) { progress_ = std::move(call); }
 
@@ -98,6 +102,7 @@ private:
   std::uint64_t total_bytes_ = 0;
   std::uint64_t done_bytes_ = 0;
   std::vector<loss> losses_;
+  std::map<std::uint64_t, string_map> about_; // by run
   std::uint64_t losses_not_kept_ = 0;
   read_counts counts_;
   std::function<void(std::uint64_t, std::uint64_t)> progress_;

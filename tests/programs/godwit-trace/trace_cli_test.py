@@ -141,6 +141,11 @@ class Trace(unittest.TestCase):
         self.run_tool("verify", "trace")
         self.assertEqual(len(self.run_tool("verify", "--list").splitlines()), 11)
 
+    def test_a_replay_without_settings_says_what_is_missing_and_is_exit_code_1(self):
+        result = subprocess.run([PROGRAM, "replay", "executor", "trace"], capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("name its configuration with --settings", result.stderr)
+
     def test_memory_does_not_grow_with_the_trace(self):
         for command in (["ls"], ["stats"], ["verify"], ["log", "--outcome", "crashed"]):
             self.run_tool(*command, "trace")
@@ -167,14 +172,14 @@ complete_with godwit-trace log --fo
     def test_the_manual_page_has_all_commands_and_options(self):
         page = self.run_tool("man").replace("\\-", "-")
         self.assertTrue(page.startswith(".TH GODWIT-TRACE 1"))
-        for command in (*COMMANDS, "diff", "tlog", "link"):
+        for command in (*COMMANDS, "diff", "replay", "tlog", "link"):
             self.assertIn(f"\n.SS {command}\n", page)
             for option in re.findall(r"--[a-z]+", self.run_tool(command, "--help").split("Examples:")[0]):
                 self.assertIn(option, page)
 
     def test_the_commands_of_the_document_are_those_of_the_program(self):
         named = set(re.findall(r"^\| `(\w+) [^|]*(?:TRACE|B)` \|", DOC.read_text(encoding="utf-8"), re.MULTILINE))
-        self.assertEqual(named, set(COMMANDS) - {"bundle"} | {"diff"})
+        self.assertEqual(named, set(COMMANDS) - {"bundle"} | {"diff", "replay"})
 
     def run_example(self, example):
         words = shlex.split(example.split("|")[0].split("#")[0].split(">")[0])[1:]

@@ -132,6 +132,7 @@ struct recorder {
     options.flush = flush;
     options.run = 7;
     options.program = "ring_trace_test";
+    options.about["settings"] = "{}";
     auto opened = ring_trace::open(std::move(options), names, time, health);
     if (opened)
       trace = std::move(*opened);
@@ -198,7 +199,10 @@ TEST(ring_trace, a_record_comes_out_with_all_that_was_known_of_the_delivery) {
                                 {"sender", "bob"},
                                 {"outcome", "crashed"},
                                 {"message", {{"user", "ann \"quoted\""}, {"attempt", 2}}}}));
-  EXPECT_EQ(found.run_info, (std::map<std::string, std::string>{{"program", "ring_trace_test"}, {"run", "7"}}));
+  auto run_info = found.run_info;
+  EXPECT_EQ(run_info.erase("monotonic_to_utc_ns"), 1U);
+  EXPECT_EQ(run_info,
+            (std::map<std::string, std::string>{{"program", "ring_trace_test"}, {"run", "7"}, {"settings", "{}"}}));
   EXPECT_EQ(r.trace->counts().recorded, 1U);
   EXPECT_EQ(r.trace->counts().written, 1U);
 }

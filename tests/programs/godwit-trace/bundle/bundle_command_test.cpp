@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/mavlink/tlog/tlog_writer.hpp"
+#include "programs/common/redaction.hpp"
 #include "programs/godwit-trace/bundle/flight_choice.hpp"
-#include "programs/godwit-trace/bundle/redaction.hpp"
 #include "programs/godwit-trace/bundle/secret_guard.hpp"
 #include "programs/godwit-trace/commands.hpp"
 #include "runtime/journal/journal_file.hpp"
@@ -121,11 +121,12 @@ TEST(flight_choice, runs_with_short_breaks_are_one_flight) {
 }
 
 TEST(redaction, users_passwords_and_questions_of_addresses_and_values_of_secret_names_go) {
+  using programs::address_without_secrets;
   EXPECT_EQ(address_without_secrets("https://ann:p@w@host:1/x@y?token=1"), "https://(left out)@host:1/x@y?(left out)");
   EXPECT_EQ(address_without_secrets("udpin://0.0.0.0:14550"), "udpin://0.0.0.0:14550");
   const std::string given =
       R"({"a":[{"api_token":"t","key_file":"/k","signing_key":[1],"url":"http://u@h"}],"key":1,"ask_author":true})";
-  const auto seen = without_secrets(nlohmann::json::parse(given));
+  const auto seen = programs::without_secrets(nlohmann::json::parse(given));
   const auto& inside = seen.at("a").at(0);
   EXPECT_EQ(inside.at("api_token"), "(left out)");
   EXPECT_EQ(inside.at("signing_key"), "(left out)");

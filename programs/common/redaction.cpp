@@ -1,11 +1,11 @@
-#include "programs/godwit-trace/bundle/redaction.hpp"
+#include "programs/common/redaction.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <string_view>
 
-namespace godwit::trace_tool {
+namespace godwit::programs {
 
 namespace {
 
@@ -50,4 +50,4 @@ nlohmann::json without_secrets(nlohmann::json document) {
   return document;
 }
 
-} // namespace godwit::trace_tool
+} // namespace godwit::programs

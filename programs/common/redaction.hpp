@@ -8,11 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
-namespace godwit::trace_tool {
+namespace godwit::programs {
 
 [[nodiscard]] nlohmann::json without_secrets(nlohmann::json document);
 
 // "https://ann:pw@host/x?token=1" -> "https://(left out)@host/x?(left out)"
 [[nodiscard]] std::string address_without_secrets(const std::string& text);
 
-} // namespace godwit::trace_tool
+} // namespace godwit::programs

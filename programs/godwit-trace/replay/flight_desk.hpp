@@ -1,0 +1,36 @@
+// godwitd's actors on the desk of a replay, joined by the daemon's own code: the replayed one runs, and the others are
+// only there to be told. Nothing is opened: no port, no file, no clock of this machine.
+//
+// Errors: sentences for people. Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "programs/godwitd/settings.hpp"
+#include "runtime/replay/desk.hpp"
+
+namespace godwit::trace_tool {
+
+class flight_desk {
+public:
+  // SETTINGS and RUN of the record. The error: why ACTOR can not be replayed, or that there is none of that name.
+  [[nodiscard]] static tl::expected<std::unique_ptr<flight_desk>, std::string>
+  make(const std::string& actor, const daemon::daemon_settings& settings, std::uint64_t run);
+  flight_desk(const flight_desk&) = delete;
+  flight_desk& operator=(const flight_desk&) = delete;
+  ~flight_desk();
+
+  [[nodiscard]] runtime::desk& bench();
+
+private:
+  flight_desk(const daemon::daemon_settings& settings, std::uint64_t run);
+
+  struct parts;
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::trace_tool

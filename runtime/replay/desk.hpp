@@ -1,0 +1,109 @@
+// Where one recorded actor is run again: the real actor, alone, in one thread, with every input handed to it by hand.
+//
+//   desk bench;
+//   auto handles = add_all(bench.actors());             // as the program does; nobody of them is started
+//   bench.choose("executor");
+//   bench.begin({.number = 1, .restored = ..., .first_id = ..., .at = ...});
+//   auto done = bench.deliver(input);                   // what it sent, and how its handlers ended
+//
+// Nothing happens by itself: no time passes, no timer fires, no disk writes, nobody answers. What the actor sends is
+// given back and reaches nobody. Ids count on from those of the record, so that each message that is sent again has the
+// id that it had. Errors: sentences. Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/clock.hpp"
+#include "runtime/journal/journal.hpp"
+#include "runtime/system.hpp"
+#include "runtime/trace/trace_sink.hpp"
+
+namespace godwit::runtime {
+
+struct desk_moment {
+  std::int64_t monotonic_ns = 0;
+  std::int64_t wall_ns = 0;
+};
+
+// What was recorded of an input.
+struct desk_input {
+  std::uint64_t id = 0;
+  std::uint64_t cause = 0;
+  std::string_view sender;     // name
+  bool may_be_question = true; // the sender is an actor, and not a thread that can not be answered
+  std::string_view type;
+  std::string_view body; // JSON
+  desk_moment at;
+};
+
+struct desk_incarnation {
+  std::uint64_t number = 1;
+  recovered restored;
+  std::uint64_t first_id = 0; // of the first message that it made
+  desk_moment at;
+};
+
+// A message that the actor sent.
+struct desk_sending {
+  std::uint64_t id = 0;
+  std::uint64_t cause = 0;
+  std::string to;
+  std::string_view type;
+  std::string body; // JSON
+  std::int64_t delay_ns = 0;
+  bool is_question = false;
+  bool is_answer = false;
+};
+
+// A handler that ran.
+struct desk_handling {
+  std::uint64_t id = 0;
+  std::string_view type;
+  outcome how = outcome::handled;
+};
+
+struct desk_result {
+  std::vector<desk_sending> sent; // in the order of their ids
+  std::vector<desk_handling> handled;
+  std::string crash; // the reason, when the incarnation has ended
+};
+
+class desk {
+public:
+  // RUN: of the record; ids and counts begin with it.
+  explicit desk(std::uint64_t run);
+  desk(const desk&) = delete;
+  desk& operator=(const desk&) = delete;
+  ~desk();
+
+  // For whoever declares the actors of the program, before choose().
+  [[nodiscard]] runtime::system& actors();
+  [[nodiscard]] const time_source& time() const;
+  [[nodiscard]] const journal& disk() const;
+
+  // False: it was not declared.
+  [[nodiscard]] bool choose(const std::string& actor);
+
+  // A new life of the actor; the one before has ended or is ended now.
+  [[nodiscard]] desk_result begin(desk_incarnation from);
+  // Facts that came in beside the mailbox during the next begin() or deliver(), in order.
+  [[nodiscard]] tl::expected<void, std::string> expect_observed(std::string_view type, std::string_view body);
+  [[nodiscard]] tl::expected<desk_result, std::string> deliver(const desk_input& input);
+  // What the actor sent as SENT was RECORDED: an answer to that is one to this.
+  void note_recorded_id(std::uint64_t sent, std::uint64_t recorded);
+  // Its next message has this id.
+  void continue_ids_from(std::uint64_t id);
+
+private:
+  struct parts;
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::runtime

@@ -14,6 +14,8 @@ void crash_list::add(const delivery& each) {
   auto& history = actors_[actor];
   if (history.run != each.run)
     history = {each.run, {}, {}};
+  if (names_.name(each.type) == "runtime.restored")
+    return take_restored(each, history);
   close(each, history);
   if (each.how == outcome::crashed)
     if (auto* const made = begin_crash(each, actor, each.incarnation))
@@ -49,6 +51,7 @@ crash* crash_list::begin_crash(const delivery& each, const std::string& actor, s
              .reason = {},
              .crashed_on = {},
              .before = {history.newest.begin(), history.newest.end()},
+             .restored = {},
              .first_after = {},
              .delivered_again = 0,
              .last_delivery_ended = {}};
@@ -89,6 +92,24 @@ void crash_list::close(const delivery& each, actor_history& history) {
       open.last_delivery_ended = io::name_of(each.how);
     }
   }
+}
+
+// Of several parts the first says how large all are.
+void crash_list::take_restored(const delivery& each, const actor_history& history) {
+  const auto told = nlohmann::json::parse(each.body, nullptr, false);
+  if (!told.is_object() || told.value("part", 0) != 0)
+    return;
+  restored_state state;
+  state.bytes = told.value("bytes", std::uint64_t{0});
+  const auto text = nlohmann::json::parse(told.value("text", std::string()), nullptr, false);
+  if (text.is_object() && text.contains("effects")) {
+    state.is_known = true;
+    state.last_event = text.value("last_event", std::int64_t{0});
+    state.effects = text["effects"].size();
+  }
+  for (const auto at : history.open)
+    if (auto& open = crashes_[at]; each.incarnation > open.incarnation && !open.restored)
+      open.restored = state;
 }
 
 } // namespace godwit::trace_tool

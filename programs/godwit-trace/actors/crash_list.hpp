@@ -23,17 +23,26 @@ struct kept {
   explicit kept(const runtime::delivery& each) : what(each), body(each.body) {}
 };
 
+// What an incarnation began with (runtime.restored).
+struct restored_state {
+  std::uint64_t bytes = 0;
+  std::int64_t last_event = 0;
+  std::size_t effects = 0; // that had not gone out
+  bool is_known = false;   // else it is too large to be shown
+};
+
 struct crash {
   std::uint64_t run = 0;
   std::string actor;
   std::uint64_t incarnation = 0;
   std::int64_t at_ns = 0;
-  std::string reason;                // the exception's text; empty: nobody told
-  std::optional<kept> crashed_on;    // absent: not in a handler, or the trace does not have it
-  std::vector<kept> before;          // what the actor took before that, the newest last
-  std::optional<kept> first_after;   // of the next incarnation
-  std::uint64_t delivered_again = 0; // how often the message was given to later incarnations
-  std::string last_delivery_ended;   // of these, the newest: how it ended
+  std::string reason;                     // the exception's text; empty: nobody told
+  std::optional<kept> crashed_on;         // absent: not in a handler, or the trace does not have it
+  std::vector<kept> before;               // what the actor took before that, the newest last
+  std::optional<restored_state> restored; // what the next incarnation began with
+  std::optional<kept> first_after;        // of the next incarnation
+  std::uint64_t delivered_again = 0;      // how often the message was given to later incarnations
+  std::string last_delivery_ended;        // of these, the newest: how it ended
 };
 
 class crash_list {
@@ -59,6 +68,7 @@ private:
   crash* crash_of(std::uint64_t run, const std::string& actor, std::uint64_t incarnation);
   crash* begin_crash(const runtime::delivery& each, const std::string& actor, std::uint64_t incarnation);
   void close(const runtime::delivery& each, actor_history& history);
+  void take_restored(const runtime::delivery& each, const actor_history& history);
 
   const runtime::name_table& names_;
   std::size_t before_;

@@ -1,6 +1,9 @@
 // godwit-trace crashes: each crash with the message that did it, what was before, and how it went on.
+#include <set>
+
 #include "io/fields/json_text.hpp"
 #include "programs/godwit-trace/actors/crash_list.hpp"
+#include "programs/godwit-trace/actors/dead_letters.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"
@@ -12,6 +15,7 @@ namespace {
 struct crashes_arguments {
   trace_arguments trace;
   std::size_t before = 5;
+  std::string journal; // empty: none is looked into
 };
 
 void append_kept(std::string& out, const kept& each, const runtime::name_table& names, const paint& colours) {
@@ -19,6 +23,14 @@ void append_kept(std::string& out, const kept& each, const runtime::name_table& 
   whole.body = each.body;
   out += "  ";
   append_line(out, whole, names, colours);
+}
+
+void append_restored(std::string& out, const restored_state& state) {
+  out += " the restart restored " + std::to_string(state.bytes) + " bytes";
+  if (state.is_known)
+    out += " of state, up to event " + std::to_string(state.last_event) + ", with " + std::to_string(state.effects) +
+           (state.effects == 1 ? " effect" : " effects") + " that had not gone out";
+  out += '\n';
 }
 
 void append_crash(std::string& out, const crash& each, const runtime::name_table& names, const paint& colours) {
@@ -42,6 +54,8 @@ void append_crash(std::string& out, const crash& each, const runtime::name_table
   } else {
     out += " not in a handler: killed, stopped as hanging, or outside of a message\n";
   }
+  if (each.restored)
+    append_restored(out, *each.restored);
   if (each.first_after) {
     out += " went on " + duration_text(each.first_after->what.began_ns - each.at_ns) + " later with incarnation " +
            std::to_string(each.first_after->what.incarnation) + ":\n";
@@ -74,12 +88,35 @@ void append_crash_json(std::string& out, const crash& each, const runtime::name_
     out += n == 0 ? "" : ",";
     append_json(out, each.before[n], names);
   }
-  out += R"(],"first_after":)";
+  out += R"(],"restored":)";
+  out += !each.restored            ? "null"
+         : each.restored->is_known ? R"({"bytes":)" + std::to_string(each.restored->bytes) + R"(,"last_event":)" +
+                                         std::to_string(each.restored->last_event) + R"(,"effects":)" +
+                                         std::to_string(each.restored->effects) + '}'
+                                   : R"({"bytes":)" + std::to_string(each.restored->bytes) + '}';
+  out += R"(,"first_after":)";
   if (each.first_after)
     append_json(out, *each.first_after, names);
   else
     out += "null";
   out += "}\n";
+}
+
+// False: the journal can not be read.
+bool print_dead_letters(const crashes_arguments& given, const std::vector<std::string>& actors, console& to) {
+  const auto letters = read_dead_letters(given.journal, actors);
+  if (!letters) {
+    to.say(letters.error());
+    return false;
+  }
+  const paint colours(to.is_terminal);
+  for (const auto& each : *letters) {
+    if (given.trace.json)
+      append_dead_letter_json(to.out.text(), each);
+    else
+      append_dead_letter(to.out.text(), each, colours);
+  }
+  return true;
 }
 
 exit_code run_crashes(const crashes_arguments& given, console& to) {
@@ -90,8 +127,11 @@ exit_code run_crashes(const crashes_arguments& given, console& to) {
   }
   crash_list list((*trace)->names, given.before);
   runtime::delivery each;
-  while ((*trace)->ordered.next(each))
+  std::set<std::uint32_t> actors;
+  while ((*trace)->ordered.next(each)) {
+    actors.insert(each.actor);
     list.add(each);
+  }
   const paint colours(to.is_terminal);
   for (const auto& one : list.crashes()) {
     if (given.trace.json)
@@ -99,12 +139,16 @@ exit_code run_crashes(const crashes_arguments& given, console& to) {
     else
       append_crash(to.out.text(), one, (*trace)->names, colours);
   }
+  std::vector<std::string> names;
+  for (const auto actor : actors)
+    names.push_back((*trace)->names.name(actor));
+  const bool is_read = given.journal.empty() || print_dead_letters(given, names, to);
   say_losses((*trace)->reader, to);
   if (list.crashes().empty())
     to.say("no actor crashed in what could be read");
   if (list.not_kept() > 0)
     to.say("there are " + std::to_string(list.not_kept()) + " more crashes; --from goes on behind the last one");
-  return exit_code::ok;
+  return is_read ? exit_code::ok : exit_code::failed;
 }
 
 } // namespace
@@ -117,6 +161,8 @@ command add_crashes_command(CLI::App& to) {
   app->add_option("--before", given->before, "So many messages of the actor before its crash")
       ->check(CLI::Range(std::size_t{0}, most))
       ->capture_default_str();
+  app->add_option("--journal", given->journal, "Shows what is in the dead letters of this journal, too")
+      ->type_name("FILE");
   app->footer(R"(Examples:
   godwit-trace crashes trace
   godwit-trace crashes trace --before 20 --json | jq -r '.actor + ": " + .reason')");

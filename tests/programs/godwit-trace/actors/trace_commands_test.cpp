@@ -105,6 +105,24 @@ TEST_F(trace_commands, crashes_name_message_reason_and_how_it_went_on) {
   EXPECT_NE(run(add_crashes_command, {}).out.find("crashed: no such item"), std::string::npos);
 }
 
+TEST_F(trace_commands, crashes_say_what_the_restart_restored) {
+  auto rows = tests::first_run();
+  rows.insert(rows.end() - 2,
+              {.at_ms = 32,
+               .actor = "executor",
+               .type = "runtime.restored",
+               .body = R"({"part":0,"parts":1,"bytes":64,"text":"{\"last_event\":9,\"effects\":[{}],\"state\":{}}"})",
+               .sender = "executor",
+               .incarnation = 2});
+  const tests::trace_folder folder;
+  tests::write_flight(folder.path(), rows, {});
+  const auto seen = run_command(add_crashes_command, {folder.path().string()});
+  EXPECT_NE(seen.out.find("restored 64 bytes of state, up to event 9, with 1 effect that had not gone out"),
+            std::string::npos)
+      << seen.out;
+  EXPECT_EQ(seen.out.find("runtime.restored"), std::string::npos) << seen.out; // it is no message
+}
+
 TEST_F(trace_commands, flight_tells_what_people_ask_for_and_nothing_twice) {
   std::vector<std::string> sentences;
   for (const auto& each : run_json(add_flight_command, {}))

@@ -38,8 +38,9 @@ class random_flight {
 public:
   random_flight(std::uint64_t seed, std::optional<sim::personality> who, const flight_wishes& wishes,
                 const std::vector<std::uint64_t>& without)
-      : seed_(seed), without_(without), test_rng_(seed), who_(drawn(who)),
-        watched_{any_flight(), any_mission(), wishes, "seed " + std::to_string(seed), std::string(io::name_of(who_))},
+      : seed_(seed), without_(without), test_rng_(seed),
+        who_(drawn(who)), watched_{any_flight(), any_mission(), wishes, "seed " + std::to_string(seed),
+                                   std::string(io::name_of(who_))},
         flight_(watched_.flight()) {}
 
   flight_outcome fly() {

@@ -76,11 +76,13 @@ constexpr auto enum_names(task_kind) {
 struct task {
   std::uint64_t number = 0; // rises with each
   task_kind kind = task_kind::deploy;
-  bool goes_on = false;                   // deploy: it is under way, and flies on with the new plan
-  std::optional<std::uint64_t> start_key; // of the station that waits for the answer to its start
+  bool goes_on = false;                          // deploy: it is under way, and flies on with the new plan
+  std::optional<std::uint64_t> start_key;        // of the station that waits for the answer to its start
+  std::optional<std::uint32_t> mode_before = {}; // start: the vehicle's, when it began
   static constexpr auto fields =
       io::table("executor.task", io::field("number", &task::number), io::field("kind", &task::kind),
-                io::field("goes_on", &task::goes_on), io::field("start_key", &task::start_key));
+                io::field("goes_on", &task::goes_on), io::field("start_key", &task::start_key),
+                io::field("mode_before", &task::mode_before));
 };
 
 // Of a station's plan: the items that its start has asked for. The plan stays whole beside them, because the next start

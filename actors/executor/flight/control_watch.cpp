@@ -151,6 +151,12 @@ void control_watch::say_taken_over(effects& out) {
   out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
 }
 
+void control_watch::find_taken(effects& out) {
+  flight_.authority.take_away(flight::holder::person);
+  yield(out, trigger::person_took_over,
+        "somebody has changed the mode in the start in which godwit was restarted" + in_its_mode());
+}
+
 // Said again to a failsafe that may have lost it; whose it is does not change the phase twice.
 void control_watch::give_to_station(effects& out, const station_act& m) {
   const bool is_new = flight_.s.status.cause != pause_cause::taken_over;

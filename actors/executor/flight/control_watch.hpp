@@ -31,6 +31,8 @@ public:
   // A new incarnation. LEFT_IN: the modes in which godwit may have left the vehicle.
   void resume(std::vector<std::uint32_t> left_in, instant now);
   void end_flight();
+  // A new incarnation finds the start of the one before in a person's mode.
+  void find_taken(effects& out);
 
   // True: somebody else has just got it, or it is unclear who has it.
   [[nodiscard]] bool heed(effects& out, instant now);

@@ -1,5 +1,6 @@
 #include "actors/executor/flight/recovery.hpp"
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -66,9 +67,27 @@ bool recovery::look(effects& out, instant now) {
   return true;
 }
 
+// While nobody was here, or when nobody could write it down any more: the vehicle is in a mode in which no step of the
+// start leaves it.
+bool recovery::was_taken_in_start() const {
+  const auto& doing = flight_.s.doing;
+  if (!flight_.is_starting() || flight_.is_in_flight() || flight_.has_person() || !doing->mode_before)
+    return false;
+  const auto& whose = flight_.view.owner();
+  auto modes = flight::modes_of_start(whose);
+  modes.push_back(*doing->mode_before);
+  append(modes, flight::modes_obeying(whose, mode_kind::guided));
+  append(modes, flight_.modes_behind_disarm());
+  if (const auto stands_in = flight::standing_mode(whose))
+    modes.push_back(*stands_in);
+  return std::ranges::find(modes, flight_.view.mode()->custom_mode) == modes.end();
+}
+
 // Nothing begins by itself: whoever stands beside the vehicle has seen godwit fail.
 void recovery::recover_on_ground(effects& out, instant now) {
   const auto& s = flight_.s;
+  if (was_taken_in_start())
+    return watch_.find_taken(out);
   if (flight_.is_in_flight() && !flight_.has_person()) { // it has come down meanwhile: by itself, or by somebody
     auto modes = left_in(s.doing);
     append(modes, end_of_plan(flight_.view.owner(), s).modes);

@@ -42,6 +42,7 @@ private:
   // What a restart or a lost answer left open about the vehicle.
   enum class question { none, plan_id, read_back, start };
 
+  [[nodiscard]] bool was_taken_in_start() const;
   void recover_on_ground(effects& out, instant now);
   void recover_in_flight(effects& out, instant now);
   void find_in_flight(effects& out, const std::optional<task>& doing, instant now);

@@ -55,7 +55,7 @@ void task_control::begin_plan(effects& out, const task& doing, const mission::do
 }
 
 void task_control::begin_start(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence) {
-  const task what{flight_.s.last_task + 1, task_kind::start, false, key};
+  const task what{flight_.s.last_task + 1, task_kind::start, false, key, flight_.view.mode()->custom_mode};
   if (flight_.commands_home())
     out.emplace_back(note{home_commanded{true}});
   out.emplace_back(note{task_begun{what, {}}});

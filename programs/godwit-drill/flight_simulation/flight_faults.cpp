@@ -56,6 +56,7 @@ void flight_simulation::suspend_process(double seconds) {
 void flight_simulation::set_wall_ahead(std::int64_t ns) {
   note("the wall clock is set " + std::to_string(ns / 1'000'000'000) + " s ahead");
   outside_.wall_ahead_ns = ns;
+  was_clock_set_ = true;
   if (process_)
     process_->set_wall_ahead(ns);
 }

@@ -138,7 +138,8 @@ std::string flaw_of_truth(flight_simulation& flight) {
     const auto place = places.find(each.item_id.value_or(""));
     if (each.kind != progress_kind::reached || place == places.end())
       continue;
-    const auto at_ns = mission::time_of_utc_text(each.at).value_or(0) - daemon_process::wall_began_ns;
+    const auto told_ns = mission::time_of_utc_text(each.at).value_or(0) - daemon_process::wall_began_ns;
+    const auto at_ns = flight.was_clock_set() ? flight.now_ns() : told_ns;
     if (!flight.track().was_near(place->second, is_plane ? near_plane_m : near_m, at_ns + between_looks_ns))
       return "report " + std::to_string(each.report_no) + " says that " + place->first +
              " was reached, and the vehicle had not been there";

@@ -149,8 +149,11 @@ bool flight_simulation::exchange() {
 
 // Who sends a plan or a start has written first that it will.
 void flight_simulation::look_at_intent(const mavlink::frame_view& frame) {
+  const auto is_plan = [](const mavlink::mission_count& what) { // fences and rally points are no mission
+    return what.count > 0 && what.mission_type == mavlink::number(mavlink::mav_mission_type::mission);
+  };
   const bool brings_plan =
-      frame.id() == mavlink::mission_count::message_id && mavlink::decode<mavlink::mission_count>(frame).count > 0;
+      frame.id() == mavlink::mission_count::message_id && is_plan(mavlink::decode<mavlink::mission_count>(frame));
   const bool starts =
       frame.id() == mavlink::command_long::message_id &&
       mavlink::decode<mavlink::command_long>(frame).command == mavlink::number(mavlink::mav_cmd::mission_start);

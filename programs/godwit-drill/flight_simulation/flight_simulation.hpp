@@ -146,6 +146,8 @@ public:
   [[nodiscard]] const flight_track& track() const { return track_; }
   // A plan or a start went out before what it is for was on the disk.
   [[nodiscard]] bool sent_without_intent() const { return sent_without_intent_; }
+  // Times in reports are not those of the flight.
+  [[nodiscard]] bool was_clock_set() const { return was_clock_set_; }
   // The mission as it was when the flight began.
   [[nodiscard]] const mission::document& first_mission() const { return first_mission_; }
   [[nodiscard]] std::uint64_t commits() const { return outside_.journal.commits; }
@@ -202,6 +204,7 @@ private:
   std::vector<vehicle_order> orders_;
   flight_track track_;
   bool sent_without_intent_ = false;
+  bool was_clock_set_ = false;
   std::uint8_t forged_ = 0;
 
   simulated_service service_;

@@ -33,6 +33,14 @@ actor::actor(runtime::spawn_context context, settings configured, std::shared_pt
 
 actor::~actor() = default;
 
+instant actor::now() {
+  if (!moment_) {
+    moment_ = instant{now_ns(), wall_ns()};
+    at_end([this] { moment_.reset(); });
+  }
+  return *moment_;
+}
+
 actor::behavior_type actor::handlers() {
   return {
       on<mission_client::mission_loaded>(
@@ -77,7 +85,7 @@ actor::behavior_type actor::handlers() {
       hears<vehicle_link::connection_changed>(),
       hears<vehicle_link::vehicle_restarted>(),
       on<runtime::child_event>([this](const runtime::child_event& m) {
-        say_all(supervisor_->on_event(m, now_ns()));
+        say_all(supervisor_->on_event(m, now().now_ns));
         greet_returned();
         supervise();
         read_host_status();
@@ -180,15 +188,15 @@ void actor::read_host_status() {
 
 void actor::supervise() {
   const auto& s = current_state();
-  supervisor_->look(s.supervision, s.status.in_flight, now_ns());
+  supervisor_->look(s.supervision, s.status.in_flight, now().now_ns);
   send_table();
   if (!supervisor_->knows_children())
     ask_for_children();
-  const bool is_gone = supervisor_->is_failsafe_gone(now_ns());
+  const bool is_gone = supervisor_->is_failsafe_gone(now().now_ns);
   core_->on_failsafe_gone(is_gone);
   if (is_gone && core_->wants_failsafe_status())
     core_->on_failsafe_status({}); // there is nobody to ask, and the vehicle still has to be brought home
-  if (core_->view().mode() && supervisor_->misses_failsafe(s.supervision, now_ns()))
+  if (core_->view().mode() && supervisor_->misses_failsafe(s.supervision, now().now_ns))
     miss_failsafe(); // once the vehicle is heard: what is decided then is on the disk with the return
 }
 
@@ -215,7 +223,7 @@ void actor::ask_for_children() {
       others_->guardian, guardian_patience, runtime::get_children{},
       [this](const runtime::children& all) {
         is_asking_children_ = false;
-        say_all(supervisor_->on_children(all, now_ns()));
+        say_all(supervisor_->on_children(all, now().now_ns));
         read_host_status();
         after_turn();
       },
@@ -256,9 +264,9 @@ void actor::say_all(const std::vector<announce>& sentences) {
 
 // The vehicle hears our heartbeat only while somebody is here who decides.
 void actor::liveness_report() {
-  if (now_ns() - liveness_reported_ns_ < liveness_report_every_ns)
+  if (now().now_ns - liveness_reported_ns_ < liveness_report_every_ns)
     return;
-  liveness_reported_ns_ = now_ns();
+  liveness_reported_ns_ = now().now_ns;
   tell(others_->vehicle, vehicle_link::liveness_report{actor_name()});
 }
 

@@ -71,7 +71,8 @@ protected:
   [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
-  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  // The same in all of a handler, so that a replay decides by the time by which it was decided.
+  [[nodiscard]] instant now();
   template <class M>
   auto hears();
   void then(const effects& wanted);
@@ -120,6 +121,7 @@ private:
   std::shared_ptr<const peers> others_;
   outside_world world_;
   std::optional<core> core_;
+  std::optional<instant> moment_; // of the handler under way
   std::optional<supervision::core> supervisor_;
   // What the notes of this handler have led to, for the core.
   using news = std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::resolve_start,

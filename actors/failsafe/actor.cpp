@@ -58,6 +58,14 @@ actor::actor(runtime::spawn_context context, const settings& configured, vehicle
 
 actor::~actor() = default;
 
+instant actor::now() {
+  if (!moment_) {
+    moment_ = instant{now_ns(), wall_ns()};
+    at_end([this] { moment_.reset(); });
+  }
+  return *moment_;
+}
+
 actor::behavior_type actor::handlers() {
   return {on_deferred<guard_mission, guard_answer>([this](const guard_mission& what, std::uint64_t request_id) {
             core_->take(asked_guard{request_id, what}, now());
@@ -111,16 +119,16 @@ void actor::on_tick() {
 void actor::plan_tick(std::chrono::milliseconds delay) { tell_after(delay, me(), tick{++tick_number_}); }
 
 void actor::judge_position() {
-  if (position_judged_ns_ && now_ns() - *position_judged_ns_ < min_judged_gap_ms * ns_per_ms)
+  if (position_judged_ns_ && now().monotonic_ns - *position_judged_ns_ < min_judged_gap_ms * ns_per_ms)
     return;
-  position_judged_ns_ = now_ns();
+  position_judged_ns_ = now().monotonic_ns;
   turn();
 }
 
 void actor::liveness_report() {
-  if (liveness_reported_ns_ && now_ns() - *liveness_reported_ns_ < liveness_report_every_ms * ns_per_ms)
+  if (liveness_reported_ns_ && now().monotonic_ns - *liveness_reported_ns_ < liveness_report_every_ms * ns_per_ms)
     return;
-  liveness_reported_ns_ = now_ns();
+  liveness_reported_ns_ = now().monotonic_ns;
   tell(vehicle_, vehicle_link::liveness_report{actor_name()});
 }
 

@@ -50,7 +50,8 @@ protected:
   [[nodiscard]] bool goes_on_without_disk() const override { return true; }
 
 private:
-  [[nodiscard]] instant now() const { return {now_ns(), wall_ns()}; }
+  // The same in all of a handler, so that a replay decides by the time by which it was decided.
+  [[nodiscard]] instant now();
   template <class M>
   auto hears();
   template <class M>
@@ -88,6 +89,7 @@ private:
   vehicle_handle vehicle_;
   std::shared_ptr<const peers> others_;
   std::optional<core> core_;
+  std::optional<instant> moment_;                // of the handler under way
   flight::mode_owner owner_;                     // of the newest heartbeat
   std::optional<vehicle_link::seen_state> seen_; // the same
   first_look look_;

@@ -134,8 +134,9 @@ std::optional<task> recovery::was_doing() const {
 void recovery::recover_in_flight(effects& out, instant now) {
   const auto doing = was_doing();
   const bool was_starting = flight_.is_starting();
-  if (was_starting && !flight_.is_in_flight() && !flight_.view.is_moving())
-    return recover_on_ground(out, now); // a rover that is armed and stands
+  const bool stands = !flight_.view.is_moving() && (was_starting || !flight_.is_in_air());
+  if (!flight_.is_in_flight() && stands)
+    return recover_on_ground(out, now); // a rover that is armed
   tasks_.end(out, "godwit was restarted while the vehicle started");
   if (!(flight_.is_in_flight() || was_starting) || flight_.has_person())
     return;

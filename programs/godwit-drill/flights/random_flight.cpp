@@ -32,6 +32,7 @@ enum class trouble {
 constexpr std::size_t kinds_of_trouble = 11;
 constexpr std::size_t most_troubles = most_faults - 1;
 constexpr std::uint64_t far_from_other_seeds = 0x9e37'79b9'7f4a'7c15;
+constexpr double on_its_way_s = 0.3; // at most, what was sent before somebody was seen: the delay of a line, overtaken
 constexpr std::uint64_t known_vehicles = 3; // the plane is not among them (docs/roadmap.md)
 
 class random_flight {
@@ -154,6 +155,7 @@ private:
     if (!flight_.run_until_phase(phase::paused, 8) || flight_.status().cause != executor::pause_cause::taken_over)
       return; // it had come to its end meanwhile
     ++watched_.so_far().takeovers;
+    flight_.run_for(on_its_way_s);
     const auto since_ns = flight_.now_ns();
     if (test_rng_() % 3 == 0)
       flight_.kill_process();

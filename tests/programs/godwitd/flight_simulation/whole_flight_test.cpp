@@ -170,6 +170,24 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, whole_flight,
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
 // What makes a failure of a random flight worth anything.
+// Of a rover, that it is armed says nothing: it stands.
+TEST(rover_left_armed, by_a_start_that_was_cut_off_is_prepared_again_whenever_godwit_is_killed) {
+  for (const auto killed_in : {phase::uploading, phase::ready}) {
+    flight_simulation::options wanted{.who = sim::personality::rover};
+    wanted.line.in.delay = wanted.line.out.delay = std::chrono::milliseconds(50); // else an upload takes no time
+    flight_simulation flight(wanted);
+    ASSERT_TRUE(flight.run_until([&] { return flight.vehicle().describe().armed; }, 60)) << flight.story();
+    flight.kill_process();
+    ASSERT_TRUE(flight.run_until_phase(phase::paused, 20)) << flight.story();
+    EXPECT_EQ(flight.status().cause, executor::pause_cause::restarted) << flight.story();
+    flight.say(operators::command_kind::resume);
+    ASSERT_TRUE(flight.run_until_phase(killed_in, 20)) << flight.story();
+    flight.kill_process();
+    EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+    EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+  }
+}
+
 // PX4 says of any landing that its plan is complete. At home, and behind a hand-back, it may be so.
 TEST(landed_at_home_by_a_pilot, a_mission_is_complete_or_flown_on_and_never_both) {
   for (int tenths = 0; tenths <= 15; ++tenths) {

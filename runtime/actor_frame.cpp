@@ -46,6 +46,7 @@ actor_frame::delivery actor_frame::begin_internal(const header& head) {
   delivery d;
   current_ = head;
   in_handler_ = true;
+  handler_time_.reset();
   committed_ = false;
   has_submitted_ = false;
   is_done_for_good_ = false;
@@ -53,6 +54,12 @@ actor_frame::delivery actor_frame::begin_internal(const header& head) {
   if (outside().trace != nullptr)
     d.began = outside().trace->ticks();
   return d;
+}
+
+actor_frame::moment actor_frame::handler_time() {
+  if (!in_handler_ || !handler_time_)
+    handler_time_ = {now_ns(), wall_ns()};
+  return *handler_time_;
 }
 
 actor_frame::delivery actor_frame::begin(const header& head, caf::mailbox_element& element) {

@@ -65,6 +65,12 @@ protected:
   [[nodiscard]] const services& outside() const { return *context_.outside; }
   [[nodiscard]] std::int64_t now_ns() const { return outside().time->monotonic_ns(); }
   [[nodiscard]] std::int64_t wall_ns() const { return outside().time->wall_ns(); }
+  // Both, the same in all of a handler, so that a replay decides by the time by which it was decided.
+  struct moment {
+    std::int64_t monotonic_ns = 0;
+    std::int64_t wall_ns = 0;
+  };
+  [[nodiscard]] moment handler_time();
   [[nodiscard]] const header& current() const { return current_; } // of the message being handled
   [[nodiscard]] const spawn_context& context() const { return context_; }
   [[nodiscard]] recovered take_restored() { return std::exchange(context_.restored, {}); }
@@ -194,6 +200,7 @@ private:
   std::optional<std::int64_t> deadline_ns_; // that is under way
   std::uint64_t deadline_number_ = 0;
   bool in_handler_ = false;
+  std::optional<moment> handler_time_; // of the handler under way, when it was asked for
   bool committed_ = false;
   bool has_submitted_ = false;
   bool is_done_for_good_ = false; // by mark_committed()

@@ -1,8 +1,8 @@
 // Bugs that are planted on purpose, so that whoever flies missions in drills shows that each of them would be found.
 //
 // Only a build with GODWIT_PLANTED_BUGS has them: the environment variable GODWIT_PLANTED_BUG names the one that acts
-// in the process. In any other build is_planted() is the constant false, and nothing is left of it. Each value stands
-// at one place of the code. scripts/planted_bugs builds, flies and counts. Thread: any.
+// in the process. In any other build is_planted() is the constant false, and nothing is left of it.
+// scripts/planted_bugs builds, flies and counts. Thread: any.
 #pragma once
 
 #include "io/fields/field_table.hpp"

@@ -33,14 +33,6 @@ actor::actor(runtime::spawn_context context, settings configured, std::shared_pt
 
 actor::~actor() = default;
 
-instant actor::now() {
-  if (!moment_) {
-    moment_ = instant{now_ns(), wall_ns()};
-    at_end([this] { moment_.reset(); });
-  }
-  return *moment_;
-}
-
 actor::behavior_type actor::handlers() {
   return {
       on<mission_client::mission_loaded>(

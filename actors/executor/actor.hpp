@@ -71,8 +71,10 @@ protected:
   [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
-  // The same in all of a handler, so that a replay decides by the time by which it was decided.
-  [[nodiscard]] instant now();
+  [[nodiscard]] instant now() {
+    const auto at = handler_time();
+    return {at.monotonic_ns, at.wall_ns};
+  }
   template <class M>
   auto hears();
   void then(const effects& wanted);
@@ -121,7 +123,6 @@ private:
   std::shared_ptr<const peers> others_;
   outside_world world_;
   std::optional<core> core_;
-  std::optional<instant> moment_; // of the handler under way
   std::optional<supervision::core> supervisor_;
   // What the notes of this handler have led to, for the core.
   using news = std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::resolve_start,

@@ -58,14 +58,6 @@ actor::actor(runtime::spawn_context context, const settings& configured, vehicle
 
 actor::~actor() = default;
 
-instant actor::now() {
-  if (!moment_) {
-    moment_ = instant{now_ns(), wall_ns()};
-    at_end([this] { moment_.reset(); });
-  }
-  return *moment_;
-}
-
 actor::behavior_type actor::handlers() {
   return {on_deferred<guard_mission, guard_answer>([this](const guard_mission& what, std::uint64_t request_id) {
             core_->take(asked_guard{request_id, what}, now());

@@ -50,8 +50,10 @@ protected:
   [[nodiscard]] bool goes_on_without_disk() const override { return true; }
 
 private:
-  // The same in all of a handler, so that a replay decides by the time by which it was decided.
-  [[nodiscard]] instant now();
+  [[nodiscard]] instant now() {
+    const auto at = handler_time();
+    return {at.monotonic_ns, at.wall_ns};
+  }
   template <class M>
   auto hears();
   template <class M>
@@ -89,7 +91,6 @@ private:
   vehicle_handle vehicle_;
   std::shared_ptr<const peers> others_;
   std::optional<core> core_;
-  std::optional<instant> moment_;                // of the handler under way
   flight::mode_owner owner_;                     // of the newest heartbeat
   std::optional<vehicle_link::seen_state> seen_; // the same
   first_look look_;

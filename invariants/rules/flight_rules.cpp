@@ -42,6 +42,13 @@ json object_in(const delivery& each) {
   return result.is_object() ? result : json::object();
 }
 
+// A member of that; nothing is in it where it is none.
+json object_in(const delivery& each, const char* member) {
+  const auto whole = object_in(each);
+  const auto found = whole.find(member);
+  return found != whole.end() && found->is_object() ? *found : json::object();
+}
+
 // A report as the executor makes it and mission_client takes it.
 struct report {
   std::string mission;
@@ -59,19 +66,16 @@ public:
   void take(const delivery& each, const name_table& names) final {
     if (!type_.is(each.type, names) || !has_come(each.how))
       return;
-    const auto message = object_in(each);
-    const auto found = message.find("report");
-    if (found == message.end() || !found->is_object())
-      return;
-    const auto no = number(*found, "report_no");
+    const auto found = object_in(each, "report");
+    const auto no = number(found, "report_no");
     if (!no)
       return;
-    const report told{text(*found, "mission_id"),
+    const report told{text(found, "mission_id"),
                       *no,
-                      number(*found, "generation").value_or(0),
-                      number(*found, "revision").value_or(0),
-                      text(*found, "kind"),
-                      found->dump()};
+                      number(found, "generation").value_or(0),
+                      number(found, "revision").value_or(0),
+                      text(found, "kind"),
+                      found.dump()};
     if (missions_.size() < max_missions || missions_.contains(told.mission))
       look(told, missions_[told.mission], each);
   }
@@ -153,16 +157,12 @@ public:
     if (each.how != outcome::handled)
       return;
     if (loaded_.is(each.type, names)) {
-      const auto message = object_in(each);
-      if (const auto found = message.find("document"); found != message.end() && found->is_object())
-        note_mission(*found);
+      note_mission(object_in(each, "document"));
     } else if (guard_.is(each.type, names)) {
       guarded_by_ = object_in(each).value("geofences", json()).dump();
       guard_id_ = each.id;
     } else if (report_.is(each.type, names)) {
-      const auto message = object_in(each);
-      if (const auto found = message.find("report"); found != message.end() && found->is_object())
-        look(*found, each);
+      look(object_in(each, "report"), each);
     }
   }
 

@@ -2,6 +2,7 @@
 
 import os
 import re
+import socket
 import subprocess
 import time
 
@@ -11,6 +12,13 @@ POLL_S = 0.02
 
 class Trouble(Exception):
     """Something did not come. The text says what; the demo ends with it."""
+
+
+def free_port():
+    """Of UDP on the loopback, a moment ago."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
 
 
 def environment():

@@ -17,6 +17,13 @@ void flight_start::begin(effects& out, std::optional<std::uint64_t> key, std::ui
 
 std::uint16_t flight_start::first_sequence() const { return flight_.s.progress.plan->map.start_sequence; }
 
+// For the item that is asked for; for the first of all where the plan begins, behind the home of a vehicle.
+std::optional<std::uint16_t> flight_start::sequence_of(const start_mission& asked) const {
+  if (asked.first == 0 && flight_.s.progress.plan)
+    return first_sequence();
+  return vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
+}
+
 // The sentence says why not; empty: it may.
 std::string flight_start::why_not(effects& out, instant now) {
   auto why = why_not_ready(out, now);
@@ -92,7 +99,7 @@ void flight_start::begin_in_flight(effects& out, const start_mission& asked, ins
 // A station has armed it, taken off and given it back: of a flight that was ready the mode alone is missing. That the
 // vehicle is under way, for which it could not be prepared now, is what that station wants.
 void flight_start::begin_in_air(effects& out, const start_mission& asked) {
-  const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
+  const auto sequence = sequence_of(asked);
   if (asked.first != 0 && !sequence)
     return tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
   if (!parts_.is_had_as_it_is(asked))
@@ -103,8 +110,7 @@ void flight_start::begin_in_air(effects& out, const start_mission& asked) {
   flight_.adopt_flight();
   out.emplace_back(note{preflight::took_off{}});
   phases_.go(out, trigger::found_started);
-  const auto first = asked.first == 0 ? first_sequence() : *sequence;
-  tasks_.begin(out, task_kind::resume, tasks_.guarded(jump_steps(flight_, first)), false, asked.key);
+  tasks_.begin(out, task_kind::resume, tasks_.guarded(jump_steps(flight_, *sequence)), false, asked.key);
 }
 
 // -- on the ground ----------------------------------------------------------------------------------
@@ -118,13 +124,12 @@ void flight_start::begin_asked(effects& out, const start_mission& asked, instant
     tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
   else if (const auto disarmed = why_not_armed(); !disarmed.empty())
     tasks_.answer_start(out, asked.key, start_verdict::disarmed, disarmed);
-  else if (const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
-           !sequence && asked.first != 0)
+  else if (const auto sequence = sequence_of(asked); !sequence)
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
   else if (asked.first != 0 && flight_.view.owner().vehicle != flight::vehicle_class::rover)
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "what flies begins with its take-off");
   else
-    begin(out, asked.key, asked.first == 0 ? first_sequence() : *sequence);
+    begin(out, asked.key, *sequence);
 }
 
 void flight_start::refuse(effects& out, const std::string& why) {

@@ -31,6 +31,7 @@ private:
   [[nodiscard]] bool waits_for_arming(instant now) const;
   [[nodiscard]] std::string why_not_in_flight() const;
   [[nodiscard]] std::uint16_t first_sequence() const;
+  [[nodiscard]] std::optional<std::uint16_t> sequence_of(const start_mission& asked) const;
   void begin_asked(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not(effects& out, instant now);
   [[nodiscard]] std::string why_not_ready(effects& out, instant now);

@@ -14,6 +14,8 @@ using io::mavlink::mav_autopilot;
 using io::mavlink::mav_mission_type;
 namespace transfer = vehicle_link::transfer;
 
+constexpr const char* cut_off = "it was begun and is not finished";
+
 std::string name_of(mav_mission_type type) { return type == mav_mission_type::fence ? "fence" : "rally points"; }
 
 } // namespace
@@ -57,7 +59,7 @@ bool last_line::advance(effects& out, instant now) {
   if (flight_.wanted.start && !std::exchange(is_start_waiting_, true))
     until_ns_ = std::min(until_ns_, now.now_ns + last_line_before_start_ns);
   if (!stands() || flight_.s.arrived)
-    give_up(out, "it was begun and is not finished");
+    give_up(out, cut_off);
   else if (now.now_ns >= until_ns_)
     give_up(out, "the vehicle does not answer in time");
   else if (!is_asked_ && now.now_ns >= again_ns_)
@@ -68,7 +70,7 @@ bool last_line::advance(effects& out, instant now) {
 effects last_line::stop() {
   effects out;
   if (doing_)
-    give_up(out, "it was begun and is not finished");
+    give_up(out, cut_off);
   return out;
 }
 
@@ -139,15 +141,15 @@ void last_line::on_transfer(effects& out, std::uint64_t number, const transfer::
   }
   if (outcome.verdict != transfer::verdict::accepted) {
     warn(out, outcome.reason);
-    return end_part(out, now);
+    return begin_next(out, now);
   }
   if (reads_back_) {
     take_read_back(out, outcome.items);
-    return end_part(out, now);
+    return begin_next(out, now);
   }
   if (doing_->wanted.empty()) {
     note_brought(out, doing_->type, false);
-    return end_part(out, now);
+    return begin_next(out, now);
   }
   reads_back_ = true;
   ask(out, now);
@@ -160,8 +162,6 @@ void last_line::take_read_back(effects& out, const items& theirs) {
     brought_ = flight_.s.mission ? flight_.s.mission->geofences : std::vector<mission::geofence>{};
   say_brought(out);
 }
-
-void last_line::end_part(effects& out, instant now) { begin_next(out, now); }
 
 void last_line::give_up(effects& out, const std::string& why) {
   if (is_asked_)

@@ -61,7 +61,6 @@ private:
   void ask(effects& out, instant now);
   void take_read_back(effects& out, const items& theirs);
   void warn(effects& out, const std::string& why);
-  void end_part(effects& out, instant now);
   void give_up(effects& out, const std::string& why);
   void say_brought(effects& out) const;
   void say_outdated(effects& out);

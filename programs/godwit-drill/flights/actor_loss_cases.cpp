@@ -33,7 +33,7 @@ std::string end_both(watched_flight& watched, const std::string& one, const std:
   const bool are_back = is_back_within(flight, one, one_before, back_within_s) &&
                         is_back_within(flight, other, other_before, back_within_s);
   watched.expect(are_back ? "" : "the two were not back within 5 s");
-  watched.note_recovery(static_cast<double>(flight.now_ns() - since_ns) * 1e-6);
+  watched.note_recovery_since(since_ns);
   return {};
 }
 
@@ -65,7 +65,7 @@ std::string hang(watched_flight& watched, const std::string& actor) {
   const auto since_ns = flight.now_ns();
   process->hang(actor);
   watched.expect(is_back_within(flight, actor, before, back_within_s) ? "" : actor + " was not back within 30 s");
-  watched.note_recovery(static_cast<double>(flight.now_ns() - since_ns) * 1e-6);
+  watched.note_recovery_since(since_ns);
   return {};
 }
 

@@ -91,7 +91,7 @@ struct disk_case {
   std::uint64_t commit;
   named_fault fault;
 
-  [[nodiscard]] std::string group() const { return std::string(io::name_of(who)) + "/" + fault.name; }
+  [[nodiscard]] std::string group() const { return row_of(who, fault.name); }
   [[nodiscard]] std::string name() const { return group() + "/commit_" + std::to_string(commit); }
 };
 

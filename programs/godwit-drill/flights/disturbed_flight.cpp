@@ -31,13 +31,9 @@ flight_outcome fly(const disturbed_flight& what, const flight_wishes& wishes) {
 
 } // namespace
 
-std::string disturbed_flight::group() const {
-  return std::string(io::name_of(wanted.who)) + "/" + (row.empty() ? std::string(io::name_of(part)) : row);
-}
+std::string disturbed_flight::group() const { return row_of(wanted.who, row.empty() ? io::name_of(part) : row); }
 
-std::string disturbed_flight::name() const {
-  return std::string(io::name_of(wanted.who)) + "/" + std::string(io::name_of(part)) + "/" + what;
-}
+std::string disturbed_flight::name() const { return row_of(wanted.who, io::name_of(part)) + "/" + what; }
 
 bool reach(flight_simulation& flight, phase part) {
   constexpr double within_s = 300;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "programs/godwit-drill/flights/flight_outcome.hpp"
@@ -18,6 +19,11 @@ struct flight_case {
 };
 
 using vehicles = std::span<const sim::personality>;
+
+// "px4/flying": a group of cases of this vehicle.
+[[nodiscard]] inline std::string row_of(sim::personality who, std::string_view row) {
+  return std::string(io::name_of(who)) + "/" + std::string(row);
+}
 
 // Each actor throws once at each crash point in each part of a flight.
 [[nodiscard]] std::vector<flight_case> actor_cases(vehicles which);

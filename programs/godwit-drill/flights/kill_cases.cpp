@@ -12,7 +12,7 @@ constexpr double storm_s = 60;
 constexpr double lives_s = 0.2;
 
 flight_case killed_at_moment(sim::personality who, std::uint64_t seed, double flown_s) {
-  const auto group = std::string(io::name_of(who)) + "/moments";
+  const auto group = row_of(who, "moments");
   const auto name = group + "/" + std::to_string(seed);
   return {name, group, [=](const flight_wishes& wishes) {
             watched_flight watched({.who = who, .seed = seed}, wishes, name, group);

@@ -21,7 +21,7 @@ void expect_left_alone(watched_flight& watched, bool must_see) {
   const auto is_seen = [&] { return executor::needs_hand_back(flight.status().cause); };
   if (flight.run_until(is_seen, seen_within_s)) {
     ++watched.so_far().takeovers;
-    watched.note_recovery(static_cast<double>(flight.now_ns() - taken_ns) * 1e-6);
+    watched.note_recovery_since(taken_ns);
   } else {
     watched.expect(must_see ? "godwit has not seen that a person has the vehicle" : "");
   }

@@ -3,16 +3,13 @@
 #include <array>
 #include <chrono>
 
-#include "io/mavlink/enums.hpp"
-#include "io/mavlink/messages.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
-#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
+#include "programs/godwit-drill/flight_simulation/forged_frames.hpp"
 #include "programs/godwit-drill/flights/disturbed_flight.hpp"
 
 namespace godwit::drill {
 namespace {
 
-namespace mavlink = io::mavlink;
 using executor::phase;
 
 // -- cuts -------------------------------------------------------------------------------------------
@@ -74,7 +71,7 @@ std::string reboot(watched_flight& watched) {
     watched.expect("godwit has not seen that the autopilot has started again");
     return {};
   }
-  watched.note_recovery(static_cast<double>(flight.now_ns() - began_ns) * 1e-6);
+  watched.note_recovery_since(began_ns);
   const auto since_ns = flight.now_ns();
   flight.run_for(left_alone_s);
   watched.expect(moves_since(flight, since_ns) == 0 ? ""
@@ -84,20 +81,8 @@ std::string reboot(watched_flight& watched) {
 
 // -- a stranger -------------------------------------------------------------------------------------
 
-constexpr mavlink::sender autopilot{1, 1};
+constexpr io::mavlink::sender autopilot{1, 1};
 constexpr int forged_frames = 3;
-
-// As the vehicle would show that a pilot flies it.
-mavlink::heartbeat piloted(sim::personality who) {
-  mavlink::heartbeat result;
-  result.type = mavlink::number(mavlink::mav_type::quadrotor);
-  result.autopilot = mavlink::number(who == sim::personality::px4 ? mavlink::mav_autopilot::px4
-                                                                  : mavlink::mav_autopilot::ardupilotmega);
-  result.base_mode = 0x81;
-  result.custom_mode = pilot_mode(who);
-  result.system_status = mavlink::number(mavlink::mav_state::active);
-  return result;
-}
 
 void forge(flight_simulation& flight, const std::string& what) {
   using line = flight_simulation::target_line;
@@ -105,15 +90,9 @@ void forge(flight_simulation& flight, const std::string& what) {
     if (what == "pilot")
       flight.forge(line::vehicle, piloted(flight.who()), autopilot);
     else if (what == "restart")
-      flight.forge(line::vehicle, mavlink::global_position_int{.time_boot_ms = 10 * i}, autopilot);
+      flight.forge(line::vehicle, just_started(i), autopilot);
     else if (what == "outside")
-      flight.forge(line::vehicle,
-                   mavlink::global_position_int{.time_boot_ms = 900'000,
-                                                .lat = 100'000'000,
-                                                .lon = 100'000'000,
-                                                .alt = 9'000'000,
-                                                .relative_alt = 9'000'000},
-                   autopilot);
+      flight.forge(line::vehicle, far_away(), autopilot);
     flight.run_for(0.4);
   }
 }
@@ -146,7 +125,7 @@ std::array<bad_line, 3> bad_lines() {
 }
 
 flight_case flight_on(sim::personality who, const bad_line& line, std::uint64_t seed) {
-  const auto group = std::string(io::name_of(who)) + "/throughout";
+  const auto group = row_of(who, "throughout");
   const auto name = group + "/" + line.name + "/" + std::to_string(seed);
   return {name, group, [=](const flight_wishes& wishes) {
             auto wanted = slow_flight(who);

@@ -37,9 +37,7 @@ struct takeover {
   phase part; // paused: in flight, by a word of an operator
   sim::flight_mode mode;
 
-  [[nodiscard]] std::string group() const {
-    return std::string(io::name_of(who)) + "/" + std::string(io::name_of(part));
-  }
+  [[nodiscard]] std::string group() const { return row_of(who, io::name_of(part)); }
   [[nodiscard]] std::string name() const { return group() + "/" + std::string(mode.name); }
 };
 

@@ -14,8 +14,6 @@ using operators::command_kind;
 
 constexpr std::array under_way{phase::starting, phase::flying, phase::landing};
 
-std::string group_of(sim::personality who, const char* row) { return std::string(io::name_of(who)) + "/" + row; }
-
 // -- on the way to an item --------------------------------------------------------------------------
 
 // False: the flight has no such moment.
@@ -29,7 +27,7 @@ bool fly_towards(flight_simulation& flight, int item) {
 }
 
 flight_case taken_at_item(sim::personality who, int item) {
-  const auto group = group_of(who, "items");
+  const auto group = row_of(who, "items");
   const auto name = group + "/" + std::to_string(item);
   return {name, group, [=](const flight_wishes& wishes) {
             watched_flight watched({.who = who}, wishes, name, group);

@@ -47,6 +47,10 @@ void watched_flight::expect(const std::string& flaw) {
 
 void watched_flight::note_recovery(double ms) { outcome_.recovery_ms = std::max(ms, outcome_.recovery_ms.value_or(0)); }
 
+void watched_flight::note_recovery_since(std::int64_t since_ns) {
+  note_recovery(static_cast<double>(flight_.now_ns() - since_ns) * 1e-6);
+}
+
 flight_outcome watched_flight::finish() {
   expect(fly_with_help(flight_) ? "" : "it has no end");
   expect(flaw_of_end(flight_));

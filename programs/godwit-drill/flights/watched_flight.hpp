@@ -30,6 +30,7 @@ public:
   void expect(const std::string& flaw);
   // The longest one counts.
   void note_recovery(double ms);
+  void note_recovery_since(std::int64_t since_ns); // until now
   // Lets it come to its end with the help of people, and asks all judges; the vehicle must stand where its mission
   // leads.
   [[nodiscard]] flight_outcome finish();

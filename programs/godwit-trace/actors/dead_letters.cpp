@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/fields/json_text.hpp"
 #include "runtime/journal/journal_reader.hpp"
 
 namespace godwit::trace_tool {
-
-namespace {
-
-void append_member(std::string& out, std::string_view name, std::string_view text) {
-  out.append(",\"").append(name).append("\":");
-  io::append_json_string(out, text);
-}
-
-} // namespace
 
 tl::expected<std::vector<given_up>, std::string> read_dead_letters(const std::string& journal,
                                                                    const std::vector<std::string>& actors) {

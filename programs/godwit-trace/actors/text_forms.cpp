@@ -52,6 +52,11 @@ std::string duration_text(std::int64_t duration_ns) {
   return std::to_string(duration_ns) + " ns";
 }
 
+void append_member(std::string& out, std::string_view name, std::string_view text) {
+  out.append(",\"").append(name).append("\":");
+  io::append_json_string(out, text);
+}
+
 void append_printable(std::string& out, std::string_view text) {
   constexpr unsigned char delete_character = 0x7f;
   for (const char c : text) {

@@ -21,6 +21,9 @@ void append_utc_ns(std::string& out, std::int64_t at_ns);
 // Text that came from outside, fit for a terminal: control characters are escaped.
 void append_printable(std::string& out, std::string_view text);
 
+// Another member of an object in JSON: ,"NAME":"TEXT".
+void append_member(std::string& out, std::string_view name, std::string_view text);
+
 // What marks a part of a line on a terminal; nothing elsewhere, or where NO_COLOR is set (https://no-color.org).
 class paint {
 public:

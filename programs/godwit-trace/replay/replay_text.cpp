@@ -33,24 +33,6 @@ std::string_view title_of(deviation_kind kind) {
   return {};
 }
 
-std::string_view name_of(deviation_kind kind) {
-  switch (kind) {
-  case deviation_kind::differs:
-    return "differs";
-  case deviation_kind::not_sent:
-    return "not_sent";
-  case deviation_kind::not_recorded:
-    return "not_recorded";
-  case deviation_kind::crashes:
-    return "crashes";
-  case deviation_kind::crashed:
-    return "crashed";
-  case deviation_kind::can_not_take:
-    return "can_not_take";
-  }
-  return {};
-}
-
 void append_body(std::string& out, std::string_view body) {
   append_printable(out, body.substr(0, most_of_message));
   if (body.size() > most_of_message)
@@ -70,11 +52,6 @@ void append_sent(std::string& out, std::string_view mark, const std::string& to,
   out.append("  ").append(mark).append(" -> ").append(to).append(" ").append(type).append(" ");
   append_body(out, body);
   out += '\n';
-}
-
-void append_member(std::string& out, std::string_view name, std::string_view text) {
-  out.append(",\"").append(name).append("\":");
-  io::append_json_string(out, text);
 }
 
 std::string counted(std::size_t n, const std::string& what) {
@@ -102,7 +79,7 @@ void append_deviation(std::string& out, const deviation& what, const paint& colo
 
 void append_deviation_json(std::string& out, const deviation& what) {
   out += R"({"kind":")";
-  out += name_of(what.kind);
+  out += io::name_of(what.kind);
   out += R"(","input":)" + std::to_string(what.input->id) + R"(,"incarnation":)" +
          std::to_string(what.input->incarnation) + R"(,"time_ns":)" + std::to_string(what.input->began_ns);
   append_member(out, "type", what.input->type);
@@ -152,7 +129,7 @@ std::string summary_text(const runtime::replay_summary& summary) {
   if (summary.unconfirmed > 0)
     out += "; " + counted(summary.unconfirmed, "message") + " sent that nobody is known to have taken";
   if (summary.crashes > 0)
-    out += "; " + counted(summary.crashes, "crash") + (summary.crashes == 1 ? "" : "") + " as then";
+    out += "; " + std::to_string(summary.crashes) + (summary.crashes == 1 ? " crash" : " crashes") + " as then";
   if (summary.planned_crashes > 0)
     out += "; " + std::to_string(summary.planned_crashes) +
            " handlers left out that a test made crash, or that were replaced";

@@ -6,6 +6,7 @@
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/forged_frames.hpp"
 
 namespace {
 
@@ -16,18 +17,6 @@ namespace mavlink = io::mavlink;
 using line = flight_simulation::target_line;
 
 constexpr mavlink::sender autopilot{1, 1};
-
-// As a PX4 in POSCTL, or an ArduPilot in a mode that a pilot flies in.
-mavlink::heartbeat piloted(sim::personality who) {
-  mavlink::heartbeat result;
-  result.type = mavlink::number(mavlink::mav_type::quadrotor);
-  result.autopilot = mavlink::number(who == sim::personality::px4 ? mavlink::mav_autopilot::px4
-                                                                  : mavlink::mav_autopilot::ardupilotmega);
-  result.base_mode = 0x81;
-  result.custom_mode = pilot_mode(who);
-  result.system_status = mavlink::number(mavlink::mav_state::active);
-  return result;
-}
 
 mavlink::heartbeat of_station() {
   return {.type = mavlink::number(mavlink::mav_type::gcs),
@@ -65,7 +54,7 @@ TEST_P(forged_frames, a_heartbeat_in_a_pilots_mode_takes_nothing_over) {
 TEST_P(forged_frames, a_young_clock_is_no_restart_of_the_autopilot) {
   fly();
   for (std::uint32_t i = 1; i <= 3; ++i) {
-    flight.forge(line::vehicle, mavlink::global_position_int{.time_boot_ms = 10 * i}, autopilot);
+    flight.forge(line::vehicle, just_started(i), autopilot);
     flight.run_for(0.6);
   }
   expect_no_effect();
@@ -73,11 +62,7 @@ TEST_P(forged_frames, a_young_clock_is_no_restart_of_the_autopilot) {
 
 TEST_P(forged_frames, a_position_outside_of_the_fence_brings_nobody_home) {
   fly();
-  three(
-      line::vehicle,
-      mavlink::global_position_int{
-          .time_boot_ms = 900'000, .lat = 100'000'000, .lon = 100'000'000, .alt = 9'000'000, .relative_alt = 9'000'000},
-      autopilot, 0.1);
+  three(line::vehicle, far_away(), autopilot, 0.1);
   expect_no_effect();
 }
 

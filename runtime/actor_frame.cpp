@@ -103,6 +103,7 @@ void actor_frame::deliver(delivery d, const envelope& m, const std::function<voi
   }
   delivering_ = &d;
   handling_ = &m;
+  address().begins_handling(m.head.id);
   try {
     hit(crash_point::before_handler);
     handle(m);

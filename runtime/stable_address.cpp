@@ -58,7 +58,7 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
     if (!target_ || !has_room_for(*element))
       return false;
     enqueued_.fetch_add(1, std::memory_order_relaxed);
-    target_->enqueue(std::move(element), context);
+    hand_over(std::move(element), context);
     return true;
   };
   {
@@ -85,6 +85,12 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
   ++arrived_while_parked_;
   ++counters_.accepted;
   parked_.push_back(std::move(element));
+}
+
+void stable_address::hand_over(caf::mailbox_element_ptr element, caf::execution_unit* context) {
+  if (is_durable_effect(*element)) [[unlikely]]
+    unseen_.add(*element);
+  target_->enqueue(std::move(element), context);
 }
 
 // Of what the runtime told an incarnation that is gone, or runs already and is not bound yet. What the journal said
@@ -149,6 +155,7 @@ bool stable_address::has_seen(std::uint32_t source, effect_id id) const {
 }
 
 effect_id stable_address::mark_seen(std::uint32_t source, effect_id id) {
+  unseen_.seen(source, id);
   const std::unique_lock guard(mutex_);
   auto& mark = seen_[source];
   return std::exchange(mark, std::max(mark, id));
@@ -296,7 +303,7 @@ void stable_address::count_wrong_answer() {
 
 void stable_address::park_from_now(const caf::actor_control_block* dying, std::uint64_t incarnation) {
   caf::strong_actor_ptr old; // released after the lock: the last reference runs the actor's destructor
-  const std::unique_lock guard(mutex_);
+  std::unique_lock guard(mutex_);
   last_ended_ = std::max(last_ended_, incarnation);
   if (target_.get() == dying)
     old.swap(target_);
@@ -306,6 +313,10 @@ void stable_address::park_from_now(const caf::actor_control_block* dying, std::u
     if (each.get() == dying)
       old.swap(each);
   std::erase(stranded_, nullptr);
+  const bool gives_back = !target_;
+  guard.unlock();
+  if (gives_back)
+    unseen_.forget();
 }
 
 void stable_address::give_back(std::vector<caf::mailbox_element_ptr> mail, std::size_t requeued) {
@@ -349,7 +360,7 @@ void stable_address::forward_again(std::vector<caf::mailbox_element_ptr>& mail) 
   forwarded_again_ += mail.size();
   enqueued_.fetch_add(mail.size(), std::memory_order_relaxed);
   for (auto& each : mail)
-    target_->enqueue(std::move(each), nullptr);
+    hand_over(std::move(each), nullptr);
 }
 
 void stable_address::note_crash(std::string reason) {
@@ -382,10 +393,10 @@ void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit
   }
   enqueued_.fetch_add(parked_.size(), std::memory_order_relaxed);
   forwarded_again_ += parked_.size();
-  for (; !parked_.empty(); parked_.pop_front())
-    incarnation->enqueue(std::move(parked_.front()), context);
-  arrived_while_parked_ = 0;
   target_ = std::move(incarnation);
+  for (; !parked_.empty(); parked_.pop_front())
+    hand_over(std::move(parked_.front()), context);
+  arrived_while_parked_ = 0;
   if (const auto upto = std::exchange(durable_upto_, 0); upto != 0) {
     enqueued_.fetch_add(1, std::memory_order_relaxed);
     target_->enqueue(make_internal_mail(durable{upto}), context);
@@ -400,7 +411,11 @@ std::size_t stable_address::abandon() {
   incarnation_.fetch_add(1, std::memory_order_acq_rel); // it is fenced from here on
   stranded_.push_back(std::move(target_));              // kept alive: the handler still runs in it
   target_.reset();
-  return enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed);
+  const auto stranded = enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed);
+  auto effects = unseen_.take(in_hand_.load(std::memory_order_relaxed));
+  const auto count = effects.size();
+  std::move(effects.rbegin(), effects.rend(), std::front_inserter(parked_));
+  return stranded - std::min<std::uint64_t>(stranded, count);
 }
 
 bool stable_address::kill() {

@@ -34,6 +34,7 @@
 #include "runtime/caf_mail.hpp"
 #include "runtime/disk_waiters.hpp"
 #include "runtime/journal/records.hpp"
+#include "runtime/unseen_effects.hpp"
 
 namespace godwit::runtime {
 
@@ -77,6 +78,7 @@ public:
 
   // One message was taken from the incarnation's mailbox; handled, or not and why (null: it crashed and was counted as
   // such).
+  void begins_handling(std::uint64_t message_id) { in_hand_.store(message_id, std::memory_order_relaxed); }
   void count_handled() { taken_.fetch_add(1, std::memory_order_relaxed); }
   void count_unhandled(std::uint64_t address_counters::*why);
   void count_runtime_messages(std::size_t n); // pings and the like, which are nobody's mail
@@ -127,8 +129,8 @@ public:
   // -- the guardian -------------------------------------------------------------------------------
   [[nodiscard]] std::uint64_t begin_incarnation(); // its number, from 1
   void bind(caf::strong_actor_ptr incarnation, caf::execution_unit* context);
-  // Gives up an incarnation that does not answer: mail is parked from now on. Returns how many messages are stranded in
-  // it.
+  // Gives up an incarnation that does not answer: mail is parked from now on, behind the durable effects that it had
+  // not handled. Returns how many other messages are stranded in it.
   std::size_t abandon();
   bool kill(); // ends the incarnation between two messages; false: there is none
   // The actor is not wanted or was given up: what waits is dropped or refused, but for durable effects. It is back when
@@ -146,7 +148,8 @@ private:
     std::uint64_t incarnation = 0; // the one that took the request
   };
 
-  void keep_for_next(caf::mailbox_element_ptr element); // under the lock
+  void hand_over(caf::mailbox_element_ptr element, caf::execution_unit* context); // under the lock, to the target
+  void keep_for_next(caf::mailbox_element_ptr element);                           // under the lock
   // Nobody will look at MAIL but, later, at its durable effects: these are left in it.
   std::vector<caf::mailbox_element_ptr>
   sort_out(std::deque<caf::mailbox_element_ptr>& mail); // under it; what to refuse
@@ -191,6 +194,7 @@ private:
   std::uint64_t runtime_messages_ = 0;                      // of enqueued_ and taken_
   std::uint64_t unhandled_ = 0;                             // of taken_: whatever did not end as handled
   std::vector<caf::strong_actor_ptr> stranded_;             // incarnations whose handler never returned
+  unseen_effects unseen_;                                   // of the target
 
   std::atomic<std::uint64_t> incarnation_{0};
   std::atomic<std::uint64_t> ids_;
@@ -198,6 +202,7 @@ private:
   std::atomic<bool> beyond_restart_{false};
   alignas(64) std::atomic<std::uint64_t> enqueued_{0}; // written by senders
   alignas(64) std::atomic<std::uint64_t> taken_{0};    // written by the incarnation
+  std::atomic<std::uint64_t> in_hand_{0};              // likewise; id of the message that it handled last
 };
 
 using stable_address_ptr = caf::intrusive_ptr<stable_address>;

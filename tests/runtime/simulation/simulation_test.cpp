@@ -54,6 +54,25 @@ TEST(simulation, an_actor_that_hangs_takes_nothing_and_is_replaced_when_its_ping
   EXPECT_EQ(seen.receipts[2], 1);
 }
 
+TEST(simulation, durable_effects_in_the_mailbox_of_an_actor_that_hangs_are_handled_by_its_successor) {
+  simulated_disk disk;
+  audit seen;
+  process p(disk, seen);
+  p.world.tell(p.ledger, deposit{1, 10});
+  p.world.run_until_idle();
+  ASSERT_EQ(seen.receipts[1], 1);
+  p.world.hang("auditor");
+  for (const std::int64_t key : {2, 3, 4})
+    p.world.tell(p.ledger, deposit{key, 10});
+  p.world.advance(1s);
+  ASSERT_EQ(seen.receipts.size(), 1U);
+  p.world.advance(15s);
+  p.world.tell(p.ledger, deposit{5, 10});
+  p.world.advance(1s);
+  for (const std::int64_t key : {1, 2, 3, 4, 5})
+    EXPECT_EQ(seen.receipts[key], 1) << key;
+}
+
 TEST(simulation, a_wall_clock_that_is_set_moves_no_other_time) {
   simulated_disk disk;
   audit seen;

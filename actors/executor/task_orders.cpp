@@ -16,11 +16,6 @@ namespace {
 using io::mavlink::mav_cmd;
 using io::mavlink::number;
 
-std::optional<vehicle_link::seen_state> as_seen(const vehicle_view& view) {
-  return view.mode() ? std::optional(vehicle_link::seen_state{view.mode()->custom_mode, view.is_armed()})
-                     : std::nullopt;
-}
-
 // A position needs integers: a float has 1 m of latitude at best.
 vehicle_link::send_command home_command() {
   vehicle_link::send_command command;
@@ -93,14 +88,14 @@ void task_runner::ask(const world& w, const guard&) {
 void task_runner::ask(const world& w, const bring_plan&) {
   if (tries_ == 1)
     uploads_.begin(w.now_ns);
-  w.out.emplace_back(order{
-      urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-      vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items, as_seen(w.view)}});
+  w.out.emplace_back(
+      order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
+            vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items, w.known}});
 }
 
 void task_runner::ask(const world& w, const set_current_item& what) {
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-                           vehicle_link::set_current_item{what.sequence, as_seen(w.view)}});
+                           vehicle_link::set_current_item{what.sequence, w.known}});
 }
 
 void task_runner::ask(const world& w, const set_home&) {
@@ -164,7 +159,7 @@ void task_runner::give_order(const world& w, vehicle_link::send_command what) {
   what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
   if (is_stop())
     what.timeout_ms = stop_answer_ms;
-  what.only_while = as_seen(w.view);
+  what.only_while = w.known;
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), what});
 }
 

@@ -40,6 +40,7 @@ public:
     flight::control_authority& authority;
     std::int64_t now_ns; // monotonic
     effects& out;
+    std::optional<vehicle_link::seen_state> known; // goes with each order
   };
 
   enum class verdict { idle, under_way, done, failed };

@@ -167,10 +167,18 @@ void actor::take_current_mode(const mavlink::current_mode& m) {
     seen_->custom_mode = m.custom_mode;
 }
 
+// What vehicle_link holds against it, and by what it keeps back orders that were decided without knowing of it.
+std::optional<vehicle_link::seen_state> actor::known_with(std::uint64_t command_number) const {
+  auto result = seen_;
+  if (result)
+    result->failsafe_command = command_number;
+  return result;
+}
+
 void actor::command(const command_vehicle& command) {
   auto words = words_for(command, owner_);
   GODWIT_ASSERT(words, "failsafe: of a vehicle only that is wanted which its kind can do");
-  words->only_while = seen_;
+  words->only_while = known_with(command.number);
   tell_failsafe_status();
   ask(
       vehicle_, answer_patience, *words,
@@ -183,7 +191,7 @@ void actor::command(const command_vehicle& command) {
 void actor::resolve(const command_vehicle& command, command_verdict verdict) {
   if (verdict == command_verdict::already_running)
     if (auto words = mode_words_for(command, owner_)) {
-      words->only_while = seen_;
+      words->only_while = known_with(command.number);
       tell(vehicle_, *words);
       verdict = command_verdict::timed_out;
     }

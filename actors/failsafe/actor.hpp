@@ -75,6 +75,7 @@ private:
   void carry_out(const remember& what);
   void tell_failsafe_status();
   void command(const command_vehicle& what);
+  [[nodiscard]] std::optional<vehicle_link::seen_state> known_with(std::uint64_t command_number) const;
   void post_health();
   void resolve(const command_vehicle& command, vehicle_link::command_verdict verdict);
   void look_further(bool at_tick);

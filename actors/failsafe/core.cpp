@@ -336,7 +336,7 @@ void core::warn_of_fence(const view& seen, instant now, effects& out) {
 }
 
 failsafe_status core::stand(bool in_flight) const {
-  failsafe_status result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all()};
+  failsafe_status result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all(), reaction_.last_number()};
   if (const auto& current = reaction_.current())
     result.reacts = told_reaction{current->why, current->what, reaction_.stage()};
   for (const auto each : rules)

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::int64_t ns_per_ms = 1'000'000;
 
-constexpr const char* has_changed = "the vehicle has changed its mode, or was armed or disarmed";
-
 // Before a vehicle is known: nearly every vehicle is system 1, and a heartbeat has to come from somewhere.
 constexpr std::uint8_t usual_system = 1;
 
@@ -224,13 +222,12 @@ void core::take(decision_context& t, const M& message) {
 }
 
 void core::take(decision_context& t, const mavlink::heartbeat& m) {
-  seen_ = {m.custom_mode, io::mavlink::is_armed(m)};
+  orders_.heard(m.custom_mode, io::mavlink::is_armed(m));
   t.done.emplace_back(observation(m));
 }
 
 void core::take(decision_context& t, const mavlink::current_mode& m) {
-  if (seen_)
-    seen_->custom_mode = m.custom_mode;
+  orders_.heard_mode(m.custom_mode);
   t.done.emplace_back(observation(m));
 }
 
@@ -373,15 +370,11 @@ std::int64_t core::next_deadline_ns() const {
 
 // -- what others ask for --------------------------------------------------------------------------
 
-bool core::is_outdated(const std::optional<seen_state>& only_while) const {
-  return only_while && seen_ && only_while != seen_;
-}
-
 // For who knows no command for it; it has no answer.
 void core::announce_current(decision_context& t) {
-  if (is_outdated(current_.only_while())) {
+  if (const auto why = orders_.why_not(current_.only_while(), t.now.monotonic_ns); !why.empty()) {
     t.done.emplace_back(
-        resolved_command{{asker_kind::outside, current_.request_id()}, current_.end_outdated(has_changed)});
+        resolved_command{{asker_kind::outside, current_.request_id()}, current_.end_outdated(std::string(why))});
     return;
   }
   t.send(mavlink::mission_set_current{.target_system = watch_.vehicle()->system,
@@ -389,23 +382,23 @@ void core::announce_current(decision_context& t) {
                                       .seq = current_.sequence()});
 }
 
-std::optional<command_outcome> core::refusal(const send_command& what) const {
+std::optional<command_outcome> core::refusal(const send_command& what, instant now) {
   if (watch_.phase() == connection_phase::down)
     return unsent(what.command, command_verdict::not_sent, "the link to the vehicle is down: " + watch_.reason());
   if (!watch_.vehicle())
     return unsent(what.command, command_verdict::not_sent, "no vehicle was heard on the link yet");
-  if (is_outdated(what.only_while))
-    return unsent(what.command, command_verdict::outdated, has_changed);
   if (what.target_component == 0)
     return unsent(what.command, command_verdict::invalid, "a command needs one component that answers it, not all");
   // The simulation build of ArduPilot aborts on NaN in COMMAND_LONG, and no build of it gives NaN a meaning.
   if (watch_.vehicle()->autopilot == mavlink::number(mavlink::mav_autopilot::ardupilotmega) && has_nan(what))
     return unsent(what.command, command_verdict::invalid, "ArduPilot takes no NaN as a parameter; use 0");
+  if (const auto why = orders_.why_not(what.only_while, now.monotonic_ns); !why.empty())
+    return unsent(what.command, command_verdict::outdated, std::string(why));
   return std::nullopt;
 }
 
 void core::give(decision_context& t, asker who, const send_command& what) {
-  if (auto refused = refusal(what)) {
+  if (auto refused = refusal(what, t.now)) {
     resolve(t, {who, std::move(*refused)});
     return;
   }
@@ -477,7 +470,7 @@ effects core::on_cancel(const cancel_command& what, instant now) {
 
 effects core::on_set_mode(const set_mode& what, instant now) {
   decision_context t(*this, now);
-  if (watch_.vehicle() && !is_outdated(what.only_while))
+  if (watch_.vehicle() && orders_.why_not(what.only_while, now.monotonic_ns).empty())
     t.send(mavlink::set_mode{
         .target_system = watch_.vehicle()->system, .base_mode = what.base_mode, .custom_mode = what.custom_mode});
   return std::move(t.done);
@@ -539,8 +532,8 @@ effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type
     refuse("no vehicle was heard on the link yet");
   else if (!transfers_->is_idle())
     refuse("another transfer with the vehicle is under way");
-  else if (is_outdated(only_while))
-    refuse(has_changed);
+  else if (const auto why = orders_.why_not(only_while, now.monotonic_ns); !why.empty())
+    refuse(std::string(why));
   else {
     transfer_request_ = request_id;
     go_on(t, begin(*transfers_));
@@ -605,6 +598,7 @@ connection core::describe(instant now) const {
   result.late_heartbeats = late_heartbeats_;
   result.other_autopilots = watch_.other_autopilots();
   result.under_its_name = under_its_name_;
+  result.orders_kept_back = orders_.kept_back();
   result.reconnects = reconnects_;
   for (const auto id : streams_.missing())
     if (const auto* const info = mavlink::find_message(id))

@@ -21,6 +21,7 @@
 #include "actors/vehicle_link/first_call.hpp"
 #include "actors/vehicle_link/heartbeat_gate.hpp"
 #include "actors/vehicle_link/loss_watch.hpp"
+#include "actors/vehicle_link/order_check.hpp"
 #include "actors/vehicle_link/pending_commands.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
@@ -103,14 +104,13 @@ private:
   void change_phase(decision_context& t, const std::optional<connection_changed>& change);
   void restart_conversation(decision_context& t);
   void give(decision_context& t, asker who, const send_command& what);
-  [[nodiscard]] bool is_outdated(const std::optional<seen_state>& only_while) const;
   void announce_current(decision_context& t);
   void send_out(decision_context& t, const send_command& what);
   void resolve(decision_context& t, const resolved_command& done);
   void ask_for_streams(decision_context& t);
   void raise_alert(decision_context& t);
   [[nodiscard]] std::string refused_sentence() const;
-  [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what) const;
+  [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what, instant now);
   template <class Begin>
   [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type,
                                        const std::optional<seen_state>& only_while, instant now, Begin begin);
@@ -134,7 +134,7 @@ private:
   std::optional<std::int64_t> mode_number_; // of the newest frame that tells one
   std::uint64_t late_heartbeats_ = 0;
   std::uint64_t under_its_name_ = 0; // frames of the vehicle's name from another peer
-  std::optional<seen_state> seen_;   // the newest that it has told
+  order_check orders_;
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;

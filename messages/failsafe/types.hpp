@@ -163,11 +163,13 @@ struct failsafe_status {
   std::optional<told_reaction> reacts; // the flight goes on by this, and the mission ends
   std::vector<rule> latched;           // have had their say in this flight
   std::vector<standing_override> overridden;
+  std::uint64_t last_command = 0; // to the vehicle; each has the next number
 
   static constexpr auto fields =
       io::table("failsafe.stance", io::field("in_flight", &failsafe_status::in_flight),
                 io::field("taken_over", &failsafe_status::taken_over), io::field("reacts", &failsafe_status::reacts),
-                io::field("latched", &failsafe_status::latched), io::field("overridden", &failsafe_status::overridden));
+                io::field("latched", &failsafe_status::latched), io::field("overridden", &failsafe_status::overridden),
+                io::field("last_command", &failsafe_status::last_command));
   friend bool operator==(const failsafe_status&, const failsafe_status&) = default;
 };
 

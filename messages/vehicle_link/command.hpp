@@ -23,13 +23,14 @@ constexpr auto enum_names(command_form) {
       {{command_form::in_floats, "COMMAND_LONG"}, {command_form::in_integers, "COMMAND_INT"}});
 }
 
-// As the newest heartbeat of the vehicle has it.
+// What the sender of an order knows when it decides.
 struct seen_state {
-  std::uint32_t custom_mode = 0;
-  bool is_armed = false;
-  static constexpr auto fields =
-      io::table("vehicle_link.seen_state", io::field("custom_mode", &seen_state::custom_mode),
-                io::field("is_armed", &seen_state::is_armed));
+  std::uint32_t custom_mode = 0;      // as the newest heartbeat of the vehicle has it
+  bool is_armed = false;              // the same
+  std::uint64_t failsafe_command = 0; // the failsafe's last one, in its count; in its own orders: this one
+  static constexpr auto fields = io::table(
+      "vehicle_link.seen_state", io::field("custom_mode", &seen_state::custom_mode),
+      io::field("is_armed", &seen_state::is_armed), io::field("failsafe_command", &seen_state::failsafe_command));
   friend bool operator==(const seen_state&, const seen_state&) = default;
 };
 
@@ -49,7 +50,8 @@ struct send_command {
   std::uint8_t confirmation = 0;     // 0 at the first try, one more at each further one
   std::uint8_t target_component = 1; // the autopilot
   std::int64_t timeout_ms = 0;       // 0: the configured one (1 s)
-  // What the sender saw when it decided: another newest heartbeat, and the command is `outdated`. Absent: whatever.
+  // What the sender knew when it decided: another newest heartbeat here, or a command of the failsafe that it did not
+  // know of, and the command is `outdated`. Absent: whatever.
   std::optional<seen_state> only_while;
   static constexpr auto fields = io::table(
       "vehicle_link.send_command", io::field("command", &send_command::command), io::field("form", &send_command::form),
@@ -71,7 +73,7 @@ enum class command_verdict {
   too_many,          // max_commands_in_flight wait: it was not sent
   invalid,           // it must not be sent to this autopilot; `reason` says why
   vehicle_restarted, // the autopilot started again before it answered; whether it acted is not known
-  outdated           // the vehicle is not as it was when it was decided (only_while): it was not sent
+  outdated           // the vehicle is not as it was when it was decided, or the failsafe's (only_while): not sent
 };
 
 constexpr auto enum_names(command_verdict) {

@@ -70,6 +70,7 @@ struct connection {
   std::uint64_t late_heartbeats = 0;        // sent before one that had come already, and dropped
   std::uint64_t other_autopilots = 0;       // heartbeats of autopilots that are not the vehicle
   std::uint64_t under_its_name = 0;         // frames of the vehicle's name from another peer: not taken
+  std::uint64_t orders_kept_back = 0;       // decided before the vehicle changed, or before the failsafe commanded it
   std::uint64_t reconnects = 0;             // of the transport
   std::vector<std::string> missing_streams; // wanted messages that do not come
   static constexpr auto fields = io::table(
@@ -91,7 +92,8 @@ struct connection {
       io::field("dropped_out", &connection::dropped_out), io::field("vehicle_restarts", &connection::vehicle_restarts),
       io::field("late_heartbeats", &connection::late_heartbeats),
       io::field("other_autopilots", &connection::other_autopilots),
-      io::field("under_its_name", &connection::under_its_name), io::field("reconnects", &connection::reconnects),
+      io::field("under_its_name", &connection::under_its_name),
+      io::field("orders_kept_back", &connection::orders_kept_back), io::field("reconnects", &connection::reconnects),
       io::field("missing_streams", &connection::missing_streams));
 };
 

@@ -30,6 +30,13 @@ void flight_context::adopt_flight() {
   was_up = true;
 }
 
+std::optional<vehicle_link::seen_state> flight_context::known() const {
+  if (!view.mode())
+    return std::nullopt;
+  return vehicle_link::seen_state{view.mode()->custom_mode, view.is_armed(),
+                                  failsafe_status ? failsafe_status->last_command : 0};
+}
+
 std::string flight_context::sentence() const {
   const auto& at = s.status;
   std::string result(io::name_of(at.now));

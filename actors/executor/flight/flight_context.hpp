@@ -58,7 +58,11 @@ struct flight_context {
 
   // The vehicle flies our plan, and godwit has it from here on.
   void adopt_flight();
-  [[nodiscard]] task_runner::world world(instant now, effects& out) { return {s, view, authority, now.now_ns, out}; }
+  [[nodiscard]] task_runner::world world(instant now, effects& out) {
+    return {s, view, authority, now.now_ns, out, known()};
+  }
+  // What an order says of the moment in which it was decided.
+  [[nodiscard]] std::optional<vehicle_link::seen_state> known() const;
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
 
   // -- the flight

@@ -125,7 +125,8 @@ void last_line::ask(effects& out, instant now) {
     return;
   }
   vehicle_link::upload_plan what{doing_->type, doing_->wanted, {}};
-  what.only_while = vehicle_link::seen_state{flight_.view.mode()->custom_mode, false};
+  what.only_while = flight_.known();
+  what.only_while->is_armed = false;
   out.emplace_back(order{goes::after_notes, ++last_number_, now.now_ns, {}, std::move(what)});
 }
 

@@ -53,7 +53,7 @@ void plan_clearing::begin(effects& out, bool has_looked, instant now) {
     return;
   is_under_way_ = true;
   vehicle_link::upload_plan nothing; // no items: the vehicle's plan is cleared
-  nothing.only_while = vehicle_link::seen_state{flight_.view.mode()->custom_mode, flight_.view.is_armed()};
+  nothing.only_while = flight_.known();
   out.emplace_back(order{goes::after_notes, ++last_number_, now.now_ns, {}, std::move(nothing)});
 }
 

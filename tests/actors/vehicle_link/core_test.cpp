@@ -290,6 +290,37 @@ TEST(vehicle_link_core, a_command_that_was_decided_in_another_mode_is_not_sent) 
   }
 }
 
+// In the second before a heartbeat shows what the failsafe has done.
+TEST(vehicle_link_core, an_order_decided_without_knowing_of_the_failsafes_command_is_not_sent) {
+  connected c;
+  const auto flag = mavlink::number(mavlink::mav_mode_flag::safety_armed);
+  (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = 2, .autopilot = 12, .base_mode = flag, .custom_mode = 7}, s);
+  auto resume = command(300);
+  resume.only_while = seen_state{7, true, 2};
+  auto by_failsafe = command(176);
+  by_failsafe.only_while = seen_state{7, true, 3};
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_command(1, by_failsafe, at(s))).size(), 1U);
+  const auto done = c.it.on_command(2, resume, at(s));
+  EXPECT_TRUE(sent_of<mavlink::command_long>(done).empty());
+  ASSERT_EQ(done.size(), 1U);
+  const auto& outcome = std::get<resolved_command>(done[0]).outcome;
+  EXPECT_EQ(outcome.verdict, command_verdict::outdated);
+  EXPECT_EQ(outcome.reason, "the failsafe has commanded the vehicle since");
+  EXPECT_TRUE(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{7, true, 2}}, at(s))).empty());
+  EXPECT_EQ(c.it.describe(at(s)).orders_kept_back, 2U);
+  resume.only_while->failsafe_command = 3;
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_command(3, resume, at(s))).size(), 1U) << "it knows of it";
+}
+
+TEST(vehicle_link_core, a_count_of_the_failsafe_that_was_lost_keeps_nobody_out_for_good) {
+  connected c;
+  const auto flag = mavlink::number(mavlink::mav_mode_flag::safety_armed);
+  (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = 2, .autopilot = 12, .base_mode = flag, .custom_mode = 7}, s);
+  EXPECT_EQ(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{7, true, 5}}, at(s))).size(), 1U);
+  EXPECT_TRUE(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{7, true, 1}}, at(5 * s))).empty());
+  EXPECT_EQ(sent_of<mavlink::set_mode>(c.it.on_set_mode({1, 9, seen_state{7, true, 1}}, at(6 * s))).size(), 1U);
+}
+
 TEST(vehicle_link_core, nothing_that_was_decided_in_another_mode_is_sent) {
   connected c;
   const seen_state decided{7, true};

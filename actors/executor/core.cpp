@@ -81,6 +81,7 @@ std::int64_t core::next_deadline_ns(instant now) const {
 effects core::advance(instant now) {
   effects out;
   service_.ask_again(out, now);
+  standstill_.look(out, now);
   parts_.give_up_late(out, now);
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();

@@ -44,6 +44,7 @@
 #include "actors/executor/flight/recovery.hpp"
 #include "actors/executor/flight/return_place.hpp"
 #include "actors/executor/flight/service_view.hpp"
+#include "actors/executor/flight/standstill_watch.hpp"
 #include "actors/executor/flight/station_acts.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "messages/executor/types.hpp"
@@ -179,6 +180,7 @@ private:
   control_watch watch_{flight_, phases_, tasks_};
   recovery recovery_{flight_, phases_, tasks_, watch_};
   energy_control energy_{flight_};
+  standstill_watch standstill_{flight_};
   service_view service_{flight_};
   preparation preparation_{flight_, phases_, tasks_, energy_, service_};
   part_choice parts_{flight_, tasks_};

@@ -18,6 +18,7 @@ flight_simulation::options recorded(flight_simulation::options wanted, const fli
 }
 
 // A check says so: behind what has led it away a plane, for one, does not take off again.
+constexpr const char* stands_still = "the vehicle is armed and in its mission mode, and has not moved";
 constexpr const char* mission_can_not_be_flown = "The mission can not be flown by this vehicle";
 
 // As a plane that was called home, until somebody lands it.
@@ -64,7 +65,8 @@ flight_outcome watched_flight::finish_or_wait() {
     const auto& at = flight_.status();
     const bool is_with_person = at.now == executor::phase::paused || at.now == executor::phase::ready;
     return executor::is_at_rest(at.now) || (is_with_person && !at.reason.empty()) || circles_at_home(flight_) ||
-           (at.now == executor::phase::preflight && flight_.was_told_last(mission_can_not_be_flown));
+           (at.now == executor::phase::preflight && flight_.was_told_last(mission_can_not_be_flown)) ||
+           (at.now == executor::phase::flying && flight_.was_told_last(stands_still));
   };
   if (!circles_at_home(flight_))
     (void)fly_with_help(flight_);

@@ -17,7 +17,7 @@ constexpr std::uint64_t most_refusals = 1'000'000;
 
 constexpr std::string_view forms =
     "; one of: faults loss=0.1,delay=15ms | cut | cut 5s | restore | reboot | gps lost | "
-    "gps back | battery 20 | refuse COMMAND=RESULT TIMES | accept COMMAND";
+    "gps back | way blocked | way free | battery 20 | refuse COMMAND=RESULT TIMES | accept COMMAND";
 
 using parsed = tl::expected<fault::any, std::string>;
 
@@ -60,6 +60,12 @@ parsed read_gps(std::string_view rest) {
   return mistake(rest, "does not say what becomes of the GPS: lost or back");
 }
 
+parsed read_way(std::string_view rest) {
+  if (rest == "blocked" || rest == "free")
+    return fault::way{rest == "blocked"};
+  return mistake(rest, "does not say how the way is: blocked or free");
+}
+
 parsed read_battery(std::string_view rest) {
   const auto percent = read_number(rest);
   if (percent && *percent >= 0 && *percent <= 100)
@@ -82,6 +88,7 @@ constexpr word words[] = {{"faults",
                            }},
                           {"cut", read_cut},
                           {"gps", read_gps},
+                          {"way", read_way},
                           {"battery", read_battery},
                           {"refuse",
                            [](std::string_view rest) -> parsed {
@@ -99,6 +106,9 @@ struct for_people {
   std::string operator()(const fault::restore&) const { return "the line is restored"; }
   std::string operator()(const fault::reboot&) const { return "the autopilot is rebooted"; }
   std::string operator()(const fault::gps& it) const { return it.is_lost ? "the GPS is lost" : "the GPS is back"; }
+  std::string operator()(const fault::way& it) const {
+    return it.is_blocked ? "something holds the vehicle where it is" : "nothing holds the vehicle any more";
+  }
   std::string operator()(const fault::battery& it) const {
     return "the battery is set to " + shortest(it.percent) + " %";
   }

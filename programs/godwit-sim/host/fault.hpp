@@ -5,6 +5,7 @@
 //   restore                       ends every cut
 //   reboot                        the autopilot
 //   gps lost   gps back
+//   way blocked   way free
 //   battery 20                    percent
 //   refuse MISSION_START=DENIED   the command is answered so from now on; a number will do for either
 //   refuse 300 2                  so often; DENIED when no answer is named
@@ -47,6 +48,10 @@ struct gps {
   bool is_lost = false;
   bool operator==(const gps&) const = default;
 };
+struct way {
+  bool is_blocked = false;
+  bool operator==(const way&) const = default;
+};
 struct battery {
   double percent = 0; // 0 to 100
   bool operator==(const battery&) const = default;
@@ -57,7 +62,7 @@ struct refuse {
   int times = -1;          // -1: from now on; 0: no longer
   bool operator==(const refuse&) const = default;
 };
-using any = std::variant<set_line, cut, restore, reboot, gps, battery, refuse>;
+using any = std::variant<set_line, cut, restore, reboot, gps, way, battery, refuse>;
 
 } // namespace fault
 

@@ -20,6 +20,7 @@ std::int64_t vehicle::next_deadline_ns() const { return parts_->next_deadline_ns
 void vehicle::reboot(std::int64_t now_ns) { parts_->reboot(now_ns); }
 
 void vehicle::lose_position(bool lost, std::int64_t now_ns) { parts_->lose_position(lost, now_ns); }
+void vehicle::block(bool is_blocked, std::int64_t now_ns) { parts_->block(is_blocked, now_ns); }
 
 void vehicle::set_battery(double percent, std::int64_t now_ns) { parts_->set_battery(percent, now_ns); }
 

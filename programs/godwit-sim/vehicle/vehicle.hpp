@@ -71,6 +71,7 @@ public:
   // -- faults on demand
   void reboot(std::int64_t now_ns);                   // silent for a while, then its clock starts at 0
   void lose_position(bool lost, std::int64_t now_ns); // GPS
+  void block(bool is_blocked, std::int64_t now_ns);   // something holds it where it is; not a fixed wing in the air
   void set_battery(double percent, std::int64_t now_ns);
   void refuse_command(std::uint16_t command, std::uint8_t result, int times); // times < 0: from now on; 0: no longer
 

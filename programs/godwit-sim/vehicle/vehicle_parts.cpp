@@ -199,6 +199,12 @@ void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {
   end_turn();
 }
 
+void vehicle::parts::block(bool is_blocked, std::int64_t now_ns) {
+  advance(now_ns);
+  pilot_->block(is_blocked);
+  end_turn();
+}
+
 void vehicle::parts::set_battery(double percent, std::int64_t now_ns) {
   advance(now_ns);
   power_.set_percent(percent);

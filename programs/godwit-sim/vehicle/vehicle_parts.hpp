@@ -32,6 +32,7 @@ public:
 
   void reboot(std::int64_t now_ns);
   void lose_position(bool lost, std::int64_t now_ns);
+  void block(bool is_blocked, std::int64_t now_ns);
   void set_battery(double percent, std::int64_t now_ns);
   void refuse_command(std::uint16_t command, std::uint8_t result, int times);
 

@@ -68,6 +68,7 @@ public:
 
   // -- faults
   void lose_position(bool lost);
+  void block(bool is_blocked) { with_.craft.block(is_blocked); }
   void empty_battery();
   void restart();
   [[nodiscard]] refused_orders& refusals() { return refusals_; }

@@ -51,6 +51,7 @@ public:
   // The time of the next step while it moves or waits; a vehicle at rest needs none, and the answer is never_ns.
   [[nodiscard]] std::int64_t next_step_ns() const;
   static constexpr std::int64_t never_ns = INT64_MAX;
+  void block(bool is_blocked) { mover_.block(is_blocked); }
   // How many steps it has taken.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   // Everything stops at once, as when the power comes back: on the ground, where it is. The mission is idle.

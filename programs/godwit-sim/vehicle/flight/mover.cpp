@@ -60,6 +60,8 @@ void mover::hold(double step_s) {
 }
 
 void mover::go(const heading_for& place, const pace& how_fast, double step_s) {
+  if (is_blocked_ && !(is_fixed_wing() && is_in_air_))
+    return hold(step_s);
   if (is_rover())
     return drive(body_, wheels(craft_), {place.way, how_fast.speed_mps, place.stops}, step_s);
   if (is_fixed_wing() && !is_in_air_)
@@ -88,6 +90,8 @@ void mover::circle(const heading_for& centre, double radius_m, const pace& how_f
 }
 
 void mover::climb_ahead(double altitude_m, const pace& how_fast, double step_s) {
+  if (is_blocked_ && !is_in_air_)
+    return hold(step_s);
   const double lift_off_mps = lift_off_margin * craft_.min_speed_mps;
   if (!is_in_air_ && body_.ground_speed_mps < lift_off_mps)
     return roll(body_, wings(craft_), lift_off_mps, step_s);

@@ -35,6 +35,8 @@ public:
   void land(const pace& how_fast, double step_s);
   // Everything stops at once, on the ground.
   void drop();
+  // Something holds it where it is, whatever its motors do; not a fixed wing in the air.
+  void block(bool is_blocked) { is_blocked_ = is_blocked; }
 
   [[nodiscard]] const craft& what() const { return craft_; }
   [[nodiscard]] const body& where() const { return body_; }
@@ -55,6 +57,7 @@ private:
   body body_;
   double ground_m_;
   bool is_in_air_ = false;
+  bool is_blocked_ = false;
   std::optional<way> circled_; // by a fixed wing that holds
 };
 

@@ -3,7 +3,7 @@
 
 Three combinations of vehicle and mission, and QGroundControl's plan; with TEST_FULL=1 each shipped mission with each
 vehicle. Mission progress has to come whole over another tail, a crash and a kill; executor and failsafe, run again from
-the trace, do the same."""
+the trace, do the same; what is exported of a flight can be opened by others."""
 
 import json
 import os
@@ -44,8 +44,8 @@ def processes_of(folder):
 
 
 class Flights(unittest.TestCase):
-    def fly(self, *words):
-        """Returns the summary."""
+    def fly(self, *words, look=None):
+        """Returns the summary. LOOK: at the trace, while it is there."""
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as apart:
             summary = Path(folder) / "summary.json"
             kept = Path(apart) / "kept"
@@ -61,6 +61,8 @@ class Flights(unittest.TestCase):
             self.assertEqual(result.returncode, 0, f"{words}\n{result.stdout}{result.stderr}")
             self.assertEqual([each.name for each in Path(folder).iterdir()], ["summary.json"])
             self.replay(kept / "trace")
+            if look:
+                look(kept / "trace")
             return json.loads(summary.read_text(encoding="utf-8"))
 
     def replay(self, trace):
@@ -82,6 +84,17 @@ class Flights(unittest.TestCase):
                 differing = 0 if none else 1 if one else int(many)
                 self.assertLessEqual(differing, max(4, int(compared) // 50), said)
 
+    def read_exports(self, trace):
+        """Browser, Mermaid and a reader of trace events open what is exported."""
+        result = subprocess.run(
+            ["node", ROOT / "tests/peers/export_check.mjs", PROGRAMS / "godwit-trace", trace],
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE_S,
+            check=False,
+        )
+        self.assertEqual(result.returncode, 0, f"{result.stdout}{result.stderr}")
+
     def test_each_report_is_delivered_once_over_another_tail_a_crash_and_a_kill(self):
         for personality, mission in ALL if os.environ.get("TEST_FULL") else FEW:
             with self.subTest(personality=personality, mission=mission):
@@ -94,7 +107,7 @@ class Flights(unittest.TestCase):
                 self.assertGreater(summary["observations_pushed"], 0)
 
     def test_without_faults_nothing_is_restarted(self):
-        summary = self.fly("--no-faults")
+        summary = self.fly("--no-faults", look=self.read_exports)
         self.assertEqual((summary["actor_restarts"], summary["process_kills"]), (0, 0))
 
 

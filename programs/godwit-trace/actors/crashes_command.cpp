@@ -166,7 +166,7 @@ command add_crashes_command(CLI::App& to) {
   app->footer(R"(Examples:
   godwit-trace crashes trace
   godwit-trace crashes trace --before 20 --json | jq -r '.actor + ": " + .reason')");
-  return {app, [given](console& into) { return run_crashes(*given, into); }};
+  return {app, [given](console& into) { return run_crashes(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

@@ -168,7 +168,7 @@ of it later differs too. The exit code is 0 when the runs are the same, 1 when t
 Examples:
   godwit-trace diff before/trace after/trace --ignore time_boot_ms,time_usec
   godwit-trace diff trace trace --run-a 1 --run-b 2 --json)");
-  return {app, [given](console& into) { return run_diff(*given, into); }};
+  return {app, [given](console& into) { return run_diff(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

@@ -115,7 +115,7 @@ Examples:
   godwit-trace flight trace
   godwit-trace flight trace --links
   godwit-trace flight trace --json | jq -r 'select(.is_bad) | .sentence')");
-  return {app, [given](console& into) { return run_flight(*given, into); }};
+  return {app, [given](console& into) { return run_flight(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

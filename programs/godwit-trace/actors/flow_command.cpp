@@ -150,7 +150,7 @@ command add_flow_command(CLI::App& to) {
 Examples:
   godwit-trace flow 13194139533338 trace --run 1
   godwit-trace flow 13194139533338 trace --json | jq -r .type)");
-  return {app, [given](console& into) { return run_flow(*given, into); }};
+  return {app, [given](console& into) { return run_flow(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

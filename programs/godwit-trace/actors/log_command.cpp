@@ -179,7 +179,7 @@ Examples:
   godwit-trace log trace --outcome crashed --json
   godwit-trace log trace --links --name 'COMMAND_*,MISSION_*' --actor vehicle_link
   godwit-trace log trace --cause 13194139533338)");
-  return {app, [given](console& into) { return run_log(*given, into); }};
+  return {app, [given](console& into) { return run_log(*given, into); }, [given] { return !given->follow; }};
 }
 
 command add_show_command(CLI::App& to) {
@@ -191,7 +191,7 @@ command add_show_command(CLI::App& to) {
 
 Examples:
   godwit-trace show 13194139533338 trace --run 1)");
-  return {app, [given](console& into) { return run_show(*given, into); }};
+  return {app, [given](console& into) { return run_show(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

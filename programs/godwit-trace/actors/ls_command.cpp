@@ -154,7 +154,7 @@ Examples:
   godwit-trace ls /var/lib/godwit/trace
   godwit-trace ls trace/godwit-0000000002-000001.mcap
   godwit-trace ls trace --json | jq '.runs[].actors[] | select(.crashed > 0)')");
-  return {app, [given](console& into) { return run_ls(*given, into); }};
+  return {app, [given](console& into) { return run_ls(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

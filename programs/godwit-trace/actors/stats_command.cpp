@@ -157,7 +157,7 @@ message waits for it. What an actor sends itself (timers) has none. Values are e
 Examples:
   godwit-trace stats trace
   godwit-trace stats trace --actor executor --histogram)");
-  return {app, [given](console& into) { return run_stats(*given, into); }};
+  return {app, [given](console& into) { return run_stats(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

@@ -144,7 +144,7 @@ command add_replay_command(CLI::App& to) {
   godwit-trace replay failsafe trace
   godwit-trace replay executor trace --run 3 --until 6597069766912 --step
 Exit codes: 0 it does the same, 1 it does not, or that could not be found out, 2 a mistake on the command line.)");
-  return {app, [given](console& into) { return run_replay(*given, into); }};
+  return {app, [given](console& into) { return run_replay(*given, into); }, always};
 }
 
 } // namespace godwit::trace_tool

@@ -8,6 +8,7 @@ import io
 import json
 import os
 import pathlib
+import pty
 import random
 import re
 import resource
@@ -40,6 +41,30 @@ class Trace(unittest.TestCase):
         result = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=60, cwd=self.folder)
         self.assertEqual(result.returncode, code, result)
         return result.stdout
+
+    def on_terminal(self, pager, *arguments):
+        """What a person sees who runs it on a terminal, and how it ended."""
+        ours, its = pty.openpty()
+        environment = {**os.environ, "PAGER": pager}
+        tool = subprocess.Popen([PROGRAM, *arguments], stdout=its, stderr=subprocess.DEVNULL, cwd=self.folder, env=environment)
+        os.close(its)
+        seen = b""
+        try:
+            while some := os.read(ours, 65536):
+                seen += some
+        except OSError:
+            pass  # nobody writes to the terminal any more
+        os.close(ours)
+        return seen.decode().splitlines(), tool.wait(timeout=60)
+
+    def test_on_a_terminal_a_pager_shows_what_is_long(self):
+        plain, _ = self.on_terminal("sed s/^/shown:/", "--no-pager", "ls", "trace")
+        self.assertGreater(len(plain), 3)
+        shown, code = self.on_terminal("sed s/^/shown:/", "ls", "trace")
+        self.assertEqual((shown, code), (["shown:" + line for line in plain], 0))
+        self.assertEqual(self.on_terminal("cat", "ls", "trace"), (plain, 0))
+        left, code = self.on_terminal("head -n 2", "log", "trace")
+        self.assertEqual((len(left), code), (2, 0), "a person who leaves the pager is no error")
 
     def test_every_line_of_json_is_an_object(self):
         for command in ("ls", "log", "stats", "flight", "verify"):

@@ -478,6 +478,13 @@ std::size_t stable_address::parked() const {
   return parked_.size();
 }
 
+std::size_t stable_address::waiting() const {
+  const std::shared_lock guard(mutex_);
+  const auto taken = taken_.load(std::memory_order_relaxed); // before the others: more may come meanwhile
+  const auto enqueued = enqueued_.load(std::memory_order_relaxed);
+  return parked_.size() + (enqueued - std::min(enqueued, taken));
+}
+
 caf::strong_actor_ptr make_stable_address(caf::actor_system& system, std::uint32_t number, address_options options) {
   caf::actor_config config;
   return caf::make_actor<stable_address, caf::strong_actor_ptr>(system.next_actor_id(), system.node(), &system, config,

@@ -141,6 +141,7 @@ public:
   // -- anybody ------------------------------------------------------------------------------------
   [[nodiscard]] address_counters counters() const;
   [[nodiscard]] std::size_t parked() const;
+  [[nodiscard]] std::size_t waiting() const; // in the mailbox of the incarnation, and parked
 
 private:
   struct waiting_answer {

@@ -294,6 +294,7 @@ void actor::after_turn() {
   if (others_->port)
     carry_out(core_->tell_stations(now()));
   post_health();
+  show_flight();
 }
 
 void actor::hear_news() {
@@ -461,6 +462,18 @@ void actor::post_health() {
   show_health(std::move(how));
 }
 
+// Whoever watches hears of it before the disk does: it is refreshed, and nothing is decided by it.
+void actor::show_flight() {
+  if (others_->watchers.empty())
+    return;
+  auto now_stands = describe();
+  if (shown_flight_ == now_stands)
+    return;
+  for (const auto& each : others_->watchers)
+    tell(each, now_stands);
+  shown_flight_ = std::move(now_stands);
+}
+
 flight_status actor::describe() const {
   const auto& s = current_state();
   flight_status result;
@@ -481,6 +494,7 @@ flight_status actor::describe() const {
   result.is_armed = core_->view().is_armed();
   if (core_->view().mode())
     result.mode = io::name_of(core_->view().mode()->kind);
+  result.authority = core_->authority();
   return result;
 }
 

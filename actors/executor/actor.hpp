@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "actors/executor/core.hpp"
 #include "actors/executor/supervision/core.hpp"
@@ -34,6 +35,7 @@ struct peers {
   std::optional<mission_client::flight_handle> client; // none without a service
   std::optional<ground_port::handle> port;             // none without ground stations
   runtime::guardian_handle guardian;
+  std::vector<flight_watcher> watchers;
 };
 
 // The world outside of the actors. May be called by any thread and does not block.
@@ -117,6 +119,7 @@ private:
   void greet_returned();
   void say_all(const std::vector<announce>& sentences);
   void post_health();
+  void show_flight();
   [[nodiscard]] flight_status describe() const;
 
   settings settings_;
@@ -133,6 +136,7 @@ private:
   bool is_asking_failsafe_status_ = false;
   bool is_asking_children_ = false;
   bool is_sending_table_ = false;
+  std::optional<flight_status> shown_flight_;             // to the watchers
   std::optional<preflight::journal_facts> journal_facts_; // as recorded last
   std::uint64_t revoked_ = 0;                             // orders that waited for the disk and were not meant any more
   std::set<std::uint64_t> currents_;                      // set_current requests that wait for their answer

@@ -25,9 +25,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "actors/executor/effects.hpp"
+#include "actors/executor/flight/authority_text.hpp"
 #include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/energy_control.hpp"
 #include "actors/executor/flight/flight_context.hpp"
@@ -146,6 +148,7 @@ public:
   [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home
   [[nodiscard]] const phase_machine& phases() const { return phases_; }
   [[nodiscard]] std::string sentence() const { return flight_.sentence(); } // how the flight stands, for people
+  [[nodiscard]] std::string_view authority() const { return authority_text(flight_); } // who has the vehicle
 
 private:
   // True: something is under way, and the rest waits.

@@ -46,6 +46,7 @@ public:
   // True when the other side has neither closed nor said anything that was not asked for.
   [[nodiscard]] bool is_quiet();
   std::chrono::steady_clock::time_point idle_since;
+  std::shared_ptr<void> place; // by which a server counts it; given back with it, whoever has it then
 
 private:
   struct ends;

@@ -32,6 +32,9 @@ using station_handle =
 using operator_handle =
     runtime::mailbox<runtime::asks<operators::command, operators::answer>, runtime::asks<get_flight, flight_status>>;
 
+// Who is told how the flight stands, when it stands otherwise than before.
+using flight_watcher = runtime::mailbox<runtime::tells<flight_status>>;
+
 // What the vehicle says, as far as the executor listens. vehicle_link tells its listeners.
 using telemetry_handle =
     runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::sys_status>,

@@ -17,6 +17,8 @@
 #include "programs/godwitd/convert_command.hpp"
 #include "programs/godwitd/flight_state.hpp"
 #include "programs/godwitd/open_line.hpp"
+#include "programs/godwitd/process_figures.hpp"
+#include "runtime/mail_view.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -83,6 +85,7 @@ checked composition::open_files() {
   if (!host)
     return tl::make_unexpected(std::move(host.error()));
   host_ = *std::move(host);
+  began_ms_ = host_->time().wall_ns() / 1'000'000;
   return {};
 }
 
@@ -139,6 +142,9 @@ void composition::add_actors() {
     add_flight(of_desk);
   else
     add_ground_run(of_desk);
+  views_outside_.read_host = [this] { return read_host(); };
+  views_ = add_views(actors, views_outside_, base_, flight_);
+  of_desk.health = views_.health;
   of_desk.rescue_journal = [this](control::peers::rescued then) {
     host_->journal().rescue([then = std::move(then)](tl::expected<std::string, runtime::journal_error> done) {
       then(std::move(done).map_error([](const runtime::journal_error& why) { return why.message(); }));
@@ -176,6 +182,7 @@ void composition::add_flight(control::peers& of_desk) {
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
+  of_desk.failsafe_status = base_.failsafe;
   of_desk.sightings = feeder_;
 }
 
@@ -209,6 +216,7 @@ checked composition::open() {
   open_vehicle();
   if (wanted_.flies)
     open_ground();
+  open_operator_port();
   open_feed();
   hand_over_mission();
   return {};
@@ -297,6 +305,42 @@ void composition::open_ground() {
              "ground_port");
 }
 
+// A port that is taken is no reason not to fly.
+void composition::open_operator_port() {
+  if (!wanted_.operators)
+    return;
+  const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("operator_port"));
+  view_api_ = std::make_shared<operator_port::view_api>(
+      operator_port_.context(),
+      operator_port::view_parts{
+          views_outside_.reports,
+          [way_in, to = health::report_handle(views_.health)] { way_in->tell(to, health::make_report{}); },
+          [this](io::prometheus::text_writer& out) { operator_port_.append_metrics(out); }, &host_->time()});
+  view_api_->open();
+  if (const auto opened = operator_port_.open(*wanted_.operators, view_api_->routes()); !opened) {
+    const auto sentence = "the operator's port can not be opened: " + opened.error();
+    host_->health().post("operator_port", runtime::health_colour::yellow, sentence);
+    announce({sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true}, "operator_port");
+    return;
+  }
+  announce({"what there is to see: http://" + operator_port_.place() + "/status", false}, "operator_port");
+}
+
+health::host_figures composition::read_host() const {
+  health::host_figures result;
+  for (auto& [actor, waiting, c] : runtime::look_at_mail(host_->actors()))
+    result.mail.push_back({std::move(actor), waiting, c.accepted, c.handled, c.crashes, c.requeued, c.dead_lettered,
+                           c.repeated, c.lost, c.refused, c.dropped, c.not_accepted});
+  const auto journal = host_->journal().status();
+  result.journal = {journal.failing, journal.reason,  journal.commits, journal.writes, journal.events,
+                    journal.retries, journal.refused, journal.queued,  journal.fill,   journal.run};
+  const auto trace = host_->traced();
+  result.trace = {trace.recorded, trace.dropped, trace.oversize, trace.written, trace.unwritten};
+  result.process = look_at_process(began_ms_);
+  result.process.free_disk_bytes = facts_->free_bytes();
+  return result;
+}
+
 // The mission of a file is told to whoever flies it, as the service's would be.
 void composition::hand_over_mission() {
   if (!wanted_.flies || !file_mission_)
@@ -323,6 +367,7 @@ void composition::announce(const ground_run::announce& said, std::string_view pa
 }
 
 int composition::close(runtime::exit_code code) {
+  operator_port_.close([this] { view_api_->close(); });
   control_.reset();
   if (feed_)
     feed_->stop();

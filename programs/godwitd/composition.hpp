@@ -22,9 +22,12 @@
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
+#include "programs/godwitd/operator_port/operator_port.hpp"
+#include "programs/godwitd/operator_port/view_api.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/feeder.hpp"
+#include "programs/godwitd/view_actors.hpp"
 
 namespace godwit::daemon {
 
@@ -66,6 +69,8 @@ private:
   void open_link_log();
   void open_vehicle();
   void open_ground();
+  void open_operator_port();
+  [[nodiscard]] health::host_figures read_host() const;
   void open_feed();
   void hand_over_mission();
   [[nodiscard]] tl::expected<void, std::string> open_map();
@@ -76,6 +81,7 @@ private:
   // PART: of whom it is said.
   void announce(const ground_run::announce& said, std::string_view part = "ground_run");
 
+  std::int64_t began_ms_ = 0;         // since 1970 (UTC)
   std::optional<bool> was_in_flight_; // none: the journal was not asked yet
   daemon_settings wanted_;
   program_log& log_;
@@ -96,10 +102,14 @@ private:
   base_actors base_;
   ground_run::own_handle run_; // of a run on the ground
   flight_actors flight_;       // else
+  view_surroundings views_outside_;
+  view_actors views_;
   sightings::feeder_handle feeder_;
   control::request_handle request_handler_;
 
   std::unique_ptr<control::server> control_;
+  operator_port::port operator_port_;
+  std::shared_ptr<operator_port::view_api> view_api_; // none without the port
 };
 
 } // namespace godwit::daemon

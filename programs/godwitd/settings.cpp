@@ -183,6 +183,21 @@ checked read_ground(const json& ground, daemon_settings& to) {
   return {};
 }
 
+checked read_operators(const json& given, daemon_settings& to) {
+  const auto where = text(given, "listen");
+  if (where.empty())
+    return {};
+  auto listen = operator_port::read_listen(where);
+  if (!listen)
+    return wrong("operator-listen", listen.error());
+  auto hosts = operator_port::read_hosts(text(given, "hosts"));
+  if (!hosts)
+    return wrong("operator-listen", "operator.hosts: " + hosts.error());
+  to.operators = *std::move(listen);
+  to.operators->hosts = *std::move(hosts);
+  return {};
+}
+
 void read_map(const json& configuration, daemon_settings& to) {
   const auto& map = configuration.at("map");
   to.map.store.file.path = map_path(configuration);
@@ -230,6 +245,8 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
     return tl::make_unexpected(std::move(failsafe.error()));
   if (auto ground = read_ground(configuration.at("ground"), result); !ground)
     return tl::make_unexpected(std::move(ground.error()));
+  if (auto operators = read_operators(configuration.at("operator"), result); !operators)
+    return tl::make_unexpected(std::move(operators.error()));
   read_map(configuration, result);
   read_delivery(configuration, result);
   if (const auto objection = mission_client::objection_to(result.client))

@@ -20,6 +20,7 @@
 #include "programs/godwitd/crash_loop_guard.hpp"
 #include "programs/godwitd/link_log/link_log_options.hpp"
 #include "programs/godwitd/log/log_settings.hpp"
+#include "programs/godwitd/operator_port/settings.hpp"
 #include "runtime/process.hpp"
 
 namespace godwit::daemon {
@@ -46,7 +47,8 @@ struct daemon_settings {
   std::vector<std::string> ground_also_passes;
   mapobjects_store::map_writer_options map;
   std::string control_path;
-  std::string sightings_file; // "-": standard input; empty: none
+  std::optional<operator_port::settings> operators; // none: there is no port for them
+  std::string sightings_file;                       // "-": standard input; empty: none
   bool once = false;
   bool allow_crash = false; // `godwitd ctl crash` is obeyed: for drills
   log_settings log;

@@ -1,6 +1,7 @@
 #include "programs/godwitd/status_text.hpp"
 
 #include <cstdint>
+#include <utility>
 
 namespace godwit::daemon {
 namespace {
@@ -71,6 +72,8 @@ std::string flight_line(const json& flight) {
   if (!mission.empty())
     result += "; mission " + mission + " revision " + number(flight, "revision") + ": " + number(flight, "items_done") +
               " of " + number(flight, "items") + " items, " + number(flight, "reports") + " reports";
+  if (const auto who = text(flight, "authority"); !who.empty() && who != "nobody")
+    result += "; " + who + " has the vehicle";
   if (const auto mode = text(flight, "mode"); !mode.empty())
     result += "; " + mode + (flight.value("is_armed", false) ? ", armed" : ", disarmed");
   if (flight.value("preflight_report", 0U) != 0)
@@ -101,14 +104,44 @@ std::string actor_lines(const json& actors) {
   return result;
 }
 
+// "yellow: journal (the disk is slow), ground_port (down)"; all that is well is not named.
+std::string health_line(const json& health) {
+  const auto worst = text(health, "worst");
+  if (worst == "green")
+    return "all is well";
+  std::string result = worst;
+  const char* before = ": ";
+  for (const auto& each : health.value("parts", json::array())) {
+    if (text(each, "health") == "green")
+      continue;
+    result += std::exchange(before, ", ") + text(each, "part") +
+              (text(each, "health") == worst ? "" : " " + text(each, "health")) + in_brackets(text(each, "reason"));
+  }
+  return result;
+}
+
+// "battery_low: return_home, done; overridden: operator_link (we walk over the hill)"
+std::string failsafe_line(const json& failsafe) {
+  std::string result = failsafe.value("in_flight", false) ? "watches" : "waits for a flight";
+  if (failsafe.value("taken_over", false))
+    result = "a person has the vehicle: it warns, and sends nothing";
+  if (const auto reacts = failsafe.find("reacts"); reacts != failsafe.end() && reacts->is_object())
+    result = text(*reacts, "why") + ": " + text(*reacts, "what") + ", " + text(*reacts, "stage");
+  const char* before = "; overridden: ";
+  for (const auto& each : failsafe.value("overridden", json::array()))
+    result += std::exchange(before, ", ") + text(each, "scope") + in_brackets(text(each, "reason"));
+  return result;
+}
+
 struct part_row {
   const char* key;
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {{"run", run_line},       {"flight", flight_line},       {"service", service_line},
-                              {"map", map_line},       {"sightings", sightings_line}, {"vehicle", vehicle_line},
-                              {"ground", ground_line}, {"actors", actor_lines}};
+constexpr part_row parts[] = {{"health", health_line},       {"run", run_line},         {"flight", flight_line},
+                              {"failsafe", failsafe_line},   {"service", service_line}, {"map", map_line},
+                              {"sightings", sightings_line}, {"vehicle", vehicle_line}, {"ground", ground_line},
+                              {"actors", actor_lines}};
 
 } // namespace
 

@@ -122,7 +122,8 @@ std::optional<runtime::supervise> core::unacknowledged() const {
 std::vector<preflight::actor_fact> core::facts() const {
   std::vector<preflight::actor_fact> result;
   for (const auto& each : children_)
-    result.push_back({each.name, each.is_running});
+    if (!is_dispensable(each.name))
+      result.push_back({each.name, each.is_running});
   return result;
 }
 

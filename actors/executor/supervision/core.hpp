@@ -46,7 +46,7 @@ public:
   [[nodiscard]] std::optional<runtime::supervise> unacknowledged() const;
 
   [[nodiscard]] bool knows_children() const { return knows_children_; }
-  // For the preflight check: all that are wanted on the ground.
+  // For the preflight check: all that are wanted on the ground and that a flight depends on.
   [[nodiscard]] std::vector<preflight::actor_fact> facts() const;
   // In a flight, for so long that this process goes on without it.
   [[nodiscard]] bool is_failsafe_gone(std::int64_t now_ns) const;

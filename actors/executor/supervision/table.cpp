@@ -25,6 +25,9 @@ constexpr std::array rows{
     row{"ground_port", {wanted, wanted, wanted}, true},
     row{"landing_watch", {wanted, wanted, wanted}, true},
 };
+// Who shows what there is.
+constexpr std::array<std::string_view, 2> dispensable{"health", "telemetry_stream"};
+
 constexpr row others{"", {wanted, wanted, wanted}};
 
 const row& row_of(std::string_view child) {
@@ -56,6 +59,8 @@ std::vector<runtime::child_entry> table_of(part now, const circumstances& proces
     result.push_back(entry_of(each, now, process));
   return result;
 }
+
+bool is_dispensable(std::string_view child) { return std::ranges::find(dispensable, child) != dispensable.end(); }
 
 std::vector<std::string> floor_children() {
   std::vector<std::string> result;

@@ -7,6 +7,7 @@
 //   landing_watch            wanted      wanted      wanted: it ends a process whose executor is given up
 //   mission_client           wanted      wanted *    essential: it delivers what is owed
 //   others                   wanted      wanted *    wanted       * not in a reduced process
+//   health, telemetry_stream the same; no flight waits for them: they only show
 //
 // An essential child that is given up ends the process: on the ground in order; in flight fast, and once within ten
 // minutes only (runtime::process_end::fast_once). When that is used up the rest goes on, and vehicle_link is restarted
@@ -43,6 +44,9 @@ struct own_process {
 // Of CHILDREN, in their order. One that the table does not name is wanted and not essential.
 [[nodiscard]] std::vector<runtime::child_entry> table_of(part now, const circumstances& process,
                                                          const std::vector<std::string>& children);
+
+// Nothing of a flight depends on it: it may be down, or given up, and preflight passes.
+[[nodiscard]] bool is_dispensable(std::string_view child);
 
 // What no table can have stopped.
 [[nodiscard]] std::vector<std::string> floor_children();

@@ -19,7 +19,7 @@ using tcp = asio::ip::tcp;
 class server::engine : public std::enable_shared_from_this<engine> {
 public:
   engine(asio::io_context& io, server_settings set, server_hooks hooks)
-      : tls_(std::move(hooks.tls)), acceptor_(io), pause_(io), grace_(io),
+      : tls_(std::move(hooks.tls)), admit_(std::move(hooks.admit)), acceptor_(io), pause_(io), grace_(io),
         parts_(std::make_shared<session_parts>(session_parts{
             io, std::move(set), std::move(hooks.handle), std::move(hooks.max_body_bytes), {}, [this](session& who) {
               sessions_.erase(&who);
@@ -43,9 +43,11 @@ private:
   void accept();
   void accept_later();
   void welcome(tcp::socket accepted);
+  [[nodiscard]] bool let_in(const tcp::socket& accepted, std::shared_ptr<void>& place) const;
   void tell_when_empty();
 
   std::function<asio::ssl::context*()> tls_;
+  std::function<std::shared_ptr<void>(const asio::ip::address& from)> admit_;
   tcp::acceptor acceptor_;
   tcp::endpoint where_; // port 0 until the first time
   asio::steady_timer pause_;
@@ -118,15 +120,28 @@ void server::engine::accept_later() {
   });
 }
 
+bool server::engine::let_in(const tcp::socket& accepted, std::shared_ptr<void>& place) const {
+  if (sessions_.size() >= parts_->set.max_connections)
+    return false;
+  if (!admit_)
+    return true;
+  error_code failed;
+  const auto from = accepted.remote_endpoint(failed); // it may have gone already
+  if (!failed)
+    place = admit_(from.address());
+  return place != nullptr;
+}
+
 void server::engine::welcome(tcp::socket accepted) {
-  if (sessions_.size() >= parts_->set.max_connections) {
+  std::shared_ptr<void> place;
+  if (!let_in(accepted, place)) {
     ++parts_->counters.turned_away;
     return; // and the socket closes
   }
   ++parts_->counters.accepted;
   error_code ignored; // then it is only slower
   accepted.set_option(tcp::no_delay(true), ignored);
-  const auto who = std::make_shared<session>(parts_, std::move(accepted));
+  const auto who = std::make_shared<session>(parts_, std::move(accepted), std::move(place));
   sessions_.emplace(who.get(), who);
   who->start(tls_ ? tls_() : nullptr);
 }

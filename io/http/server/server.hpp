@@ -18,6 +18,7 @@
 #include <string>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ssl/context.hpp>
 
 #include "io/http/error.hpp"
@@ -35,6 +36,9 @@ struct server_hooks {
   // Asked for each connection, so that a certificate can be exchanged while the server runs; what it gives stays until
   // the server has gone. None: plain HTTP.
   std::function<boost::asio::ssl::context*()> tls = {};
+  // Asked for each connection, by the address that it comes from. What it gives stays with the connection, also when
+  // somebody else takes that over; null: it is turned away. None: all are let in, up to max_connections.
+  std::function<std::shared_ptr<void>(const boost::asio::ip::address& from)> admit = {};
 };
 
 class server {

@@ -10,9 +10,11 @@ namespace godwit::io::http {
 
 namespace asio = boost::asio;
 
-session::session(std::shared_ptr<session_parts> parts, asio::ip::tcp::socket accepted)
+session::session(std::shared_ptr<session_parts> parts, asio::ip::tcp::socket accepted, std::shared_ptr<void> place)
     : parts_(std::move(parts)), connection_(std::make_unique<connection>(std::move(accepted))), watchdog_(parts_->io),
-      reader_(parts_->set, parts_->limit) {}
+      reader_(parts_->set, parts_->limit) {
+  connection_->place = std::move(place);
+}
 
 void session::start(asio::ssl::context* tls) {
   if (tls == nullptr)
@@ -136,17 +138,26 @@ bool session::awaits(std::uint64_t request_number) const {
   return request_number == request_number_ && (phase_ == phase::handling || phase_ == phase::writing);
 }
 
+// What the handler has said itself counts.
+std::string session::head_of(const server_response& what, std::optional<std::uint64_t> body_bytes) const {
+  server_response head{what.status, what.content_type, {}, what.headers};
+  for (const auto& each : parts_->set.headers)
+    if (what.headers.empty() || find_header(what.headers, each.name).empty())
+      head.headers.push_back(each);
+  return response_head(head, body_bytes, is_last_);
+}
+
 void session::respond(const server_response& whole) {
   is_head_only_ = is_head_only_ || has_no_body(whole.status);
   owed_ = 0;
-  send(response_head(whole, whole.body.size(), is_last_), whole.body, [this] { answered(); });
+  send(head_of(whole, whole.body.size()), whole.body, [this] { answered(); });
 }
 
 void session::begin_answer(const server_response& what, std::optional<std::uint64_t> body_bytes, responder::next then) {
   is_head_only_ = is_head_only_ || has_no_body(what.status);
   is_last_ = is_last_ || !body_bytes;
   owed_ = is_head_only_ ? std::nullopt : body_bytes;
-  head_ = response_head(what, body_bytes, is_last_);
+  head_ = head_of(what, body_bytes);
   write(what.body, std::move(then));
 }
 

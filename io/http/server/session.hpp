@@ -45,7 +45,7 @@ class session : public std::enable_shared_from_this<session> {
 public:
   static constexpr std::size_t piece_bytes = 16 * 1024; // of an answer; what is written at a time
 
-  session(std::shared_ptr<session_parts> parts, boost::asio::ip::tcp::socket accepted);
+  session(std::shared_ptr<session_parts> parts, boost::asio::ip::tcp::socket accepted, std::shared_ptr<void> place);
 
   void start(boost::asio::ssl::context* tls); // null: plain HTTP
   void close();                               // when the answer that is under way has gone out; at once without one
@@ -70,6 +70,7 @@ private:
   void start_reading();
   void have_read(const error_code& failed, std::size_t bytes);
   void go_on(progress how_far);
+  [[nodiscard]] std::string head_of(const server_response& what, std::optional<std::uint64_t> body_bytes) const;
   void send_continue();
   void handle();
   void refuse();

@@ -10,12 +10,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "io/http/message.hpp"
 
 namespace godwit::io::http {
 
 struct server_settings {
   std::string host = "127.0.0.1"; // a name or an address of this computer
   std::uint16_t port = 0;         // 0: any free one
+
+  std::vector<header> headers = {}; // of each answer, its own too, unless the handler has said them
 
   std::size_t max_connections = 256;        // more are closed at once
   std::size_t max_requests = 1000;          // in a connection, which then closes

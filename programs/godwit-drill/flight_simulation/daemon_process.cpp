@@ -8,6 +8,7 @@
 #include "programs/godwit-drill/flight_simulation/stepped_map.hpp"
 #include "programs/godwitd/flight_actors.hpp"
 #include "programs/godwitd/flight_state.hpp"
+#include "programs/godwitd/view_actors.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/simulation/simulation.hpp"
 
@@ -27,6 +28,7 @@ struct daemon_process::parts {
     auto& actors = world.actors();
     base = daemon::add_base(actors, around.settings, meets);
     flight = daemon::add_flight(actors, around.settings, meets, base);
+    views = daemon::add_views(actors, views_meet, base, flight);
     using executor::supervision::part;
     const bool flies = daemon::is_in_flight(around.journal.actors["executor"].kept);
     daemon::begin_supervision(actors, meets.process, flies ? part::flight : part::ground);
@@ -63,10 +65,12 @@ struct daemon_process::parts {
   std::shared_ptr<mapobjects_store::map_port> map_port = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<stepped_map> map;
   daemon::actor_surroundings meets;
+  daemon::view_surroundings views_meet;
   runtime::simulation world;
   daemon::host_facts facts;
   daemon::base_actors base;
   daemon::flight_actors flight;
+  daemon::view_actors views;
 };
 
 daemon_process::daemon_process(process_surroundings& outside, std::int64_t now_ns, std::uint64_t seed)
@@ -134,6 +138,22 @@ runtime::health_colour daemon_process::health(const std::string& component) cons
     if (each.component == component)
       worst = std::max(worst, each.colour);
   return worst;
+}
+
+std::shared_ptr<const health::report> daemon_process::report() {
+  const auto before = parts_->views_meet.reports->newest();
+  parts_->world.tell(parts_->views.health, health::make_report{});
+  run_until_idle();
+  const auto after = parts_->views_meet.reports->newest();
+  return after == before ? nullptr : after;
+}
+
+std::shared_ptr<const health::report> daemon_process::newest_report() const {
+  return parts_->views_meet.reports->newest();
+}
+
+health::report_port::seen_health daemon_process::newest_health() const {
+  return parts_->views_meet.reports->newest_health();
 }
 
 std::optional<runtime::exit_request> daemon_process::wants_exit() const { return parts_->world.exit(); }

@@ -13,6 +13,7 @@
 
 #include "actors/executor/state.hpp"
 #include "actors/executor/supervision/table.hpp"
+#include "actors/health/report_port.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
@@ -83,6 +84,12 @@ public:
   void hang(const std::string& actor);
   void set_wall_ahead(std::int64_t ns);
   [[nodiscard]] runtime::health_colour health(const std::string& component) const;
+
+  // What the operator's port would show; what can happen now happens meanwhile. Null: there is none without time
+  // passing.
+  [[nodiscard]] std::shared_ptr<const health::report> report();
+  [[nodiscard]] std::shared_ptr<const health::report> newest_report() const; // null: there was none yet
+  [[nodiscard]] health::report_port::seen_health newest_health() const;
 
   // Why the guardian wants the process to end.
   [[nodiscard]] std::optional<runtime::exit_request> wants_exit() const;

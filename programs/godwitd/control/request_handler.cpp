@@ -50,11 +50,16 @@ void request_handler::take(const control_request& asked) {
 void request_handler::collect_status(std::uint64_t ticket) {
   auto& half = collecting_[ticket] = {{{"ok", true}}, 3};
   half.missing += (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.ground ? 1 : 0) +
-                  (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0);
+                  (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0) + (others_.failsafe_status ? 1 : 0) +
+                  (others_.health ? 1 : 0);
   if (others_.run)
     collect(ticket, "run", *others_.run, ground_run::get_run{});
   if (others_.flight)
     collect(ticket, "flight", *others_.flight, executor::get_flight{});
+  if (others_.health)
+    collect(ticket, "health", *others_.health, health::get_health{});
+  if (others_.failsafe_status)
+    collect(ticket, "failsafe", *others_.failsafe_status, failsafe::get_failsafe_status{});
   if (others_.ground)
     collect(ticket, "ground", *others_.ground, ground_port::get_port{});
   if (others_.sightings)

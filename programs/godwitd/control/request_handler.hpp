@@ -19,6 +19,7 @@
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/types.hpp"
+#include "messages/health/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
@@ -35,16 +36,20 @@ using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connecti
 using request_handle = runtime::mailbox<runtime::tells<control_request>>;
 
 using ground_handle = runtime::mailbox<runtime::asks<ground_port::get_port, ground_port::port_description>>;
+using failsafe_status_handle =
+    runtime::mailbox<runtime::asks<failsafe::get_failsafe_status, failsafe::failsafe_status>>;
 using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
 struct peers {
   mission_client::operator_handle client; // none without a service
   mapobjects_store::operator_handle store;
   vehicle_handle vehicle;
-  std::optional<ground_run::status_handle> run;      // of a run on the ground
-  std::optional<executor::operator_handle> flight;   // else
-  std::optional<ground_handle> ground;               // with a flight and a line for ground stations
-  std::optional<override_handle> failsafe;           // with a flight
+  std::optional<ground_run::status_handle> run;          // of a run on the ground
+  std::optional<executor::operator_handle> flight;       // else
+  std::optional<ground_handle> ground;                   // with a flight and a line for ground stations
+  std::optional<override_handle> failsafe;               // with a flight
+  std::optional<failsafe_status_handle> failsafe_status; // with a flight
+  std::optional<health::status_handle> health;
   std::optional<sightings::status_handle> sightings; // with a flight
   runtime::guardian_handle guardian;
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor

@@ -1,0 +1,125 @@
+#include "programs/godwitd/operator_port/operator_port.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "io/http/server/server.hpp"
+#include "io/link/io_thread.hpp"
+#include "programs/godwitd/operator_port/client_table.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
+
+namespace godwit::operator_port {
+namespace {
+
+using io::http::header;
+
+// Of each answer: it is no page, is kept by nobody, and is shown in nobody's frame. OWASP, "HTTP Security Response
+// Headers".
+std::vector<header> security_headers() {
+  return {
+      {"Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+      {"X-Content-Type-Options", "nosniff"},
+      {"X-Frame-Options", "DENY"},
+      {"Referrer-Policy", "no-referrer"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+      {"Cross-Origin-Opener-Policy", "same-origin"},
+      {"Cache-Control", "no-store"}};
+}
+
+// Whatever a route asks for.
+constexpr std::size_t max_body_bytes = 64 * 1024;
+
+io::http::server_settings settings_of(const settings& wanted) {
+  io::http::server_settings result;
+  result.host = wanted.host;
+  result.port = wanted.port;
+  result.headers = security_headers();
+  result.max_connections = settings::max_clients;
+  result.max_body_bytes = max_body_bytes;
+  return result;
+}
+
+struct counter_row {
+  const char* name;
+  const char* help;
+  std::uint64_t io::http::server_counters::*value;
+};
+
+constexpr counter_row counter_rows[] = {
+    {"godwit_operator_port_connections_total", "Connections of clients.", &io::http::server_counters::accepted},
+    {"godwit_operator_port_turned_away_total", "Connections above a bound.", &io::http::server_counters::turned_away},
+    {"godwit_operator_port_upgraded_total", "Connections that became WebSockets.",
+     &io::http::server_counters::upgraded},
+    {"godwit_operator_port_requests_total", "Requests.", &io::http::server_counters::requests},
+    {"godwit_operator_port_malformed_total", "Requests that are not HTTP.", &io::http::server_counters::malformed},
+    {"godwit_operator_port_lost_total", "Clients that went before they had their answer.",
+     &io::http::server_counters::lost},
+};
+
+} // namespace
+
+struct port::parts {
+  io::link::io_thread thread;
+  bool is_running = false;
+  std::optional<router> routes;
+  std::shared_ptr<client_table> clients;
+  std::unique_ptr<io::http::server> server;
+};
+
+port::port() : parts_(std::make_unique<parts>()) {}
+port::~port() { close(); }
+
+boost::asio::io_context& port::context() { return parts_->thread.context(); }
+
+tl::expected<void, std::string> port::open(const settings& wanted, route_list routes) {
+  auto& p = *parts_;
+  p.routes.emplace(std::move(routes), wanted.hosts, false);
+  p.clients = std::make_shared<client_table>(settings::max_clients, settings::max_clients_an_address);
+  io::http::server_hooks hooks;
+  hooks.handle = [&p](server_request asked, responder answer) {
+    p.routes->answer(std::move(asked), std::move(answer));
+  };
+  hooks.max_body_bytes = [&p](std::string_view method, std::string_view target) {
+    return p.routes->max_body_bytes(method, target);
+  };
+  hooks.admit = [clients = p.clients](const boost::asio::ip::address& from) { return clients->admit(from); };
+  p.server = std::make_unique<io::http::server>(p.thread.context(), settings_of(wanted), std::move(hooks));
+  if (const auto listening = p.server->listen(); !listening) {
+    p.server.reset();
+    return tl::make_unexpected(listening.error().message());
+  }
+  p.thread.start();
+  p.is_running = true;
+  return {};
+}
+
+void port::close(const std::function<void()>& what) {
+  auto& p = *parts_;
+  if (!std::exchange(p.is_running, false))
+    return;
+  p.thread.run_inside([&] {
+    p.server.reset();
+    if (what)
+      what();
+  });
+  p.thread.stop();
+}
+
+std::string port::place() const { return parts_->server ? parts_->server->place() : std::string(); }
+
+void port::append_metrics(io::prometheus::text_writer& out) const {
+  using io::prometheus::metric_kind;
+  const auto& p = *parts_;
+  const auto counted = p.server->counters();
+  out.one("godwit_operator_port_clients", metric_kind::gauge, "Clients of the operator's port.", p.clients->now());
+  for (const auto& each : counter_rows)
+    out.one(each.name, metric_kind::counter, each.help, counted.*each.value);
+  const auto& refused = p.routes->counts();
+  out.begin("godwit_operator_port_refused_total", metric_kind::counter, "Requests that the port did not take.");
+  out.add(refused.other_host, {{"reason", "host"}});
+  out.add(refused.other_origin, {{"reason", "origin"}});
+  out.add(refused.no_such_path, {{"reason", "path"}});
+  out.add(refused.no_such_method, {{"reason", "method"}});
+}
+
+} // namespace godwit::operator_port

@@ -1,0 +1,46 @@
+// The port for programs and for the page of operators: HTTP and WebSocket on one thread of its own.
+//
+//   clients ──> client_table ──> io/http server ──> router ──> routes: view_api, stream_api, ...
+//
+// It shows, and what it hands on is for the actors to judge. Nothing of the flight waits for it, and a port that is
+// taken is no reason not to fly. Errors: open, as sentences with what to do. Thread: open and close by the owner.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <boost/asio/io_context.hpp>
+#include <tl/expected.hpp>
+
+#include "io/http/server/counters.hpp"
+#include "io/prometheus/text.hpp"
+#include "programs/godwitd/operator_port/route.hpp"
+#include "programs/godwitd/operator_port/settings.hpp"
+
+namespace godwit::operator_port {
+
+class port {
+public:
+  port();
+  ~port(); // as close()
+  port(const port&) = delete;
+  port& operator=(const port&) = delete;
+
+  // For the parts of the API, which live in it.
+  [[nodiscard]] boost::asio::io_context& context();
+  // ROUTES of all parts. After an error it may be tried again.
+  [[nodiscard]] tl::expected<void, std::string> open(const settings& wanted, route_list routes);
+  // Runs WHAT in the thread of the port behind the end of all connections, then ends that thread.
+  void close(const std::function<void()>& what = {});
+
+  [[nodiscard]] std::string place() const; // "127.0.0.1:8088"; empty: it is not open
+  // What it has counted. In the thread of the port.
+  void append_metrics(io::prometheus::text_writer& out) const;
+
+private:
+  struct parts;
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::operator_port

@@ -1,0 +1,47 @@
+// Who answers a request, or why nobody does.
+//
+//   421 the Host is not ours   403 the Origin is not the same   404 no such path   405 no such method there
+//
+// Thread: pure, but for counts(), which is that of the port.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "programs/godwitd/operator_port/route.hpp"
+
+namespace godwit::operator_port {
+
+struct refusal_counts {
+  std::uint64_t other_host = 0;
+  std::uint64_t other_origin = 0;
+  std::uint64_t no_such_path = 0;
+  std::uint64_t no_such_method = 0;
+};
+
+class router {
+public:
+  // HOSTS: further names of this computer.
+  router(route_list routes, std::vector<std::string> hosts, bool is_secure)
+      : routes_(std::move(routes)), hosts_(std::move(hosts)), is_secure_(is_secure) {}
+
+  void answer(server_request asked, responder answer);
+  [[nodiscard]] std::size_t max_body_bytes(std::string_view method, std::string_view target) const;
+  [[nodiscard]] const refusal_counts& counts() const { return counts_; }
+
+private:
+  [[nodiscard]] const route* find(std::string_view method, std::string_view target) const;
+  [[nodiscard]] std::string methods_at(std::string_view target) const; // "GET, HEAD"; empty: there is no such path
+  [[nodiscard]] server_response refusal_of(const server_request& asked);
+
+  route_list routes_;
+  std::vector<std::string> hosts_;
+  bool is_secure_;
+  refusal_counts counts_;
+};
+
+[[nodiscard]] std::string_view path_of(std::string_view target);
+
+} // namespace godwit::operator_port

@@ -1,0 +1,31 @@
+// The actors that only show what there is: health, and the stream of telemetry. The flight does not depend on them.
+//
+//   all actors ──answers, news──> health ── report_port ──> the operator's port
+//   vehicle_link, executor, health ──> telemetry_stream ── hub ──> subscribers
+//
+// Made behind all others, whom they watch. Thread: one owner, before the actors start. OUTSIDE outlives the actors, and
+// its functions may be called by any thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "actors/health/report_port.hpp"
+#include "messages/health/handle.hpp"
+#include "programs/godwitd/flight_actors.hpp"
+
+namespace godwit::daemon {
+
+struct view_surroundings {
+  std::shared_ptr<health::report_port> reports = std::make_shared<health::report_port>();
+  std::function<health::host_figures()> read_host; // empty: there are none
+};
+
+struct view_actors {
+  health::own_handle health;
+};
+
+[[nodiscard]] view_actors add_views(runtime::system& actors, const view_surroundings& outside, const base_actors& base,
+                                    const flight_actors& flight);
+
+} // namespace godwit::daemon

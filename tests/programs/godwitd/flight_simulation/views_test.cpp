@@ -1,0 +1,101 @@
+// What the composition of the daemon shows of itself, and that no flight depends on it.
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "actors/health/report_text.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::drill;
+using executor::phase;
+
+class views : public testing::Test {
+protected:
+  flight_simulation flight{{.who = sim::personality::px4, .speed = 2, .is_shuffled = false}};
+
+  std::shared_ptr<const health::report> report() {
+    const auto made = flight.process()->report();
+    EXPECT_NE(made, nullptr) << flight.story();
+    return made;
+  }
+};
+
+TEST_F(views, a_report_has_the_word_of_each_part_of_a_flight) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  flight.run_for(10); // it is off the ground
+  const auto now = report();
+  ASSERT_TRUE(now && now->flight && now->failsafe && now->vehicle && now->ground && now->service && now->map);
+  EXPECT_TRUE(now->unanswered.empty());
+  EXPECT_EQ(now->flight->phase, "flying");
+  EXPECT_EQ(now->flight->authority, "godwit");
+  EXPECT_TRUE(now->failsafe->in_flight);
+  EXPECT_TRUE(now->vehicle->connected);
+  std::set<std::string> names;
+  for (const auto& each : now->actors) {
+    EXPECT_EQ(each.phase, runtime::child_phase::running) << each.name;
+    names.insert(each.name);
+  }
+  for (const auto* each : {"executor", "vehicle_link", "failsafe", "ground_port", "mission_client", "mapobjects_store",
+                           "landing_watch", "health"})
+    EXPECT_TRUE(names.contains(each)) << each;
+  EXPECT_NE(health::json_of(*now).find("\"authority\":\"godwit\""), std::string::npos);
+}
+
+TEST_F(views, before_and_behind_a_flight_nobody_has_the_vehicle) {
+  flight.run_for(2);
+  EXPECT_EQ(report()->flight->authority, "nobody");
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  EXPECT_EQ(report()->flight->authority, "nobody");
+}
+
+TEST_F(views, a_part_that_does_not_answer_is_named_and_holds_up_the_report_for_two_seconds) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  flight.process()->hang("mapobjects_store");
+  EXPECT_EQ(flight.process()->report(), nullptr) << "it is waited for";
+  flight.run_for(2.1);
+  const auto now = flight.process()->newest_report();
+  ASSERT_TRUE(now);
+  EXPECT_FALSE(now->map);
+  ASSERT_EQ(now->unanswered.size(), 1U);
+  EXPECT_EQ(now->unanswered.front().part, "map");
+  EXPECT_TRUE(now->flight);
+}
+
+TEST_F(views, health_is_looked_at_each_second_and_the_worst_counts) {
+  flight.run_for(5);
+  const auto before = flight.process()->newest_health();
+  flight.run_for(2);
+  EXPECT_GT(flight.process()->newest_health().at_ns, before.at_ns);
+  flight.process()->fail_journal(true);
+  flight.process()->hang("mapobjects_store");
+  flight.run_for(30);
+  const auto& now = flight.process()->newest_health().status;
+  EXPECT_NE(now.worst, health::colour::green);
+  ASSERT_FALSE(now.parts.empty());
+  EXPECT_EQ(now.parts.front().health, now.worst);
+}
+
+TEST_F(views, a_health_actor_that_crashes_hangs_or_is_given_up_does_not_touch_the_flight) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  for (const auto point : {runtime::crash_point::before_handler, runtime::crash_point::after_handler}) {
+    flight.process()->crash_at("health", point);
+    flight.run_for(3);
+  }
+  ASSERT_TRUE(flight.give_up("health")) << flight.story();
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  EXPECT_EQ(flight.processes(), 1) << flight.story();
+}
+
+TEST_F(views, who_only_shows_keeps_no_flight_from_its_start) {
+  ASSERT_TRUE(flight.give_up("health")) << flight.story();
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+}
+
+} // namespace

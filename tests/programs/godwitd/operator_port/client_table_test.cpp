@@ -1,0 +1,32 @@
+#include "programs/godwitd/operator_port/client_table.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace godwit::operator_port;
+using boost::asio::ip::make_address;
+
+TEST(client_table, has_a_bound_for_all_and_one_for_each_address) {
+  const auto table = std::make_shared<client_table>(3, 2);
+  std::vector<std::shared_ptr<void>> places{table->admit(make_address("10.0.0.1")),
+                                            table->admit(make_address("10.0.0.1"))};
+  EXPECT_EQ(table->admit(make_address("10.0.0.1")), nullptr) << "two from there";
+  places.push_back(table->admit(make_address("10.0.0.2")));
+  EXPECT_NE(places.back(), nullptr);
+  EXPECT_EQ(table->admit(make_address("10.0.0.3")), nullptr) << "three in all";
+  EXPECT_EQ(table->now(), 3U);
+}
+
+TEST(client_table, a_place_is_free_again_when_it_is_given_back) {
+  const auto table = std::make_shared<client_table>(1, 1);
+  auto place = table->admit(make_address("::1"));
+  EXPECT_EQ(table->admit(make_address("::1")), nullptr);
+  place.reset();
+  EXPECT_EQ(table->now(), 0U);
+  EXPECT_NE(table->admit(make_address("::1")), nullptr);
+}
+
+} // namespace

@@ -1,0 +1,143 @@
+// The port as its clients see it: what it shows, and what it bears.
+#include "programs/godwitd/operator_port/operator_port.hpp"
+
+#include <atomic>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "programs/godwitd/operator_port/view_api.hpp"
+#include "tests/io/http/server/server_fixture.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::operator_port;
+using namespace std::chrono_literals;
+using io::http::test::raw_client;
+
+// The port, and in the place of the health actor whoever the test wants.
+class open_port : public testing::Test {
+protected:
+  open_port() {
+    view = std::make_shared<view_api>(
+        port.context(), view_parts{reports,
+                                   [this] {
+                                     health::report made;
+                                     made.at_ms = ++asked;
+                                     if (answers)
+                                       reports->publish(made);
+                                   },
+                                   [this](io::prometheus::text_writer& out) { port.append_metrics(out); }, &time});
+    view->open();
+    const auto opened = port.open({.host = "127.0.0.1", .port = 0, .hosts = {}}, view->routes());
+    EXPECT_TRUE(opened) << opened.error();
+    const auto place = port.place();
+    number = static_cast<std::uint16_t>(std::stoi(place.substr(place.find(':') + 1)));
+  }
+  ~open_port() override {
+    port.close([this] { view->close(); });
+  }
+
+  raw_client::answer get(const std::string& target) {
+    raw_client client(number);
+    client.write("GET " + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    return client.read();
+  }
+  // A client that was let in is answered; one that was turned away reads the end.
+  static bool is_let_in(raw_client& client) {
+    client.write("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    return client.read().result_int() != 0;
+  }
+
+  std::atomic<int> asked = 0;
+  std::atomic<bool> answers = true;
+  runtime::system_time time;
+  std::shared_ptr<health::report_port> reports = std::make_shared<health::report_port>();
+  class port port;
+  std::shared_ptr<view_api> view;
+  std::uint16_t number = 0;
+};
+
+TEST_F(open_port, health_is_200_while_it_is_not_red_and_503_when_it_is_or_nobody_looks) {
+  EXPECT_EQ(get("/healthz").result_int(), 503U) << "nobody has looked yet";
+  for (const auto& [how, status] :
+       {std::pair{health::colour::green, 200U}, {health::colour::yellow, 200U}, {health::colour::red, 503U}}) {
+    reports->show({how, 1, {}}, time.monotonic_ns());
+    const auto answer = get("/healthz");
+    EXPECT_EQ(answer.result_int(), status);
+    EXPECT_EQ(nlohmann::json::parse(answer.body()).at("worst"), io::name_of(how));
+  }
+  reports->show({health::colour::green, 1, {}}, time.monotonic_ns() - std::chrono::nanoseconds(6s).count());
+  EXPECT_EQ(get("/healthz").result_int(), 503U) << "it is old";
+}
+
+TEST_F(open_port, a_status_is_a_report_that_was_asked_for) {
+  const auto answer = get("/status");
+  EXPECT_EQ(answer.result_int(), 200U);
+  EXPECT_EQ(answer["Content-Type"], "application/json");
+  EXPECT_EQ(nlohmann::json::parse(answer.body()).at("at_ms"), 1);
+}
+
+TEST_F(open_port, reports_that_are_wanted_at_once_are_one) {
+  raw_client client(number);
+  std::string many;
+  for (int i = 0; i < 50; ++i)
+    many += "GET /status HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  client.write(many);
+  for (int i = 0; i < 50; ++i)
+    EXPECT_EQ(client.read().result_int(), 200U);
+  EXPECT_LT(asked, 10);
+}
+
+TEST_F(open_port, figures_are_what_prometheus_reads) {
+  const auto answer = get("/metrics");
+  EXPECT_EQ(answer["Content-Type"], "text/plain; version=0.0.4; charset=utf-8");
+  EXPECT_NE(answer.body().find("# TYPE godwit_operator_port_requests_total counter\n"), std::string::npos);
+  EXPECT_TRUE(answer.body().ends_with("\n"));
+}
+
+TEST_F(open_port, who_waits_for_a_report_that_does_not_come_is_told_so) {
+  answers = false;
+  const auto answer = get("/status");
+  EXPECT_EQ(answer.result_int(), 503U);
+  EXPECT_EQ(answer["Content-Type"], "application/problem+json");
+}
+
+TEST_F(open_port, each_answer_has_the_security_headers_also_a_refusal_of_the_server_itself) {
+  raw_client client(number);
+  client.write("nonsense\r\n\r\n");
+  for (const auto& answer : {get("/healthz"), get("/nowhere"), client.read()}) {
+    EXPECT_TRUE(std::string(answer["Content-Security-Policy"]).starts_with("default-src 'none'"));
+    EXPECT_EQ(answer["X-Content-Type-Options"], "nosniff");
+    EXPECT_EQ(answer["Cache-Control"], "no-store");
+    EXPECT_EQ(answer.count("Server"), 0U);
+  }
+}
+
+TEST_F(open_port, an_address_has_eight_clients_and_a_place_is_free_when_one_has_gone) {
+  std::vector<std::unique_ptr<raw_client>> all;
+  for (std::size_t i = 0; i < settings::max_clients_an_address; ++i) {
+    all.push_back(std::make_unique<raw_client>(number));
+    EXPECT_TRUE(is_let_in(*all.back())) << i;
+  }
+  raw_client ninth(number);
+  EXPECT_EQ(ninth.read_to_end(), "");
+  all.pop_back();
+  for (int tries = 0; tries < 200; ++tries) {
+    raw_client next(number);
+    if (!next.hears_within(5ms) && is_let_in(next))
+      return;
+  }
+  FAIL() << "the place was never free";
+}
+
+TEST_F(open_port, a_port_that_is_taken_is_named_with_the_remedy) {
+  class port second;
+  const auto opened = second.open({.host = "127.0.0.1", .port = number, .hosts = {}}, {});
+  ASSERT_FALSE(opened);
+  EXPECT_NE(opened.error().find(std::to_string(number)), std::string::npos) << opened.error();
+  EXPECT_NE(opened.error().find("another program listens there"), std::string::npos) << opened.error();
+}
+
+} // namespace

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "actors/executor/remaining.hpp"
+#include "actors/executor/state_token.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/fields/field_table.hpp"
 #include "runtime/planted_bug.hpp"
@@ -117,10 +118,9 @@ void actor::started() {
 
 // A stop is answered while the disk does not write; what else was taken is on the disk by then.
 void actor::obey(const operators::command& m, std::uint64_t request_id) {
-  using operators::command_kind;
   const auto answer = core_->on_operator(m, now());
   after_turn();
-  if (m.kind == command_kind::pause || m.kind == command_kind::come_home)
+  if (operators::is_stop(m.kind))
     answer_later(request_id, answer);
   else
     after_commit([this, request_id, answer] { answer_later(request_id, answer); });
@@ -495,6 +495,7 @@ flight_status actor::describe() const {
   if (core_->view().mode())
     result.mode = io::name_of(core_->view().mode()->kind);
   result.authority = core_->authority();
+  result.state = state_token(s);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
+#include "actors/executor/state_token.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/planted_bug.hpp"
 
@@ -359,6 +360,8 @@ effects core::on_station(const plan_cleared& m, instant now) {
 
 operators::answer core::on_operator(const operators::command& m, instant now) {
   using operators::command_kind;
+  if (auto stands = state_token(flight_.s); !m.state.empty() && m.state != stands && !operators::is_stop(m.kind))
+    return {false, "the flight stands otherwise by now: " + sentence(), std::move(stands)};
   if (m.kind == command_kind::acknowledge)
     preparation_.acknowledge({m.report, m.by});
   else if (m.kind == command_kind::check)

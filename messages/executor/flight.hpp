@@ -30,6 +30,7 @@ struct flight_status {
   // Who has the vehicle: godwit, person, failsafe (ours), autopilot_end (its plan has ended), autopilot_failsafe (its
   // own), unclear (until the vehicle has told), nobody (no flight is watched).
   std::string authority = "nobody";
+  std::string state; // another one whenever what a person decides by has changed: what a command can be meant for
   static constexpr auto fields = io::table(
       "executor.flight_status", io::field("phase", &flight_status::phase), io::field("cause", &flight_status::cause),
       io::field("sentence", &flight_status::sentence), io::field("in_flight", &flight_status::in_flight),
@@ -37,7 +38,8 @@ struct flight_status {
       io::field("generation", &flight_status::generation), io::field("reports", &flight_status::reports),
       io::field("items_done", &flight_status::items_done), io::field("items", &flight_status::items),
       io::field("preflight_report", &flight_status::preflight_report), io::field("is_armed", &flight_status::is_armed),
-      io::field("mode", &flight_status::mode), io::field("authority", &flight_status::authority));
+      io::field("mode", &flight_status::mode), io::field("authority", &flight_status::authority),
+      io::field("state", &flight_status::state));
   friend bool operator==(const flight_status&, const flight_status&) = default;
 };
 

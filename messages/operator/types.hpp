@@ -49,17 +49,24 @@ struct command {
   std::uint8_t component = 0;             // the same
   std::optional<mission::position> place; // go_to, insert; metres above the place that the mission counts from
   std::string after;                      // insert: the id of an item; empty: the last one that is done
+  std::string state;                      // of the flight that it is meant for, as flight_status has it; empty: any
   static constexpr auto fields = io::table(
       "operator.word", io::field("verb", &command::kind), io::field("report", &command::report),
       io::field("by", &command::by), io::field("system", &command::system), io::field("component", &command::component),
-      io::field("place", &command::place), io::field("after", &command::after));
+      io::field("place", &command::place), io::field("after", &command::after), io::field("state", &command::state));
 };
+
+// Whoever hears of danger may say it, whoever has control: hold, and return.
+[[nodiscard]] constexpr bool is_stop(command_kind kind) {
+  return kind == command_kind::pause || kind == command_kind::come_home;
+}
 
 struct answer {
   bool is_taken = false;
-  std::string reason; // sentence for people; empty when taken
-  static constexpr auto fields =
-      io::table("operator.answer", io::field("is_taken", &answer::is_taken), io::field("reason", &answer::reason));
+  std::string reason;     // sentence for people; empty when taken
+  std::string state = {}; // of the flight, when the command was meant for another one; else empty
+  static constexpr auto fields = io::table("operator.answer", io::field("is_taken", &answer::is_taken),
+                                           io::field("reason", &answer::reason), io::field("state", &answer::state));
 };
 
 } // namespace godwit::operators

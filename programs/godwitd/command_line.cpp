@@ -130,6 +130,38 @@ void add_override(CLI::App& ctl, invocation& to) {
   command->callback([&to] { to.what = task::override_failsafe; });
 }
 
+struct control_row {
+  operator_bridge::control_act act;
+  const char* name;
+  const char* help;
+};
+
+constexpr control_row control_acts[] = {
+    {operator_bridge::control_act::take, "take", "Takes control that is free."},
+    {operator_bridge::control_act::take_over, "take-over", "Takes control from whoever has it."},
+    {operator_bridge::control_act::give, "give", "Gives one's own control back."},
+    {operator_bridge::control_act::hand_over, "hand-over", "Gives one's own control to somebody who is logged in."}};
+
+void add_operators(CLI::App& ctl, invocation& to) {
+  auto* const control = ctl.add_subcommand("control", "Whose commands move the vehicle: one operator's at a time.");
+  control->require_subcommand(1);
+  control->fallthrough();
+  for (const auto& row : control_acts) {
+    auto* const act = control->add_subcommand(row.name, row.help);
+    act->fallthrough();
+    if (row.act == operator_bridge::control_act::hand_over)
+      act->add_option("NAME", to.control.to, "To whom")->required();
+    act->callback([&to, which = row.act] {
+      to.what = task::change_control;
+      to.control.act = which;
+    });
+  }
+  auto* const audit = ctl.add_subcommand("audit", "Who said what, when, and what came of it.");
+  audit->fallthrough();
+  audit->add_option("--rows", to.rows, "The newest, 1 to 200 (50)")->check(CLI::Range(1, 200));
+  audit->callback([&to] { to.what = task::list_audit; });
+}
+
 void add_words(CLI::App& ctl, invocation& to) {
   for (const auto& row : verbs) {
     auto* const command = ctl.add_subcommand(row.name, row.help);
@@ -165,6 +197,7 @@ void add_control(CLI::App& app, invocation& to) {
   retry->add_option("ID", to.outbox_key, "The key of one row (all)");
   retry->callback([&to] { to.what = task::retry_outbox; });
   add_words(*ctl, to);
+  add_operators(*ctl, to);
   auto* const rescue = ctl->add_subcommand(
       "rescue-journal",
       "Writes the journal to a new file beside it when its own was deleted, replaced or cut in flight.");

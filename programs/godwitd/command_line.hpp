@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "messages/operator/types.hpp"
+#include "messages/operator_bridge/control.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/convert_command.hpp"
 #include "runtime/process.hpp"
@@ -25,13 +26,20 @@ enum class task {
   say_word,
   override_failsafe,
   crash_actor,
-  rescue_journal
+  rescue_journal,
+  change_control,
+  list_audit
 };
 
 struct wanted_override {
   std::string rule;
   std::int64_t seconds = 0;
   std::string reason;
+};
+
+struct wanted_control {
+  operator_bridge::control_act act = operator_bridge::control_act::take;
+  std::string to; // hand_over
 };
 
 struct invocation {
@@ -43,6 +51,8 @@ struct invocation {
   operators::command said;    // say_word; by is left empty
   wanted_override overridden; // override_failsafe
   std::string actor;          // crash_actor
+  wanted_control control;     // change_control
+  std::uint32_t rows = 50;    // list_audit
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
 };
 

@@ -179,6 +179,7 @@ void composition::add_flight(control::peers& of_desk) {
         announce({sentence, true}, "sightings");
       });
   of_desk.flight = flight_.executor;
+  of_desk.bridge = flight_.bridge;
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;

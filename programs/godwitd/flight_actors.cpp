@@ -8,6 +8,7 @@
 #include "actors/ground_port/actor.hpp"
 #include "actors/mapobjects_store/actor.hpp"
 #include "actors/mission_client/actor.hpp"
+#include "actors/operator_bridge/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
 #include "io/sqlite/work_queue.hpp"
 #include "programs/godwitd/child_policies.hpp"
@@ -116,6 +117,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_failsafe->people.emplace_back(made.ground);
     base.of_vehicle->add(made.ground);
   }
+  made.bridge = actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable,
+                                                   operator_bridge::settings{}, made.executor);
   of_executor->vehicle = base.vehicle;
   of_executor->guardian = actors.guardian();
   actors.set_supervisor(made.executor);

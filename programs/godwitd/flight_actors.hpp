@@ -3,6 +3,7 @@
 //   autopilot ── wire ── vehicle_link ──> executor, failsafe, ground_port ── wire ── ground stations
 //   missions service ── service_port ── mission_client ──> executor
 //   file of the map ── map_port ── mapobjects_store
+//   operators ── operator_bridge ──> executor
 //
 // Whoever calls it owns what may block and what differs: ports, clock, journal, seed, facts about the host, the log. A
 // run on the ground has the same base and somebody else in the executor's place.
@@ -32,6 +33,7 @@
 #include "messages/ground_port/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
+#include "messages/operator_bridge/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -90,6 +92,7 @@ struct base_actors {
 struct flight_actors {
   executor::own_handle executor;
   ground_port::own_handle ground; // none without a line for ground stations
+  operator_bridge::own_handle bridge;
 };
 
 // The table that holds until the executor has sent its own: from it on an essential actor that can not be kept up is

@@ -1,10 +1,12 @@
 #include "programs/godwitd/program.hpp"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <random>
 #include <string>
 #include <system_error>
 
@@ -17,6 +19,7 @@
 #include "programs/godwitd/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/console.hpp"
+#include "programs/godwitd/operator_text.hpp"
 #include "programs/godwitd/outbox_listing.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/status_text.hpp"
@@ -34,12 +37,16 @@ exit_code fail(exit_code code, const std::string& sentence) {
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
+std::int64_t wall_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
 exit_code list_outbox(const json& configuration, bool as_json) {
   const auto listing = read_outbox(runtime::journal_in_use(journal_path(configuration)));
   if (!listing)
     return fail(exit_code::failed, listing.error());
-  const auto now_ns =
-      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  const auto now_ns = wall_ns();
   print(as_json ? json_of(*listing, now_ns).dump(2, ' ', false, json::error_handler_t::replace) + "\n"
                 : table_of(*listing, now_ns));
   return exit_code::ok;
@@ -84,8 +91,19 @@ std::string speaker() {
   return "the operator";
 }
 
+std::string fresh_id() {
+  std::random_device source;
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "ctl-%08x%08x", source(), source());
+  return text.data();
+}
+
+// Whoever waits no longer than `patience` does not want it obeyed later.
 json question_of(const operators::command& said) {
-  json result{{"do", io::name_of(said.kind)}, {"by", speaker()}};
+  json result{{"do", io::name_of(said.kind)},
+              {"by", speaker()},
+              {"id", fresh_id()},
+              {"valid_until_ns", wall_ns() + std::chrono::nanoseconds(control::patience).count()}};
   if (said.kind == operators::command_kind::acknowledge)
     result["report"] = said.report;
   if (said.place)
@@ -105,7 +123,8 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   case task::ask_status:
     return ask_running(*configuration, {{"do", "status"}}, asked.json, status_text);
   case task::retry_outbox:
-    return ask_running(*configuration, {{"do", "outbox_retry"}, {"key", asked.outbox_key}}, asked.json, retry_text);
+    return ask_running(*configuration, {{"do", "outbox_retry"}, {"by", speaker()}, {"key", asked.outbox_key}},
+                       asked.json, retry_text);
   case task::say_word:
     return ask_running(*configuration, question_of(asked.said), asked.json, taken_text);
   case task::override_failsafe:
@@ -119,7 +138,16 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   case task::rescue_journal:
     return ask_running(*configuration, {{"do", "rescue_journal"}}, asked.json, rescued_text);
   case task::crash_actor:
-    return ask_running(*configuration, {{"do", "crash"}, {"actor", asked.actor}}, asked.json, taken_text);
+    return ask_running(*configuration, {{"do", "crash"}, {"by", speaker()}, {"actor", asked.actor}}, asked.json,
+                       taken_text);
+  case task::change_control:
+    return ask_running(
+        *configuration,
+        {{"do", "control"}, {"by", speaker()}, {"act", io::name_of(asked.control.act)}, {"to", asked.control.to}},
+        asked.json, control_text);
+  case task::list_audit:
+    return ask_running(*configuration, {{"do", "audit"}, {"by", speaker()}, {"rows", asked.rows}}, asked.json,
+                       audit_text);
   default:
     break;
   }

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "programs/godwitd/operator_text.hpp"
+
 namespace godwit::daemon {
 namespace {
 
@@ -138,10 +140,10 @@ struct part_row {
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {{"health", health_line},       {"run", run_line},         {"flight", flight_line},
-                              {"failsafe", failsafe_line},   {"service", service_line}, {"map", map_line},
-                              {"sightings", sightings_line}, {"vehicle", vehicle_line}, {"ground", ground_line},
-                              {"actors", actor_lines}};
+constexpr part_row parts[] = {{"health", health_line},     {"run", run_line},             {"flight", flight_line},
+                              {"failsafe", failsafe_line}, {"operators", operators_line}, {"service", service_line},
+                              {"map", map_line},           {"sightings", sightings_line}, {"vehicle", vehicle_line},
+                              {"ground", ground_line},     {"actors", actor_lines}};
 
 } // namespace
 

@@ -23,6 +23,7 @@ constexpr std::array rows{
     row{"executor", {essential, essential, essential}, true},
     row{"mission_client", {wanted, wanted, essential}},
     row{"ground_port", {wanted, wanted, wanted}, true},
+    row{"operator_bridge", {wanted, wanted, wanted}, true},
     row{"landing_watch", {wanted, wanted, wanted}, true},
 };
 // Who shows what there is.

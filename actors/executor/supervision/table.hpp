@@ -4,6 +4,7 @@
 //   vehicle_link             essential   essential   essential
 //   failsafe, executor       essential   essential   essential
 //   ground_port              wanted      wanted      wanted
+//   operator_bridge          wanted      wanted      wanted
 //   landing_watch            wanted      wanted      wanted: it ends a process whose executor is given up
 //   mission_client           wanted      wanted *    essential: it delivers what is owed
 //   others                   wanted      wanted *    wanted       * not in a reduced process

@@ -105,6 +105,13 @@ const std::shared_ptr<simulated_service_port>& daemon_process::service_port() co
 
 void daemon_process::say(const operators::command& what) { parts_->world.tell(parts_->flight.executor, what); }
 
+daemon_process::answer daemon_process::command(const operator_bridge::operator_command& what) {
+  constexpr std::chrono::seconds patience{4};
+  return [asked = parts_->world.ask(parts_->flight.bridge, patience, what)] {
+    return asked->answers == 0 ? std::nullopt : std::optional(asked->answer);
+  };
+}
+
 void daemon_process::see(const mapobjects_store::sighting& what) { parts_->world.tell(parts_->base.store, what); }
 
 void daemon_process::crash_at(const std::string& actor, runtime::crash_point point) {

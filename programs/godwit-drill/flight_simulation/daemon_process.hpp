@@ -16,6 +16,7 @@
 #include "actors/health/report_port.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
+#include "messages/operator_bridge/command.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -65,7 +66,11 @@ public:
   [[nodiscard]] const std::shared_ptr<simulated_service_port>& service_port() const;
 
   // -- people, and what else comes from beside
+  // To the executor, as when operator_bridge is away.
   void say(const operators::command& what);
+  // To operator_bridge. The function tells the answer, as soon as there is one.
+  using answer = std::function<std::optional<operator_bridge::command_answer>()>;
+  [[nodiscard]] answer command(const operator_bridge::operator_command& what);
   void see(const mapobjects_store::sighting& what);
 
   // -- faults

@@ -7,16 +7,19 @@
 #include "io/fields/field_table.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/operator/types.hpp"
+#include "messages/operator_bridge/control.hpp"
 
 namespace godwit::control {
 
 enum class request_kind {
   status,
   outbox_retry,
-  command,       // of an operator
-  override_rule, // of the failsafe
-  crash,         // an actor, for drills
-  rescue_journal // its file is lost
+  command,        // of an operator
+  override_rule,  // of the failsafe
+  crash,          // an actor, for drills
+  rescue_journal, // its file is lost
+  control,        // who has it
+  audit           // what operators have said
 };
 
 constexpr auto enum_names(request_kind) {
@@ -25,7 +28,9 @@ constexpr auto enum_names(request_kind) {
                                   {request_kind::command, "word"},
                                   {request_kind::override_rule, "override_rule"},
                                   {request_kind::crash, "crash"},
-                                  {request_kind::rescue_journal, "rescue_journal"}});
+                                  {request_kind::rescue_journal, "rescue_journal"},
+                                  {request_kind::control, "control"},
+                                  {request_kind::audit, "audit"}});
 }
 
 struct control_request {
@@ -35,10 +40,19 @@ struct control_request {
   operators::command said;            // word
   failsafe::override_rule overridden; // override_rule; without its end
   std::int64_t lasts_s = 0;           // override_rule
+  std::string by = {};                // who asks
+  std::string id = {};                // word; empty: it is not repeated
+  std::int64_t valid_until_ns = 0;    // word; ns since 1970 (UTC), 0: a few seconds
+  operator_bridge::control_act act = operator_bridge::control_act::take; // control
+  std::string to = {};                                                   // control: hand_over
+  std::uint32_t rows = 50;                                               // audit: the newest
   static constexpr auto fields = io::table(
       "control.request", io::field("ticket", &control_request::ticket), io::field("what", &control_request::what),
       io::field("key", &control_request::key), io::field("said", &control_request::said),
-      io::field("overridden", &control_request::overridden), io::field("lasts_s", &control_request::lasts_s));
+      io::field("overridden", &control_request::overridden), io::field("lasts_s", &control_request::lasts_s),
+      io::field("by", &control_request::by), io::field("id", &control_request::id),
+      io::field("valid_until_ns", &control_request::valid_until_ns), io::field("act", &control_request::act),
+      io::field("to", &control_request::to), io::field("rows", &control_request::rows));
 };
 
 } // namespace godwit::control

@@ -13,6 +13,20 @@ namespace {
 
 json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
 
+operators::principal speaker(const control_request& asked) {
+  return {asked.by.empty() ? std::string("somebody") : asked.by, operators::role::engineer,
+          std::string(operators::local_session)};
+}
+
+json json_of(const operator_bridge::command_answer& answer) {
+  json result{{"ok", answer.verdict == operator_bridge::verdict::taken}, {"verdict", io::name_of(answer.verdict)}};
+  if (!answer.reason.empty())
+    result["error"] = answer.reason;
+  if (!answer.state.empty())
+    result["state"] = answer.state;
+  return result;
+}
+
 } // namespace
 
 request_handler::request_handler(runtime::spawn_context context, peers others, std::shared_ptr<response_queue> answers)
@@ -44,6 +58,12 @@ void request_handler::take(const control_request& asked) {
   case request_kind::rescue_journal:
     rescue_journal(asked);
     return;
+  case request_kind::control:
+    change_control(asked);
+    return;
+  case request_kind::audit:
+    list_audit(asked);
+    return;
   }
 }
 
@@ -51,7 +71,7 @@ void request_handler::collect_status(std::uint64_t ticket) {
   auto& half = collecting_[ticket] = {{{"ok", true}}, 3};
   half.missing += (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.ground ? 1 : 0) +
                   (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0) + (others_.failsafe_status ? 1 : 0) +
-                  (others_.health ? 1 : 0);
+                  (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0);
   if (others_.run)
     collect(ticket, "run", *others_.run, ground_run::get_run{});
   if (others_.flight)
@@ -62,6 +82,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
     collect(ticket, "failsafe", *others_.failsafe_status, failsafe::get_failsafe_status{});
   if (others_.ground)
     collect(ticket, "ground", *others_.ground, ground_port::get_port{});
+  if (others_.bridge)
+    collect(ticket, "operators", *others_.bridge, operator_bridge::get_operators{});
   if (others_.sightings)
     collect(ticket, "sightings", *others_.sightings, sightings::get_sightings{});
   collect(ticket, "actors", others_.guardian, runtime::get_children{});
@@ -101,10 +123,11 @@ void request_handler::retry(const control_request& asked) {
   }
   ask(
       others_.client, answer_timeout, mission_client::retry_outbox{asked.key},
-      [this, ticket = asked.ticket](const mission_client::retry_answer& answer) {
+      [this, asked](const mission_client::retry_answer& answer) {
         auto document = json::parse(io::to_json(answer));
         document["ok"] = answer.error.empty();
-        answer_with(ticket, document);
+        note(asked, "outbox-retry", answer.error.empty(), answer.error);
+        answer_with(asked.ticket, document);
       },
       [this, ticket = asked.ticket](const ask_error& why) {
         answer_with(ticket, {{"ok", false}, {"error", "mission_client does not answer: " + why.what + "; ask again"}});
@@ -112,18 +135,39 @@ void request_handler::retry(const control_request& asked) {
 }
 
 void request_handler::say(const control_request& asked) {
-  if (others_.flight)
-    pass_on<operators::answer>(asked.ticket, *others_.flight, asked.said,
-                               [](const auto& answer) { return std::pair(answer.is_taken, answer.reason); });
-  else
-    answer_with(asked.ticket, on_the_ground());
+  if (!others_.flight || !others_.bridge)
+    return answer_with(asked.ticket, on_the_ground());
+  const bool is_stop = operators::is_stop(asked.said.kind);
+  const std::chrono::nanoseconds patience = is_stop ? std::chrono::nanoseconds(stop_timeout) : command_timeout;
+  ask(
+      *others_.bridge, patience,
+      operator_bridge::operator_command{asked.id, asked.valid_until_ns, speaker(asked), asked.said},
+      [this, ticket = asked.ticket](const operator_bridge::command_answer& answer) {
+        answer_with(ticket, json_of(answer));
+      },
+      [this, asked, is_stop](const ask_error& why) {
+        if (is_stop)
+          say_directly(asked);
+        else
+          answer_with(asked.ticket, {{"ok", false},
+                                     {"error", "operator_bridge does not answer: " + why.what +
+                                                   "; ask for the status before you say it again. pause and "
+                                                   "come-home go out all the same"}});
+      });
+}
+
+void request_handler::say_directly(const control_request& asked) {
+  pass_on<operators::answer>(asked, std::string(io::name_of(asked.said.kind)) + " past operator_bridge",
+                             *others_.flight, asked.said,
+                             [](const auto& answer) { return std::pair(answer.is_taken, answer.reason); });
 }
 
 void request_handler::override_rule(const control_request& asked) {
   auto wanted = asked.overridden;
   wanted.until_ns = wall_ns() + asked.lasts_s * 1'000'000'000;
   if (others_.failsafe)
-    pass_on<failsafe::override_answer>(asked.ticket, *others_.failsafe, wanted,
+    pass_on<failsafe::override_answer>(asked, "override " + std::string(io::name_of(wanted.scope)), *others_.failsafe,
+                                       wanted,
                                        [](const auto& answer) { return std::pair(answer.taken, answer.reason); });
   else
     answer_with(asked.ticket, on_the_ground());
@@ -131,20 +175,62 @@ void request_handler::override_rule(const control_request& asked) {
 
 // TAKEN_AND_WHY: of the answer.
 template <class Answer, class Handle, class Question, class Reader>
-void request_handler::pass_on(std::uint64_t ticket, const Handle& who, const Question& question, Reader taken_and_why) {
+void request_handler::pass_on(const control_request& asked, const std::string& what, const Handle& who,
+                              const Question& question, Reader taken_and_why) {
   ask(
       who, answer_timeout, question,
-      [this, ticket, taken_and_why](const Answer& answer) {
+      [this, asked, what, taken_and_why](const Answer& answer) {
         const auto [is_taken, reason] = taken_and_why(answer);
         json document{{"ok", is_taken}};
         if (!is_taken)
           document["error"] = reason;
-        answer_with(ticket, document);
+        note(asked, what, is_taken, reason);
+        answer_with(asked.ticket, document);
       },
-      [this, ticket](const ask_error& why) {
-        answer_with(ticket,
+      [this, asked, what](const ask_error& why) {
+        note(asked, what, false, "there is no answer");
+        answer_with(asked.ticket,
                     {{"ok", false},
                      {"error", "there is no answer: " + why.what + "; ask for the status before you say it again"}});
+      });
+}
+
+// -- operators --------------------------------------------------------------------------------------
+
+void request_handler::note(const control_request& asked, const std::string& what, bool is_done,
+                           const std::string& reason) {
+  if (others_.bridge)
+    tell(*others_.bridge, operator_bridge::audit_note{speaker(asked), what, is_done ? "taken" : "refused", reason});
+}
+
+void request_handler::change_control(const control_request& asked) {
+  if (!others_.bridge)
+    return answer_with(asked.ticket, on_the_ground());
+  ask(
+      *others_.bridge, answer_timeout, operator_bridge::change_control{speaker(asked), asked.act, asked.to},
+      [this, ticket = asked.ticket](const operator_bridge::control_answer& answer) {
+        json document{{"ok", answer.is_done}, {"holder", answer.holder}};
+        if (!answer.is_done)
+          document["error"] = answer.reason;
+        answer_with(ticket, document);
+      },
+      [this, ticket = asked.ticket](const ask_error& why) {
+        answer_with(ticket, {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}});
+      });
+}
+
+void request_handler::list_audit(const control_request& asked) {
+  if (!others_.bridge)
+    return answer_with(asked.ticket, on_the_ground());
+  ask(
+      *others_.bridge, answer_timeout, operator_bridge::get_audit{speaker(asked), asked.rows},
+      [this, ticket = asked.ticket](const operator_bridge::audit_list& list) {
+        auto document = json::parse(io::to_json(list));
+        document["ok"] = list.refusal.empty();
+        answer_with(ticket, document);
+      },
+      [this, ticket = asked.ticket](const ask_error& why) {
+        answer_with(ticket, {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}});
       });
 }
 
@@ -153,8 +239,10 @@ void request_handler::crash(const control_request& asked) {
     answer_with(asked.ticket, {{"ok", false}, {"error", "crashes are for drills: start godwitd with --allow-crash"}});
   else if (!others_.crash(asked.key))
     answer_with(asked.ticket, {{"ok", false}, {"error", "no actor \"" + asked.key + "\" runs"}});
-  else
+  else {
+    note(asked, "crash " + asked.key, true, {});
     answer_with(asked.ticket, {{"ok", true}});
+  }
 }
 
 // The journal's own thread answers.

@@ -3,7 +3,10 @@
 //
 // The socket's thread can tell actors but not ask them; this actor can. An actor that does not answer in time is in the
 // answer as an error; whoever waits gets one in any case, but for a crash of the request_handler: then the socket's own
-// time-out says so. Errors: in the answers. Thread: as actor_base.
+// time-out says so. Whoever reaches the socket is an engineer, under the name that is given.
+//
+// Commands go through operator_bridge. When that does not answer, a hold or a return goes to the executor all the same:
+// it may then be said twice, which does no harm. Errors: in the answers. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
@@ -22,6 +25,7 @@
 #include "messages/health/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
+#include "messages/operator_bridge/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "programs/godwitd/control/messages.hpp"
 #include "programs/godwitd/control/response_queue.hpp"
@@ -46,6 +50,7 @@ struct peers {
   vehicle_handle vehicle;
   std::optional<ground_run::status_handle> run;          // of a run on the ground
   std::optional<executor::operator_handle> flight;       // else
+  std::optional<operator_bridge::desk_handle> bridge;    // with a flight
   std::optional<ground_handle> ground;                   // with a flight and a line for ground stations
   std::optional<override_handle> failsafe;               // with a flight
   std::optional<failsafe_status_handle> failsafe_status; // with a flight
@@ -59,7 +64,10 @@ struct peers {
 
 class request_handler final : public runtime::actor_base<request_handle> {
 public:
-  static constexpr std::chrono::seconds answer_timeout{3}; // below that of the socket
+  static constexpr std::chrono::seconds answer_timeout{3};  // below that of the socket
+  static constexpr std::chrono::seconds command_timeout{4}; // the same; longer than operator_bridge takes
+  // Longer than its answer takes; then the stop goes past it.
+  static constexpr std::chrono::milliseconds stop_timeout{300};
 
   request_handler(runtime::spawn_context context, peers others, std::shared_ptr<response_queue> answers);
   ~request_handler() override;
@@ -77,11 +85,16 @@ private:
   void collect_status(std::uint64_t ticket);
   void retry(const control_request& asked);
   void say(const control_request& asked);
+  void say_directly(const control_request& asked);
+  void change_control(const control_request& asked);
+  void list_audit(const control_request& asked);
+  void note(const control_request& asked, const std::string& what, bool is_done, const std::string& reason);
   void override_rule(const control_request& asked);
   void crash(const control_request& asked);
   void rescue_journal(const control_request& asked);
   template <class Answer, class Handle, class Question, class Reader>
-  void pass_on(std::uint64_t ticket, const Handle& who, const Question& question, Reader taken_and_why);
+  void pass_on(const control_request& asked, const std::string& what, const Handle& who, const Question& question,
+               Reader taken_and_why);
   template <class Handle, class Question>
   void collect(std::uint64_t ticket, const char* part, const Handle& who, Question question);
   void put(std::uint64_t ticket, const char* part, nlohmann::json what);

@@ -14,6 +14,8 @@ using nlohmann::json;
 namespace {
 
 constexpr std::int64_t max_override_s = 3'600; // as long as the failsafe lets one last
+constexpr std::uint64_t max_time_ns = std::numeric_limits<std::int64_t>::max();
+constexpr std::uint64_t max_rows = 200; // of the audit: as many as operator_bridge keeps of those who are known
 
 std::string text_of(const json& document, const char* key) {
   const auto found = document.find(key);
@@ -27,14 +29,27 @@ std::string all_verbs() {
   return result;
 }
 
-tl::expected<control_request, std::string> read_command(const json& document, operators::command_kind kind) {
+control_request request_of(const json& document, request_kind what) {
   control_request result;
-  result.what = request_kind::command;
+  result.what = what;
+  result.by = text_of(document, "by");
+  return result;
+}
+
+tl::expected<control_request, std::string> read_command(const json& document, operators::command_kind kind) {
+  auto result = request_of(document, request_kind::command);
   result.said.kind = kind;
-  result.said.by = text_of(document, "by");
-  if (result.said.by.empty())
+  if (result.by.empty())
     return tl::make_unexpected(std::string("a command to the flight says whose it is, such as \"by\": \"anna\""));
+  result.said.by = result.by;
   result.said.after = text_of(document, "after");
+  result.said.state = text_of(document, "state");
+  result.id = text_of(document, "id");
+  if (const auto until = document.find("valid_until_ns"); until != document.end()) {
+    if (!until->is_number_unsigned() || until->get<std::uint64_t>() > max_time_ns)
+      return tl::make_unexpected(std::string("\"valid_until_ns\" is a time in ns since 1970"));
+    result.valid_until_ns = until->get<std::int64_t>();
+  }
   if (const auto place = document.find("place"); place != document.end())
     if (const auto read = io::read_json(*place, result.said.place.emplace(), "place"); !read)
       return tl::make_unexpected("the place can not be read: " + read.error().message());
@@ -62,11 +77,39 @@ tl::expected<control_request, std::string> read_override(const json& document) {
                             seconds->get<std::uint64_t>() > static_cast<std::uint64_t>(max_override_s);
   if (!is_number || is_too_large || seconds->get<std::int64_t>() <= 0)
     return tl::make_unexpected("\"seconds\" says for how long: 1 to " + std::to_string(max_override_s));
-  control_request result;
-  result.what = request_kind::override_rule;
+  auto result = request_of(document, request_kind::override_rule);
   result.overridden.scope = *rule;
-  result.overridden.reason = text_of(document, "by") + ": " + text_of(document, "reason");
+  result.overridden.reason = result.by + ": " + text_of(document, "reason");
   result.lasts_s = seconds->get<std::int64_t>();
+  return result;
+}
+
+tl::expected<control_request, std::string> read_control(const json& document) {
+  const auto act = io::value_of<operator_bridge::control_act>(text_of(document, "act"));
+  if (!act)
+    return tl::make_unexpected(std::string("\"act\" is take, take_over, give or hand_over"));
+  auto result = request_of(document, request_kind::control);
+  result.act = *act;
+  result.to = text_of(document, "to");
+  if (*act == operator_bridge::control_act::hand_over && result.to.empty())
+    return tl::make_unexpected(std::string("hand_over says to whom, such as \"to\": \"bob\""));
+  return result;
+}
+
+tl::expected<control_request, std::string> read_audit(const json& document) {
+  auto result = request_of(document, request_kind::audit);
+  const auto rows = document.find("rows");
+  if (rows == document.end())
+    return result;
+  if (!rows->is_number_unsigned() || rows->get<std::uint64_t>() == 0 || rows->get<std::uint64_t>() > max_rows)
+    return tl::make_unexpected("\"rows\" is 1 to " + std::to_string(max_rows));
+  result.rows = rows->get<std::uint32_t>();
+  return result;
+}
+
+control_request with_key(const json& document, request_kind what, const char* key) {
+  auto result = request_of(document, what);
+  result.key = text_of(document, key);
   return result;
 }
 
@@ -82,15 +125,20 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
   if (what == "status")
     return control_request{};
   if (what == "outbox_retry")
-    return control_request{0, request_kind::outbox_retry, text_of(document, "key"), {}, {}, 0};
+    return with_key(document, request_kind::outbox_retry, "key");
   if (what == "override")
     return read_override(document);
   if (what == "crash")
-    return control_request{0, request_kind::crash, text_of(document, "actor"), {}, {}, 0};
+    return with_key(document, request_kind::crash, "actor");
   if (what == "rescue_journal")
-    return control_request{0, request_kind::rescue_journal, {}, {}, {}, 0};
-  return tl::make_unexpected(
-      "\"do\" is status, outbox_retry, override, rescue_journal, crash, or a command to the flight: " + all_verbs());
+    return request_of(document, request_kind::rescue_journal);
+  if (what == "control")
+    return read_control(document);
+  if (what == "audit")
+    return read_audit(document);
+  return tl::make_unexpected("\"do\" is status, audit, control, outbox_retry, override, rescue_journal, crash, or a "
+                             "command to the flight: " +
+                             all_verbs());
 }
 
 std::string refusal_line(const std::string& sentence) {

@@ -37,6 +37,18 @@ TEST(command_line, a_retry_is_of_all_rows_or_of_one) {
   EXPECT_EQ(one->outbox_key, "key");
 }
 
+TEST(command_line, control_and_the_audit_are_asked_for) {
+  const auto given = read({"ctl", "control", "hand-over", "bob"});
+  ASSERT_TRUE(given);
+  EXPECT_EQ(given->what, task::change_control);
+  EXPECT_EQ(given->control.act, operator_bridge::control_act::hand_over);
+  EXPECT_EQ(given->control.to, "bob");
+  EXPECT_FALSE(read({"ctl", "control", "hand-over"}));
+  EXPECT_FALSE(read({"ctl", "control"}));
+  EXPECT_EQ(read({"ctl", "audit", "--rows", "7"})->rows, 7U);
+  EXPECT_FALSE(read({"ctl", "audit", "--rows", "0"}));
+}
+
 TEST(command_line, a_conversion_has_two_files) {
   const auto asked = read({"convert", "a.plan", "b.json", "--allow-partial"});
   ASSERT_TRUE(asked);

@@ -14,8 +14,9 @@ using godwit::runtime::child_entry;
 using godwit::runtime::process_end;
 using godwit::runtime::restart_policy;
 
-const std::vector<std::string> all{"vehicle_link", "failsafe",      "mapobjects_store", "mission_client", "executor",
-                                   "ground_port",  "landing_watch", "sightings",        "control_desk"};
+const std::vector<std::string> all{"vehicle_link", "failsafe",       "mapobjects_store", "mission_client",
+                                   "executor",     "ground_port",    "landing_watch",    "sightings",
+                                   "control_desk", "operator_bridge"};
 constexpr part parts[] = {part::ground, part::flight, part::after};
 
 std::map<std::string, child_entry> by_name(part now, const circumstances& process = {}) {
@@ -48,7 +49,8 @@ TEST(supervision_table, the_mission_client_is_essential_only_while_it_delivers_b
 
 TEST(supervision_table, no_other_child_is_worth_the_process) {
   for (const auto now : parts)
-    for (const auto* child : {"mapobjects_store", "ground_port", "landing_watch", "sightings", "control_desk"}) {
+    for (const auto* child :
+         {"mapobjects_store", "ground_port", "landing_watch", "sightings", "control_desk", "operator_bridge"}) {
       EXPECT_TRUE(by_name(now).at(child).wanted) << child;
       EXPECT_FALSE(by_name(now).at(child).policy.essential) << child;
     }
@@ -72,10 +74,11 @@ TEST(supervision_table, the_vehicle_link_is_restarted_for_ever_in_flight_once_th
   EXPECT_NE(by_name(part::ground, again).at("vehicle_link").policy.restart.intensity, restart_policy::for_ever);
 }
 
-TEST(supervision_table, a_reduced_process_runs_in_flight_only_what_flies_the_ground_port_and_the_landing_watch) {
+TEST(supervision_table, a_reduced_process_runs_in_flight_only_what_flies_who_brings_commands_and_the_landing_watch) {
   const circumstances reduced{.may_end_fast = false, .is_reduced = true};
   for (const auto& child : all) {
-    const std::set<std::string> kept{"vehicle_link", "failsafe", "executor", "ground_port", "landing_watch"};
+    const std::set<std::string> kept{"vehicle_link", "failsafe",      "executor",
+                                     "ground_port",  "landing_watch", "operator_bridge"};
     EXPECT_EQ(by_name(part::flight, reduced).at(child).wanted, kept.contains(child)) << child;
     EXPECT_TRUE(by_name(part::ground, reduced).at(child).wanted) << child;
     EXPECT_TRUE(by_name(part::after, reduced).at(child).wanted) << child;

@@ -75,6 +75,51 @@ protected:
   }
 };
 
+// Asks the executor, as the real one does, or is silent.
+class bridge_stand_in final : public runtime::actor_base<operator_bridge::desk_handle> {
+public:
+  using executor_handle = runtime::mailbox<runtime::asks<operators::command, operators::answer>>;
+  bridge_stand_in(runtime::spawn_context context, const bool* answers, executor_handle executor,
+                  std::vector<operator_bridge::audit_note>* notes)
+      : actor_base(std::move(context)), answers_(answers), executor_(std::move(executor)), notes_(notes) {}
+
+protected:
+  behavior_type handlers() override {
+    namespace ob = operator_bridge;
+    return {on_deferred<ob::operator_command, ob::command_answer>(
+                [this](const ob::operator_command& m, std::uint64_t request) { take(m, request); }),
+            on<ob::change_control>([](const ob::change_control& m) {
+              return ob::control_answer{true, {}, m.by.name};
+            }),
+            on<ob::get_operators>([](const ob::get_operators&) { return ob::operators_view{}; }),
+            on<ob::get_audit>([](const ob::get_audit& m) {
+              return ob::audit_list{{}, std::vector<ob::audit_row>(m.most)};
+            }),
+            on<ob::audit_note>([this](const ob::audit_note& m) { notes_->push_back(m); }),
+            on<ob::make_link>([](const ob::make_link&) {
+              return ob::link_answer{true, {}, 1};
+            })};
+  }
+
+private:
+  void take(const operator_bridge::operator_command& m, std::uint64_t request) {
+    using operator_bridge::verdict;
+    if (!*answers_)
+      return;
+    ask(
+        executor_, 1s, m.what,
+        [this, request](const operators::answer& answer) {
+          answer_later(request, operator_bridge::command_answer{answer.is_taken ? verdict::taken : verdict::refused,
+                                                                answer.reason});
+        },
+        [](const runtime::ask_error&) {});
+  }
+
+  const bool* answers_;
+  executor_handle executor_;
+  std::vector<operator_bridge::audit_note>* notes_;
+};
+
 struct process {
   explicit process(bool answers, bool has_service = true, bool flies = false) : world(disk, 1) {
     const auto all = world.actors().add<everybody>({.name = "everybody"}, {}, answers);
@@ -84,6 +129,7 @@ struct process {
     others.guardian = world.actors().guardian();
     if (flies) {
       others.flight = all;
+      others.bridge = world.actors().add<bridge_stand_in>({.name = "bridge"}, {}, &bridge_answers, all, &notes);
       others.failsafe = all;
       others.crash = [](const std::string& name) { return name == "executor"; };
     } else {
@@ -98,11 +144,13 @@ struct process {
   json ask(control_request asked) {
     asked.ticket = 7;
     world.tell(who, std::move(asked));
-    world.advance(4s);
+    world.advance(5s);
     const auto answers = box->take();
     EXPECT_EQ(answers.size(), 1U);
     return answers.size() == 1 && answers.front().ticket == 7 ? json::parse(answers.front().line) : json();
   }
+  bool bridge_answers = true;
+  std::vector<operator_bridge::audit_note> notes;
   std::shared_ptr<response_queue> box =
       std::make_shared<response_queue>(io::link::descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)));
   runtime::simulated_disk disk;
@@ -133,13 +181,20 @@ TEST(control_requests, a_part_that_does_not_answer_holds_up_nobody_and_is_said) 
   EXPECT_TRUE(answer.at("vehicle").contains("error"));
 }
 
+control_request retry(const std::string& key) {
+  control_request result;
+  result.what = request_kind::outbox_retry;
+  result.key = key;
+  return result;
+}
+
 TEST(control_requests, a_retry_is_mission_clients_answer) {
-  const auto all = process(true).ask({0, request_kind::outbox_retry, "", {}, {}, 0});
+  const auto all = process(true).ask(retry(""));
   EXPECT_EQ(all.at("ok"), true);
   EXPECT_EQ(all.at("tried_now"), 2);
-  EXPECT_EQ(process(true).ask({0, request_kind::outbox_retry, "no such row", {}, {}, 0}).at("ok"), false);
-  EXPECT_EQ(process(false).ask({0, request_kind::outbox_retry, "", {}, {}, 0}).at("ok"), false);
-  EXPECT_EQ(process(true, false).ask({0, request_kind::outbox_retry, "", {}, {}, 0}).at("ok"), false);
+  EXPECT_EQ(process(true).ask(retry("no such row")).at("ok"), false);
+  EXPECT_EQ(process(false).ask(retry("")).at("ok"), false);
+  EXPECT_EQ(process(true, false).ask(retry("")).at("ok"), false);
 }
 
 control_request command(operators::command_kind what) {
@@ -155,6 +210,36 @@ TEST(control_requests, a_word_is_taken_or_refused_with_the_executors_reason) {
   EXPECT_EQ(refused.at("ok"), false);
   EXPECT_EQ(refused.at("error"), "not now");
   EXPECT_EQ(process(false, true, true).ask(command(operators::command_kind::start)).at("ok"), false) << "no answer";
+}
+
+TEST(control_requests, a_hold_and_a_return_reach_the_executor_also_when_operator_bridge_does_not_answer) {
+  for (const auto kind : {operators::command_kind::pause, operators::command_kind::come_home}) {
+    process p(true, true, true);
+    p.bridge_answers = false;
+    EXPECT_EQ(p.ask(command(kind)).at("error"), "not now") << "the executor's own words";
+    ASSERT_EQ(p.notes.size(), 1U);
+    EXPECT_NE(p.notes[0].what.find("past operator_bridge"), std::string::npos);
+  }
+}
+
+TEST(control_requests, any_other_command_is_not_taken_past_operator_bridge) {
+  process p(true, true, true);
+  p.bridge_answers = false;
+  const auto answer = p.ask(command(operators::command_kind::start));
+  EXPECT_EQ(answer.at("ok"), false);
+  EXPECT_NE(answer.at("error").get<std::string>().find("operator_bridge"), std::string::npos);
+}
+
+TEST(control_requests, control_and_the_audit_are_asked_of_operator_bridge) {
+  control_request asked;
+  asked.by = "anna";
+  asked.what = request_kind::control;
+  EXPECT_EQ(process(true, true, true).ask(asked).at("holder"), "anna");
+  EXPECT_EQ(process(true).ask(asked).at("ok"), false);
+  asked.what = request_kind::audit;
+  asked.rows = 7;
+  EXPECT_EQ(process(true, true, true).ask(asked).at("rows").size(), 7U);
+  EXPECT_EQ(process(true).ask(asked).at("ok"), false);
 }
 
 TEST(control_requests, who_runs_on_the_ground_takes_no_word) {

@@ -46,6 +46,35 @@ TEST(control_request_line, who_is_sent_elsewhere_is_told_where) {
   EXPECT_FALSE(read_request(R"({"do": "insert", "by": "anna", "place": {"latitude": "north"}})"));
 }
 
+TEST(control_request_line, a_command_may_have_an_id_a_deadline_and_the_state_that_it_is_meant_for) {
+  const auto start = read_request(
+      R"({"do": "start", "by": "anna", "id": "a-1", "valid_until_ns": 1800000000000000000, "state": "ready/none"})");
+  ASSERT_TRUE(start) << start.error();
+  EXPECT_EQ(start->id, "a-1");
+  EXPECT_EQ(start->valid_until_ns, 1'800'000'000'000'000'000);
+  EXPECT_EQ(start->said.state, "ready/none");
+  EXPECT_FALSE(read_request(R"({"do": "start", "by": "anna", "valid_until_ns": 18446744073709551615})"));
+  EXPECT_FALSE(read_request(R"({"do": "start", "by": "anna", "valid_until_ns": "soon"})"));
+}
+
+TEST(control_request_line, control_is_taken_given_and_handed_over_to_somebody) {
+  const auto take = read_request(R"({"do": "control", "by": "anna", "act": "take_over"})");
+  ASSERT_TRUE(take) << take.error();
+  EXPECT_EQ(take->act, godwit::operator_bridge::control_act::take_over);
+  EXPECT_EQ(take->by, "anna");
+  EXPECT_EQ(read_request(R"({"do": "control", "act": "hand_over", "to": "bob"})")->to, "bob");
+  EXPECT_FALSE(read_request(R"({"do": "control", "act": "hand_over"})"));
+  EXPECT_FALSE(read_request(R"({"do": "control", "act": "steal"})"));
+}
+
+TEST(control_request_line, the_audit_is_asked_for_by_its_newest_rows) {
+  EXPECT_EQ(read_request(R"({"do": "audit"})")->rows, 50U);
+  EXPECT_EQ(read_request(R"({"do": "audit", "rows": 200})")->rows, 200U);
+  for (const auto* line :
+       {R"({"do": "audit", "rows": 0})", R"({"do": "audit", "rows": 201})", R"({"do": "audit", "rows": -1})"})
+    EXPECT_FALSE(read_request(line)) << line;
+}
+
 TEST(control_request_line, an_override_has_a_rule_and_a_time) {
   const auto one =
       read_request(R"({"do": "override", "by": "anna", "rule": "operator_link", "seconds": 60, "reason": "a hill"})");

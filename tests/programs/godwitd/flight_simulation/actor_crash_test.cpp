@@ -17,8 +17,8 @@ using namespace godwit::tests;
 using executor::phase;
 using runtime::crash_point;
 
-constexpr std::array actors{"vehicle_link",   "failsafe", "mapobjects_store",
-                            "mission_client", "executor", "ground_port"};
+constexpr std::array actors{"vehicle_link", "failsafe",    "mapobjects_store", "mission_client",
+                            "executor",     "ground_port", "operator_bridge"};
 constexpr std::array points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
                             crash_point::before_dispatch};
 // As each of these begins, the next throw is planned. Five within a minute, and an actor would be given up.

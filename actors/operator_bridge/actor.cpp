@@ -1,0 +1,94 @@
+#include "actors/operator_bridge/actor.hpp"
+
+namespace godwit::operator_bridge {
+
+actor::actor(runtime::spawn_context context, const settings& configured, executor_handle executor)
+    : durable_actor(std::move(context)), settings_(configured), executor_(std::move(executor)) {}
+
+actor::~actor() = default;
+
+template <class Q, class R>
+auto actor::decides(std::pair<effects, R> (core::*judge)(const Q&, instant)) {
+  return on_deferred<Q, R>([this, judge](const Q& m, std::uint64_t request_id) {
+    const auto [wanted, answer] = ((*core_).*judge)(m, now());
+    carry_out(wanted);
+    after_commit([this, request_id, answer = answer] { answer_later(request_id, answer); });
+  });
+}
+
+actor::behavior_type actor::handlers() {
+  return {on_deferred<operator_command, command_answer>(
+              [this](const operator_command& m, std::uint64_t request_id) { take(m, request_id); }),
+          decides(&core::on_control),
+          on<get_operators>([this](const get_operators&) { return core_->describe(now()); }),
+          decides(&core::on_get_audit),
+          on<audit_note>([this](const audit_note& m) { carry_out(core_->on_note(m, now())); }), decides(&core::on_link),
+          decides<open_session, session_answer>(&core::on_open), decides<use_link, session_answer>(&core::on_open),
+          // From memory: it is asked for with each request.
+          on<identify>([this](const identify& m) {
+            auto [wanted, answer] = core_->on_identify(m, now());
+            carry_out(wanted);
+            return answer;
+          }),
+          decides(&core::on_end),
+          on<accounts_read>([this](const accounts_read& m) { carry_out(core_->on_accounts(m, now())); })};
+}
+
+void actor::started() {
+  core_.emplace(settings_, current_state(), now());
+  carry_out(core_->on_start(now()));
+}
+
+// What the journal does not take any more is not promised either.
+void actor::take(const operator_command& m, std::uint64_t request_id) {
+  if (is_refused_by_journal() && !operators::is_stop(m.what.kind))
+    answer_later(request_id, command_answer{verdict::busy, "the disk takes nothing now; hold and return still go out"});
+  else
+    carry_out(core_->on_command(m, request_id, now()));
+}
+
+void actor::on_deadline() { carry_out(core_->on_time(now())); }
+
+void actor::carry_out(const effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+  plan_deadline();
+}
+
+void actor::carry_out(const hand_over& each) {
+  if (each.at_once)
+    send_at_once([this, &each] { ask_executor(each.number, each.what); });
+  else
+    after_commit([this, number = each.number] { release(number); });
+}
+
+void actor::carry_out(const reply& each) {
+  if (each.waits)
+    after_commit([this, each] { answer_later(each.request, each.answer); });
+  else
+    answer_later(each.request, each.answer);
+}
+
+void actor::release(std::uint64_t number) {
+  const auto decided = core_->on_written(number, now());
+  if (decided.goes)
+    ask_executor(number, decided.what);
+  else if (!decided.otherwise.empty())
+    at_end([this, decided] { carry_out(decided.otherwise); });
+}
+
+void actor::ask_executor(std::uint64_t number, const operators::command& what) {
+  ask(
+      executor_, executor_patience, what,
+      [this, number](const operators::answer& answer) { carry_out(core_->on_answer(number, answer, now())); },
+      [this, number](const runtime::ask_error& why) {
+        carry_out(core_->on_no_answer(number, why.code != runtime::ask_errc::not_taken, now()));
+      });
+}
+
+void actor::plan_deadline() {
+  if (const auto due_ns = core_->next_due_ns(); due_ns != core::never_due)
+    wake_at(due_ns);
+}
+
+} // namespace godwit::operator_bridge

@@ -1,0 +1,58 @@
+// operator_bridge as an actor: between those who bring what operators say and the executor.
+//
+// The decisions are in core.hpp. This shell commits the notes of a decision as one write, hands a stop over in the same
+// turn and anything else when that write is on the disk, and answers. A crash forgets who waits for an answer: whoever
+// asks again with the same id hears what is known. Errors: as answers. Thread: as actor_base.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "actors/operator_bridge/core.hpp"
+#include "messages/executor/handle.hpp"
+#include "messages/operator_bridge/handle.hpp"
+#include "runtime/durable_actor.hpp"
+
+namespace godwit::operator_bridge {
+
+using executor_handle = runtime::mailbox<runtime::asks<operators::command, operators::answer>>;
+
+class actor final : public runtime::durable_actor<own_handle, durable_core> {
+public:
+  // The executor answers when the disk has it; together with core::release_within_ns less than those who ask wait.
+  static constexpr std::chrono::milliseconds executor_patience{2'000};
+
+  actor(runtime::spawn_context context, const settings& configured, executor_handle executor);
+  ~actor() override;
+
+protected:
+  behavior_type handlers() override;
+  void started() override;
+  void on_deadline() override;
+  void dispatch(const durable_core::effect&) override {}
+  [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
+
+private:
+  [[nodiscard]] instant now() {
+    const auto at = handler_time();
+    return {at.monotonic_ns, at.wall_ns};
+  }
+  // A handler that asks the core, and answers when all that it has decided is on the disk.
+  template <class Q, class R>
+  auto decides(std::pair<effects, R> (core::*judge)(const Q&, instant));
+  void take(const operator_command& m, std::uint64_t request_id);
+  void carry_out(const effects& wanted);
+  void carry_out(const note& each) { commit(each.what); }
+  void carry_out(const hand_over& each);
+  void carry_out(const reply& each);
+  void release(std::uint64_t number);
+  void ask_executor(std::uint64_t number, const operators::command& what);
+  void plan_deadline();
+
+  settings settings_;
+  executor_handle executor_;
+  std::optional<core> core_;
+};
+
+} // namespace godwit::operator_bridge

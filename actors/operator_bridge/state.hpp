@@ -1,0 +1,146 @@
+// What of operator_bridge must survive a crash: who is logged in, who has control, which commands were obeyed, and the
+// audit. The facts change it and decide nothing. Pure. Thread: plain values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "messages/operator_bridge/audit.hpp"
+#include "messages/operator_bridge/command.hpp"
+#include "messages/operator_bridge/control.hpp"
+#include "messages/operator_bridge/session.hpp"
+
+namespace godwit::operator_bridge {
+
+inline constexpr std::size_t max_kept_commands = 256; // ids whose repetition is known
+inline constexpr std::size_t max_kept_of_one = 64;    // of one person or program
+inline constexpr std::size_t max_audit_rows = 200;    // of people who are known; the journal's table has more
+inline constexpr std::size_t max_stranger_rows = 50;  // of others, so that they displace nobody
+inline constexpr std::size_t max_sessions = 64;       // of all; one more ends the one that was silent for longest
+inline constexpr std::size_t max_sessions_of_one = 8; // of one name
+inline constexpr std::size_t max_links = 8;           // of `ctl login` that nobody has used
+inline constexpr std::int64_t alike_within_ns = 60'000'000'000; // rows that say the same are one row
+
+struct session {
+  std::string id; // "s7"
+  account who;    // as it was at the login; without a stamp: by a link, and of no account
+  std::string token_hash;
+  std::string from;
+  std::int64_t opened_ns = 0;
+  std::int64_t used_ns = 0; // written once a minute at most
+  static constexpr auto fields =
+      io::table("operator_bridge.session", io::field("id", &session::id), io::field("who", &session::who),
+                io::field("token_hash", &session::token_hash), io::field("from", &session::from),
+                io::field("opened_ns", &session::opened_ns), io::field("used_ns", &session::used_ns));
+};
+
+struct link {
+  std::string hash;
+  operators::principal by;
+  std::int64_t until_ns = 0;
+  static constexpr auto fields = io::table("operator_bridge.link", io::field("hash", &link::hash),
+                                           io::field("by", &link::by), io::field("until_ns", &link::until_ns));
+};
+
+// A command that was handed on, or refused to somebody who is known. While it has no answer, it is with the executor:
+// after a crash nobody can say what became of it.
+struct kept_command {
+  std::uint64_t number = 0;
+  operators::principal by;
+  std::string id;   // empty: it is not repeated
+  std::string text; // of the command, to tell a repetition from another one
+  std::int64_t valid_until_ns = 0;
+  std::optional<command_answer> answer;
+  static constexpr auto fields = io::table(
+      "operator_bridge.kept_command", io::field("number", &kept_command::number), io::field("by", &kept_command::by),
+      io::field("id", &kept_command::id), io::field("text", &kept_command::text),
+      io::field("valid_until_ns", &kept_command::valid_until_ns), io::field("answer", &kept_command::answer));
+};
+
+// -- facts ------------------------------------------------------------------------------------------
+
+struct command_kept {
+  kept_command what;
+  static constexpr auto fields = io::table("operator_bridge.command_kept", io::field("what", &command_kept::what));
+};
+
+struct command_ended {
+  std::uint64_t number = 0;
+  command_answer answer;
+  static constexpr auto fields = io::table("operator_bridge.command_ended", io::field("number", &command_ended::number),
+                                           io::field("answer", &command_ended::answer));
+};
+
+struct audited {
+  audit_row row; // without its number and time
+  static constexpr auto fields = io::table("operator_bridge.audited", io::field("row", &audited::row));
+};
+
+struct control_changed {
+  std::optional<operators::principal> to; // none: it is free
+  static constexpr auto fields = io::table("operator_bridge.control_changed", io::field("to", &control_changed::to));
+};
+
+struct session_opened {
+  session what; // without its times
+  static constexpr auto fields = io::table("operator_bridge.session_opened", io::field("what", &session_opened::what));
+};
+
+struct session_used {
+  std::string id;
+  static constexpr auto fields = io::table("operator_bridge.session_used", io::field("id", &session_used::id));
+};
+
+struct session_closed {
+  std::string id;
+  static constexpr auto fields = io::table("operator_bridge.session_closed", io::field("id", &session_closed::id));
+};
+
+struct link_made {
+  link what;
+  static constexpr auto fields = io::table("operator_bridge.link_made", io::field("what", &link_made::what));
+};
+
+struct link_dropped {
+  std::string hash;
+  static constexpr auto fields = io::table("operator_bridge.link_dropped", io::field("hash", &link_dropped::hash));
+};
+
+struct state {
+  std::uint64_t last_command = 0;
+  std::uint64_t last_session = 0;
+  std::uint64_t last_row = 0;
+  std::vector<kept_command> commands; // the oldest first, bounded by max_kept_commands
+  std::vector<session> sessions;      // bounded by max_sessions
+  std::vector<link> links;            // bounded by max_links
+  std::optional<control_holder> control;
+  std::vector<audit_row> audit;     // the oldest first, bounded by max_audit_rows
+  std::vector<audit_row> strangers; // the same of those without a session, bounded by max_stranger_rows
+  static constexpr int version = 1;
+  static constexpr auto fields =
+      io::table("operator_bridge.state", io::field("last_command", &state::last_command),
+                io::field("last_session", &state::last_session), io::field("last_row", &state::last_row),
+                io::field("commands", &state::commands), io::field("sessions", &state::sessions),
+                io::field("links", &state::links), io::field("control", &state::control),
+                io::field("audit", &state::audit), io::field("strangers", &state::strangers));
+};
+
+struct durable_core {
+  using state = operator_bridge::state;
+  using event = std::variant<command_kept, command_ended, audited, control_changed, session_opened, session_used,
+                             session_closed, link_made, link_dropped>;
+  using effect = std::variant<command_answer>; // none comes of a fact: the shell answers
+
+  [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t at_ns);
+  [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
+};
+
+// A new id can be kept: there is room, or one whose time has passed gives it.
+[[nodiscard]] bool has_room(const state& s, const operators::principal& who, std::int64_t wall_ns);
+
+} // namespace godwit::operator_bridge

@@ -1,0 +1,54 @@
+// The audit: who said what, when, and what came of it. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "messages/operator/principal.hpp"
+
+namespace godwit::operator_bridge {
+
+struct audit_row {
+  std::uint64_t number = 0;      // 1, 2, 3, ... without a gap; made by operator_bridge
+  std::int64_t at_ns = 0;        // ns since 1970 (UTC); of the last one, where several are one row
+  operators::principal who = {}; // without a session: a stranger, under the name that was given
+  std::string what = {};         // "start", "take control"
+  std::string id = {};           // of a command that has one
+  std::string outcome = {};      // the name of a verdict; "done", "refused"
+  std::string reason = {};       // sentence for people; may be empty
+  std::uint32_t count = 1;       // how many alike are in this row
+  static constexpr auto fields = io::table(
+      "operator_bridge.audit_row", io::field("number", &audit_row::number), io::field("at_ns", &audit_row::at_ns),
+      io::field("who", &audit_row::who), io::field("what", &audit_row::what), io::field("id", &audit_row::id),
+      io::field("outcome", &audit_row::outcome), io::field("reason", &audit_row::reason),
+      io::field("count", &audit_row::count));
+};
+
+// Something that was done past operator_bridge, and is to be in the audit.
+struct audit_note {
+  operators::principal who;
+  std::string what;
+  std::string outcome;
+  std::string reason;
+  static constexpr auto fields =
+      io::table("operator_bridge.audit_note", io::field("who", &audit_note::who), io::field("what", &audit_note::what),
+                io::field("outcome", &audit_note::outcome), io::field("reason", &audit_note::reason));
+};
+
+struct get_audit {
+  operators::principal by;
+  std::uint32_t most = 50; // the newest
+  static constexpr auto fields =
+      io::table("operator_bridge.get_audit", io::field("by", &get_audit::by), io::field("most", &get_audit::most));
+};
+
+struct audit_list {
+  std::string refusal;         // empty: here it is
+  std::vector<audit_row> rows; // the oldest first
+  static constexpr auto fields = io::table("operator_bridge.audit_list", io::field("refusal", &audit_list::refusal),
+                                           io::field("rows", &audit_list::rows));
+};
+
+} // namespace godwit::operator_bridge

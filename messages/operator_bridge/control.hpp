@@ -1,0 +1,81 @@
+// Who has control: the one operator whose commands move the vehicle. Hold and return are open to every operator.
+//
+// Control of who is silent for control_silent_ns is free. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "messages/operator/principal.hpp"
+
+namespace godwit::operator_bridge {
+
+enum class control_act {
+  take,      // that is free, or one's own in another session
+  take_over, // from whoever has it: an engineer
+  give,      // one's own: it is free then
+  hand_over  // one's own, to an operator who is logged in
+};
+
+constexpr auto enum_names(control_act) {
+  return io::names<control_act>({{control_act::take, "take"},
+                                 {control_act::take_over, "take_over"},
+                                 {control_act::give, "give"},
+                                 {control_act::hand_over, "hand_over"}});
+}
+
+struct change_control {
+  operators::principal by;
+  control_act act = control_act::take;
+  std::string to; // hand_over: a name
+  static constexpr auto fields =
+      io::table("operator_bridge.change_control", io::field("by", &change_control::by),
+                io::field("act", &change_control::act), io::field("to", &change_control::to));
+};
+
+struct control_answer {
+  bool is_done = false;
+  std::string reason; // sentence for people; empty when done
+  std::string holder; // who has control behind it; empty: nobody
+  static constexpr auto fields =
+      io::table("operator_bridge.control_answer", io::field("is_done", &control_answer::is_done),
+                io::field("reason", &control_answer::reason), io::field("holder", &control_answer::holder));
+};
+
+struct control_holder {
+  operators::principal who;
+  std::int64_t since_ns = 0; // ns since 1970 (UTC)
+  static constexpr auto fields = io::table("operator_bridge.control_holder", io::field("who", &control_holder::who),
+                                           io::field("since_ns", &control_holder::since_ns));
+  friend bool operator==(const control_holder&, const control_holder&) = default;
+};
+
+struct get_operators {
+  static constexpr auto fields = io::table("operator_bridge.get_operators");
+};
+
+struct session_view {
+  operators::principal who;
+  std::string from; // the way that the login took, such as an address
+  std::int64_t opened_ns = 0;
+  std::int64_t used_ns = 0; // last, to a minute
+  static constexpr auto fields = io::table(
+      "operator_bridge.session_view", io::field("who", &session_view::who), io::field("from", &session_view::from),
+      io::field("opened_ns", &session_view::opened_ns), io::field("used_ns", &session_view::used_ns));
+};
+
+struct operators_view {
+  std::optional<control_holder> control; // none: it is free
+  std::vector<session_view> sessions;
+  std::uint64_t commands = 0; // since godwitd began
+  std::uint64_t refused = 0;  // of them
+  static constexpr auto fields =
+      io::table("operator_bridge.operators_view", io::field("control", &operators_view::control),
+                io::field("sessions", &operators_view::sessions), io::field("commands", &operators_view::commands),
+                io::field("refused", &operators_view::refused));
+};
+
+} // namespace godwit::operator_bridge

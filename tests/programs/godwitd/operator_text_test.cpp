@@ -1,0 +1,36 @@
+#include "programs/godwitd/operator_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace godwit::daemon;
+using nlohmann::json;
+
+TEST(operator_text, a_row_of_the_audit_says_when_who_what_and_what_came_of_it) {
+  const json row{{"at_ns", 1'800'000'000'900'000'000},
+                 {"who", {{"name", "anna"}, {"role", "operator"}, {"session", "s7"}}},
+                 {"what", "start"},
+                 {"outcome", "refused"},
+                 {"reason", "not ready"},
+                 {"count", 2}};
+  EXPECT_EQ(audit_text({{"rows", {row}}}),
+            "2027-01-15T08:00:00Z  anna (operator, s7): start: refused, 2 times (not ready)");
+  EXPECT_EQ(audit_text({{"rows", json::array()}}), "nobody has said anything");
+}
+
+TEST(operator_text, a_stranger_is_shown_as_one) {
+  const json row{{"at_ns", 0}, {"who", {{"name", "mallory"}}}, {"what", "start"}, {"outcome", "no_session"}};
+  EXPECT_EQ(audit_text({{"rows", {row}}}), "1970-01-01T00:00:00Z  mallory (unknown): start: no_session");
+}
+
+TEST(operator_text, who_has_control_is_said) {
+  EXPECT_EQ(control_text({{"holder", "anna"}}), "anna has control");
+  EXPECT_EQ(control_text({{"holder", ""}}), "control is free");
+  const json anna{{"name", "anna"}, {"role", "operator"}, {"session", "s7"}};
+  EXPECT_EQ(operators_line({{"control", {{"who", anna}}}, {"sessions", {{{"who", anna}}}}}),
+            "anna has control, anna (operator, s7)");
+  EXPECT_EQ(operators_line({{"control", nullptr}, {"sessions", json::array()}}), "control is free");
+}
+
+} // namespace

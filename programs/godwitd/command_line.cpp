@@ -33,6 +33,7 @@ Examples:
   godwitd ctl status
   godwitd ctl start
   godwitd ctl outbox-retry
+  godwitd operator add anna --role operator
   godwitd convert survey.plan survey.json
 
 Signals: SIGTERM and SIGINT end it in order, a second one at once; SIGHUP opens the log file anew.
@@ -156,6 +157,9 @@ void add_operators(CLI::App& ctl, invocation& to) {
       to.control.act = which;
     });
   }
+  auto* const login = ctl.add_subcommand("login", "Prints a link that logs in once, within five minutes.");
+  login->fallthrough();
+  login->callback([&to] { to.what = task::make_link; });
   auto* const audit = ctl.add_subcommand("audit", "Who said what, when, and what came of it.");
   audit->fallthrough();
   audit->add_option("--rows", to.rows, "The newest, 1 to 200 (50)")->check(CLI::Range(1, 200));
@@ -205,6 +209,46 @@ void add_control(CLI::App& app, invocation& to) {
   rescue->callback([&to] { to.what = task::rescue_journal; });
 }
 
+struct account_row {
+  accounts::operator_act act;
+  const char* name;
+  const char* help;
+};
+
+constexpr account_row account_acts[] = {
+    {accounts::operator_act::add, "add", "Makes an account; asks for its password, or reads it from standard input."},
+    {accounts::operator_act::passwd, "passwd", "Asks for a new password; sessions with the old one end."},
+    {accounts::operator_act::token, "token", "Prints a new token for a program, once; the one before is good no more."},
+    {accounts::operator_act::remove, "remove", "Removes an account; its sessions end."},
+    {accounts::operator_act::list, "list", "Who there is."}};
+
+void add_accounts(CLI::App& app, invocation& to) {
+  auto* const all = app.add_subcommand("operator", "Who may talk to godwit from afar: the accounts in a file.");
+  all->require_subcommand(1);
+  all->fallthrough();
+  for (const auto& row : account_acts) {
+    auto* const act = all->add_subcommand(row.name, row.help);
+    act->fallthrough();
+    if (row.act != accounts::operator_act::list)
+      act->add_option("NAME", to.account.name, "1 to 32 small letters, digits and -._")->required();
+    if (row.act == accounts::operator_act::add)
+      act->add_option_function<std::string>(
+             "--role",
+             [&to](const std::string& text) {
+               const auto role = io::value_of<operators::role>(text);
+               if (!role)
+                 throw CLI::ValidationError("--role: viewer looks, operator flies, engineer takes control from others");
+               to.account.role = *role;
+             },
+             "viewer, operator or engineer")
+          ->required();
+    act->callback([&to, which = row.act] {
+      to.what = task::keep_accounts;
+      to.account.act = which;
+    });
+  }
+}
+
 void add_convert(CLI::App& app, invocation& to) {
   auto* const convert = app.add_subcommand("convert", "Turns a mission from one file format into another.");
   convert->fallthrough();
@@ -222,6 +266,7 @@ tl::expected<invocation, exit_code> read_command_line(int argc, const char* cons
   app.footer(examples);
   add_options(app, result);
   add_control(app, result);
+  add_accounts(app, result);
   add_convert(app, result);
   try {
     app.parse(argc, argv);

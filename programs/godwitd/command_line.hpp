@@ -10,6 +10,7 @@
 
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/control.hpp"
+#include "programs/godwitd/accounts/operator_command.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/convert_command.hpp"
 #include "runtime/process.hpp"
@@ -28,7 +29,9 @@ enum class task {
   crash_actor,
   rescue_journal,
   change_control,
-  list_audit
+  list_audit,
+  make_link,
+  keep_accounts
 };
 
 struct wanted_override {
@@ -44,15 +47,16 @@ struct wanted_control {
 
 struct invocation {
   task what = task::run;
-  given_texts options;        // by the names of option_table.hpp
-  bool json = false;          // answers for programs
-  convert_arguments files;    // convert
-  std::string outbox_key;     // retry_outbox; empty: all
-  operators::command said;    // say_word; by is left empty
-  wanted_override overridden; // override_failsafe
-  std::string actor;          // crash_actor
-  wanted_control control;     // change_control
-  std::uint32_t rows = 50;    // list_audit
+  given_texts options;                  // by the names of option_table.hpp
+  bool json = false;                    // answers for programs
+  convert_arguments files;              // convert
+  std::string outbox_key;               // retry_outbox; empty: all
+  operators::command said;              // say_word; by is left empty
+  wanted_override overridden;           // override_failsafe
+  std::string actor;                    // crash_actor
+  wanted_control control;               // change_control
+  std::uint32_t rows = 50;              // list_audit
+  accounts::operator_arguments account; // keep_accounts
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
 };
 

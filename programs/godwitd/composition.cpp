@@ -74,6 +74,12 @@ checked composition::open_files() {
       return tl::make_unexpected(std::move(feed.error()));
     feed_ = *std::move(feed);
   }
+  if (wanted_.flies) {
+    auto keeper = accounts::account_keeper::open(wanted_.accounts_file);
+    if (!keeper)
+      return tl::make_unexpected(std::move(keeper.error()));
+    keeper_ = *std::move(keeper);
+  }
   io::link::descriptor readable(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
   if (!readable.is_open())
     return tl::make_unexpected(std::string("no descriptor is left: ") + std::strerror(errno));
@@ -219,6 +225,7 @@ checked composition::open() {
     open_ground();
   open_operator_port();
   open_feed();
+  open_accounts();
   hand_over_mission();
   return {};
 }
@@ -291,6 +298,16 @@ void composition::open_feed() {
       [this](const std::string& sentence) {
         announce({sentence, true}, "sighting_feed");
       });
+}
+
+void composition::open_accounts() {
+  if (!keeper_)
+    return;
+  const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("accounts"));
+  keeper_->start([way_in, bridge = flight_.bridge](const auto& all) { way_in->tell(bridge, all); },
+                 [this](const std::string& sentence) {
+                   announce({sentence, true}, "accounts");
+                 });
 }
 
 // A line that can not be opened is no reason not to fly.
@@ -370,6 +387,7 @@ void composition::announce(const ground_run::announce& said, std::string_view pa
 int composition::close(runtime::exit_code code) {
   operator_port_.close([this] { view_api_->close(); });
   control_.reset();
+  keeper_.reset();
   if (feed_)
     feed_->stop();
   vehicle_port_->close();

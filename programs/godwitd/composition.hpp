@@ -15,6 +15,7 @@
 #include "actors/vehicle_link/link_port.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
+#include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/control/request_handler.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/flight_actors.hpp"
@@ -72,6 +73,7 @@ private:
   void open_operator_port();
   [[nodiscard]] health::host_figures read_host() const;
   void open_feed();
+  void open_accounts();
   void hand_over_mission();
   [[nodiscard]] tl::expected<void, std::string> open_map();
   void tell_open_lines();
@@ -107,6 +109,7 @@ private:
   sightings::feeder_handle feeder_;
   control::request_handle request_handler_;
 
+  std::unique_ptr<accounts::account_keeper> keeper_; // with a flight
   std::unique_ptr<control::server> control_;
   operator_port::port operator_port_;
   std::shared_ptr<operator_port::view_api> view_api_; // none without the port

@@ -5,6 +5,7 @@
 #include "actors/mission_client/http_service.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
+#include "programs/godwitd/accounts/account_file.hpp"
 #include "programs/godwitd/clock_check.hpp"
 #include "programs/godwitd/convert_command.hpp"
 #include "programs/godwitd/limit_check.hpp"
@@ -38,6 +39,8 @@ void check_inputs(const daemon_settings& wanted, problem_list& to) {
   if (!wanted.signing_key_file.empty())
     if (const auto key = io::mavlink::load_key_file(wanted.signing_key_file); !key)
       to.add("signing-key", key.error().message());
+  if (const auto accounts = accounts::load(wanted.accounts_file); !accounts)
+    to.add("accounts", accounts.error());
   if (!wanted.mission_file.empty())
     if (const auto mission = load_mission_file(wanted.mission_file, wanted.allow_partial); !mission)
       to.add("mission", mission.error());

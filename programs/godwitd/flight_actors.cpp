@@ -117,8 +117,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_failsafe->people.emplace_back(made.ground);
     base.of_vehicle->add(made.ground);
   }
-  made.bridge = actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable,
-                                                   operator_bridge::settings{}, made.executor);
+  made.bridge =
+      actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable, settings.sessions, made.executor);
   of_executor->vehicle = base.vehicle;
   of_executor->guardian = actors.guardian();
   actors.set_supervisor(made.executor);

@@ -60,6 +60,8 @@ inline constexpr std::array option_rows{
                "Speaks there as the autopilot: for ground stations that speak with no other component"},
     option_row{"ground-signing-key", "/ground/key_file", option_kind::text, "FILE",
                "Signs on that line with this key, and believes only what is signed with it; mode 0600"},
+    option_row{"accounts", "/operator/accounts", option_kind::text, "FILE",
+               "The accounts of operators, as `godwitd operator` writes them (beside the journal)"},
     option_row{"sightings", "/sightings/file", option_kind::text, "FILE",
                "Takes sightings from this file of JSON lines; - is standard input"},
     option_row{"once", "/sightings/once", option_kind::flag, "",

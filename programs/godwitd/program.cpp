@@ -10,11 +10,13 @@
 #include <string>
 #include <system_error>
 
+#include "actors/domain/mission/utc_text.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/fields/json_text.hpp"
 #include "messages/mission/item_fields.hpp"
 #include "programs/common/control_client.hpp"
 #include "programs/common/printable.hpp"
+#include "programs/godwitd/accounts/token.hpp"
 #include "programs/godwitd/command_line.hpp"
 #include "programs/godwitd/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
@@ -113,6 +115,25 @@ json question_of(const operators::command& said) {
   return result;
 }
 
+// The link is made here and never goes over the socket: what it is known by does.
+exit_code make_link(const json& configuration, bool as_json) {
+  const auto link = accounts::new_token();
+  const auto answer = control::ask_daemon(
+      control_path(configuration),
+      {{"do", "login"}, {"by", speaker()}, {"link_hash", accounts::hash_of_token(link.revealed())}});
+  if (!answer)
+    return fail(exit_code::failed, answer.error());
+  if (!answer->value("ok", false))
+    return fail(exit_code::failed, programs::printable(answer->value("error", std::string("refused"))));
+  const auto until =
+      mission::utc_text(answer->value("valid_until_ns", std::int64_t{0}) / 1'000'000'000 * 1'000'000'000);
+  if (as_json)
+    print(json{{"link", link.revealed()}, {"valid_until", until}}.dump() + "\n");
+  else
+    print(std::string(link.revealed()) + "\n");
+  return exit_code::ok;
+}
+
 exit_code run_configured(const invocation& asked, const add_more& more) {
   const auto configuration = effective_configuration(asked.options, godwit_variables());
   if (!configuration)
@@ -145,6 +166,10 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
         *configuration,
         {{"do", "control"}, {"by", speaker()}, {"act", io::name_of(asked.control.act)}, {"to", asked.control.to}},
         asked.json, control_text);
+  case task::make_link:
+    return make_link(*configuration, asked.json);
+  case task::keep_accounts:
+    return accounts::run_operator(asked.account, accounts_path(*configuration));
   case task::list_audit:
     return ask_running(*configuration, {{"do", "audit"}, {"by", speaker()}, {"rows", asked.rows}}, asked.json,
                        audit_text);

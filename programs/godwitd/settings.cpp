@@ -27,8 +27,9 @@ tl::unexpected<std::string> wrong(std::string_view option, const std::string& se
 }
 
 // The path at PLACE, or ENDING instead of the journal's.
-std::string beside_journal(const json& configuration, const char* section, const char* ending) {
-  auto given = text(configuration.at(section), "path");
+std::string beside_journal(const json& configuration, const char* section, const char* ending,
+                           const char* key = "path") {
+  auto given = text(configuration.at(section), key);
   return given.empty() ? std::filesystem::path(journal_path(configuration)).replace_extension(ending).string() : given;
 }
 
@@ -205,6 +206,13 @@ void read_map(const json& configuration, daemon_settings& to) {
   to.map.store.rules.moved_above_m = map.at("moved_above_m").get<double>();
 }
 
+void read_accounts(const json& configuration, daemon_settings& to) {
+  const auto& given = configuration.at("operator");
+  to.accounts_file = accounts_path(configuration);
+  to.sessions.session_idle_s = given.at("session_idle_min").get<std::int64_t>() * 60;
+  to.sessions.session_most_s = given.at("session_most_h").get<std::int64_t>() * 3'600;
+}
+
 log_settings log_from(const json& log) {
   log_settings result;
   result.file = text(log, "file");
@@ -227,6 +235,10 @@ std::string map_path(const json& configuration) { return beside_journal(configur
 
 std::string control_path(const json& configuration) { return beside_journal(configuration, "control", ".control"); }
 
+std::string accounts_path(const json& configuration) {
+  return beside_journal(configuration, "operator", ".operators", "accounts");
+}
+
 tl::expected<daemon_settings, std::string> settings_from(const json& configuration) {
   daemon_settings result;
   result.process = runtime::options_from(configuration);
@@ -248,6 +260,7 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
   if (auto operators = read_operators(configuration.at("operator"), result); !operators)
     return tl::make_unexpected(std::move(operators.error()));
   read_map(configuration, result);
+  read_accounts(configuration, result);
   read_delivery(configuration, result);
   if (const auto objection = mission_client::objection_to(result.client))
     return tl::make_unexpected(*objection);

@@ -14,6 +14,7 @@
 #include "actors/failsafe/settings.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mission_client/settings.hpp"
+#include "actors/operator_bridge/settings.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
@@ -48,6 +49,8 @@ struct daemon_settings {
   mapobjects_store::map_writer_options map;
   std::string control_path;
   std::optional<operator_port::settings> operators; // none: there is no port for them
+  std::string accounts_file;                        // of operators; need not be there
+  operator_bridge::settings sessions;               // theirs
   std::string sightings_file;                       // "-": standard input; empty: none
   bool once = false;
   bool allow_crash = false; // `godwitd ctl crash` is obeyed: for drills
@@ -61,5 +64,6 @@ struct daemon_settings {
 [[nodiscard]] std::string journal_path(const nlohmann::json& configuration);
 [[nodiscard]] std::string map_path(const nlohmann::json& configuration);
 [[nodiscard]] std::string control_path(const nlohmann::json& configuration);
+[[nodiscard]] std::string accounts_path(const nlohmann::json& configuration);
 
 } // namespace godwit::daemon

@@ -19,7 +19,8 @@ enum class request_kind {
   crash,          // an actor, for drills
   rescue_journal, // its file is lost
   control,        // who has it
-  audit           // what operators have said
+  audit,          // what operators have said
+  login           // a link that logs in once
 };
 
 constexpr auto enum_names(request_kind) {
@@ -30,19 +31,20 @@ constexpr auto enum_names(request_kind) {
                                   {request_kind::crash, "crash"},
                                   {request_kind::rescue_journal, "rescue_journal"},
                                   {request_kind::control, "control"},
-                                  {request_kind::audit, "audit"}});
+                                  {request_kind::audit, "audit"},
+                                  {request_kind::login, "login"}});
 }
 
 struct control_request {
   std::uint64_t ticket = 0; // whom the answer is for
   request_kind what = request_kind::status;
-  std::string key;                    // outbox_retry: of one row; empty: all. crash: the name of the actor
-  operators::command said;            // word
-  failsafe::override_rule overridden; // override_rule; without its end
-  std::int64_t lasts_s = 0;           // override_rule
-  std::string by = {};                // who asks
-  std::string id = {};                // word; empty: it is not repeated
-  std::int64_t valid_until_ns = 0;    // word; ns since 1970 (UTC), 0: a few seconds
+  std::string key;         // outbox_retry: of one row; empty: all. crash: the name of the actor. login: the link's hash
+  operators::command said; // word
+  failsafe::override_rule overridden;                                    // override_rule; without its end
+  std::int64_t lasts_s = 0;                                              // override_rule
+  std::string by = {};                                                   // who asks
+  std::string id = {};                                                   // word; empty: it is not repeated
+  std::int64_t valid_until_ns = 0;                                       // word; ns since 1970 (UTC), 0: a few seconds
   operator_bridge::control_act act = operator_bridge::control_act::take; // control
   std::string to = {};                                                   // control: hand_over
   std::uint32_t rows = 50;                                               // audit: the newest

@@ -64,6 +64,9 @@ void request_handler::take(const control_request& asked) {
   case request_kind::audit:
     list_audit(asked);
     return;
+  case request_kind::login:
+    make_link(asked);
+    return;
   }
 }
 
@@ -211,6 +214,22 @@ void request_handler::change_control(const control_request& asked) {
       [this, ticket = asked.ticket](const operator_bridge::control_answer& answer) {
         json document{{"ok", answer.is_done}, {"holder", answer.holder}};
         if (!answer.is_done)
+          document["error"] = answer.reason;
+        answer_with(ticket, document);
+      },
+      [this, ticket = asked.ticket](const ask_error& why) {
+        answer_with(ticket, {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}});
+      });
+}
+
+void request_handler::make_link(const control_request& asked) {
+  if (!others_.bridge)
+    return answer_with(asked.ticket, on_the_ground());
+  ask(
+      *others_.bridge, answer_timeout, operator_bridge::make_link{speaker(asked), asked.key},
+      [this, ticket = asked.ticket](const operator_bridge::link_answer& answer) {
+        json document{{"ok", answer.is_made}, {"valid_until_ns", answer.valid_until_ns}};
+        if (!answer.is_made)
           document["error"] = answer.reason;
         answer_with(ticket, document);
       },

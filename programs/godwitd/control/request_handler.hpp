@@ -88,6 +88,7 @@ private:
   void say_directly(const control_request& asked);
   void change_control(const control_request& asked);
   void list_audit(const control_request& asked);
+  void make_link(const control_request& asked);
   void note(const control_request& asked, const std::string& what, bool is_done, const std::string& reason);
   void override_rule(const control_request& asked);
   void crash(const control_request& asked);

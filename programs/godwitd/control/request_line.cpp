@@ -113,6 +113,14 @@ control_request with_key(const json& document, request_kind what, const char* ke
   return result;
 }
 
+tl::expected<control_request, std::string> read_login(const json& document) {
+  constexpr std::size_t sha256_digits = 64;
+  auto result = with_key(document, request_kind::login, "link_hash");
+  if (result.key.size() != sha256_digits || result.key.find_first_not_of("0123456789abcdef") != std::string::npos)
+    return tl::make_unexpected(std::string("\"link_hash\" is the SHA-256 of the link, 64 hexadecimal digits"));
+  return result;
+}
+
 } // namespace
 
 tl::expected<control_request, std::string> read_request(std::string_view line) {
@@ -136,9 +144,12 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
     return read_control(document);
   if (what == "audit")
     return read_audit(document);
-  return tl::make_unexpected("\"do\" is status, audit, control, outbox_retry, override, rescue_journal, crash, or a "
-                             "command to the flight: " +
-                             all_verbs());
+  if (what == "login")
+    return read_login(document);
+  return tl::make_unexpected(
+      "\"do\" is status, audit, control, login, outbox_retry, override, rescue_journal, crash, or a "
+      "command to the flight: " +
+      all_verbs());
 }
 
 std::string refusal_line(const std::string& sentence) {

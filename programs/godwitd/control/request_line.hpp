@@ -5,6 +5,7 @@
 //   {"do": "start", "by": "anna"}                    and the other words of messages/operator; may have "id" and
 //                                                    "valid_until_ns" (messages/operator_bridge), and "state"
 //   {"do": "control", "by": "anna", "act": "take"}   or take_over, give, hand_over with "to"
+//   {"do": "login", "by": "anna", "link_hash": "..."}
 //   {"do": "audit", "by": "anna", "rows": 50}
 //   {"do": "acknowledge", "by": "anna", "report": 1}
 //   {"do": "go_to", "by": "anna", "place": {"latitude": 47.398, "longitude": 8.546, "altitude_m": 40}}

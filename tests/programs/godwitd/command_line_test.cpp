@@ -49,6 +49,24 @@ TEST(command_line, control_and_the_audit_are_asked_for) {
   EXPECT_FALSE(read({"ctl", "audit", "--rows", "0"}));
 }
 
+TEST(command_line, an_account_has_a_name_and_a_role_and_never_a_password) {
+  const auto add = read({"operator", "add", "anna", "--role", "engineer", "--accounts", "file"});
+  ASSERT_TRUE(add);
+  EXPECT_EQ(add->what, task::keep_accounts);
+  EXPECT_EQ(add->account.act, accounts::operator_act::add);
+  EXPECT_EQ(add->account.name, "anna");
+  EXPECT_EQ(add->account.role, operators::role::engineer);
+  EXPECT_EQ(add->options.at("accounts"), "file");
+  for (const auto& words : {std::vector<const char*>{"operator", "add", "anna"},
+                            {"operator", "add", "anna", "--role", "king"},
+                            {"operator", "add", "--role", "viewer"},
+                            {"operator", "passwd", "anna", "secret"},
+                            {"operator"}})
+    EXPECT_FALSE(read(words));
+  EXPECT_EQ(read({"operator", "list"})->account.act, accounts::operator_act::list);
+  EXPECT_EQ(read({"ctl", "login"})->what, task::make_link);
+}
+
 TEST(command_line, a_conversion_has_two_files) {
   const auto asked = read({"convert", "a.plan", "b.json", "--allow-partial"});
   ASSERT_TRUE(asked);

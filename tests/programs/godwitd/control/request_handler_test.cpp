@@ -236,6 +236,9 @@ TEST(control_requests, control_and_the_audit_are_asked_of_operator_bridge) {
   asked.what = request_kind::control;
   EXPECT_EQ(process(true, true, true).ask(asked).at("holder"), "anna");
   EXPECT_EQ(process(true).ask(asked).at("ok"), false);
+  asked.what = request_kind::login;
+  EXPECT_EQ(process(true, true, true).ask(asked).at("valid_until_ns"), 1);
+  EXPECT_EQ(process(true).ask(asked).at("ok"), false);
   asked.what = request_kind::audit;
   asked.rows = 7;
   EXPECT_EQ(process(true, true, true).ask(asked).at("rows").size(), 7U);

@@ -75,6 +75,13 @@ TEST(control_request_line, the_audit_is_asked_for_by_its_newest_rows) {
     EXPECT_FALSE(read_request(line)) << line;
 }
 
+TEST(control_request_line, of_a_link_to_log_in_the_hash_is_told) {
+  const std::string hash(64, 'a');
+  EXPECT_EQ(read_request(R"({"do": "login", "by": "anna", "link_hash": ")" + hash + R"("})")->key, hash);
+  EXPECT_FALSE(read_request(R"({"do": "login", "by": "anna", "link_hash": "the link"})"));
+  EXPECT_FALSE(read_request(R"({"do": "login"})"));
+}
+
 TEST(control_request_line, an_override_has_a_rule_and_a_time) {
   const auto one =
       read_request(R"({"do": "override", "by": "anna", "rule": "operator_link", "seconds": 60, "reason": "a hill"})");

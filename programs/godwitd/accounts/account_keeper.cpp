@@ -1,0 +1,131 @@
+#include "programs/godwitd/accounts/account_keeper.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "programs/godwitd/accounts/token.hpp"
+
+namespace godwit::accounts {
+
+tl::expected<std::unique_ptr<account_keeper>, std::string> account_keeper::open(std::string file) {
+  const auto stamp = stamp_of(file);
+  auto all = load(file);
+  if (!all)
+    return tl::make_unexpected(std::move(all.error()));
+  return std::unique_ptr<account_keeper>(new account_keeper(std::move(file), *std::move(all), stamp));
+}
+
+account_keeper::account_keeper(std::string file, account_list all, file_stamp stamp)
+    : file_(std::move(file)), accounts_(std::move(all)), stamp_(stamp) {
+  nobodys_.salt = random_hex(16);
+  nobodys_.hash = random_hex(32);
+}
+
+account_keeper::~account_keeper() {
+  {
+    const std::lock_guard guard(mutex_);
+    stops_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable())
+    thread_.join();
+}
+
+void account_keeper::start(told tell, said say) {
+  tell_ = std::move(tell);
+  say_ = std::move(say);
+  thread_ = std::thread([this] { run(); });
+}
+
+bool account_keeper::has_accounts() const {
+  const std::lock_guard guard(mutex_);
+  return !accounts_.empty();
+}
+
+bool account_keeper::check(attempt what, answered then) {
+  const std::lock_guard guard(mutex_);
+  const auto of_one = std::ranges::count_if(waiting_, [&](const auto& each) { return each.what.from == what.from; });
+  if (waiting_.size() >= max_waiting || static_cast<std::size_t>(of_one) >= max_waiting_of_one)
+    return false;
+  const auto now = now_ms();
+  const auto due = clock::time_point(std::chrono::milliseconds(delay_.due_ms(what.name, what.from, now)));
+  waiting_.push_back({std::move(what), std::move(then), due});
+  changed_.notify_all();
+  return true;
+}
+
+account_keeper::file_stamp account_keeper::stamp_of(const std::string& file) {
+  struct stat found {};
+  if (::lstat(file.c_str(), &found) != 0)
+    return {};
+  return {found.st_ino, found.st_mtim.tv_sec * 1'000'000'000LL + found.st_mtim.tv_nsec};
+}
+
+std::int64_t account_keeper::now_ms() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(clock::now().time_since_epoch()).count();
+}
+
+void account_keeper::run() {
+  tell_(described(accounts_));
+  std::unique_lock lock(mutex_);
+  auto looks = clock::now() + look_each;
+  while (!stops_) {
+    const auto now = clock::now();
+    const auto next = std::ranges::min_element(waiting_, {}, &waiting::due);
+    if (next != waiting_.end() && next->due <= now) {
+      auto one = std::move(*next);
+      waiting_.erase(next);
+      lock.unlock();
+      look_at_file();
+      judge(std::move(one));
+      lock.lock();
+      continue;
+    }
+    if (now >= looks) {
+      lock.unlock();
+      look_at_file();
+      lock.lock();
+      looks = now + look_each;
+      continue;
+    }
+    changed_.wait_until(lock, next == waiting_.end() ? looks : std::min(looks, next->due));
+  }
+}
+
+void account_keeper::look_at_file() {
+  const auto stamp = stamp_of(file_);
+  if (stamp == std::exchange(stamp_, stamp))
+    return;
+  auto all = load(file_);
+  if (!all)
+    return say_(all.error() + "; the accounts stay as they were");
+  {
+    const std::lock_guard guard(mutex_);
+    accounts_ = *all;
+  }
+  tell_(described(*all));
+}
+
+void account_keeper::judge(waiting one) {
+  std::optional<stored_account> account;
+  {
+    const std::lock_guard guard(mutex_);
+    if (const auto found = std::ranges::find(accounts_, one.what.name, &stored_account::name); found != accounts_.end())
+      account = *found;
+  }
+  const bool is_right = is_password(one.what.password.revealed(), account ? account->password : nobodys_) && account;
+  {
+    const std::lock_guard guard(mutex_);
+    if (is_right)
+      delay_.succeeded(one.what.name, one.what.from);
+    else
+      delay_.failed(one.what.name, one.what.from, now_ms());
+    // What waits has to wait as long as this failure says.
+    for (auto& each : waiting_)
+      each.due = std::max(each.due, clock::time_point(std::chrono::milliseconds(
+                                        delay_.due_ms(each.what.name, each.what.from, now_ms()))));
+  }
+  one.then(is_right ? std::optional(described(*account)) : std::nullopt);
+}
+
+} // namespace godwit::accounts

@@ -1,0 +1,94 @@
+// Judges passwords against the file of accounts, one at a time, and says when the file has changed.
+//
+//   HTTP ──check()──> tries that wait (login_delay) ──> scrypt, one at a time ──> ANSWER
+//   file ──each 2 s──> changed? ──> TOLD
+//
+// A name that is not there takes as long as one that is. Where the file can not be read any more, the accounts stay as
+// they were, and SAID gets a sentence. Errors: open, as a sentence. Thread: one of its own, in which all callbacks
+// come; check by any.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <sys/stat.h>
+#include <tl/expected.hpp>
+
+#include "io/http/secret_text.hpp"
+#include "programs/godwitd/accounts/account_file.hpp"
+#include "programs/godwitd/accounts/login_delay.hpp"
+
+namespace godwit::accounts {
+
+class account_keeper {
+public:
+  static constexpr std::chrono::milliseconds look_each{2'000};
+  static constexpr std::size_t max_waiting = 32;
+  static constexpr std::size_t max_waiting_of_one = 4; // from one address
+
+  struct attempt {
+    std::string name;
+    io::http::secret_text password;
+    std::string from; // an address
+  };
+  // None: the name or the password is wrong.
+  using answered = std::function<void(std::optional<operator_bridge::account> who)>;
+  using told = std::function<void(const operator_bridge::accounts_read& all)>;
+  using said = std::function<void(const std::string& sentence)>;
+
+  // The file can be read now, or is not there.
+  [[nodiscard]] static tl::expected<std::unique_ptr<account_keeper>, std::string> open(std::string file);
+  ~account_keeper();
+  account_keeper(const account_keeper&) = delete;
+  account_keeper& operator=(const account_keeper&) = delete;
+
+  // TELL is called at once, and at each change.
+  void start(told tell, said say);
+  // False: too many wait; nothing is called.
+  [[nodiscard]] bool check(attempt what, answered then);
+  [[nodiscard]] bool has_accounts() const;
+
+private:
+  using clock = std::chrono::steady_clock;
+  struct waiting {
+    attempt what;
+    answered then;
+    clock::time_point due;
+  };
+  struct file_stamp {
+    ino_t number = 0;
+    std::int64_t changed_ns = 0;
+    bool operator==(const file_stamp&) const = default;
+  };
+
+  account_keeper(std::string file, account_list all, file_stamp stamp);
+  [[nodiscard]] static file_stamp stamp_of(const std::string& file);
+  [[nodiscard]] static std::int64_t now_ms();
+
+  void run();
+  void look_at_file();
+  void judge(waiting one);
+
+  const std::string file_;
+  password_hash nobodys_; // takes the time for who is not there
+  told tell_;
+  said say_;
+  mutable std::mutex mutex_; // of what stands below, down to stops_
+  std::condition_variable changed_;
+  account_list accounts_;
+  std::list<waiting> waiting_;
+  login_delay delay_;
+  bool stops_ = false;
+  file_stamp stamp_; // of the thread
+  std::thread thread_;
+};
+
+} // namespace godwit::accounts

@@ -1,0 +1,63 @@
+#include "programs/godwitd/accounts/password.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
+
+#include "programs/godwitd/accounts/token.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::accounts {
+namespace {
+
+constexpr std::size_t hash_bytes = 32;
+constexpr std::size_t salt_bytes = 16;
+constexpr std::uint64_t max_memory = std::uint64_t{64} * 1024 * 1024;
+
+std::string scrypt(std::string_view password, const password_hash& how) {
+  std::array<unsigned char, hash_bytes> out{};
+  const bool is_done =
+      EVP_PBE_scrypt(password.data(), password.size(), reinterpret_cast<const unsigned char*>(how.salt.data()),
+                     how.salt.size(), how.n, how.r, how.p, max_memory * 2, out.data(), out.size()) == 1;
+  GODWIT_ASSERT(is_done, "a sane cost is one that scrypt takes");
+  std::string result;
+  constexpr std::string_view digits = "0123456789abcdef";
+  for (const auto each : out) {
+    result += digits[each >> 4U];
+    result += digits[each & 15U];
+  }
+  OPENSSL_cleanse(out.data(), out.size());
+  return result;
+}
+
+bool is_hex(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+} // namespace
+
+bool is_sane(const password_hash& kept) {
+  const auto memory = 128 * kept.n * kept.r; // RFC 7914, 2
+  return kept.n >= 2 && kept.n <= (1U << 20U) && std::has_single_bit(kept.n) && kept.r >= 1 && kept.r <= 32 &&
+         kept.p >= 1 && kept.p <= 16 && memory <= max_memory && kept.salt.size() == 2 * salt_bytes &&
+         kept.hash.size() == 2 * hash_bytes && is_hex(kept.salt) && is_hex(kept.hash);
+}
+
+password_hash hash_password(std::string_view password, const password_hash& like) {
+  auto result = like;
+  result.salt = random_hex(salt_bytes);
+  result.hash = scrypt(password, result);
+  return result;
+}
+
+bool is_password(std::string_view password, const password_hash& kept) {
+  if (!is_sane(kept))
+    return false;
+  const auto found = scrypt(password, kept);
+  return CRYPTO_memcmp(found.data(), kept.hash.data(), found.size()) == 0;
+}
+
+} // namespace godwit::accounts

@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "actors/executor/flight/survey_view.hpp"
 #include "actors/executor/remaining.hpp"
+#include "actors/executor/scan_sentences.hpp"
 #include "actors/executor/state_token.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/fields/field_table.hpp"
@@ -83,6 +85,12 @@ actor::behavior_type actor::handlers() {
         supervise();
         read_host_status();
         after_turn();
+      }),
+      on<scan_controller::point_shown>([this](const scan_controller::point_shown& m) {
+        carry_out(announce{sentence_about(m), false});
+      }),
+      on<scan_controller::point_closed>([this](const scan_controller::point_closed& m) {
+        carry_out(announce{sentence_about(m), false});
       }),
       on<tick>([this](const tick&) {
         tell_after(tick_period, me(), tick{});
@@ -180,7 +188,7 @@ void actor::read_host_status() {
 
 void actor::supervise() {
   const auto& s = current_state();
-  supervisor_->look(s.supervision, s.status.in_flight, now().now_ns);
+  supervisor_->look(s.supervision, s.status.in_flight, scans(s, settings_.scans), now().now_ns);
   send_table();
   if (!supervisor_->knows_children())
     ask_for_children();
@@ -229,7 +237,20 @@ void actor::greet_returned() {
       carry_out(core_->on_client_back());
     else if (name == "ground_port")
       core_->on_port_back();
+    else if (name == "scan_controller")
+      told_survey_.reset();
   }
+}
+
+// At each change. Who looks for points of interest is there by then, or is told when it comes.
+void actor::tell_survey() {
+  if (!supervisor_->is_scanning())
+    return told_survey_.reset();
+  auto seen = survey_progress_of(current_state());
+  if (!seen || (told_survey_ && io::equal(*told_survey_, *seen)))
+    return;
+  tell(others_->scan, *seen);
+  told_survey_ = std::move(seen);
 }
 
 // A person who has the vehicle keeps it. What is decided here counts for the whole flight.
@@ -293,6 +314,7 @@ void actor::after_turn() {
   }
   if (others_->port)
     carry_out(core_->tell_stations(now()));
+  tell_survey();
   post_health();
   show_flight();
 }

@@ -22,6 +22,7 @@
 #include "messages/failsafe/handle.hpp"
 #include "messages/ground_port/handle.hpp"
 #include "messages/mission_client/handle.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "runtime/durable_actor.hpp"
 #include "runtime/supervision/handle.hpp"
@@ -34,6 +35,7 @@ struct peers {
   failsafe::handle failsafe;
   std::optional<mission_client::flight_handle> client; // none without a service
   std::optional<ground_port::handle> port;             // none without ground stations
+  scan_controller::flight_handle scan;
   runtime::guardian_handle guardian;
   std::vector<flight_watcher> watchers;
 };
@@ -116,6 +118,7 @@ private:
   void send_table();
   void ask_for_children();
   void miss_failsafe();
+  void tell_survey();
   void greet_returned();
   void say_all(const std::vector<announce>& sentences);
   void post_health();
@@ -138,8 +141,9 @@ private:
   bool is_sending_table_ = false;
   std::optional<flight_status> shown_flight_;             // to the watchers
   std::optional<preflight::journal_facts> journal_facts_; // as recorded last
-  std::uint64_t revoked_ = 0;                             // orders that waited for the disk and were not meant any more
-  std::set<std::uint64_t> currents_;                      // set_current requests that wait for their answer
+  std::optional<scan_controller::survey_progress> told_survey_;
+  std::uint64_t revoked_ = 0;        // orders that waited for the disk and were not meant any more
+  std::set<std::uint64_t> currents_; // set_current requests that wait for their answer
 };
 
 } // namespace godwit::executor

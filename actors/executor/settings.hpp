@@ -45,6 +45,14 @@ constexpr auto enum_names(deletion_policy) {
   return io::names<deletion_policy>({{deletion_policy::go_on, "continue"}, {deletion_policy::come_home, "return"}});
 }
 
+// In which missions points of interest are shown to people: scan_controller runs only while one of these is flown.
+enum class scan_policy { with_survey, all, none };
+
+constexpr auto enum_names(scan_policy) {
+  return io::names<scan_policy>(
+      {{scan_policy::with_survey, "with_survey"}, {scan_policy::all, "all"}, {scan_policy::none, "none"}});
+}
+
 struct settings {
   std::string mission_id; // that the service is asked for, or of the file; empty: ground stations bring missions
   bool has_service = true;
@@ -54,6 +62,7 @@ struct settings {
   start_policy takeoff_again = start_policy::on_command;
   refusal_policy refused_inserts = refusal_policy::go_on;
   deletion_policy deleted_mission = deletion_policy::go_on;
+  scan_policy scans = scan_policy::with_survey;
   failsafe_gone_policy failsafe_gone = failsafe_gone_policy::come_home;
   double max_altitude_m = 500;    // above home: of a place to which an operator sends the vehicle
   double max_distance_m = 20'000; // from home: the same

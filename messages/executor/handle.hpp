@@ -16,6 +16,7 @@
 #include "messages/failsafe/types.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/operator/types.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/types.hpp"
 #include "runtime/seam.hpp"
 #include "runtime/supervision/messages.hpp"
@@ -47,6 +48,7 @@ using telemetry_handle =
 
 // All of it.
 using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
+                                    scan_controller::subscriber_handle,
                                     runtime::mailbox<runtime::tells<failsafe::failsafe_status>,
                                                      runtime::tells<runtime::child_event>, runtime::tells<tick>>>;
 

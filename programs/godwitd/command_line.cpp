@@ -107,19 +107,47 @@ std::optional<mission::position> place_of(const std::string& text) {
   return result;
 }
 
-void add_place(CLI::App& command, invocation& to) {
-  command
-      .add_option_function<std::string>(
-          "PLACE",
-          [&to](const std::string& text) {
-            to.said.place = place_of(text);
-            if (!to.said.place)
-              throw CLI::ValidationError("\"" + text +
-                                         "\" is no place; write degrees, degrees and metres above the "
-                                         "place of take-off, such as 47.398,8.546,40");
-          },
-          "LAT,LON,ALT: degrees, degrees, metres above the place of take-off")
-      ->required();
+CLI::Option* add_place(CLI::App& command, invocation& to) {
+  return command.add_option_function<std::string>(
+      "PLACE",
+      [&to](const std::string& text) {
+        to.said.place = place_of(text);
+        if (!to.said.place)
+          throw CLI::ValidationError("\"" + text +
+                                     "\" is no place; write degrees, degrees and metres above the "
+                                     "place of take-off, such as 47.398,8.546,40");
+      },
+      "LAT,LON,ALT: degrees, degrees, metres above the place of take-off");
+}
+
+// At a place, or at a point of interest that was confirmed, of which nobody but a person says how high.
+void add_insert(CLI::App& command, invocation& to) {
+  auto* const place = add_place(command, to);
+  auto* const point = command.add_option("--point", to.point, "At the place of this point of interest");
+  auto* const altitude = command.add_option_function<double>(
+      "--altitude", [&to](double metres) { to.said.place.emplace().altitude_m = metres; },
+      "Of a waypoint at a point: metres above the place of take-off");
+  point->check(CLI::PositiveNumber)->needs(altitude)->excludes(place);
+  altitude->needs(point);
+  command.add_option("--after", to.said.after, "The id of an item (the last one that is done)");
+}
+
+void add_points(CLI::App& ctl, invocation& to) {
+  auto* const points = ctl.add_subcommand("points", "What may be worth a look: points of interest.");
+  points->fallthrough();
+  points->callback([&to] { to.what = task::list_points; });
+  constexpr std::pair<scan_controller::decision, const char*> decisions[] = {
+      {scan_controller::decision::confirm, "Of a point of interest: it is one."},
+      {scan_controller::decision::decline, "Of a point of interest: such things there are ignored from now on."}};
+  for (const auto& [says, help] : decisions) {
+    auto* const command = ctl.add_subcommand(std::string(io::name_of(says)), help);
+    command->fallthrough();
+    command->add_option("POINT", to.decided.number, "Its number, as `ctl points` shows it")->required();
+    command->callback([&to, kind = says] {
+      to.what = task::decide_point;
+      to.decided.says = kind;
+    });
+  }
 }
 
 void add_override(CLI::App& ctl, invocation& to) {
@@ -172,13 +200,15 @@ void add_words(CLI::App& ctl, invocation& to) {
     command->fallthrough();
     if (row.kind == operators::command_kind::acknowledge)
       command->add_option("REPORT", to.said.report, "Its number, as `ctl status` shows it")->required();
-    if (row.kind == operators::command_kind::go_to || row.kind == operators::command_kind::insert)
-      add_place(*command, to);
+    if (row.kind == operators::command_kind::go_to)
+      add_place(*command, to)->required();
     if (row.kind == operators::command_kind::insert)
-      command->add_option("--after", to.said.after, "The id of an item (the last one that is done)");
+      add_insert(*command, to);
     command->callback([&to, kind = row.kind] {
       to.what = task::say_word;
       to.said.kind = kind;
+      if (kind == operators::command_kind::insert && !to.said.place)
+        throw CLI::RequiredError("PLACE, or --point with --altitude,");
     });
   }
   add_override(ctl, to);
@@ -202,6 +232,7 @@ void add_control(CLI::App& app, invocation& to) {
   retry->callback([&to] { to.what = task::retry_outbox; });
   add_words(*ctl, to);
   add_operators(*ctl, to);
+  add_points(*ctl, to);
   auto* const rescue = ctl->add_subcommand(
       "rescue-journal",
       "Writes the journal to a new file beside it when its own was deleted, replaced or cut in flight.");

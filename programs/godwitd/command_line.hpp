@@ -10,6 +10,7 @@
 
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/control.hpp"
+#include "messages/scan_controller/decision.hpp"
 #include "programs/godwitd/accounts/operator_command.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/convert_command.hpp"
@@ -27,6 +28,8 @@ enum class task {
   say_word,
   override_failsafe,
   crash_actor,
+  list_points,
+  decide_point,
   rescue_journal,
   change_control,
   list_audit,
@@ -47,16 +50,18 @@ struct wanted_control {
 
 struct invocation {
   task what = task::run;
-  given_texts options;                  // by the names of option_table.hpp
-  bool json = false;                    // answers for programs
-  convert_arguments files;              // convert
-  std::string outbox_key;               // retry_outbox; empty: all
-  operators::command said;              // say_word; by is left empty
-  wanted_override overridden;           // override_failsafe
-  std::string actor;                    // crash_actor
-  wanted_control control;               // change_control
-  std::uint32_t rows = 50;              // list_audit
-  accounts::operator_arguments account; // keep_accounts
+  given_texts options;                   // by the names of option_table.hpp
+  bool json = false;                     // answers for programs
+  convert_arguments files;               // convert
+  std::string outbox_key;                // retry_outbox; empty: all
+  operators::command said;               // say_word; by is left empty
+  wanted_override overridden;            // override_failsafe
+  std::string actor;                     // crash_actor
+  wanted_control control;                // change_control
+  std::uint32_t rows = 50;               // list_audit
+  accounts::operator_arguments account;  // keep_accounts
+  scan_controller::decide_point decided; // decide_point; by is left empty
+  std::uint64_t point = 0;               // say_word, insert: at its place; 0: none
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
 };
 

@@ -123,16 +123,14 @@ void composition::surround_actors() {
   outside_.service = service_;
   if (wanted_.ground)
     outside_.ground = ground_line_;
+  outside_.sightings = feed_;
   outside_.seed = fresh_seed();
   outside_.journal = &host_->journal();
   outside_.host = facts_.get();
   outside_.say = [this](std::string_view part, const std::string& sentence, bool is_warning) {
     announce({sentence, is_warning}, part);
   };
-  outside_.on_phase_status = [this](const executor::phase_status& now) {
-    if (feed_)
-      feed_->set_gate(now.in_flight);
-  };
+  outside_.on_phase_status = [](const executor::phase_status&) {}; // nobody else wants to know
 }
 
 void composition::add_actors() {
@@ -177,20 +175,15 @@ void composition::add_ground_run(control::peers& of_desk) {
 }
 
 void composition::add_flight(control::peers& of_desk) {
-  auto& actors = host_->actors();
-  flight_ = daemon::add_flight(actors, wanted_, outside_, base_);
-  feeder_ = actors.add<sightings::feeder>(
-      {.name = "sightings"}, replaceable, sightings::feeder_settings{wanted_.mission_id, service_ == nullptr},
-      sightings::store_handle(base_.store), feed_, [this](const std::string& sentence) {
-        announce({sentence, true}, "sightings");
-      });
+  flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
   of_desk.flight = flight_.executor;
   of_desk.bridge = flight_.bridge;
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
   of_desk.failsafe_status = base_.failsafe;
-  of_desk.sightings = feeder_;
+  of_desk.sightings = flight_.feeder;
+  of_desk.points = flight_.scan;
 }
 
 bool composition::is_in_flight() {
@@ -291,7 +284,7 @@ void composition::open_feed() {
   feed_->start(
       [this, way_in] {
         if (wanted_.flies)
-          way_in->tell(feeder_, sightings::woken{});
+          way_in->tell(flight_.feeder, sightings::woken{});
         else
           way_in->tell(run_, ground_run::woken{});
       },

@@ -27,7 +27,7 @@
 #include "programs/godwitd/operator_port/view_api.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
-#include "programs/godwitd/sightings/feeder.hpp"
+#include "programs/godwitd/sightings/sighting_feed.hpp"
 #include "programs/godwitd/view_actors.hpp"
 
 namespace godwit::daemon {
@@ -106,7 +106,6 @@ private:
   flight_actors flight_;       // else
   view_surroundings views_outside_;
   view_actors views_;
-  sightings::feeder_handle feeder_;
   control::request_handle request_handler_;
 
   std::unique_ptr<accounts::account_keeper> keeper_; // with a flight

@@ -9,17 +9,21 @@
 #include "actors/mapobjects_store/actor.hpp"
 #include "actors/mission_client/actor.hpp"
 #include "actors/operator_bridge/actor.hpp"
+#include "actors/scan_controller/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
 #include "io/sqlite/work_queue.hpp"
 #include "programs/godwitd/child_policies.hpp"
 #include "programs/godwitd/landing_watch/actor.hpp"
 #include "programs/godwitd/open_line.hpp"
+#include "programs/godwitd/sightings/feeder.hpp"
 
 namespace godwit::daemon {
 namespace {
 
 constexpr const char* executor_name = "executor";
 constexpr const char* failsafe_name = "failsafe";
+constexpr const char* scan_name = "scan_controller";
+constexpr const char* feeder_name = "sightings";
 
 executor::host_status read_host_status(const actor_surroundings& outside) {
   executor::host_status result;
@@ -36,6 +40,8 @@ executor::outside_world world_of(const runtime::system& actors, const actor_surr
           [&outside] { return read_host_status(outside); }, [&actors] { return actors.names(); },
           [&outside] { return outside.process; },
           [&outside](const executor::phase_status& status) {
+            if (outside.sightings)
+              outside.sightings->set_gate(status.in_flight);
             outside.on_phase_status(status);
             outside.say(executor_name,
                         "flight: " + std::string(io::name_of(status.now)) +
@@ -59,6 +65,24 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
   return result;
 }
 
+// What is seen goes into the map, and what of it is worth a look to people.
+void add_scan(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,
+              const base_actors& base, flight_actors& made) {
+  const auto of_scan = std::make_shared<scan_controller::peers>();
+  made.scan = actors.add<scan_controller::actor>({.name = scan_name}, replaceable, settings.scan,
+                                                 std::shared_ptr<const scan_controller::peers>(of_scan), outside.seed);
+  of_scan->map = base.store;
+  of_scan->subscribers.emplace_back(made.executor);
+  of_scan->say = [&outside](const std::string& sentence, bool is_warning) {
+    outside.say(scan_name, sentence, is_warning);
+  };
+  base.of_vehicle->add(made.scan);
+  made.feeder = actors.add<sightings::feeder>(
+      {.name = feeder_name}, replaceable, sightings::feeder_settings{settings.mission_id, outside.service == nullptr},
+      sightings::store_handle(base.store), scan_controller::candidate_handle(made.scan), outside.sightings,
+      [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
+}
+
 } // namespace
 
 void begin_supervision(runtime::system& actors, const executor::supervision::circumstances& process,
@@ -66,7 +90,7 @@ void begin_supervision(runtime::system& actors, const executor::supervision::cir
   namespace supervision = executor::supervision;
   actors.set_floor(supervision::floor_children());
   actors.let_end_fast(process.may_end_fast);
-  actors.begin_with(supervision::table_of(now, process, actors.names()));
+  actors.begin_with(supervision::table_of(now, process, actors.names(), false)); // the executor knows what is flown
 }
 
 base_actors add_base(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside) {
@@ -125,6 +149,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
   of_executor->failsafe = base.failsafe;
   if (outside.service)
     of_executor->client = base.client;
+  add_scan(actors, settings, outside, base, made);
+  of_executor->scan = made.scan;
   base.of_failsafe->ears.emplace_back(made.executor);
   base.of_failsafe->log = [&outside](const failsafe::warning& said) {
     outside.say(failsafe_name, said.text, said.severity <= io::mavlink::mav_severity::warning);

@@ -4,6 +4,7 @@
 //   missions service ── service_port ── mission_client ──> executor
 //   file of the map ── map_port ── mapobjects_store
 //   operators ── operator_bridge ──> executor
+//   sighting_feed ── sightings ──> mapobjects_store, scan_controller ──> executor (what people are told)
 //
 // Whoever calls it owns what may block and what differs: ports, clock, journal, seed, facts about the host, the log. A
 // run on the ground has the same base and somebody else in the executor's place.
@@ -34,9 +35,12 @@
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/settings.hpp"
+#include "programs/godwitd/sightings/messages.hpp"
+#include "programs/godwitd/sightings/sighting_feed.hpp"
 #include "runtime/journal/journal.hpp"
 #include "runtime/system.hpp"
 
@@ -63,6 +67,7 @@ struct actor_surroundings {
   std::shared_ptr<mission_client::service_port> service; // none: the mission comes from elsewhere
   std::shared_ptr<io::link::wire> ground;                // none: no ground station is spoken to
   io::mavlink::signing_settings ground_signing;
+  std::shared_ptr<sighting_feed> sightings; // none: nobody sees anything
 
   // Of this process, and of no other one: what is delivered has keys that are made with it.
   std::uint64_t seed = 0;
@@ -93,6 +98,8 @@ struct flight_actors {
   executor::own_handle executor;
   ground_port::own_handle ground; // none without a line for ground stations
   operator_bridge::own_handle bridge;
+  scan_controller::own_handle scan;
+  sightings::feeder_handle feeder;
 };
 
 // The table that holds until the executor has sent its own: from it on an essential actor that can not be kept up is

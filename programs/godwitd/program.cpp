@@ -101,14 +101,18 @@ std::string fresh_id() {
 }
 
 // Whoever waits no longer than `patience` does not want it obeyed later.
-json question_of(const operators::command& said) {
+json question_of(const operators::command& said, std::uint64_t point) {
   json result{{"do", io::name_of(said.kind)},
               {"by", speaker()},
               {"id", fresh_id()},
               {"valid_until_ns", wall_ns() + std::chrono::nanoseconds(control::patience).count()}};
+  if (point != 0) {
+    result["point"] = point;
+    result["altitude_m"] = said.place->altitude_m;
+  }
   if (said.kind == operators::command_kind::acknowledge)
     result["report"] = said.report;
-  if (said.place)
+  if (said.place && point == 0)
     result["place"] = json::parse(io::to_json(*said.place));
   if (!said.after.empty())
     result["after"] = said.after;
@@ -147,7 +151,7 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
     return ask_running(*configuration, {{"do", "outbox_retry"}, {"by", speaker()}, {"key", asked.outbox_key}},
                        asked.json, retry_text);
   case task::say_word:
-    return ask_running(*configuration, question_of(asked.said), asked.json, taken_text);
+    return ask_running(*configuration, question_of(asked.said, asked.point), asked.json, taken_text);
   case task::override_failsafe:
     return ask_running(*configuration,
                        {{"do", "override"},
@@ -155,6 +159,12 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
                         {"rule", asked.overridden.rule},
                         {"seconds", asked.overridden.seconds},
                         {"reason", asked.overridden.reason}},
+                       asked.json, taken_text);
+  case task::list_points:
+    return ask_running(*configuration, {{"do", "points"}}, asked.json, points_text);
+  case task::decide_point:
+    return ask_running(*configuration,
+                       {{"do", io::name_of(asked.decided.says)}, {"by", speaker()}, {"point", asked.decided.number}},
                        asked.json, taken_text);
   case task::rescue_journal:
     return ask_running(*configuration, {{"do", "rescue_journal"}}, asked.json, rescued_text);

@@ -213,6 +213,21 @@ void read_accounts(const json& configuration, daemon_settings& to) {
   to.sessions.session_most_s = given.at("session_most_h").get<std::int64_t>() * 3'600;
 }
 
+checked read_scan(const json& scan, daemon_settings& to) {
+  to.flight.scans = io::value_of<executor::scan_policy>(text(scan, "missions")).value();
+  to.scan.min_confidence = scan.at("min_confidence").get<double>();
+  to.scan.shown_a_minute = scan.at("shown_a_minute").get<std::uint32_t>();
+  to.scan.window_ms = scan.at("window_s").get<std::int64_t>() * 1'000;
+  to.scan.merge_within_m = scan.at("merge_within_m").get<double>();
+  to.scan.keep_ms = scan.at("keep_s").get<std::int64_t>() * 1'000;
+  to.scan.pass_confidence = scan.at("pass_confidence").get<double>();
+  std::istringstream names(text(scan, "looks_for"));
+  for (std::string each; names >> each;)
+    to.scan.looks_for.push_back(each);
+  const auto objection = scan_controller::objection_to(to.scan);
+  return objection ? tl::make_unexpected("scan.looks_for: " + *objection) : checked();
+}
+
 log_settings log_from(const json& log) {
   log_settings result;
   result.file = text(log, "file");
@@ -261,6 +276,8 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
     return tl::make_unexpected(std::move(operators.error()));
   read_map(configuration, result);
   read_accounts(configuration, result);
+  if (auto scan = read_scan(configuration.at("scan"), result); !scan)
+    return tl::make_unexpected(std::move(scan.error()));
   read_delivery(configuration, result);
   if (const auto objection = mission_client::objection_to(result.client))
     return tl::make_unexpected(*objection);

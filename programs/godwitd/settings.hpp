@@ -15,6 +15,7 @@
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mission_client/settings.hpp"
 #include "actors/operator_bridge/settings.hpp"
+#include "actors/scan_controller/settings.hpp"
 #include "actors/vehicle_link/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
@@ -47,6 +48,7 @@ struct daemon_settings {
   bool ground_passes = true;           // reading and what people do goes on to the vehicle
   std::vector<std::string> ground_also_passes;
   mapobjects_store::map_writer_options map;
+  scan_controller::settings scan;
   std::string control_path;
   std::optional<operator_port::settings> operators; // none: there is no port for them
   std::string accounts_file;                        // of operators; need not be there

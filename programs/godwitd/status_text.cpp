@@ -1,9 +1,12 @@
 #include "programs/godwitd/status_text.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "programs/godwitd/operator_text.hpp"
+#include <cstdio>
 
 namespace godwit::daemon {
 namespace {
@@ -85,7 +88,8 @@ std::string flight_line(const json& flight) {
 
 std::string sightings_line(const json& seen) {
   return number(seen, "recorded") + " recorded, " + number(seen, "refused") + " refused, " +
-         number(seen, "unreadable") + " unreadable";
+         number(seen, "unreadable") + " unreadable" +
+         (number(seen, "not_offered") == "0" ? "" : ", " + number(seen, "not_offered") + " not offered");
 }
 
 // "executor: running, wanted, essential, incarnation 2, 1 restarts; green; last crash: killed"
@@ -135,15 +139,30 @@ std::string failsafe_line(const json& failsafe) {
   return result;
 }
 
+std::string seconds(const json& part, const char* key) {
+  return std::to_string(part.value(key, std::int64_t{0}) / 1'000) + " s";
+}
+
+// "point 3: vehicle at 47.39810,8.54610, 90 %, moved, seen 12 s ago"
+std::string point_line(const json& point) {
+  const auto position = point.value("position", json::object());
+  std::array<char, 48> place{};
+  std::snprintf(place.data(), place.size(), "%.5f,%.5f", position.value("latitude_deg", 0.0),
+                position.value("longitude_deg", 0.0));
+  return "point " + number(point, "number") + ": " + text(point, "class_group") + " at " + place.data() + ", " +
+         std::to_string(std::lround(100 * point.value("confidence", 0.0))) + " %" +
+         (point.value("has_moved", false) ? ", moved" : "") + ", seen " + seconds(point, "seen_ago_ms") + " ago";
+}
+
 struct part_row {
   const char* key;
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {{"health", health_line},     {"run", run_line},             {"flight", flight_line},
-                              {"failsafe", failsafe_line}, {"operators", operators_line}, {"service", service_line},
-                              {"map", map_line},           {"sightings", sightings_line}, {"vehicle", vehicle_line},
-                              {"ground", ground_line},     {"actors", actor_lines}};
+constexpr part_row parts[] = {
+    {"health", health_line},       {"run", run_line},         {"flight", flight_line}, {"failsafe", failsafe_line},
+    {"operators", operators_line}, {"service", service_line}, {"map", map_line},       {"sightings", sightings_line},
+    {"vehicle", vehicle_line},     {"ground", ground_line},   {"actors", actor_lines}};
 
 } // namespace
 
@@ -157,6 +176,22 @@ std::string status_text(const json& answer) {
               std::string(key_width - std::char_traits<char>::length(row.key), ' ') +
               (part->contains("error") && !part->contains("sync") ? text(*part, "error") : row.line(*part));
   }
+  return result;
+}
+
+std::string points_text(const json& answer) {
+  std::string result;
+  const auto add = [&](const std::string& line) { result += (result.empty() ? "" : "\n") + line; };
+  for (const auto& each : answer.value("shown", json::array()))
+    add(point_line(each) + "; decide within " + seconds(each, "decide_within_ms") + ": ctl confirm " +
+        number(each, "number") + ", or decline");
+  for (const auto& each : answer.value("confirmed", json::array()))
+    add(point_line(each) + "; confirmed by " + text(each, "by"));
+  const auto counts = answer.value("counts", json::object());
+  add(number(answer, "waiting") + " wait for their turn; " + number(counts, "confirmed") + " were confirmed, " +
+      number(counts, "declined") + " declined, " + number(counts, "passed_over") + " passed over; dropped: " +
+      number(counts, "too_faint") + " too faint, " + number(counts, "too_old") + " too old, " +
+      number(counts, "no_room") + " for want of room, " + number(counts, "mission_over") + " with their mission");
   return result;
 }
 

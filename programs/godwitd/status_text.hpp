@@ -13,4 +13,7 @@ namespace godwit::daemon {
 // Of an answer to outbox_retry that went well.
 [[nodiscard]] std::string retry_text(const nlohmann::json& answer);
 
+// Of `ctl points`: what waits for a decision first.
+[[nodiscard]] std::string points_text(const nlohmann::json& answer);
+
 } // namespace godwit::daemon

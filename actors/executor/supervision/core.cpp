@@ -62,10 +62,11 @@ std::vector<announce> core::on_event(const runtime::child_event& happened, std::
   switch (happened.kind) {
   case child_event_kind::up: {
     each->is_running = true;
-    if (std::exchange(each->is_away, false))
+    const bool was_away = std::exchange(each->is_away, false);
+    if (was_away)
       returned_.push_back(each->name);
     const bool was_given_up = std::exchange(each->given_up_ns, {}).has_value();
-    if (was_given_up || happened.incarnation > 1)
+    if (was_given_up || (happened.incarnation > 1 && !was_away))
       return {{happened.name + " is back", false}};
     return {};
   }
@@ -88,29 +89,34 @@ std::vector<announce> core::on_event(const runtime::child_event& happened, std::
 
 void core::on_acknowledged(const runtime::table_epoch& held) { acknowledged_ = std::max(acknowledged_, held); }
 
-void core::look(const state& durable, bool in_flight, std::int64_t now_ns) {
+void core::look(const state& durable, bool in_flight, bool has_scans, std::int64_t now_ns) {
   const auto seen = part_of(durable, in_flight);
   if (!now_)
-    return begin(seen, durable);
-  if (seen == *now_)
-    return next_.reset();
+    return begin(seen, has_scans, durable);
+  if (seen == *now_) {
+    next_.reset();
+    if (seen == part::flight && has_scans != scans_)
+      begin(seen, has_scans, durable);
+    return;
+  }
   if (next_ != seen) {
     next_ = seen;
     next_since_ns_ = now_ns;
   } else if (now_ns - next_since_ns_ >= part_holds_ns) {
     next_.reset();
-    begin(seen, durable);
+    begin(seen, has_scans, durable);
   }
 }
 
-void core::begin(part next, const state& durable) {
+void core::begin(part next, bool has_scans, const state& durable) {
   now_ = next;
+  scans_ = has_scans;
   ++table_.epoch.n;
   table_.revivals = durable.landings;
   std::vector<std::string> names;
   for (const auto& each : children_)
     names.push_back(each.name);
-  table_.list = table_of(next, process_, names);
+  table_.list = table_of(next, process_, names, has_scans);
 }
 
 std::optional<runtime::supervise> core::unacknowledged() const {
@@ -122,7 +128,7 @@ std::optional<runtime::supervise> core::unacknowledged() const {
 std::vector<preflight::actor_fact> core::facts() const {
   std::vector<preflight::actor_fact> result;
   for (const auto& each : children_)
-    if (!is_dispensable(each.name))
+    if (is_wanted_on_ground(each.name) && !is_dispensable(each.name))
       result.push_back({each.name, each.is_running});
   return result;
 }

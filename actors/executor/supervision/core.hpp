@@ -39,9 +39,11 @@ public:
   [[nodiscard]] std::vector<std::string> take_returned() { return std::exchange(returned_, {}); }
   void on_acknowledged(const runtime::table_epoch& held);
 
-  // To be called often: which part it is now.
-  void look(const state& durable, bool in_flight, std::int64_t now_ns);
+  // To be called often: which part it is now, and whether the mission is one with scanning.
+  void look(const state& durable, bool in_flight, bool has_scans, std::int64_t now_ns);
   [[nodiscard]] part now() const { return now_.value_or(part::ground); }
+  // Points of interest are looked for.
+  [[nodiscard]] bool is_scanning() const { return scans_ && now() == part::flight; }
   // The table that the guardian has not acknowledged yet; none: it holds.
   [[nodiscard]] std::optional<runtime::supervise> unacknowledged() const;
 
@@ -63,7 +65,7 @@ private:
 
   [[nodiscard]] child* find(const std::string& name);
   void give_up(child& each, std::int64_t now_ns);
-  void begin(part next, const state& durable);
+  void begin(part next, bool has_scans, const state& durable);
 
   circumstances process_;
   std::vector<child> children_;
@@ -72,6 +74,7 @@ private:
   std::optional<part> now_;
   std::optional<part> next_; // that has not held for long enough
   std::int64_t next_since_ns_ = 0;
+  bool scans_ = false; // as the table has it
   runtime::supervise table_;
   runtime::table_epoch acknowledged_;
 };

@@ -6,7 +6,7 @@
 namespace godwit::executor::supervision {
 namespace {
 
-enum class need { wanted, essential };
+enum class need { wanted, essential, away, for_scans };
 
 struct row {
   std::string_view child;
@@ -25,6 +25,7 @@ constexpr std::array rows{
     row{"ground_port", {wanted, wanted, wanted}, true},
     row{"operator_bridge", {wanted, wanted, wanted}, true},
     row{"landing_watch", {wanted, wanted, wanted}, true},
+    row{"scan_controller", {away, for_scans, away}},
 };
 // Who shows what there is.
 constexpr std::array<std::string_view, 2> dispensable{"health", "telemetry_stream"};
@@ -36,12 +37,14 @@ const row& row_of(std::string_view child) {
   return found == rows.end() ? others : *found;
 }
 
-runtime::child_entry entry_of(const std::string& child, part now, const circumstances& process) {
+runtime::child_entry entry_of(const std::string& child, part now, const circumstances& process, bool scans) {
   const auto& its = row_of(child);
   runtime::child_entry result;
   result.name = child;
-  result.wanted = now != part::flight || !process.is_reduced || its.runs_reduced;
-  result.policy.essential = its.in[static_cast<std::size_t>(now)] == essential;
+  const auto needed = its.in[static_cast<std::size_t>(now)];
+  const bool is_left_out = now == part::flight && process.is_reduced && !its.runs_reduced;
+  result.wanted = !is_left_out && needed != away && (needed != for_scans || scans);
+  result.policy.essential = needed == essential;
   if (now != part::flight)
     return result;
   result.policy.end = runtime::process_end::fast_once;
@@ -53,15 +56,19 @@ runtime::child_entry entry_of(const std::string& child, part now, const circumst
 } // namespace
 
 std::vector<runtime::child_entry> table_of(part now, const circumstances& process,
-                                           const std::vector<std::string>& children) {
+                                           const std::vector<std::string>& children, bool scans) {
   std::vector<runtime::child_entry> result;
   result.reserve(children.size());
   for (const auto& each : children)
-    result.push_back(entry_of(each, now, process));
+    result.push_back(entry_of(each, now, process, scans));
   return result;
 }
 
 bool is_dispensable(std::string_view child) { return std::ranges::find(dispensable, child) != dispensable.end(); }
+
+bool is_wanted_on_ground(std::string_view child) {
+  return row_of(child).in[static_cast<std::size_t>(part::ground)] != away;
+}
 
 std::vector<std::string> floor_children() {
   std::vector<std::string> result;

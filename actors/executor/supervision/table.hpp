@@ -7,6 +7,7 @@
 //   operator_bridge          wanted      wanted      wanted
 //   landing_watch            wanted      wanted      wanted: it ends a process whose executor is given up
 //   mission_client           wanted      wanted *    essential: it delivers what is owed
+//   scan_controller          -           scans *     -            only while a mission with scanning is flown
 //   others                   wanted      wanted *    wanted       * not in a reduced process
 //   health, telemetry_stream the same; no flight waits for them: they only show
 //
@@ -42,9 +43,12 @@ struct own_process {
                                            io::field("children", &own_process::children));
 };
 
-// Of CHILDREN, in their order. One that the table does not name is wanted and not essential.
+// Of CHILDREN, in their order. One that the table does not name is wanted and not essential. SCANS: what is flown is a
+// mission with scanning.
 [[nodiscard]] std::vector<runtime::child_entry> table_of(part now, const circumstances& process,
-                                                         const std::vector<std::string>& children);
+                                                         const std::vector<std::string>& children, bool scans);
+
+[[nodiscard]] bool is_wanted_on_ground(std::string_view child);
 
 // Nothing of a flight depends on it: it may be down, or given up, and preflight passes.
 [[nodiscard]] bool is_dispensable(std::string_view child);

@@ -40,6 +40,9 @@ struct daemon_process::parts {
     meets.map = map_port;
     meets.service = service_port;
     meets.ground = ground_wire;
+    meets.sightings = feed;
+    for (const auto& each : outside.seen)
+      add(each);
     meets.seed = seed;
     meets.journal = &world.journal();
     meets.host = &facts;
@@ -58,7 +61,13 @@ struct daemon_process::parts {
     ground_wire->open([this] { world.tell(flight.ground, ground_port::wake{}); });
   }
 
+  void add(const mapobjects_store::sighting& what) {
+    const bool has_room = feed->add(what);
+    GODWIT_ASSERT(has_room, "drill: not more is seen than the feed holds");
+  }
+
   process_surroundings& outside;
+  std::shared_ptr<daemon::sighting_feed> feed = daemon::sighting_feed::without_file();
   std::shared_ptr<simulated_wire> vehicle_wire = std::make_shared<simulated_wire>();
   std::shared_ptr<simulated_wire> ground_wire = std::make_shared<simulated_wire>();
   std::shared_ptr<simulated_service_port> service_port = std::make_shared<simulated_service_port>();
@@ -112,7 +121,23 @@ daemon_process::answer daemon_process::command(const operator_bridge::operator_c
   };
 }
 
-void daemon_process::see(const mapobjects_store::sighting& what) { parts_->world.tell(parts_->base.store, what); }
+void daemon_process::see(const mapobjects_store::sighting& what) {
+  parts_->outside.seen.push_back(what);
+  parts_->add(what);
+  parts_->world.tell(parts_->flight.feeder, sightings::woken{});
+}
+
+scan_controller::decide_answer daemon_process::decide(const scan_controller::decide_point& what) {
+  const auto asked = parts_->world.ask(parts_->flight.scan, std::chrono::seconds(1), what);
+  run_until_idle();
+  return asked->answers == 1 ? asked->answer : scan_controller::decide_answer{false, asked->failure.what};
+}
+
+std::optional<scan_controller::points> daemon_process::points() {
+  const auto asked = parts_->world.ask(parts_->flight.scan, std::chrono::seconds(1), scan_controller::get_points{});
+  run_until_idle();
+  return asked->answers == 1 ? std::optional(asked->answer) : std::nullopt;
+}
 
 void daemon_process::crash_at(const std::string& actor, runtime::crash_point point) {
   parts_->world.forget_planned_crashes();

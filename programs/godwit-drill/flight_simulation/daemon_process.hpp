@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actors/executor/state.hpp"
 #include "actors/executor/supervision/table.hpp"
@@ -17,6 +18,7 @@
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/command.hpp"
+#include "messages/scan_controller/types.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -35,7 +37,8 @@ struct process_surroundings {
   std::string map_file;
   executor::supervision::circumstances process; // of the next one
   std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
-  std::int64_t wall_ahead_ns = 0; // of the wall clock, before the true time
+  std::int64_t wall_ahead_ns = 0;               // of the wall clock, before the true time
+  std::vector<mapobjects_store::sighting> seen; // the file of sightings, which each process reads from its beginning
   std::function<void(std::string_view part, const std::string& sentence)> say;
   std::function<void(const executor::phase_status& now)> on_phase_status;
   flight_record* record = nullptr; // null: its deliveries are not looked at
@@ -72,6 +75,9 @@ public:
   using answer = std::function<std::optional<operator_bridge::command_answer>()>;
   [[nodiscard]] answer command(const operator_bridge::operator_command& what);
   void see(const mapobjects_store::sighting& what);
+  // At the control socket; the answer is there when what can happen now has happened.
+  [[nodiscard]] scan_controller::decide_answer decide(const scan_controller::decide_point& what);
+  [[nodiscard]] std::optional<scan_controller::points> points(); // none: nobody looks for them
 
   // -- faults
   // The next time that ACTOR passes POINT it throws. In place of what was planned before: a third throw on one message

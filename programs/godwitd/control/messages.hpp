@@ -8,6 +8,7 @@
 #include "messages/failsafe/types.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/control.hpp"
+#include "messages/scan_controller/decision.hpp"
 
 namespace godwit::control {
 
@@ -18,9 +19,11 @@ enum class request_kind {
   override_rule,  // of the failsafe
   crash,          // an actor, for drills
   rescue_journal, // its file is lost
-  control,        // who has it
-  audit,          // what operators have said
-  login           // a link that logs in once
+  points,         // of interest
+  decide_point,
+  control, // who has it
+  audit,   // what operators have said
+  login    // a link that logs in once
 };
 
 constexpr auto enum_names(request_kind) {
@@ -30,6 +33,8 @@ constexpr auto enum_names(request_kind) {
                                   {request_kind::override_rule, "override_rule"},
                                   {request_kind::crash, "crash"},
                                   {request_kind::rescue_journal, "rescue_journal"},
+                                  {request_kind::points, "points"},
+                                  {request_kind::decide_point, "decide_point"},
                                   {request_kind::control, "control"},
                                   {request_kind::audit, "audit"},
                                   {request_kind::login, "login"}});
@@ -48,13 +53,16 @@ struct control_request {
   operator_bridge::control_act act = operator_bridge::control_act::take; // control
   std::string to = {};                                                   // control: hand_over
   std::uint32_t rows = 50;                                               // audit: the newest
+  scan_controller::decide_point decided = {};                            // decide_point
+  std::uint64_t point = 0; // insert: at the place of this one, which a person has confirmed; 0: none
   static constexpr auto fields = io::table(
       "control.request", io::field("ticket", &control_request::ticket), io::field("what", &control_request::what),
       io::field("key", &control_request::key), io::field("said", &control_request::said),
       io::field("overridden", &control_request::overridden), io::field("lasts_s", &control_request::lasts_s),
       io::field("by", &control_request::by), io::field("id", &control_request::id),
       io::field("valid_until_ns", &control_request::valid_until_ns), io::field("act", &control_request::act),
-      io::field("to", &control_request::to), io::field("rows", &control_request::rows));
+      io::field("to", &control_request::to), io::field("rows", &control_request::rows),
+      io::field("decided", &control_request::decided), io::field("point", &control_request::point));
 };
 
 } // namespace godwit::control

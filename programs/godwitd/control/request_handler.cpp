@@ -1,5 +1,6 @@
 #include "programs/godwitd/control/request_handler.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/fields/json_text.hpp"
@@ -10,6 +11,13 @@ using nlohmann::json;
 using runtime::ask_error;
 
 namespace {
+
+json no_points(const ask_error& why) {
+  const bool does_not_run = why.code == runtime::ask_errc::not_taken;
+  return {{"ok", false},
+          {"error", does_not_run ? "nobody looks for points of interest now: no mission with scanning is flown"
+                                 : "there is no answer: " + why.what + "; ask for the points before you say it again"}};
+}
 
 json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
 
@@ -66,6 +74,12 @@ void request_handler::take(const control_request& asked) {
     return;
   case request_kind::login:
     make_link(asked);
+    return;
+  case request_kind::points:
+    list_points(asked.ticket);
+    return;
+  case request_kind::decide_point:
+    decide_point(asked);
     return;
   }
 }
@@ -138,6 +152,8 @@ void request_handler::retry(const control_request& asked) {
 }
 
 void request_handler::say(const control_request& asked) {
+  if (asked.point != 0)
+    return insert_at_point(asked);
   if (!others_.flight || !others_.bridge)
     return answer_with(asked.ticket, on_the_ground());
   const bool is_stop = operators::is_stop(asked.said.kind);
@@ -163,6 +179,50 @@ void request_handler::say_directly(const control_request& asked) {
   pass_on<operators::answer>(asked, std::string(io::name_of(asked.said.kind)) + " past operator_bridge",
                              *others_.flight, asked.said,
                              [](const auto& answer) { return std::pair(answer.is_taken, answer.reason); });
+}
+
+// THEN(points) when they are there.
+template <class Then>
+void request_handler::ask_points(std::uint64_t ticket, Then then) {
+  if (!others_.points)
+    return answer_with(ticket, on_the_ground());
+  ask(*others_.points, answer_timeout, scan_controller::get_points{}, then,
+      [this, ticket](const ask_error& why) { answer_with(ticket, no_points(why)); });
+}
+
+void request_handler::list_points(std::uint64_t ticket) {
+  ask_points(ticket, [this, ticket](const scan_controller::points& seen) {
+    auto document = json::parse(io::to_json(seen));
+    document["ok"] = true;
+    answer_with(ticket, document);
+  });
+}
+
+void request_handler::decide_point(const control_request& asked) {
+  if (!others_.points)
+    return answer_with(asked.ticket, on_the_ground());
+  ask(
+      *others_.points, answer_timeout, asked.decided,
+      [this, ticket = asked.ticket](const scan_controller::decide_answer& answer) {
+        answer_with(ticket, answer.is_taken ? json{{"ok", true}} : json{{"ok", false}, {"error", answer.reason}});
+      },
+      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_points(why)); });
+}
+
+// Only what a person has confirmed has a place to fly to; from there on it is a command like any other.
+void request_handler::insert_at_point(const control_request& asked) {
+  ask_points(asked.ticket, [this, asked](const scan_controller::points& seen) {
+    const auto found = std::ranges::find(seen.confirmed, asked.point, &scan_controller::point_view::number);
+    if (found == seen.confirmed.end())
+      return answer_with(asked.ticket, {{"ok", false},
+                                        {"error", "point " + std::to_string(asked.point) +
+                                                      " is not confirmed; `godwitd ctl points` lists those that are"}});
+    auto placed = asked;
+    placed.point = 0;
+    placed.said.place->latitude = found->position.latitude_deg;
+    placed.said.place->longitude = found->position.longitude_deg;
+    say(placed);
+  });
 }
 
 void request_handler::override_rule(const control_request& asked) {

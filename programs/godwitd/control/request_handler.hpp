@@ -26,6 +26,7 @@
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "programs/godwitd/control/messages.hpp"
 #include "programs/godwitd/control/response_queue.hpp"
@@ -48,12 +49,13 @@ struct peers {
   mission_client::operator_handle client; // none without a service
   mapobjects_store::operator_handle store;
   vehicle_handle vehicle;
-  std::optional<ground_run::status_handle> run;          // of a run on the ground
-  std::optional<executor::operator_handle> flight;       // else
-  std::optional<operator_bridge::desk_handle> bridge;    // with a flight
-  std::optional<ground_handle> ground;                   // with a flight and a line for ground stations
-  std::optional<override_handle> failsafe;               // with a flight
-  std::optional<failsafe_status_handle> failsafe_status; // with a flight
+  std::optional<ground_run::status_handle> run;           // of a run on the ground
+  std::optional<executor::operator_handle> flight;        // else
+  std::optional<operator_bridge::desk_handle> bridge;     // with a flight
+  std::optional<ground_handle> ground;                    // with a flight and a line for ground stations
+  std::optional<override_handle> failsafe;                // with a flight
+  std::optional<failsafe_status_handle> failsafe_status;  // with a flight
+  std::optional<scan_controller::operator_handle> points; // with a flight
   std::optional<health::status_handle> health;
   std::optional<sightings::status_handle> sightings; // with a flight
   runtime::guardian_handle guardian;
@@ -90,6 +92,11 @@ private:
   void list_audit(const control_request& asked);
   void make_link(const control_request& asked);
   void note(const control_request& asked, const std::string& what, bool is_done, const std::string& reason);
+  void list_points(std::uint64_t ticket);
+  void decide_point(const control_request& asked);
+  void insert_at_point(const control_request& asked);
+  template <class Then>
+  void ask_points(std::uint64_t ticket, Then then);
   void override_rule(const control_request& asked);
   void crash(const control_request& asked);
   void rescue_journal(const control_request& asked);

@@ -1,6 +1,8 @@
 #include "programs/godwitd/control/request_line.hpp"
 
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -36,6 +38,35 @@ control_request request_of(const json& document, request_kind what) {
   return result;
 }
 
+std::optional<std::uint64_t> point_of(const json& document) {
+  const auto found = document.find("point");
+  if (found == document.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() == 0)
+    return std::nullopt;
+  return found->get<std::uint64_t>();
+}
+
+// The point says where, and nobody but a person how high.
+tl::expected<control_request, std::string> read_insert_at_point(const json& document, control_request so_far) {
+  const auto point = point_of(document);
+  const auto altitude = document.find("altitude_m");
+  if (!point || altitude == document.end() || !altitude->is_number() || document.contains("place"))
+    return tl::make_unexpected(std::string("insert at a point names the point and the altitude, such as \"point\": 3, "
+                                           "\"altitude_m\": 40, and no place"));
+  so_far.point = *point;
+  so_far.said.place.emplace().altitude_m = altitude->get<double>();
+  return so_far;
+}
+
+tl::expected<control_request, std::string> read_decision(const json& document, scan_controller::decision says) {
+  auto result = request_of(document, request_kind::decide_point);
+  result.decided = {point_of(document).value_or(0), says, text_of(document, "by")};
+  if (result.decided.number == 0)
+    return tl::make_unexpected(std::string("a decision names the point of interest, such as \"point\": 3"));
+  if (result.decided.by.empty())
+    return tl::make_unexpected(std::string("a decision says whose it is, such as \"by\": \"anna\""));
+  return result;
+}
+
 tl::expected<control_request, std::string> read_command(const json& document, operators::command_kind kind) {
   auto result = request_of(document, request_kind::command);
   result.said.kind = kind;
@@ -50,6 +81,8 @@ tl::expected<control_request, std::string> read_command(const json& document, op
       return tl::make_unexpected(std::string("\"valid_until_ns\" is a time in ns since 1970"));
     result.valid_until_ns = until->get<std::int64_t>();
   }
+  if (kind == operators::command_kind::insert && document.contains("point"))
+    return read_insert_at_point(document, std::move(result));
   if (const auto place = document.find("place"); place != document.end())
     if (const auto read = io::read_json(*place, result.said.place.emplace(), "place"); !read)
       return tl::make_unexpected("the place can not be read: " + read.error().message());
@@ -146,10 +179,14 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
     return read_audit(document);
   if (what == "login")
     return read_login(document);
-  return tl::make_unexpected(
-      "\"do\" is status, audit, control, login, outbox_retry, override, rescue_journal, crash, or a "
-      "command to the flight: " +
-      all_verbs());
+  if (what == "points")
+    return request_of(document, request_kind::points);
+  if (const auto says = io::value_of<scan_controller::decision>(what))
+    return read_decision(document, *says);
+  return tl::make_unexpected("\"do\" is status, audit, control, login, outbox_retry, override, points, confirm, "
+                             "decline, rescue_journal, crash, "
+                             "or a command to the flight: " +
+                             all_verbs());
 }
 
 std::string refusal_line(const std::string& sentence) {

@@ -9,6 +9,9 @@
 //   {"do": "audit", "by": "anna", "rows": 50}
 //   {"do": "acknowledge", "by": "anna", "report": 1}
 //   {"do": "go_to", "by": "anna", "place": {"latitude": 47.398, "longitude": 8.546, "altitude_m": 40}}
+//   {"do": "insert", "by": "anna", "point": 3, "altitude_m": 40}
+//   {"do": "points"}
+//   {"do": "confirm", "by": "anna", "point": 3}        and "decline"
 //   {"do": "override", "by": "anna", "rule": "operator_link", "seconds": 600, "reason": "we walk over the hill"}
 //   {"do": "crash", "actor": "executor"}
 //

@@ -7,10 +7,35 @@ namespace godwit::sightings {
 using mapobjects_store::map_failure;
 using runtime::ask_error;
 
+namespace {
+
+// What the map knows and nobody moved is offered too: it may be a point of which more is seen now. Nothing: of no
+// interest.
+std::optional<scan_controller::candidate> candidate_of(const mapobjects_store::observed& seen) {
+  using mapobjects_store::observation_kind;
+  const auto& what = seen.what;
+  const bool is_known = what.kind == observation_kind::existing;
+  if (!is_known && !seen.shown)
+    return std::nullopt;
+  scan_controller::candidate result;
+  result.id = what.id;
+  result.mission_id = what.mission_id;
+  result.object_id = what.object_id;
+  result.class_group = what.class_group;
+  result.position = what.position;
+  result.at_ns = what.at_ns;
+  result.confidence = what.confidence;
+  result.has_moved = what.kind == observation_kind::moved;
+  result.is_known = is_known;
+  return result;
+}
+
+} // namespace
+
 feeder::feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
-               std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
+               scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
     : actor_base(std::move(context)), settings_(std::move(configured)), store_(std::move(store)),
-      feed_(std::move(feed)), complain_(std::move(complain)) {}
+      scan_(std::move(scan)), feed_(std::move(feed)), complain_(std::move(complain)) {}
 
 feeder::~feeder() = default;
 
@@ -53,6 +78,21 @@ void feeder::choose() {
       [](const ask_error&) {}); // asked again with the next tick
 }
 
+// Who does not run, because nobody looks for points of interest, takes nothing: that is how it should be.
+void feeder::offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then) {
+  using daemon::sighting_flow;
+  const auto candidate = candidate_of(seen);
+  if (!candidate)
+    return then(sighting_flow::offer_outcome::taken);
+  ask(
+      scan_, offer_timeout, *candidate,
+      [then](const scan_controller::candidate_answer&) { then(sighting_flow::offer_outcome::taken); },
+      [then](const ask_error& why) {
+        then(why.code == runtime::ask_errc::not_taken ? sighting_flow::offer_outcome::taken
+                                                      : sighting_flow::offer_outcome::unknown);
+      });
+}
+
 daemon::sighting_flow::ways feeder::ways_of_flow() {
   return {
       [this](const mapobjects_store::sighting& seen, daemon::sighting_flow::taker then, std::function<void()> failed) {
@@ -63,6 +103,9 @@ daemon::sighting_flow::ways feeder::ways_of_flow() {
       [this](const std::string& error) {
         is_broken_ = true;
         complain_("the map can not be used, and sightings are not recorded any more: " + error);
+      },
+      [this](const mapobjects_store::observed& seen, daemon::sighting_flow::offered then) {
+        offer(seen, std::move(then));
       }};
 }
 

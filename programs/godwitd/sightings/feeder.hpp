@@ -1,4 +1,5 @@
-// The sightings of a flight as an actor: while the gate is open they flow from the feed into the map store.
+// The sightings of a flight as an actor: while the gate is open they flow from the feed into the map store, and what
+// the store makes of them to who looks for points of interest.
 //
 // The gate is in the feed, which outlives the incarnations; whoever knows where the flight stands opens and closes it.
 // Without a missions service nobody else tells the map store which mission it is, and so the feeder does. Nothing of it
@@ -12,6 +13,7 @@
 #include <string>
 
 #include "messages/mapobjects_store/types.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
 #include "programs/godwitd/sightings/sighting_flow.hpp"
 #include "runtime/actor_base.hpp"
@@ -34,10 +36,11 @@ class feeder final : public runtime::actor_base<feeder_handle> {
 public:
   static constexpr std::chrono::milliseconds tick_period{500};
   static constexpr std::chrono::seconds answer_timeout{10};
+  static constexpr std::chrono::seconds offer_timeout{2};
 
   // FEED: null without sightings.
   feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
-         std::shared_ptr<daemon::sighting_feed> feed, complainer complain);
+         scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed, complainer complain);
   ~feeder() override;
 
 protected:
@@ -48,9 +51,11 @@ private:
   [[nodiscard]] daemon::sighting_flow::ways ways_of_flow();
   void look();
   void choose();
+  void offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then);
 
   feeder_settings settings_;
   store_handle store_;
+  scan_controller::candidate_handle scan_;
   std::shared_ptr<daemon::sighting_feed> feed_;
   complainer complain_;
   std::optional<daemon::sighting_flow> flow_; // from started() on

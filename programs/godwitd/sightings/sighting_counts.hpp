@@ -8,12 +8,14 @@
 namespace godwit::daemon {
 
 struct sighting_counts {
-  std::uint64_t recorded = 0;   // answered by the map store, those that it had already included
-  std::uint64_t refused = 0;    // by the map store
-  std::uint64_t unreadable = 0; // lines that are no sightings
+  std::uint64_t recorded = 0;    // answered by the map store, those that it had already included
+  std::uint64_t refused = 0;     // by the map store
+  std::uint64_t unreadable = 0;  // lines that are no sightings
+  std::uint64_t not_offered = 0; // recorded, and scan_controller did not answer
   static constexpr auto fields =
       io::table("godwitd.sighting_counts", io::field("recorded", &sighting_counts::recorded),
-                io::field("refused", &sighting_counts::refused), io::field("unreadable", &sighting_counts::unreadable));
+                io::field("refused", &sighting_counts::refused), io::field("unreadable", &sighting_counts::unreadable),
+                io::field("not_offered", &sighting_counts::not_offered));
 };
 
 } // namespace godwit::daemon

@@ -33,6 +33,10 @@ tl::expected<std::shared_ptr<sighting_feed>, std::string> sighting_feed::open(co
 sighting_feed::sighting_feed(std::string name, std::string mission_id, descriptor file, descriptor stop)
     : name_(std::move(name)), mission_id_(std::move(mission_id)), file_(std::move(file)), stop_(std::move(stop)) {}
 
+std::shared_ptr<sighting_feed> sighting_feed::without_file() {
+  return std::shared_ptr<sighting_feed>(new sighting_feed("nowhere", {}, descriptor(), descriptor()));
+}
+
 sighting_feed::~sighting_feed() { stop(); }
 
 void sighting_feed::start(waker wake, complainer complain) {
@@ -48,7 +52,8 @@ void sighting_feed::stop() {
   }
   room_.notify_all();
   const std::uint64_t one = 1;
-  (void)!::write(stop_.number(), &one, sizeof one);
+  if (stop_.is_open())
+    (void)!::write(stop_.number(), &one, sizeof one);
   if (thread_.joinable())
     thread_.join();
 }
@@ -87,6 +92,19 @@ void sighting_feed::take_back_all() {
     auto last = given_.extract(std::prev(given_.end()));
     waiting_.push_front({last.key(), std::move(last.mapped())});
   }
+}
+
+void sighting_feed::count_not_offered() {
+  const std::lock_guard guard(mutex_);
+  ++counts_.not_offered;
+}
+
+bool sighting_feed::add(mapobjects_store::sighting seen) {
+  const std::lock_guard guard(mutex_);
+  if (waiting_.size() >= max_waiting)
+    return false;
+  waiting_.push_back({++last_number_, std::move(seen)});
+  return true;
 }
 
 bool sighting_feed::is_over() const {

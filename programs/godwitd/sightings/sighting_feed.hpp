@@ -46,12 +46,16 @@ public:
   // FILE "-": standard input.
   [[nodiscard]] static tl::expected<std::shared_ptr<sighting_feed>, std::string> open(const std::string& file,
                                                                                       const std::string& mission_id);
+  // Of what a program adds itself; it has no thread, and nobody is woken.
+  [[nodiscard]] static std::shared_ptr<sighting_feed> without_file();
   ~sighting_feed();
   sighting_feed(const sighting_feed&) = delete;
   sighting_feed& operator=(const sighting_feed&) = delete;
 
   void start(waker wake, complainer complain); // once
   void stop();                                 // WAKE is not called any more
+  // False: there is no room.
+  [[nodiscard]] bool add(mapobjects_store::sighting seen);
 
   // Closed at first, and while it is nothing is handed out to who asks whether it is open.
   void set_gate(bool open) { is_gate_open_.store(open); }
@@ -61,6 +65,7 @@ public:
   [[nodiscard]] std::optional<numbered> take();
   void resolve(std::uint64_t number, bool is_recorded);
   void take_back(std::uint64_t number);
+  void count_not_offered();
   void take_back_all();
 
   // Nothing is left, and nothing will come.

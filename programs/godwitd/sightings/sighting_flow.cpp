@@ -48,7 +48,10 @@ void sighting_flow::record(const sighting_feed::numbered& each) {
 void sighting_flow::take(std::uint64_t number, const mapobjects_store::sighting_answer& answer) {
   switch (answer.failure) {
   case map_failure::none:
-    feed_->resolve(number, true);
+    if (answer.seen && ways_.offer)
+      offer(number, *answer.seen, 1);
+    else
+      feed_->resolve(number, true);
     return;
   case map_failure::busy:
     feed_->take_back(number);
@@ -63,6 +66,20 @@ void sighting_flow::take(std::uint64_t number, const mapobjects_store::sighting_
     if (feed_->counts().refused <= max_told_refusals)
       ways_.complain("a sighting is refused: " + answer.error);
   }
+}
+
+// The map has it; until it was offered it counts as under way.
+void sighting_flow::offer(std::uint64_t number, const mapobjects_store::observed& seen, int tries) {
+  ++under_way_;
+  ways_.offer(seen, [this, number, seen, tries](offer_outcome how) {
+    --under_way_;
+    if (how == offer_outcome::unknown && tries < max_offers)
+      return offer(number, seen, tries + 1);
+    if (how == offer_outcome::unknown)
+      feed_->count_not_offered();
+    feed_->resolve(number, true);
+    go_on();
+  });
 }
 
 } // namespace godwit::daemon

@@ -91,6 +91,28 @@ TEST(command_line, a_word_to_the_flight_has_what_it_needs) {
   EXPECT_EQ(read({"ctl", "insert", "47.398,8.5,40", "--after", "w2"})->said.after, "w2");
 }
 
+TEST(command_line, a_waypoint_is_inserted_at_a_place_or_at_a_point_with_an_altitude) {
+  const auto at_point = read({"ctl", "insert", "--point", "3", "--altitude", "40"});
+  ASSERT_TRUE(at_point);
+  EXPECT_EQ(at_point->point, 3U);
+  EXPECT_EQ(at_point->said.place->altitude_m, 40);
+  using words = std::vector<const char*>;
+  for (const auto& wrong :
+       {words{"ctl", "insert"}, words{"ctl", "insert", "--point", "3"}, words{"ctl", "insert", "--altitude", "40"},
+        words{"ctl", "insert", "47.398,8.5,40", "--point", "3", "--altitude", "40"}})
+    EXPECT_EQ(read(wrong).error(), runtime::exit_code::usage) << wrong.size();
+}
+
+TEST(command_line, a_point_is_confirmed_or_declined_by_its_number) {
+  EXPECT_EQ(read({"ctl", "points"})->what, task::list_points);
+  const auto decided = read({"ctl", "decline", "3"});
+  ASSERT_TRUE(decided);
+  EXPECT_EQ(decided->what, task::decide_point);
+  EXPECT_EQ(decided->decided.number, 3U);
+  EXPECT_EQ(decided->decided.says, scan_controller::decision::decline);
+  EXPECT_EQ(read({"ctl", "confirm"}).error(), runtime::exit_code::usage);
+}
+
 TEST(command_line, an_override_has_a_rule_a_time_and_a_reason) {
   const auto asked = read({"ctl", "override", "operator_link", "600", "we walk over the hill"});
   ASSERT_TRUE(asked);

@@ -119,6 +119,23 @@ TEST(daemon_settings, what_follows_when_the_service_has_deleted_the_mission_is_a
   EXPECT_EQ(other.failsafe.moving_mps, 0.5);
 }
 
+TEST(daemon_settings, points_of_interest_are_five_a_minute_in_surveys_and_nothing_is_said_to_be_gone) {
+  const auto usually = settings(usual());
+  ASSERT_TRUE(usually);
+  EXPECT_EQ(usually->flight.scans, executor::scan_policy::with_survey);
+  EXPECT_EQ(usually->scan.shown_a_minute, 5U);
+  EXPECT_EQ(usually->scan.window_ms, 60'000);
+  EXPECT_TRUE(usually->scan.looks_for.empty());
+}
+
+TEST(daemon_settings, what_is_looked_for_is_named_with_spaces_between) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  configuration["scan"]["looks_for"] = " vehicle  person ";
+  EXPECT_EQ(settings_from(configuration)->scan.looks_for, (std::vector<std::string>{"vehicle", "person"}));
+  configuration["scan"]["looks_for"] = std::string(65, 'x');
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("scan.looks_for: "));
+}
+
 TEST(daemon_settings, once_is_a_run_on_the_ground) {
   auto options = usual();
   options["once"] = "true";

@@ -90,6 +90,31 @@ TEST(status_text, the_line_of_the_stations_says_who_is_there_and_what_was_droppe
             "ground     down (nobody listens there)");
 }
 
+TEST(status_text, points_are_listed_with_what_can_be_done_about_them) {
+  const json shown = {{"number", 3},
+                      {"class_group", "vehicle"},
+                      {"position", {{"latitude_deg", 47.3981}, {"longitude_deg", 8.5461}}},
+                      {"confidence", 0.9},
+                      {"has_moved", true},
+                      {"seen_ago_ms", 12'000},
+                      {"decide_within_ms", 48'000}};
+  auto confirmed = shown;
+  confirmed["number"] = 2;
+  confirmed["has_moved"] = false;
+  confirmed["by"] = "anna";
+  EXPECT_EQ(
+      points_text({{"ok", true},
+                   {"shown", json::array({shown})},
+                   {"confirmed", json::array({confirmed})},
+                   {"waiting", 7},
+                   {"counts", {{"confirmed", 1}, {"no_room", 2}}}}),
+      "point 3: vehicle at 47.39810,8.54610, 90 %, moved, seen 12 s ago; decide within 48 s: ctl confirm 3, or "
+      "decline\n"
+      "point 2: vehicle at 47.39810,8.54610, 90 %, seen 12 s ago; confirmed by anna\n"
+      "7 wait for their turn; 1 were confirmed, 0 declined, 0 passed over; dropped: 0 too faint, 0 too old, 2 for "
+      "want of room, 0 with their mission");
+}
+
 TEST(status_text, a_retry_tells_how_many_rows_it_found) {
   EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
 }

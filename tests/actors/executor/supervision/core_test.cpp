@@ -17,10 +17,11 @@ const std::vector<std::string> names{"vehicle_link", "failsafe", "mission_client
 struct world {
   supervision::state durable;
   bool in_flight = false;
+  bool has_scans = false;
   std::int64_t now_ns = 0;
   supervisor core{{}, 1, names};
 
-  void look() { core.look(durable, in_flight, now_ns); }
+  void look() { core.look(durable, in_flight, has_scans, now_ns); }
   void wait(std::int64_t duration_ns) {
     look();
     now_ns += duration_ns;
@@ -198,6 +199,33 @@ TEST(supervision, who_was_not_wanted_when_this_incarnation_began_comes_back_as_w
   (void)w.core.on_children(found, 0);
   (void)w.hear("mission_client", child_event_kind::up, 1);
   EXPECT_EQ(w.core.take_returned(), std::vector<std::string>{"mission_client"});
+}
+
+TEST(supervision, a_mission_with_scanning_in_flight_is_another_table_and_on_the_ground_it_is_none) {
+  world w;
+  w.look();
+  w.acknowledge();
+  w.has_scans = true;
+  w.wait(20 * second);
+  EXPECT_FALSE(w.core.unacknowledged());
+  EXPECT_FALSE(w.core.is_scanning());
+  w.change(true);
+  w.wait(part_holds_ns);
+  EXPECT_TRUE(w.core.is_scanning());
+  w.acknowledge();
+  w.has_scans = false; // the rest of the mission was replaced
+  w.look();
+  EXPECT_TRUE(w.core.unacknowledged());
+  EXPECT_FALSE(w.core.is_scanning());
+}
+
+TEST(supervision, who_is_not_wanted_on_the_ground_is_none_of_the_preflight_checks_and_coming_is_no_news) {
+  world w;
+  w.core = supervisor({}, 1, {"executor", "scan_controller"});
+  ASSERT_EQ(w.core.facts().size(), 1U);
+  EXPECT_EQ(w.core.facts()[0].name, "executor");
+  (void)w.hear("scan_controller", child_event_kind::stopped, 1);
+  EXPECT_TRUE(w.hear("scan_controller", child_event_kind::up, 2).empty()) << "the next flight";
 }
 
 struct without_failsafe : testing::Test {

@@ -19,15 +19,15 @@ const std::vector<std::string> all{"vehicle_link", "failsafe",       "mapobjects
                                    "control_desk", "operator_bridge"};
 constexpr part parts[] = {part::ground, part::flight, part::after};
 
-std::map<std::string, child_entry> by_name(part now, const circumstances& process = {}) {
+std::map<std::string, child_entry> by_name(part now, const circumstances& process = {}, bool scans = false) {
   std::map<std::string, child_entry> result;
-  for (const auto& each : table_of(now, process, all))
+  for (const auto& each : table_of(now, process, all, scans))
     result[each.name] = each;
   return result;
 }
 
 TEST(supervision_table, names_each_child_of_the_process_and_no_other) {
-  const auto table = table_of(part::ground, {}, {"executor", "failsafe"});
+  const auto table = table_of(part::ground, {}, {"executor", "failsafe"}, false);
   ASSERT_EQ(table.size(), 2U);
   EXPECT_EQ(table[0].name, "executor");
   EXPECT_EQ(table[1].name, "failsafe");
@@ -83,6 +83,18 @@ TEST(supervision_table, a_reduced_process_runs_in_flight_only_what_flies_who_bri
     EXPECT_TRUE(by_name(part::ground, reduced).at(child).wanted) << child;
     EXPECT_TRUE(by_name(part::after, reduced).at(child).wanted) << child;
   }
+}
+
+TEST(supervision_table, the_scan_controller_is_wanted_only_in_a_flight_with_scanning_and_never_essential) {
+  const auto entry = [](part now, bool scans, bool is_reduced) {
+    return table_of(now, {.is_reduced = is_reduced}, {"scan_controller"}, scans).front();
+  };
+  for (const auto now : parts)
+    for (const bool scans : {false, true}) {
+      EXPECT_EQ(entry(now, scans, false).wanted, now == part::flight && scans);
+      EXPECT_FALSE(entry(now, scans, true).wanted);
+      EXPECT_FALSE(entry(now, scans, false).policy.essential);
+    }
 }
 
 TEST(supervision_table, the_floor_is_what_flies) {

@@ -22,7 +22,9 @@ using everybody_handle = runtime::mailbox<runtime::asks<mission_client::retry_ou
                                           runtime::asks<ground_run::get_run, ground_run::run_status>,
                                           runtime::asks<operators::command, operators::answer>,
                                           runtime::asks<executor::get_flight, executor::flight_status>,
-                                          runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
+                                          runtime::asks<failsafe::override_rule, failsafe::override_answer>,
+                                          runtime::asks<scan_controller::get_points, scan_controller::points>,
+                                          runtime::asks<scan_controller::decide_point, scan_controller::decide_answer>>;
 
 class everybody final : public runtime::actor_base<everybody_handle> {
 public:
@@ -40,20 +42,34 @@ private:
 
 protected:
   behavior_type handlers() override {
-    return {late<mission_client::retry_outbox>([](const auto& m) {
-              return mission_client::retry_answer{2, 1, m.key};
-            }),
-            late<mission_client::get_service>([](const auto&) { return mission_client::service_status{}; }),
-            late<vehicle_link::get_connection>([](const auto&) { return vehicle_link::connection{}; }),
-            late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; }),
-            late<operators::command>([](const auto& m) {
-              const bool is_start = m.kind == operators::command_kind::start;
-              return operators::answer{is_start, is_start ? "" : "not now"};
-            }),
-            late<executor::get_flight>([](const auto&) { return executor::flight_status{}; }),
-            late<failsafe::override_rule>([](const auto& m) {
-              return failsafe::override_answer{m.until_ns > 0, m.reason};
-            })};
+    return {
+        late<mission_client::retry_outbox>([](const auto& m) {
+          return mission_client::retry_answer{2, 1, m.key};
+        }),
+        late<mission_client::get_service>([](const auto&) { return mission_client::service_status{}; }),
+        late<vehicle_link::get_connection>([](const auto&) { return vehicle_link::connection{}; }),
+        late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; }),
+        late<operators::command>([](const auto& m) {
+          if (m.kind == operators::command_kind::insert)
+            return operators::answer{m.place && m.place->latitude == 47.5 && m.place->altitude_m == 40, "elsewhere"};
+          const bool is_start = m.kind == operators::command_kind::start;
+          return operators::answer{is_start, is_start ? "" : "not now"};
+        }),
+        late<executor::get_flight>([](const auto&) { return executor::flight_status{}; }),
+        late<failsafe::override_rule>([](const auto& m) {
+          return failsafe::override_answer{m.until_ns > 0, m.reason};
+        }),
+        late<scan_controller::get_points>([](const auto&) {
+          scan_controller::points result;
+          auto& confirmed = result.confirmed.emplace_back();
+          confirmed.number = 3;
+          confirmed.position = {47.5, 8.5, 500.0};
+          result.shown.emplace_back().number = 4;
+          return result;
+        }),
+        late<scan_controller::decide_point>([](const auto& m) {
+          return scan_controller::decide_answer{m.number == 4, "no such point"};
+        })};
   }
 
 private:
@@ -131,6 +147,7 @@ struct process {
       others.flight = all;
       others.bridge = world.actors().add<bridge_stand_in>({.name = "bridge"}, {}, &bridge_answers, all, &notes);
       others.failsafe = all;
+      others.points = all;
       others.crash = [](const std::string& name) { return name == "executor"; };
     } else {
       others.run = all;
@@ -263,6 +280,31 @@ TEST(control_requests, a_flight_is_a_part_of_the_status) {
   const auto answer = process(true, true, true).ask({});
   EXPECT_TRUE(answer.contains("flight"));
   EXPECT_FALSE(answer.contains("run"));
+}
+
+TEST(control_requests, points_are_listed_and_decided_about) {
+  const auto listed = process(true, true, true).ask({0, request_kind::points, "", {}, {}, 0});
+  EXPECT_EQ(listed.at("ok"), true);
+  EXPECT_EQ(listed.at("shown").at(0).at("number"), 4);
+  control_request decision;
+  decision.what = request_kind::decide_point;
+  decision.decided = {4, scan_controller::decision::confirm, "anna"};
+  EXPECT_EQ(process(true, true, true).ask(decision).at("ok"), true);
+  decision.decided.number = 9;
+  EXPECT_EQ(process(true, true, true).ask(decision).at("error"), "no such point");
+  EXPECT_EQ(process(true).ask(decision).at("ok"), false) << "on the ground nobody looks for points";
+}
+
+TEST(control_requests, a_waypoint_is_inserted_at_a_point_that_a_person_has_confirmed_and_at_no_other) {
+  auto insert = command(operators::command_kind::insert);
+  insert.said.place.emplace().altitude_m = 40;
+  insert.point = 3;
+  EXPECT_EQ(process(true, true, true).ask(insert).at("ok"), true);
+  insert.point = 4;
+  const auto refused = process(true, true, true).ask(insert);
+  EXPECT_EQ(refused.at("ok"), false);
+  EXPECT_NE(refused.at("error").get<std::string>().find("not confirmed"), std::string::npos);
+  EXPECT_EQ(process(false, true, true).ask(insert).at("ok"), false) << "no answer";
 }
 
 TEST(control_requests, a_crash_is_for_drills_and_of_an_actor_that_runs) {

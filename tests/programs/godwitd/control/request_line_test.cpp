@@ -82,6 +82,32 @@ TEST(control_request_line, of_a_link_to_log_in_the_hash_is_told) {
   EXPECT_FALSE(read_request(R"({"do": "login"})"));
 }
 
+TEST(control_request_line, a_waypoint_at_a_point_has_its_number_and_an_altitude_and_no_place) {
+  const auto insert = read_request(R"({"do": "insert", "by": "anna", "point": 3, "altitude_m": 40.5})");
+  ASSERT_TRUE(insert) << insert.error();
+  EXPECT_EQ(insert->point, 3U);
+  EXPECT_EQ(insert->said.place->altitude_m, 40.5);
+  for (const auto* line :
+       {R"({"do": "insert", "by": "anna", "point": 3})",
+        R"({"do": "insert", "by": "anna", "point": 0, "altitude_m": 40})",
+        R"({"do": "insert", "by": "anna", "point": 3, "altitude_m": 40, "place": {}})",
+        R"({"do": "insert", "point": 3, "altitude_m": 40})", R"({"do": "go_to", "by": "anna", "point": 3})"})
+    EXPECT_FALSE(read_request(line)) << line;
+}
+
+TEST(control_request_line, a_decision_names_the_point_and_who_says_it) {
+  const auto confirm = read_request(R"({"do": "confirm", "by": "anna", "point": 3})");
+  ASSERT_TRUE(confirm) << confirm.error();
+  EXPECT_EQ(confirm->what, request_kind::decide_point);
+  EXPECT_EQ(confirm->decided.number, 3U);
+  EXPECT_EQ(confirm->decided.says, godwit::scan_controller::decision::confirm);
+  EXPECT_EQ(read_request(R"({"do": "decline", "by": "anna", "point": 3})")->decided.says,
+            godwit::scan_controller::decision::decline);
+  for (const auto* line : {R"({"do": "confirm", "by": "anna"})", R"({"do": "confirm", "point": 3})",
+                           R"({"do": "confirm", "by": "anna", "point": -3})"})
+    EXPECT_FALSE(read_request(line)) << line;
+}
+
 TEST(control_request_line, an_override_has_a_rule_and_a_time) {
   const auto one =
       read_request(R"({"do": "override", "by": "anna", "rule": "operator_link", "seconds": 60, "reason": "a hill"})");

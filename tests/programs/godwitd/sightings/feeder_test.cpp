@@ -26,6 +26,7 @@ struct store_log {
   int asks = 0;
   int busy_every = 0; // 0: never
   int chosen = 0;
+  mapobjects_store::observation_kind kind = mapobjects_store::observation_kind::found;
 };
 
 class store_stand_in final : public runtime::actor_base<sightings::store_handle> {
@@ -40,6 +41,10 @@ protected:
               if (log_->busy_every != 0 && ++log_->asks % log_->busy_every == 0)
                 answer.failure = map_failure::busy;
               else
+                answer.seen = ms::observed{
+                    {m.id, m.mission_id, m.id, log_->kind, m.class_group, m.position, m.at_ns, m.confidence},
+                    log_->kind == ms::observation_kind::found};
+              if (answer.seen)
                 log_->seen.insert(m.id);
               return answer;
             }),
@@ -53,6 +58,31 @@ private:
   store_log* log_;
 };
 
+struct scan_log {
+  std::set<std::string> offered;
+  int asks = 0;
+  bool answers = true;
+};
+
+class scan_stand_in final : public runtime::actor_base<scan_controller::candidate_handle> {
+public:
+  scan_stand_in(runtime::spawn_context context, scan_log* log) : actor_base(std::move(context)), log_(log) {}
+
+protected:
+  behavior_type handlers() override {
+    namespace sc = scan_controller;
+    return {on_deferred<sc::candidate, sc::candidate_answer>([this](const sc::candidate& m, std::uint64_t request_id) {
+      ++log_->asks;
+      log_->offered.insert(m.id);
+      if (log_->answers)
+        answer_later(request_id, sc::candidate_answer{});
+    })};
+  }
+
+private:
+  scan_log* log_;
+};
+
 struct process {
   explicit process(bool chooses) : world(disk, 1) {
     feed = daemon::sighting_feed::open(folder.write("seen", test::sighting_lines(lines)), this_mission).value();
@@ -61,13 +91,15 @@ struct process {
       EXPECT_TRUE(woken_up.try_acquire_for(20s));
     auto& actors = world.actors();
     const auto store = actors.add<store_stand_in>({.name = "store"}, {}, &log);
+    const auto scan = actors.add<scan_stand_in>({.name = "scan"}, {}, &offers);
     actors.add<sightings::feeder>({.name = "sightings"}, {}, sightings::feeder_settings{this_mission, chooses}, store,
-                                  feed, [](const std::string&) {});
+                                  scan, feed, [](const std::string&) {});
     world.start();
     world.advance(2s);
   }
   test::scratch folder;
   store_log log;
+  scan_log offers;
   runtime::simulated_disk disk;
   std::counting_semaphore<> woken_up{0};
   std::shared_ptr<daemon::sighting_feed> feed;
@@ -90,6 +122,45 @@ TEST(feeder, a_store_that_is_busy_is_asked_again) {
   p.world.advance(60s);
   EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
   EXPECT_EQ(p.feed->counts().recorded, static_cast<std::uint64_t>(lines));
+}
+
+TEST(feeder, what_the_map_makes_a_finding_of_is_offered_to_who_looks_for_points_of_interest) {
+  process p(false);
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  EXPECT_EQ(p.offers.offered, p.log.seen);
+  EXPECT_EQ(p.offers.asks, lines);
+}
+
+TEST(feeder, what_is_ignored_is_not_offered) {
+  process p(false);
+  p.log.kind = mapobjects_store::observation_kind::ignored;
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  EXPECT_EQ(p.offers.asks, 0);
+}
+
+TEST(feeder, who_does_not_answer_is_asked_three_times_and_holds_up_no_sighting_for_ever) {
+  process p(false);
+  p.offers.answers = false;
+  p.feed->set_gate(true);
+  p.world.advance(60s);
+  EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
+  EXPECT_EQ(p.offers.asks, 3 * lines);
+  EXPECT_EQ(p.feed->counts().recorded, static_cast<std::uint64_t>(lines));
+  EXPECT_EQ(p.feed->counts().not_offered, static_cast<std::uint64_t>(lines));
+}
+
+TEST(feeder, who_does_not_run_holds_up_nothing) {
+  process p(false);
+  for (int crashes = 0; crashes < 7; ++crashes) {
+    (void)p.world.kill("scan");
+    p.world.advance(10s);
+  }
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  EXPECT_EQ(p.feed->counts().recorded, static_cast<std::uint64_t>(lines));
+  EXPECT_EQ(p.offers.asks, 0);
 }
 
 TEST(feeder, without_a_service_it_tells_the_map_which_mission_it_is) {

@@ -1,0 +1,31 @@
+// How far the vehicle is with a survey, as the executor sees it. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/fields/field_table.hpp"
+#include "messages/mission/place.hpp"
+
+namespace godwit::scan_controller {
+
+// Told at each change. It is the survey that is flown, or the one flown last in this plan.
+struct survey_progress {
+  std::string mission_id;
+  std::string item_id;          // empty: no survey of the plan has begun
+  std::uint32_t generation = 0; // of the plan: another one was uploaded or started
+  bool is_flying = false;       // under godwit, in the mission: neither held nor taken over nor being replaced
+  bool is_at_beginning = false; // on the way to the first line, of which nothing is flown
+  std::uint32_t lines = 0;
+  std::uint32_t lines_done = 0;
+  std::vector<mission::vertex> polygon;
+  static constexpr auto fields = io::table(
+      "scan_controller.survey_progress", io::field("mission_id", &survey_progress::mission_id),
+      io::field("item_id", &survey_progress::item_id), io::field("generation", &survey_progress::generation),
+      io::field("is_flying", &survey_progress::is_flying),
+      io::field("is_at_beginning", &survey_progress::is_at_beginning), io::field("lines", &survey_progress::lines),
+      io::field("lines_done", &survey_progress::lines_done), io::field("polygon", &survey_progress::polygon));
+};
+
+} // namespace godwit::scan_controller

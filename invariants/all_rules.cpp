@@ -3,6 +3,7 @@
 #include "invariants/invariant.hpp"
 #include "invariants/rules/flight_rules.hpp"
 #include "invariants/rules/runtime_rules.hpp"
+#include "invariants/rules/scan_rules.hpp"
 
 namespace godwit::invariants {
 
@@ -12,7 +13,8 @@ std::span<const rule> all_rules() {
   static constexpr const char* progress = "docs/architecture.md, How far a mission got";
   static constexpr const char* executor = "docs/actors/executor.md";
   static constexpr const char* failsafe = "docs/actors/failsafe.md";
-  static constexpr std::array<rule, 12> rules{{
+  static constexpr const char* scan = "docs/actors/scan_controller.md";
+  static constexpr std::array<rule, 14> rules{{
       {"cause_before_effect", "A message is taken after the one that caused it, which its sender took.", inside,
        make_cause_before_effect},
       {"one_handler_at_a_time", "An actor is in one handler at a time.", inside, make_one_handler_at_a_time},
@@ -35,6 +37,10 @@ std::span<const rule> all_rules() {
        make_restart_starts_nothing},
       {"latch_holds", "A rule of the failsafe acts once in a flight, until the vehicle is handed back.", failsafe,
        make_latch_holds},
+      {"points_within_rate", "No more points of interest are shown in any minute than are set.", scan,
+       make_points_within_rate},
+      {"point_closed_once", "A point of interest is confirmed, declined or passed over, and stays so.", scan,
+       make_point_closed_once},
   }};
   return rules;
 }

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "invariants/rules/body.hpp"
 #include "invariants/rules/message_types.hpp"
 #include "io/mavlink/enums/command.hpp"
 
@@ -21,33 +22,6 @@ using runtime::name_table;
 using runtime::outcome;
 
 constexpr std::size_t max_missions = 1'000; // in one trace; later ones are not looked at
-
-std::optional<std::uint64_t> number(const json& of, const char* name) {
-  const auto found = of.find(name);
-  return found != of.end() && found->is_number_unsigned() ? std::optional(found->get<std::uint64_t>()) : std::nullopt;
-}
-
-std::string text(const json& of, const char* name) {
-  const auto found = of.find(name);
-  return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-bool flag(const json& of, const char* name) {
-  const auto found = of.find(name);
-  return found != of.end() && *found == true;
-}
-
-json object_in(const delivery& each) {
-  auto result = json::parse(each.body, nullptr, false);
-  return result.is_object() ? result : json::object();
-}
-
-// A member of that; nothing is in it where it is none.
-json object_in(const delivery& each, const char* member) {
-  const auto whole = object_in(each);
-  const auto found = whole.find(member);
-  return found != whole.end() && found->is_object() ? *found : json::object();
-}
 
 // A report as the executor makes it and mission_client takes it.
 struct report {

@@ -79,6 +79,28 @@ row guard(std::uint64_t id, const std::string& fences) {
           .body = R"({"geofences":[)" + fences + "]}"};
 }
 
+// Two a minute at most.
+row point_shown(std::int64_t at_ms, std::uint64_t id, int number, int shown_s) {
+  return {.at_ms = at_ms,
+          .actor = "executor",
+          .type = "scan_controller.point_shown",
+          .id = id,
+          .sender = "scan_controller",
+          .body = R"({"most_a_minute":2,"number":)" + std::to_string(number) + R"(,"shown_ns":)" +
+                  std::to_string(shown_s) + "000000000}",
+          .incarnation = 2};
+}
+
+row point_closed(std::int64_t at_ms, std::uint64_t id, int number, const std::string& outcome) {
+  return {.at_ms = at_ms,
+          .actor = "executor",
+          .type = "scan_controller.point_closed",
+          .id = id,
+          .sender = "scan_controller",
+          .body = R"({"number":)" + std::to_string(number) + R"(,"outcome":")" + outcome + "\"}",
+          .incarnation = 2};
+}
+
 // Behind the start, in front of the reports.
 void insert_before_reports(record& to, const record& rows) { to.insert(to.begin() + 7, rows.begin(), rows.end()); }
 
@@ -181,6 +203,17 @@ const std::map<std::string, std::function<void(record&)>>& plants() {
        }},
       {"pilot_is_left_alone", [](record& r) { r.push_back(start_command(41, 58, 7)); }},
       {"restart_starts_nothing", [](record& r) { r.insert(r.begin() + 7, start_command(15, 59, 5)); }},
+      {"points_within_rate",
+       [](record& r) {
+         r.push_back(point_shown(41, 71, 1, 1));
+         r.push_back(point_shown(42, 72, 2, 31));
+         r.push_back(point_shown(43, 73, 3, 61));
+       }},
+      {"point_closed_once",
+       [](record& r) {
+         r.push_back(point_closed(41, 74, 1, "declined"));
+         r.push_back(point_closed(42, 75, 1, "confirmed"));
+       }},
       {"latch_holds",
        [](record& r) {
          auto each = failsafe_status(32, 60, true, "\"operator_link\"");
@@ -210,6 +243,15 @@ TEST(invariants, a_planted_violation_is_found_and_breaks_no_other_promise) {
     expected[name] = verdict::violated;
     EXPECT_EQ(judge(broken), expected) << name;
   }
+}
+
+TEST(invariants, a_point_told_again_is_no_other_point_and_another_boot_has_other_times) {
+  auto sound = sound_record();
+  for (const auto& each : {point_shown(41, 71, 1, 100), point_shown(42, 72, 2, 110), point_shown(43, 73, 2, 110),
+                           point_shown(44, 74, 3, 161), point_shown(45, 75, 4, 5), point_closed(46, 76, 1, "declined"),
+                           point_closed(47, 77, 1, "declined")})
+    sound.push_back(each);
+  EXPECT_EQ(judge(sound), all_held());
 }
 
 TEST(invariants, what_is_missing_leaves_undecided_what_is_not_certain) {

@@ -1,8 +1,10 @@
 #include "programs/godwitd/composition.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <future>
+#include <iterator>
 #include <random>
 #include <utility>
 
@@ -10,6 +12,7 @@
 
 #include "actors/executor/state.hpp"
 #include "actors/mission_client/actor.hpp"
+#include "actors/telemetry_stream/core.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
 #include "programs/godwitd/child_policies.hpp"
@@ -146,6 +149,8 @@ void composition::add_actors() {
     add_flight(of_desk);
   else
     add_ground_run(of_desk);
+  if (wanted_.operators)
+    views_outside_.stream = std::make_shared<telemetry_stream::hub>(outside_.seed);
   views_outside_.read_host = [this] { return read_host(); };
   views_ = add_views(actors, views_outside_, base_, flight_);
   of_desk.health = views_.health;
@@ -322,13 +327,20 @@ void composition::open_operator_port() {
     return;
   const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("operator_port"));
   view_api_ = std::make_shared<operator_port::view_api>(
-      operator_port_.context(),
-      operator_port::view_parts{
-          views_outside_.reports,
-          [way_in, to = health::report_handle(views_.health)] { way_in->tell(to, health::make_report{}); },
-          [this](io::prometheus::text_writer& out) { operator_port_.append_metrics(out); }, &host_->time()});
+      operator_port_.context(), operator_port::view_parts{views_outside_.reports,
+                                                          [way_in, to = health::report_handle(views_.health)] {
+                                                            way_in->tell(to, health::make_report{});
+                                                          },
+                                                          [this](io::prometheus::text_writer& out) {
+                                                            operator_port_.append_metrics(out);
+                                                            stream_api_->append_metrics(out);
+                                                          },
+                                                          &host_->time()});
   view_api_->open();
-  if (const auto opened = operator_port_.open(*wanted_.operators, view_api_->routes()); !opened) {
+  stream_api_ = std::make_shared<operator_port::stream_api>(operator_port_.context(), views_outside_.stream);
+  auto routes = view_api_->routes();
+  std::ranges::move(stream_api_->routes(), std::back_inserter(routes));
+  if (const auto opened = operator_port_.open(*wanted_.operators, std::move(routes)); !opened) {
     const auto sentence = "the operator's port can not be opened: " + opened.error();
     host_->health().post("operator_port", runtime::health_colour::yellow, sentence);
     announce({sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true}, "operator_port");
@@ -375,10 +387,18 @@ ground_run::run_world composition::world_of_run() {
 
 void composition::announce(const ground_run::announce& said, std::string_view part) {
   log_.say(said.is_warning ? log_level::warning : log_level::info, part, said.sentence);
+  if (views_outside_.stream)
+    views_outside_.stream->publish(
+        telemetry_stream::topic::log,
+        telemetry_stream::json_of(telemetry_stream::log_update{said.is_warning, std::string(part), said.sentence}),
+        host_->time().wall_ns() / 1'000'000, host_->time().monotonic_ns());
 }
 
 int composition::close(runtime::exit_code code) {
-  operator_port_.close([this] { view_api_->close(); });
+  operator_port_.close([this] {
+    view_api_->close();
+    stream_api_->close();
+  });
   control_.reset();
   keeper_.reset();
   if (feed_)

@@ -24,6 +24,7 @@
 #include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
 #include "programs/godwitd/operator_port/operator_port.hpp"
+#include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -111,7 +112,8 @@ private:
   std::unique_ptr<accounts::account_keeper> keeper_; // with a flight
   std::unique_ptr<control::server> control_;
   operator_port::port operator_port_;
-  std::shared_ptr<operator_port::view_api> view_api_; // none without the port
+  std::shared_ptr<operator_port::view_api> view_api_;     // none without the port
+  std::shared_ptr<operator_port::stream_api> stream_api_; // none without it
 };
 
 } // namespace godwit::daemon

@@ -125,6 +125,7 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
                          const base_actors& base) {
   flight_actors made;
   const auto of_executor = std::make_shared<executor::peers>();
+  made.of_executor = of_executor;
   made.executor =
       actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
                                   std::shared_ptr<const executor::peers>(of_executor), world_of(actors, outside));

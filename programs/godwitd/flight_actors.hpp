@@ -45,8 +45,9 @@
 #include "runtime/system.hpp"
 
 namespace godwit::executor {
+struct peers;
 struct phase_status;
-}
+} // namespace godwit::executor
 
 namespace godwit::failsafe {
 struct peers;
@@ -100,6 +101,8 @@ struct flight_actors {
   operator_bridge::own_handle bridge;
   scan_controller::own_handle scan;
   sightings::feeder_handle feeder;
+  // Whom it speaks with; filled in before the actors start.
+  std::shared_ptr<executor::peers> of_executor;
 };
 
 // The table that holds until the executor has sent its own: from it on an essential actor that can not be kept up is

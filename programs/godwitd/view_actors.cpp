@@ -1,9 +1,28 @@
 #include "programs/godwitd/view_actors.hpp"
 
+#include "actors/executor/actor.hpp"
 #include "actors/health/actor.hpp"
+#include "actors/telemetry_stream/actor.hpp"
 #include "programs/godwitd/child_policies.hpp"
 
 namespace godwit::daemon {
+namespace {
+
+telemetry_stream::own_handle add_stream(runtime::system& actors, const std::shared_ptr<telemetry_stream::hub>& to,
+                                        const base_actors& base, const flight_actors& flight) {
+  const auto of_stream = std::make_shared<telemetry_stream::peers>();
+  of_stream->map = base.store;
+  of_stream->flight = flight.executor;
+  auto made =
+      actors.add<telemetry_stream::actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, replaceable,
+                                          std::shared_ptr<const telemetry_stream::peers>(of_stream), to);
+  base.of_vehicle->add(made);
+  if (flight.of_executor)
+    flight.of_executor->watchers.emplace_back(made);
+  return made;
+}
+
+} // namespace
 
 view_actors add_views(runtime::system& actors, const view_surroundings& outside, const base_actors& base,
                       const flight_actors& flight) {
@@ -16,6 +35,10 @@ view_actors add_views(runtime::system& actors, const view_surroundings& outside,
   of_health->ground = flight.ground;
   of_health->service = base.client;
   of_health->map = base.store;
+  if (outside.stream) {
+    made.stream = add_stream(actors, outside.stream, base, flight);
+    of_health->listeners.emplace_back(made.stream);
+  }
   made.health = actors.add<health::actor>({.name = "health", .policy = runtime::on_crash::lose}, replaceable,
                                           std::shared_ptr<const health::peers>(of_health),
                                           health::outside_world{outside.read_host}, outside.reports);

@@ -11,7 +11,9 @@
 #include <memory>
 
 #include "actors/health/report_port.hpp"
+#include "actors/telemetry_stream/hub.hpp"
 #include "messages/health/handle.hpp"
+#include "messages/telemetry_stream/handle.hpp"
 #include "programs/godwitd/flight_actors.hpp"
 
 namespace godwit::daemon {
@@ -19,10 +21,12 @@ namespace godwit::daemon {
 struct view_surroundings {
   std::shared_ptr<health::report_port> reports = std::make_shared<health::report_port>();
   std::function<health::host_figures()> read_host; // empty: there are none
+  std::shared_ptr<telemetry_stream::hub> stream;   // none: nobody can subscribe, and there is no stream
 };
 
 struct view_actors {
   health::own_handle health;
+  telemetry_stream::own_handle stream;
 };
 
 [[nodiscard]] view_actors add_views(runtime::system& actors, const view_surroundings& outside, const base_actors& base,

@@ -28,6 +28,7 @@ struct daemon_process::parts {
     auto& actors = world.actors();
     base = daemon::add_base(actors, around.settings, meets);
     flight = daemon::add_flight(actors, around.settings, meets, base);
+    views_meet.stream = stream;
     views = daemon::add_views(actors, views_meet, base, flight);
     using executor::supervision::part;
     const bool flies = daemon::is_in_flight(around.journal.actors["executor"].kept);
@@ -74,6 +75,7 @@ struct daemon_process::parts {
   std::shared_ptr<mapobjects_store::map_port> map_port = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<stepped_map> map;
   daemon::actor_surroundings meets;
+  std::shared_ptr<telemetry_stream::hub> stream = std::make_shared<telemetry_stream::hub>();
   daemon::view_surroundings views_meet;
   runtime::simulation world;
   daemon::host_facts facts;
@@ -183,6 +185,8 @@ std::shared_ptr<const health::report> daemon_process::report() {
 std::shared_ptr<const health::report> daemon_process::newest_report() const {
   return parts_->views_meet.reports->newest();
 }
+
+telemetry_stream::hub& daemon_process::stream() { return *parts_->stream; }
 
 health::report_port::seen_health daemon_process::newest_health() const {
   return parts_->views_meet.reports->newest_health();

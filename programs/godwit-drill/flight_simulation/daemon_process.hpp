@@ -15,6 +15,7 @@
 #include "actors/executor/state.hpp"
 #include "actors/executor/supervision/table.hpp"
 #include "actors/health/report_port.hpp"
+#include "actors/telemetry_stream/hub.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/command.hpp"
@@ -101,6 +102,7 @@ public:
   [[nodiscard]] std::shared_ptr<const health::report> report();
   [[nodiscard]] std::shared_ptr<const health::report> newest_report() const; // null: there was none yet
   [[nodiscard]] health::report_port::seen_health newest_health() const;
+  [[nodiscard]] telemetry_stream::hub& stream(); // where its clients subscribe
 
   // Why the guardian wants the process to end.
   [[nodiscard]] std::optional<runtime::exit_request> wants_exit() const;

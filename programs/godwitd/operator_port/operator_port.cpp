@@ -1,5 +1,6 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -28,14 +29,17 @@ std::vector<header> security_headers() {
 
 // Whatever a route asks for.
 constexpr std::size_t max_body_bytes = 64 * 1024;
+// A browser keeps six connections, and an address has eight places: those that say nothing are free again soon.
+constexpr std::chrono::seconds idle_timeout{5};
 
 io::http::server_settings settings_of(const settings& wanted) {
   io::http::server_settings result;
   result.host = wanted.host;
   result.port = wanted.port;
   result.headers = security_headers();
-  result.max_connections = settings::max_clients;
+  result.max_connections = wanted.max_clients;
   result.max_body_bytes = max_body_bytes;
+  result.idle_timeout = idle_timeout;
   return result;
 }
 
@@ -74,7 +78,7 @@ boost::asio::io_context& port::context() { return parts_->thread.context(); }
 tl::expected<void, std::string> port::open(const settings& wanted, route_list routes) {
   auto& p = *parts_;
   p.routes.emplace(std::move(routes), wanted.hosts, false);
-  p.clients = std::make_shared<client_table>(settings::max_clients, settings::max_clients_an_address);
+  p.clients = std::make_shared<client_table>(wanted.max_clients, wanted.max_clients_an_address);
   io::http::server_hooks hooks;
   hooks.handle = [&p](server_request asked, responder answer) {
     p.routes->answer(std::move(asked), std::move(answer));

@@ -16,8 +16,8 @@ struct settings {
   std::uint16_t port = 0;         // 0: any free one
   std::vector<std::string> hosts; // further names under which it may be asked
 
-  static constexpr std::size_t max_clients = 32;
-  static constexpr std::size_t max_clients_an_address = 8;
+  std::size_t max_clients = 32;
+  std::size_t max_clients_an_address = 8;
 };
 
 // "127.0.0.1:8088", "[::1]:8088", "localhost:8088". Other addresses are refused: there is neither TLS nor anybody who

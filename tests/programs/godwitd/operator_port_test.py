@@ -99,6 +99,52 @@ class Port(World):
         self.assertEqual(self.get("/nothing")[0], 404)
         self.end(godwitd)
 
+    def open_stream(self, topics, **headers):
+        """A WebSocket by hand (RFC 6455), and the first line of the answer."""
+        host, port = self.place.split(":")
+        line = socket.create_connection((host, int(port)), timeout=PATIENCE_S)
+        self.addCleanup(line.close)
+        said = {"Host": self.place, "Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
+                "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", **headers}
+        line.sendall((f"GET /api/v1/stream?topics={topics} HTTP/1.1\r\n" +
+                      "".join(f"{name}: {text}\r\n" for name, text in said.items()) + "\r\n").encode())
+        stream = line.makefile("rb")
+        first = stream.readline().decode().strip()
+        while stream.readline() not in (b"\r\n", b""):
+            pass
+        return stream, first
+
+    def next_text(self, stream):
+        kind, size = stream.read(2)
+        self.assertEqual(kind, 0x81, "a whole text")
+        if size == 126:
+            size = int.from_bytes(stream.read(2), "big")
+        return json.loads(stream.read(size))
+
+    def test_a_stream_shows_what_is_and_beats_each_second(self):
+        godwitd = self.begin()
+        stream, first = self.open_stream("health,log")
+        self.assertEqual(first, "HTTP/1.1 101 Switching Protocols")
+        self.assertIn("session", self.next_text(stream)["data"])
+        beats = []
+        while len(beats) < 3:
+            said = self.next_text(stream)
+            self.assertIn(said["topic"], ("health", "log", "clock"))
+            if said["topic"] == "clock":
+                beats.append(said["data"]["beat"])
+        self.assertEqual(beats, list(range(beats[0], beats[0] + 3)))
+        self.assertIn("godwit_stream_subscribers 1\n", self.get("/metrics")[1])
+        self.end(godwitd)
+        while stream.read(1):
+            pass
+
+    def test_a_page_of_another_site_gets_no_stream(self):
+        godwitd = self.begin()
+        self.assertIn("403", self.open_stream("log", Origin="http://evil.example")[1])
+        self.assertIn("421", self.open_stream("log", Host="evil.example")[1])
+        self.assertIn("400", self.open_stream("logs")[1])
+        self.end(godwitd)
+
     def test_forty_strangers_that_say_nothing_keep_nobody_out_for_long(self):
         godwitd = self.begin()
         host, port = self.place.split(":")

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "actors/health/report_text.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
@@ -89,6 +90,75 @@ TEST_F(views, a_health_actor_that_crashes_hangs_or_is_given_up_does_not_touch_th
     flight.run_for(3);
   }
   ASSERT_TRUE(flight.give_up("health")) << flight.story();
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  EXPECT_EQ(flight.processes(), 1) << flight.story();
+}
+
+// What a subscriber hears of a topic, as it stands at the end.
+std::vector<nlohmann::json> said_about(telemetry_stream::subscriber& who, std::string_view topic) {
+  std::vector<nlohmann::json> result;
+  while (const auto text = who.take())
+    if (auto said = nlohmann::json::parse(*text); said.at("topic") == topic)
+      result.push_back(said.at("data"));
+  return result;
+}
+
+TEST_F(views, a_subscriber_sees_the_flight_and_who_has_the_vehicle_from_its_beginning_to_its_end) {
+  flight.run_for(1);
+  using telemetry_stream::topic;
+  const telemetry_stream::queue_bounds endless{1'000'000, 1'000'000'000, 1'000'000, 1'000'000'000};
+  const auto phases = flight.process()
+                          ->stream()
+                          .subscribe(
+                              {{topic::flight, 0}}, [] {}, endless)
+                          .value();
+  const auto holders = flight.process()
+                           ->stream()
+                           .subscribe(
+                               {{topic::authority, 0}}, [] {}, endless)
+                           .value();
+  const auto places = flight.process()
+                          ->stream()
+                          .subscribe(
+                              {{topic::position, 0}}, [] {}, endless)
+                          .value();
+  const auto done = flight.process()
+                        ->stream()
+                        .subscribe(
+                            {{topic::progress, 0}}, [] {}, endless)
+                        .value();
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  std::set<std::string> seen;
+  for (const auto& each : said_about(*phases, "flight"))
+    seen.insert(each.at("phase"));
+  for (const auto* each : {"preflight", "uploading", "ready", "starting", "flying", "done"})
+    EXPECT_TRUE(seen.contains(each)) << each;
+  std::vector<std::string> had;
+  for (const auto& each : said_about(*holders, "authority"))
+    had.push_back(each.at("holder"));
+  EXPECT_EQ(had.front(), "nobody");
+  EXPECT_NE(std::ranges::find(had, "godwit"), had.end());
+  EXPECT_EQ(had.back(), "nobody");
+  EXPECT_GT(said_about(*places, "position").size(), 100U);
+  const auto progress = said_about(*done, "progress");
+  EXPECT_EQ(progress.back().at("items_done"), progress.back().at("items"));
+}
+
+TEST_F(views, a_stream_that_crashes_hangs_or_is_given_up_does_not_touch_the_flight) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  for (const auto point : {runtime::crash_point::before_handler, runtime::crash_point::after_handler}) {
+    flight.process()->crash_at("telemetry_stream", point);
+    flight.run_for(3);
+  }
+  ASSERT_TRUE(flight.give_up("telemetry_stream")) << flight.story();
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  EXPECT_EQ(flight.processes(), 1) << flight.story();
+}
+
+TEST_F(views, a_stream_and_a_health_actor_that_hang_do_not_touch_the_flight) {
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  flight.process()->hang("telemetry_stream");
+  flight.process()->hang("health");
   ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
   EXPECT_EQ(flight.processes(), 1) << flight.story();
 }

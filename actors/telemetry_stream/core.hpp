@@ -1,0 +1,61 @@
+// What the stream shows of what it hears, and how often.
+//
+//   what vehicle, executor and others say ──take()──> publication, or nothing
+//
+// Of what comes many times a second (position, attitude, battery) at most one in data_interval_ns is shown; what is
+// told when it changes (flight, authority, progress, link, map) is shown when it has changed. Pure: the time comes in,
+// as monotonic nanoseconds. Thread: one owner.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/mavlink/messages/heartbeat.hpp"
+#include "io/mavlink/messages/position.hpp"
+#include "messages/executor/flight.hpp"
+#include "messages/health/types.hpp"
+#include "messages/mapobjects_store/status.hpp"
+#include "messages/telemetry_stream/types.hpp"
+#include "messages/vehicle_link/connection.hpp"
+
+namespace godwit::telemetry_stream {
+
+inline constexpr std::int64_t data_interval_ns = 100'000'000;      // 10 a second: more than a person sees
+inline constexpr std::int64_t battery_interval_ns = 1'000'000'000; // it does not change faster
+
+struct publication {
+  topic what = topic::clock;
+  std::string data; // JSON
+};
+
+using publications = std::vector<publication>;
+
+class core {
+public:
+  [[nodiscard]] publications take(const io::mavlink::global_position_int& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const io::mavlink::attitude& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const io::mavlink::sys_status& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const vehicle_link::connection_changed& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const executor::flight_status& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const health::health_status& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const mapobjects_store::map_status& m, std::int64_t now_ns);
+  [[nodiscard]] publications beat();
+
+private:
+  [[nodiscard]] static bool is_due(std::optional<std::int64_t>& last_ns, std::int64_t interval_ns, std::int64_t now_ns);
+
+  std::optional<std::int64_t> position_ns_; // when it was shown last
+  std::optional<std::int64_t> attitude_ns_;
+  std::optional<std::int64_t> battery_ns_;
+  std::optional<flight_update> flight_; // as shown last
+  std::optional<authority_update> authority_;
+  std::optional<progress_update> progress_;
+  std::string map_;
+  std::uint64_t beats_ = 0;
+};
+
+[[nodiscard]] std::string json_of(const log_update& said);
+
+} // namespace godwit::telemetry_stream

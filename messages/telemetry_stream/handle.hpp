@@ -1,0 +1,18 @@
+// What the stream of telemetry hears. It is asked nothing: who wants to see takes part as a subscriber of its hub.
+#pragma once
+
+#include "io/mavlink/messages/heartbeat.hpp"
+#include "io/mavlink/messages/position.hpp"
+#include "messages/executor/flight.hpp"
+#include "messages/health/types.hpp"
+#include "messages/vehicle_link/connection.hpp"
+#include "runtime/seam.hpp"
+
+namespace godwit::telemetry_stream {
+
+using own_handle =
+    runtime::mailbox<runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::attitude>,
+                     runtime::tells<io::mavlink::sys_status>, runtime::tells<vehicle_link::connection_changed>,
+                     runtime::tells<executor::flight_status>, runtime::tells<health::health_status>>;
+
+} // namespace godwit::telemetry_stream

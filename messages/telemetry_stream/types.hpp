@@ -1,0 +1,131 @@
+// What the stream of telemetry shows: a topic, and for each topic its newest value as a whole. Times are milliseconds
+// since 1970 (UTC). Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::telemetry_stream {
+
+enum class topic {
+  clock,     // once a second: the stream is alive; everybody hears it
+  link,      // to the vehicle
+  position,  // of the vehicle
+  attitude,  // of the vehicle
+  battery,   // of the vehicle
+  flight,    // phase, mode, armed
+  authority, // who has the vehicle
+  progress,  // of the mission
+  map,       // how much of it there is
+  health,    // of all parts
+  log        // a line of godwitd's log
+};
+
+inline constexpr std::size_t topic_count = 11;
+
+constexpr auto enum_names(topic) {
+  return io::names<topic>({{topic::clock, "clock"},
+                           {topic::link, "link"},
+                           {topic::position, "position"},
+                           {topic::attitude, "attitude"},
+                           {topic::battery, "battery"},
+                           {topic::flight, "flight"},
+                           {topic::authority, "authority"},
+                           {topic::progress, "progress"},
+                           {topic::map, "map"},
+                           {topic::health, "health"},
+                           {topic::log, "log"}});
+}
+
+struct clock_update {
+  std::uint64_t beat = 0; // 1, 2, 3, ... of this incarnation of the stream
+  static constexpr auto fields = io::table("telemetry_stream.clock", io::field("beat", &clock_update::beat));
+};
+
+struct position_update {
+  double latitude_deg = 0;
+  double longitude_deg = 0;
+  double altitude_m = 0;     // above home
+  double altitude_msl_m = 0; // above mean sea level
+  double ground_speed_mps = 0;
+  double climb_mps = 0;
+  std::optional<double> heading_deg;
+  static constexpr auto fields = io::table(
+      "telemetry_stream.position", io::field("latitude_deg", &position_update::latitude_deg),
+      io::field("longitude_deg", &position_update::longitude_deg),
+      io::field("altitude_m", &position_update::altitude_m),
+      io::field("altitude_msl_m", &position_update::altitude_msl_m),
+      io::field("ground_speed_mps", &position_update::ground_speed_mps),
+      io::field("climb_mps", &position_update::climb_mps), io::field("heading_deg", &position_update::heading_deg));
+};
+
+struct attitude_update {
+  double roll_deg = 0;
+  double pitch_deg = 0;
+  double yaw_deg = 0;
+  static constexpr auto fields =
+      io::table("telemetry_stream.attitude", io::field("roll_deg", &attitude_update::roll_deg),
+                io::field("pitch_deg", &attitude_update::pitch_deg), io::field("yaw_deg", &attitude_update::yaw_deg));
+};
+
+// What the vehicle does not know is absent.
+struct battery_update {
+  std::optional<std::int32_t> remaining_percent;
+  std::optional<double> voltage_v;
+  std::optional<double> current_a;
+  static constexpr auto fields =
+      io::table("telemetry_stream.battery", io::field("remaining_percent", &battery_update::remaining_percent),
+                io::field("voltage_v", &battery_update::voltage_v), io::field("current_a", &battery_update::current_a));
+};
+
+struct flight_update {
+  std::string phase;
+  std::string cause; // of a pause
+  std::string sentence;
+  bool in_flight = false;
+  bool is_armed = false;
+  std::string mode;
+  std::uint32_t preflight_report = 0; // that waits for an acknowledgement; 0: none
+  static constexpr auto fields = io::table(
+      "telemetry_stream.flight", io::field("phase", &flight_update::phase), io::field("cause", &flight_update::cause),
+      io::field("sentence", &flight_update::sentence), io::field("in_flight", &flight_update::in_flight),
+      io::field("is_armed", &flight_update::is_armed), io::field("mode", &flight_update::mode),
+      io::field("preflight_report", &flight_update::preflight_report));
+  friend bool operator==(const flight_update&, const flight_update&) = default;
+};
+
+struct authority_update {
+  std::string holder; // as executor::flight_status::authority
+  static constexpr auto fields =
+      io::table("telemetry_stream.authority", io::field("holder", &authority_update::holder));
+  friend bool operator==(const authority_update&, const authority_update&) = default;
+};
+
+struct progress_update {
+  std::string mission_id; // empty: none
+  std::int32_t revision = 0;
+  std::uint32_t generation = 0;
+  std::uint32_t items = 0;
+  std::uint32_t items_done = 0;
+  std::uint32_t reports = 0;
+  static constexpr auto fields =
+      io::table("telemetry_stream.progress", io::field("mission_id", &progress_update::mission_id),
+                io::field("revision", &progress_update::revision),
+                io::field("generation", &progress_update::generation), io::field("items", &progress_update::items),
+                io::field("items_done", &progress_update::items_done), io::field("reports", &progress_update::reports));
+  friend bool operator==(const progress_update&, const progress_update&) = default;
+};
+
+struct log_update {
+  bool is_warning = false;
+  std::string part; // of whom it is said
+  std::string sentence;
+  static constexpr auto fields =
+      io::table("telemetry_stream.log", io::field("is_warning", &log_update::is_warning),
+                io::field("part", &log_update::part), io::field("sentence", &log_update::sentence));
+};
+
+} // namespace godwit::telemetry_stream

@@ -1,0 +1,104 @@
+#include "actors/telemetry_stream/actor.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/simulation/simulation.hpp"
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::telemetry_stream;
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+using map_handle = runtime::mailbox<runtime::asks<mapobjects_store::get_map, mapobjects_store::map_status>>;
+
+class map_stand_in final : public runtime::actor_base<map_handle> {
+public:
+  map_stand_in(runtime::spawn_context context, int* asked) : actor_base(std::move(context)), asked_(asked) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<mapobjects_store::get_map>([this](const mapobjects_store::get_map&) {
+      ++*asked_;
+      return mapobjects_store::map_status{};
+    })};
+  }
+
+private:
+  int* asked_;
+};
+
+struct process {
+  process() : world(disk, 1) {
+    const auto others = std::make_shared<peers>();
+    others->map = world.actors().add<map_stand_in>({.name = "map"}, {}, &asked);
+    who = world.actors().add<actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, {},
+                                    std::shared_ptr<const peers>(others), all);
+    world.start();
+    world.run_until_idle();
+  }
+  std::vector<std::string> topics_of(subscriber& of) const {
+    std::vector<std::string> result;
+    while (const auto text = of.take())
+      result.push_back(json::parse(*text).at("topic"));
+    return result;
+  }
+  int asked = 0;
+  std::shared_ptr<hub> all = std::make_shared<hub>(1);
+  runtime::simulated_disk disk;
+  runtime::simulation world;
+  own_handle who;
+};
+
+TEST(telemetry_stream, what_an_actor_says_is_with_the_subscribers_before_anything_else_happens) {
+  process p;
+  const auto place = p.all->subscribe({{topic::flight, 0}, {topic::authority, 0}}, [] {}).value();
+  (void)p.topics_of(*place);
+  p.world.tell(p.who, executor::flight_status{});
+  p.world.run_until_idle();
+  auto heard = p.topics_of(*place);
+  std::erase(heard, "clock"); // which everybody hears
+  EXPECT_EQ(heard, (std::vector<std::string>{"flight", "authority"}));
+}
+
+TEST(telemetry_stream, it_beats_each_second) {
+  process p;
+  const auto place = p.all->subscribe({{topic::clock, 0}}, [] {}).value();
+  p.world.advance(1500ms);
+  (void)p.topics_of(*place);
+  p.world.advance(5s);
+  const auto heard = p.topics_of(*place);
+  EXPECT_EQ(std::ranges::count(heard, "clock"), 5);
+}
+
+TEST(telemetry_stream, the_map_is_asked_only_while_somebody_listens) {
+  process p;
+  p.world.advance(10s);
+  EXPECT_EQ(p.asked, 0);
+  const auto place = p.all->subscribe({{topic::map, 0}}, [] {}).value();
+  p.world.advance(10s);
+  EXPECT_EQ(p.asked, 5);
+  const auto heard = p.topics_of(*place);
+  EXPECT_EQ(std::ranges::count(heard, "map"), 1) << "it has not changed";
+}
+
+TEST(telemetry_stream, a_crash_loses_what_was_under_way_and_no_subscriber) {
+  process p;
+  const auto place = p.all->subscribe({{topic::flight, 0}}, [] {}).value();
+  (void)p.topics_of(*place);
+  p.world.crash_at("telemetry_stream", runtime::crash_point::after_handler);
+  p.world.tell(p.who, executor::flight_status{});
+  p.world.advance(1s);
+  EXPECT_EQ(p.world.counters("telemetry_stream").crashes, 1U);
+  EXPECT_EQ(p.world.counters("telemetry_stream").dead_lettered, 0U);
+  p.world.tell(p.who, executor::flight_status{});
+  p.world.run_until_idle();
+  const auto heard = p.topics_of(*place);
+  EXPECT_EQ(std::ranges::count(heard, "flight"), 1);
+}
+
+} // namespace

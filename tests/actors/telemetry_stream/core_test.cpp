@@ -1,0 +1,104 @@
+#include "actors/telemetry_stream/core.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace godwit;
+using namespace godwit::telemetry_stream;
+using nlohmann::json;
+
+constexpr std::int64_t ms = 1'000'000;
+
+TEST(telemetry_stream_core, a_position_is_in_degrees_metres_and_metres_a_second) {
+  core all;
+  io::mavlink::global_position_int m;
+  m.lat = 473977000;
+  m.lon = -85456000;
+  m.alt = 500'500;
+  m.relative_alt = 40'250;
+  m.vx = 300;
+  m.vy = -400;
+  m.vz = -150;
+  m.hdg = 9'000;
+  const auto said = all.take(m, 1);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].what, topic::position);
+  const auto data = json::parse(said[0].data);
+  EXPECT_NEAR(data.at("latitude_deg").get<double>(), 47.3977, 1e-9);
+  EXPECT_NEAR(data.at("longitude_deg").get<double>(), -8.5456, 1e-9);
+  EXPECT_NEAR(data.at("altitude_m").get<double>(), 40.25, 1e-9);
+  EXPECT_NEAR(data.at("altitude_msl_m").get<double>(), 500.5, 1e-9);
+  EXPECT_NEAR(data.at("ground_speed_mps").get<double>(), 5, 1e-9);
+  EXPECT_NEAR(data.at("climb_mps").get<double>(), 1.5, 1e-9);
+  EXPECT_NEAR(data.at("heading_deg").get<double>(), 90, 1e-9);
+}
+
+TEST(telemetry_stream_core, what_the_vehicle_does_not_know_is_absent) {
+  core all;
+  io::mavlink::global_position_int position;
+  position.hdg = 65535;
+  EXPECT_TRUE(json::parse(all.take(position, 1)[0].data).at("heading_deg").is_null());
+  io::mavlink::sys_status battery;
+  battery.battery_remaining = -1;
+  battery.current_battery = -1;
+  battery.voltage_battery = 65535;
+  const auto data = json::parse(all.take(battery, 1)[0].data);
+  for (const auto* each : {"remaining_percent", "voltage_v", "current_a"})
+    EXPECT_TRUE(data.at(each).is_null()) << each;
+}
+
+TEST(telemetry_stream_core, what_comes_many_times_a_second_is_shown_ten_times_and_the_battery_once) {
+  core all;
+  int positions = 0;
+  int attitudes = 0;
+  int batteries = 0;
+  for (std::int64_t now = 0; now < 1000 * ms; now += 10 * ms) {
+    positions += static_cast<int>(all.take(io::mavlink::global_position_int{}, now).size());
+    attitudes += static_cast<int>(all.take(io::mavlink::attitude{}, now).size());
+    batteries += static_cast<int>(all.take(io::mavlink::sys_status{}, now).size());
+  }
+  EXPECT_EQ(positions, 10);
+  EXPECT_EQ(attitudes, 10);
+  EXPECT_EQ(batteries, 1);
+}
+
+TEST(telemetry_stream_core, of_a_flight_only_what_has_changed_is_shown_and_that_at_once) {
+  core all;
+  executor::flight_status status;
+  status.phase = "flying";
+  status.authority = "godwit";
+  EXPECT_EQ(all.take(status, 1).size(), 3U) << "the first";
+  EXPECT_TRUE(all.take(status, 2).empty());
+  status.authority = "person";
+  auto said = all.take(status, 3);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].what, topic::authority);
+  EXPECT_EQ(json::parse(said[0].data).at("holder"), "person");
+  ++status.items_done;
+  said = all.take(status, 4);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].what, topic::progress);
+  status.sentence = "another";
+  said = all.take(status, 5);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].what, topic::flight);
+}
+
+TEST(telemetry_stream_core, a_map_is_shown_when_it_has_changed) {
+  core all;
+  mapobjects_store::map_status map;
+  EXPECT_EQ(all.take(map, 1).size(), 1U);
+  EXPECT_TRUE(all.take(map, 2).empty());
+  ++map.seen_here;
+  EXPECT_EQ(all.take(map, 3).size(), 1U);
+}
+
+TEST(telemetry_stream_core, beats_are_counted) {
+  core all;
+  (void)all.beat();
+  EXPECT_EQ(json::parse(all.beat()[0].data).at("beat"), 2);
+}
+
+} // namespace

@@ -151,6 +151,16 @@ TEST(supervision, the_preflight_check_hears_of_each_crash_and_of_who_is_back) {
   EXPECT_TRUE(w.is_running("failsafe")) << "it may still answer";
 }
 
+TEST(supervision, who_only_shows_is_supervised_and_no_matter_of_preflight) {
+  supervisor core{{}, 1, {"executor", "health", "telemetry_stream"}};
+  core.look({}, false, 0);
+  ASSERT_TRUE(core.unacknowledged());
+  EXPECT_EQ(core.unacknowledged()->list.size(), 3U);
+  const auto facts = core.facts();
+  ASSERT_EQ(facts.size(), 1U);
+  EXPECT_EQ(facts.front().name, "executor");
+}
+
 TEST(supervision, people_are_told_of_a_crash_of_who_is_back_and_warned_of_who_is_given_up) {
   world w;
   EXPECT_TRUE(w.hear("mission_client", child_event_kind::up, 1).empty()) << "its first start";

@@ -46,6 +46,7 @@ feeder::behavior_type feeder::handlers() {
             look();
             if (has_begun_)
               flow_->look_again();
+            offer_again();
             tell_after(tick_period, me(), tick{});
           }),
           on<get_sightings>([this](const get_sightings&) { return flow_->counts(); })};
@@ -78,7 +79,6 @@ void feeder::choose() {
       [](const ask_error&) {}); // asked again with the next tick
 }
 
-// Who does not run, because nobody looks for points of interest, takes nothing: that is how it should be.
 void feeder::offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then) {
   using daemon::sighting_flow;
   const auto candidate = candidate_of(seen);
@@ -87,9 +87,43 @@ void feeder::offer(const mapobjects_store::observed& seen, daemon::sighting_flow
   ask(
       scan_, offer_timeout, *candidate,
       [then](const scan_controller::candidate_answer&) { then(sighting_flow::offer_outcome::taken); },
-      [then](const ask_error& why) {
-        then(why.code == runtime::ask_errc::not_taken ? sighting_flow::offer_outcome::taken
-                                                      : sighting_flow::offer_outcome::unknown);
+      [this, then, candidate](const ask_error& why) {
+        const bool does_not_run = why.code == runtime::ask_errc::not_taken;
+        if (does_not_run)
+          put_aside(*candidate);
+        then(does_not_run ? sighting_flow::offer_outcome::taken : sighting_flow::offer_outcome::unknown);
+      });
+}
+
+// It comes, or comes back, a few seconds behind the start of a flight or of godwitd.
+void feeder::put_aside(const scan_controller::candidate& untaken) {
+  if (untaken.is_known)
+    return;
+  untaken_.push_back(untaken);
+  if (untaken_.size() > max_untaken)
+    untaken_.pop_front();
+}
+
+// The oldest, and behind it the others as long as somebody takes them.
+void feeder::offer_again() {
+  if (untaken_.empty() || is_offering_again_)
+    return;
+  is_offering_again_ = true;
+  const auto resolve = [this](const std::string& id) {
+    is_offering_again_ = false;
+    if (!untaken_.empty() && untaken_.front().id == id) // else it was given up meanwhile
+      untaken_.pop_front();
+  };
+  ask(
+      scan_, offer_timeout, untaken_.front(),
+      [this, resolve, id = untaken_.front().id](const scan_controller::candidate_answer&) {
+        resolve(id);
+        offer_again();
+      },
+      [this, resolve, id = untaken_.front().id](const ask_error& why) {
+        is_offering_again_ = false;
+        if (why.code == runtime::ask_errc::given_up)
+          resolve(id);
       });
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,6 +38,8 @@ public:
   static constexpr std::chrono::milliseconds tick_period{500};
   static constexpr std::chrono::seconds answer_timeout{10};
   static constexpr std::chrono::seconds offer_timeout{2};
+  // Findings of the time in which nobody looks for points of interest; the oldest are given up, and the map has them.
+  static constexpr std::size_t max_untaken = 256;
 
   // FEED: null without sightings.
   feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
@@ -52,13 +55,17 @@ private:
   void look();
   void choose();
   void offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then);
+  void put_aside(const scan_controller::candidate& untaken);
+  void offer_again();
 
   feeder_settings settings_;
   store_handle store_;
   scan_controller::candidate_handle scan_;
   std::shared_ptr<daemon::sighting_feed> feed_;
   complainer complain_;
-  std::optional<daemon::sighting_flow> flow_; // from started() on
+  std::optional<daemon::sighting_flow> flow_;      // from started() on
+  std::deque<scan_controller::candidate> untaken_; // oldest first
+  bool is_offering_again_ = false;
   bool has_begun_ = false;
   bool is_chosen_ = false;
   bool is_broken_ = false;

@@ -97,6 +97,14 @@ struct process {
     world.start();
     world.advance(2s);
   }
+  void supervise(const runtime::child_entry& entry) {
+    runtime::supervise table;
+    table.epoch = {1, ++epoch};
+    table.list = {entry};
+    (void)world.ask(world.actors().guardian(), 1s, table);
+    world.advance(1s);
+  }
+  std::uint64_t epoch = 0;
   test::scratch folder;
   store_log log;
   scan_log offers;
@@ -149,6 +157,20 @@ TEST(feeder, who_does_not_answer_is_asked_three_times_and_holds_up_no_sighting_f
   EXPECT_EQ(p.offers.asks, 3 * lines);
   EXPECT_EQ(p.feed->counts().recorded, static_cast<std::uint64_t>(lines));
   EXPECT_EQ(p.feed->counts().not_offered, static_cast<std::uint64_t>(lines));
+}
+
+TEST(feeder, what_was_found_while_nobody_ran_is_offered_when_somebody_does) {
+  process p(false);
+  runtime::child_entry away{"scan", false, {}};
+  p.supervise(away);
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  EXPECT_EQ(p.offers.asks, 0);
+  EXPECT_EQ(p.feed->counts().recorded, static_cast<std::uint64_t>(lines)) << "the map has it";
+  away.wanted = true;
+  p.supervise(away);
+  p.world.advance(2s);
+  EXPECT_EQ(p.offers.offered.size(), sightings::feeder::max_untaken) << "the oldest were given up";
 }
 
 TEST(feeder, who_does_not_run_holds_up_nothing) {

@@ -154,6 +154,14 @@ std::string point_line(const json& point) {
          (point.value("has_moved", false) ? ", moved" : "") + ", seen " + seconds(point, "seen_ago_ms") + " ago";
 }
 
+// "2 to decide about (ctl points), 5 wait for their turn; 1 confirmed, 0 declined, 3 passed over"
+std::string points_line(const json& points) {
+  const auto counts = points.value("counts", json::object());
+  return std::to_string(points.value("shown", json::array()).size()) + " to decide about (ctl points), " +
+         number(points, "waiting") + " wait for their turn; " + number(counts, "confirmed") + " confirmed, " +
+         number(counts, "declined") + " declined, " + number(counts, "passed_over") + " passed over";
+}
+
 struct part_row {
   const char* key;
   std::string (*line)(const json& part);
@@ -161,7 +169,7 @@ struct part_row {
 
 constexpr part_row parts[] = {
     {"health", health_line},       {"run", run_line},         {"flight", flight_line}, {"failsafe", failsafe_line},
-    {"operators", operators_line}, {"service", service_line}, {"map", map_line},       {"sightings", sightings_line},
+    {"operators", operators_line}, {"service", service_line}, {"map", map_line},       {"sightings", sightings_line}, {"points", points_line},
     {"vehicle", vehicle_line},     {"ground", ground_line},   {"actors", actor_lines}};
 
 } // namespace

@@ -88,7 +88,7 @@ void request_handler::collect_status(std::uint64_t ticket) {
   auto& half = collecting_[ticket] = {{{"ok", true}}, 3};
   half.missing += (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.ground ? 1 : 0) +
                   (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0) + (others_.failsafe_status ? 1 : 0) +
-                  (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0);
+                  (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0) + (others_.points ? 1 : 0);
   if (others_.run)
     collect(ticket, "run", *others_.run, ground_run::get_run{});
   if (others_.flight)
@@ -103,6 +103,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
     collect(ticket, "operators", *others_.bridge, operator_bridge::get_operators{});
   if (others_.sightings)
     collect(ticket, "sightings", *others_.sightings, sightings::get_sightings{});
+  if (others_.points)
+    collect_points(ticket);
   collect(ticket, "actors", others_.guardian, runtime::get_children{});
   collect(ticket, "map", others_.store, mapobjects_store::get_map{});
   collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});
@@ -117,6 +119,16 @@ void request_handler::collect(std::uint64_t ticket, const char* part, const Hand
       [this, ticket, part](const auto& answer) { put(ticket, part, json::parse(io::to_json(answer))); },
       [this, ticket, part](const ask_error& why) {
         put(ticket, part, {{"error", "there is no answer: " + why.what}});
+      });
+}
+
+// Nothing while nobody looks for them: that is no error.
+void request_handler::collect_points(std::uint64_t ticket) {
+  ask(
+      *others_.points, answer_timeout, scan_controller::get_points{},
+      [this, ticket](const scan_controller::points& seen) { put(ticket, "points", json::parse(io::to_json(seen))); },
+      [this, ticket](const ask_error& why) {
+        put(ticket, "points", why.code == runtime::ask_errc::not_taken ? json() : no_points(why));
       });
 }
 

@@ -92,6 +92,7 @@ private:
   void list_audit(const control_request& asked);
   void make_link(const control_request& asked);
   void note(const control_request& asked, const std::string& what, bool is_done, const std::string& reason);
+  void collect_points(std::uint64_t ticket);
   void list_points(std::uint64_t ticket);
   void decide_point(const control_request& asked);
   void insert_at_point(const control_request& asked);

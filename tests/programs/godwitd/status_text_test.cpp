@@ -115,6 +115,13 @@ TEST(status_text, points_are_listed_with_what_can_be_done_about_them) {
       "want of room, 0 with their mission");
 }
 
+TEST(status_text, points_of_interest_are_a_line_while_somebody_looks_for_them) {
+  const json points = {{"shown", json::array({{{"number", 3}}})}, {"waiting", 2}, {"counts", {{"passed_over", 4}}}};
+  EXPECT_EQ(status_text({{"ok", true}, {"points", points}}),
+            "points     1 to decide about (ctl points), 2 wait for their turn; 0 confirmed, 0 declined, 4 passed over");
+  EXPECT_EQ(status_text({{"ok", true}, {"points", nullptr}}), "");
+}
+
 TEST(status_text, a_retry_tells_how_many_rows_it_found) {
   EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
 }

@@ -279,6 +279,7 @@ TEST(control_requests, an_override_goes_to_the_failsafe_with_its_end) {
 TEST(control_requests, a_flight_is_a_part_of_the_status) {
   const auto answer = process(true, true, true).ask({});
   EXPECT_TRUE(answer.contains("flight"));
+  EXPECT_EQ(answer.at("points").at("shown").at(0).at("number"), 4);
   EXPECT_FALSE(answer.contains("run"));
 }
 

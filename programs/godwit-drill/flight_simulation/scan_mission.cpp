@@ -34,8 +34,7 @@ mission::document scan_mission(sim::personality who) {
     result.items.emplace_back(mission::takeoff{"up", 20});
   result.items.push_back(place(who, "w1", 0, -60));
   result.items.emplace_back(std::move(field));
-  if (!drives)
-    result.items.push_back(way_home(who));
+  result.items.push_back(drives ? place(who, "w2", 0, -60) : way_home(who));
   return result;
 }
 

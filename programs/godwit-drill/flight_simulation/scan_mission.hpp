@@ -9,7 +9,7 @@
 
 namespace godwit::drill {
 
-// Takes off, flies a waypoint, four lines of 300 m, and returns; a rover only drives.
+// Takes off, flies a waypoint, four lines of 300 m, and returns; a rover only drives, and ends at a waypoint.
 [[nodiscard]] mission::document scan_mission(sim::personality who);
 
 // A vehicle so far behind the southern edge of the survey, seen now.

@@ -70,7 +70,7 @@ std::vector<flight_case> cases_of(const flight_drill_options& options) {
   case flight_drill::simulate:
     return {};
   case flight_drill::actors:
-    return joined(actor_cases(which), actor_loss_cases(which));
+    return joined(joined(actor_cases(which), actor_loss_cases(which)), scan_cases(which));
   case flight_drill::process:
   case flight_drill::disk:
     return cases_by_commit(options.which, which, options.jobs);

@@ -54,6 +54,23 @@ TEST(actor_cases, find_a_report_that_is_lost) {
   EXPECT_FALSE(outcome.story.empty());
 }
 
+TEST(scan_cases, are_each_way_to_lose_the_scan_controller_in_a_survey_of_each_vehicle_that_flies_one) {
+  const auto all = scan_cases(every_vehicle);
+  EXPECT_EQ(all.size(), 3U * 7);
+  expect_unique_names(all);
+}
+
+TEST(scan_cases, show_each_point_once_and_lose_no_decision_whoever_crashes) {
+  const auto all = scan_cases(every_vehicle);
+  for (const auto* name : {"px4/survey/scan_controller/after_commit", "rover/survey/scan_controller/ends+executor",
+                           "ardupilot/survey/scan_controller/ends+process"}) {
+    const auto outcome = named(all, name).fly({});
+    EXPECT_TRUE(outcome.held()) << outcome.flaws.front() << '\n' << outcome.story;
+    EXPECT_EQ(outcome.skipped, "") << name;
+    EXPECT_GT(outcome.crashes + outcome.kills, 4U) << name;
+  }
+}
+
 TEST(process_cases, are_both_sides_of_each_commit) {
   constexpr std::array<std::uint64_t, 4> commits{3, 5, 0, 2};
   const auto all = process_cases(every_vehicle, commits);

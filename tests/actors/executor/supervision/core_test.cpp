@@ -153,7 +153,7 @@ TEST(supervision, the_preflight_check_hears_of_each_crash_and_of_who_is_back) {
 
 TEST(supervision, who_only_shows_is_supervised_and_no_matter_of_preflight) {
   supervisor core{{}, 1, {"executor", "health", "telemetry_stream"}};
-  core.look({}, false, 0);
+  core.look({}, false, false, 0);
   ASSERT_TRUE(core.unacknowledged());
   EXPECT_EQ(core.unacknowledged()->list.size(), 3U);
   const auto facts = core.facts();

@@ -28,7 +28,8 @@ struct daemon_process::parts {
     auto& actors = world.actors();
     base = daemon::add_base(actors, around.settings, meets);
     flight = daemon::add_flight(actors, around.settings, meets, base);
-    views_meet.stream = stream;
+    if (around.settings.operators)
+      views_meet.stream = stream;
     views = daemon::add_views(actors, views_meet, base, flight);
     using executor::supervision::part;
     const bool flies = daemon::is_in_flight(around.journal.actors["executor"].kept);

@@ -27,7 +27,8 @@ daemon::daemon_settings settings_for(const std::string& mission_id, const flight
   daemon::given_texts words{{"service", "https://missions.example.org"},
                             {"mission-id", mission_id},
                             {"vehicle", wanted.vehicle_line},
-                            {"ground", "udpin://127.0.0.1:0"}};
+                            {"ground", "udpin://127.0.0.1:0"},
+                            {"operator-listen", "127.0.0.1:0"}};
   words["arm-on-start"] = wanted.arms_on_start ? "true" : "false";
   words["ground-as-autopilot"] = wanted.speaks_as_autopilot ? "true" : "false";
   if (wanted.starts_by_itself)

@@ -8,6 +8,7 @@
 #include "actors/ground_port/link_port.hpp"
 #include "actors/vehicle_link/link_port.hpp"
 #include "programs/godwitd/flight_actors.hpp"
+#include "programs/godwitd/view_actors.hpp"
 
 namespace godwit::trace_tool {
 
@@ -28,6 +29,8 @@ constexpr std::array refusals{
     refusal{"control_desk", "what it asks of the process reaches it beside its mailbox"},
     refusal{"sightings", "what it reads reaches it beside its mailbox"},
     refusal{"ground_run", "what it reads reaches it beside its mailbox"},
+    refusal{"health", "what it reads of the process reaches it beside its mailbox"},
+    refusal{"telemetry_stream", "it keeps no state, and where its incarnations begin is not in the trace"},
     refusal{"guardian", "its messages are not recorded"},
 };
 
@@ -63,13 +66,17 @@ struct flight_desk::parts {
     outside.say = [](std::string_view, const std::string&, bool) {};
     outside.on_phase_status = [](const executor::phase_status&) {};
     const auto base = daemon::add_base(bench.actors(), settings, outside);
-    (void)daemon::add_flight(bench.actors(), settings, outside, base);
+    const auto flight = daemon::add_flight(bench.actors(), settings, outside, base);
+    if (settings.operators) // the executor told whoever showed it
+      views.stream = std::make_shared<telemetry_stream::hub>();
+    (void)daemon::add_views(bench.actors(), views, base, flight);
   }
 
   daemon::daemon_settings settings;
   runtime::desk bench;
   daemon::host_facts facts;
   daemon::actor_surroundings outside; // its actors call it
+  daemon::view_surroundings views;
 };
 
 flight_desk::flight_desk(const daemon::daemon_settings& settings, std::uint64_t run)

@@ -18,6 +18,8 @@ void cut(std::string& text, std::size_t bytes) {
 } // namespace
 
 void audit::add(effects& out, audit_row row, instant) {
+  cut(row.what, max_reason);
+  cut(row.id, max_command_id);
   cut(row.reason, max_reason);
   out.emplace_back(note{audited{std::move(row)}});
 }

@@ -32,9 +32,6 @@ command_answer of(const operators::answer& m) {
 // An answer that stays what it is when the same is said again.
 bool is_kept(verdict which) { return which == verdict::late || which == verdict::no_control; }
 
-// A stop of which this is not known is handed over again when it is said again.
-bool is_resolved(verdict which) { return which == verdict::taken || which == verdict::refused; }
-
 } // namespace
 
 core::core(const settings& set, const state& durable, instant now)
@@ -133,6 +130,8 @@ bool core::repeat(effects& out, const operator_command& m, std::uint64_t request
     return true;
   }
   audit_.add(out, {.who = m.by, .what = words_of(m.what), .id = m.id, .outcome = "repeated"}, now);
+  if (is_stop(m.what.kind)) // what waits was said before this one was heard
+    supersede_waiting(out, m.by, now);
   if (kept != nullptr && kept->answer)
     out.emplace_back(reply{request, *kept->answer, !is_stop(m.what.kind)});
   else if (open != nullptr && open->askers.size() < max_askers)
@@ -245,9 +244,10 @@ void core::end(effects& out, std::uint64_t number, command_answer answer, instan
   const auto& each = done.mapped();
   refused_ += answer.verdict == verdict::taken ? 0 : 1;
   put_row(out, each.as.by, each.what, each.as.id, answer, now);
+  // A stop that was not taken is handed over again when it is said again.
   if (!each.is_stop) {
     out.emplace_back(note{command_ended{number, answer}});
-  } else if (!each.as.id.empty() && is_resolved(answer.verdict) && has_room(s_, each.as.by, now.wall_ns)) {
+  } else if (!each.as.id.empty() && answer.verdict == verdict::taken && has_room(s_, each.as.by, now.wall_ns)) {
     auto kept = each.as;
     kept.answer = answer;
     out.emplace_back(note{command_kept{std::move(kept)}});

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <future>
 #include <iterator>
+#include <mutex>
 #include <random>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "programs/godwitd/convert_command.hpp"
 #include "programs/godwitd/flight_state.hpp"
 #include "programs/godwitd/open_line.hpp"
+#include "programs/godwitd/operator_port/operator_routes.hpp"
 #include "programs/godwitd/process_figures.hpp"
 #include "runtime/mail_view.hpp"
 
@@ -183,6 +185,9 @@ void composition::add_flight(control::peers& of_desk) {
   flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
   of_desk.flight = flight_.executor;
   of_desk.bridge = flight_.bridge;
+  if (wanted_.operators)
+    operator_desk_ = actors.add<operator_port::operator_desk>(
+        {.name = "operator_desk"}, replaceable, operator_port::bridge_handle(flight_.bridge), api_answers_);
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
@@ -321,6 +326,21 @@ void composition::open_ground() {
              "ground_port");
 }
 
+// Requests come in the thread of the port, passwords that were judged in that of the accounts.
+void composition::open_operator_api() {
+  struct inlet {
+    explicit inlet(runtime::gateway opened) : way_in(std::move(opened)) {}
+    std::mutex mutex;
+    runtime::gateway way_in;
+  };
+  const auto shared = std::make_shared<inlet>(host_->actors().make_gateway("operator_api"));
+  operator_api_ = std::make_shared<operator_port::operator_api>(
+      api_answers_, *keeper_, [shared, desk = operator_desk_](operator_port::api_request asked) {
+        const std::lock_guard guard(shared->mutex);
+        shared->way_in.tell(desk, std::move(asked));
+      });
+}
+
 // A port that is taken is no reason not to fly.
 void composition::open_operator_port() {
   if (!wanted_.operators)
@@ -340,7 +360,14 @@ void composition::open_operator_port() {
   stream_api_ = std::make_shared<operator_port::stream_api>(operator_port_.context(), views_outside_.stream);
   auto routes = view_api_->routes();
   std::ranges::move(stream_api_->routes(), std::back_inserter(routes));
-  if (const auto opened = operator_port_.open(*wanted_.operators, std::move(routes)); !opened) {
+  std::function<void()> on_other_origin;
+  if (keeper_) {
+    open_operator_api();
+    auto more = operator_port::routes_of(operator_api_);
+    routes.insert(routes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    on_other_origin = [api = operator_api_] { api->note_other_origin(); };
+  }
+  if (const auto opened = operator_port_.open(*wanted_.operators, std::move(routes), on_other_origin); !opened) {
     const auto sentence = "the operator's port can not be opened: " + opened.error();
     host_->health().post("operator_port", runtime::health_colour::yellow, sentence);
     announce({sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true}, "operator_port");
@@ -395,12 +422,13 @@ void composition::announce(const ground_run::announce& said, std::string_view pa
 }
 
 int composition::close(runtime::exit_code code) {
+  keeper_.reset();
+  api_answers_->end();
   operator_port_.close([this] {
     view_api_->close();
     stream_api_->close();
   });
   control_.reset();
-  keeper_.reset();
   if (feed_)
     feed_->stop();
   vehicle_port_->close();

@@ -23,6 +23,7 @@
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
+#include "programs/godwitd/operator_port/operator_api.hpp"
 #include "programs/godwitd/operator_port/operator_port.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
@@ -72,6 +73,7 @@ private:
   void open_vehicle();
   void open_ground();
   void open_operator_port();
+  void open_operator_api();
   [[nodiscard]] health::host_figures read_host() const;
   void open_feed();
   void open_accounts();
@@ -114,6 +116,9 @@ private:
   operator_port::port operator_port_;
   std::shared_ptr<operator_port::view_api> view_api_;     // none without the port
   std::shared_ptr<operator_port::stream_api> stream_api_; // none without it
+  operator_port::desk_inlet operator_desk_;           // the same, and without a flight
+  std::shared_ptr<operator_port::waiting_answers> api_answers_ = std::make_shared<operator_port::waiting_answers>();
+  std::shared_ptr<operator_port::operator_api> operator_api_; // as the desk
 };
 
 } // namespace godwit::daemon

@@ -21,8 +21,10 @@ json no_points(const ask_error& why) {
 
 json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
 
+constexpr std::size_t max_name = 64; // bytes
+
 operators::principal speaker(const control_request& asked) {
-  return {asked.by.empty() ? std::string("somebody") : asked.by, operators::role::engineer,
+  return {asked.by.empty() ? std::string("somebody") : asked.by.substr(0, max_name), operators::role::engineer,
           std::string(operators::local_session)};
 }
 

@@ -75,9 +75,11 @@ port::~port() { close(); }
 
 boost::asio::io_context& port::context() { return parts_->thread.context(); }
 
-tl::expected<void, std::string> port::open(const settings& wanted, route_list routes) {
+tl::expected<void, std::string> port::open(const settings& wanted, route_list routes,
+                                           std::function<void()> on_other_origin) {
   auto& p = *parts_;
   p.routes.emplace(std::move(routes), wanted.hosts, false);
+  p.routes->on_other_origin(std::move(on_other_origin));
   p.clients = std::make_shared<client_table>(wanted.max_clients, wanted.max_clients_an_address);
   io::http::server_hooks hooks;
   hooks.handle = [&p](server_request asked, responder answer) {

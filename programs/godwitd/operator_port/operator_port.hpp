@@ -29,8 +29,10 @@ public:
 
   // For the parts of the API, which live in it.
   [[nodiscard]] boost::asio::io_context& context();
-  // ROUTES of all parts. After an error it may be tried again.
-  [[nodiscard]] tl::expected<void, std::string> open(const settings& wanted, route_list routes);
+  // ROUTES of all parts. ON_OTHER_ORIGIN is called for each page of another site that asks. After an error it may be
+  // tried again.
+  [[nodiscard]] tl::expected<void, std::string> open(const settings& wanted, route_list routes,
+                                                     std::function<void()> on_other_origin = {});
   // Runs WHAT in the thread of the port behind the end of all connections, then ends that thread.
   void close(const std::function<void()>& what = {});
 

@@ -78,6 +78,8 @@ void router::answer(server_request asked, responder answer) {
   }
   if (!is_same_origin(asked.find("Origin"), host, is_secure_)) {
     ++counts_.other_origin;
+    if (other_origin_)
+      other_origin_();
     return answer.send(problem_response(403, "Pages of other sites may ask for nothing here."));
   }
   if (const auto* const found = find(asked.method, asked.target))

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ public:
   router(route_list routes, std::vector<std::string> hosts, bool is_secure)
       : routes_(std::move(routes)), hosts_(std::move(hosts)), is_secure_(is_secure) {}
 
+  // THEN is called for each request from a page of another site, which is refused.
+  void on_other_origin(std::function<void()> then) { other_origin_ = std::move(then); }
   void answer(server_request asked, responder answer);
   [[nodiscard]] std::size_t max_body_bytes(std::string_view method, std::string_view target) const;
   [[nodiscard]] const refusal_counts& counts() const { return counts_; }
@@ -40,6 +43,7 @@ private:
   std::vector<std::string> hosts_;
   bool is_secure_;
   refusal_counts counts_;
+  std::function<void()> other_origin_;
 };
 
 [[nodiscard]] std::string_view path_of(std::string_view target);

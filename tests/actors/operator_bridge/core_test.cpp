@@ -101,6 +101,17 @@ TEST(operator_bridge_core, a_stop_empties_what_waits_for_the_disk) {
   EXPECT_EQ(desk.say_all_the_way(desk.command(anna, command_kind::resume, "r")), verdict::superseded);
 }
 
+TEST(operator_bridge_core, a_stop_that_is_said_again_empties_it_too) {
+  bridge_desk desk;
+  const auto anna = desk.pilot();
+  (void)desk.say(desk.command(anna, command_kind::pause, "p"));
+  const auto start = desk.say(desk.command(anna, command_kind::start, "s"));
+  (void)desk.say(desk.command(anna, command_kind::pause, "p"));
+  EXPECT_EQ(desk.answers.at(start).verdict, verdict::superseded);
+  desk.write();
+  EXPECT_EQ(desk.handed.size(), 1U);
+}
+
 TEST(operator_bridge_core, what_the_disk_took_too_long_for_is_not_handed_over) {
   bridge_desk desk;
   const auto request = desk.say(desk.command(desk.pilot(), command_kind::resume, "r"));
@@ -211,6 +222,16 @@ TEST(operator_bridge_core, at_the_control_socket_control_is_not_asked_for_as_lon
   const auto request = desk.say(desk.command(local(), command_kind::resume));
   EXPECT_EQ(desk.answers.at(request).verdict, verdict::no_control);
   EXPECT_NE(desk.answers.at(request).reason.find("anna"), std::string::npos);
+}
+
+TEST(operator_bridge_core, a_stop_that_was_not_taken_is_handed_over_again_when_it_is_said_again) {
+  bridge_desk desk;
+  const auto hold = desk.command(desk.pilot(), command_kind::pause, "h1");
+  (void)desk.say(hold);
+  desk.answer(std::exchange(desk.with_executor, {})[0].number, {false, "no flight is under way", {}});
+  EXPECT_EQ(desk.say_all_the_way(hold), verdict::taken);
+  EXPECT_EQ(desk.say_all_the_way(hold), verdict::taken);
+  EXPECT_EQ(desk.handed.size(), 2U) << "and once it was taken it is a repetition";
 }
 
 TEST(operator_bridge_core, nobody_is_kept_from_stopping_the_vehicle_by_a_bad_id) {

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """Operators as godwitd knows them: accounts, control and the audit: operator_test.py PATH_TO_GODWITD."""
+import http.client
 import json
 import os
 import pathlib
+import re
 import shutil
 import socket
 import stat
@@ -74,12 +76,12 @@ class Accounts(World):
         self.assertIn("chmod 600", refused.stderr)
 
 
-class Running(World):
-    def start(self):
+class Daemon(World):
+    def start(self, *more):
         started = subprocess.Popen(
             [PROGRAM, "--mission", MISSION, "--vehicle", "udpin://127.0.0.1:0", "--journal",
-             str(self.folder / "godwit.db"), "--trace", str(self.folder / "trace")],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+             str(self.folder / "godwit.db"), "--trace", str(self.folder / "trace"), "--accounts", str(self.accounts),
+             *more], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.addCleanup(self.kill, started)
         self.until(lambda: self.ctl("status").returncode == OK)
         return started
@@ -110,6 +112,8 @@ class Running(World):
     def audit(self):
         return json.loads(self.ctl("audit", "--json").stdout)["rows"]
 
+
+class Running(Daemon):
     def test_one_has_control_and_all_that_is_said_stands_in_the_audit_behind_a_kill_too(self):
         godwitd = self.start()
         self.assertEqual(self.ctl("control", "take").stdout, "anna has control\n")
@@ -161,6 +165,68 @@ class Running(World):
         for file in self.folder.rglob("*"):
             if file.is_file():
                 self.assertNotIn(link.encode(), file.read_bytes(), file)
+
+
+class OverHttp(Daemon):
+    def open_port(self):
+        self.operator("add", "anna", "--role", "operator", given=PASSWORD + "\n")
+        godwitd = self.start("--operator-listen", "127.0.0.1:0")
+        for line in godwitd.stdout:
+            if found := re.search(r"http://127\.0\.0\.1:(\d+)/", line):
+                self.port = int(found[1])
+                return godwitd
+        return self.fail("it opens no port")
+
+    def ask(self, method, path, body=None, **headers):
+        way = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE_S)
+        if body is not None:
+            headers["Content-Type"] = "application/json"
+        way.request(method, "/api/v1/" + path, None if body is None else json.dumps(body), headers)
+        answer = way.getresponse()
+        text = answer.read()
+        way.close()
+        cookie = (answer.getheader("Set-Cookie") or "").split(";")[0]
+        return answer.status, json.loads(text) if text else None, cookie
+
+    def test_an_operator_logs_in_takes_control_and_is_heard_and_the_session_survives_a_kill(self):
+        godwitd = self.open_port()
+        status, who, cookie = self.ask("POST", "session", {"name": "anna", "password": PASSWORD})
+        self.assertEqual((status, who["role"]), (201, "operator"))
+        self.assertEqual(self.ask("POST", "control", {"act": "take"}, Cookie=cookie)[:2], (200, {"holder": "anna"}))
+        self.assertIn("anna has control", self.ctl("resume", user="bob").stderr)
+        self.assertEqual(self.ask("POST", "commands", {"id": "a1", "command": "pause"}, Cookie=cookie)[0], 409)
+        self.kill(godwitd)
+        self.open_port()
+        self.assertEqual(self.ask("GET", "session", Cookie=cookie)[1]["name"], "anna")
+        self.assertTrue(self.ask("GET", "control", Cookie=cookie)[1]["is_yours"])
+        self.operator("passwd", "anna", given="another horse\n")
+        self.until(lambda: self.ask("GET", "session", Cookie=cookie)[0] == 401)
+
+    def test_a_wrong_password_is_answered_as_an_unknown_name_is(self):
+        self.open_port()
+        wrong = self.ask("POST", "session", {"name": "anna", "password": "wrong horse"})
+        unknown = self.ask("POST", "session", {"name": "nobody", "password": "wrong horse"})
+        self.assertEqual(wrong, unknown)
+        self.assertEqual(wrong[0], 401)
+        self.until(lambda: [each["outcome"] for each in self.audit()] == ["wrong_password"] * 2)
+        self.assertEqual([each["who"]["name"] for each in self.audit()], ["anna", "nobody"])
+
+    def test_a_link_and_the_token_of_a_program_are_ways_in_and_in_no_file(self):
+        self.open_port()
+        link = self.ctl("login").stdout.strip()
+        status, who, cookie = self.ask("POST", "session", {"link": link})
+        self.assertEqual((status, who["role"]), (201, "engineer"))
+        self.assertEqual(self.ask("POST", "session", {"link": link})[0], 401)
+        token = self.operator("token", "anna").stdout.strip()
+        self.until(lambda: self.ask("GET", "session", Authorization="Bearer " + token)[0] == 200)
+        self.assertEqual(self.ask("DELETE", "session", Cookie=cookie)[0], 204)
+        time.sleep(0.3)  # the trace is flushed each 0.1 s
+        secrets = [link.encode(), token.encode(), cookie.split("=")[1].encode(), PASSWORD.encode()]
+        for file in self.folder.rglob("*"):
+            if file.is_file():
+                content = file.read_bytes()
+                for secret in secrets:
+                    self.assertNotIn(secret, content, file)
 
 
 if __name__ == "__main__":

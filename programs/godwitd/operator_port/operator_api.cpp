@@ -1,0 +1,151 @@
+#include "programs/godwitd/operator_port/operator_api.hpp"
+
+#include <utility>
+
+#include "programs/godwitd/accounts/token.hpp"
+#include "programs/godwitd/operator_port/api_answers.hpp"
+
+namespace godwit::operator_port {
+
+using io::http::responder;
+using io::http::server_request;
+
+namespace {
+
+// Until the port is open to others: whoever asks is on this computer.
+constexpr const char* here = "this computer";
+
+bool is_json(const server_request& asked) {
+  const auto type = asked.find("Content-Type");
+  return type == "application/json" || type.starts_with("application/json;");
+}
+
+bool refuse_form(const server_request& asked, responder& answer) {
+  if (is_json(asked))
+    return false;
+  answer.send(problem(415, "the body is application/json"));
+  return true;
+}
+
+void refuse(responder& answer, const body_problem& why) { answer.send(problem(400, why.sentence, why.place)); }
+
+} // namespace
+
+operator_api::operator_api(std::shared_ptr<waiting_answers> answers, accounts::account_keeper& keeper, inlet tell)
+    : answers_(std::move(answers)), keeper_(keeper), tell_(std::move(tell)) {}
+
+void operator_api::tell(api_request asked, const server_request& from, responder answer) {
+  const auto token = token_of(from);
+  asked.token_hash = token.empty() ? std::string() : accounts::hash_of_token(token);
+  asked.from = here;
+  if (const auto ticket = answers_->add(std::move(answer))) {
+    asked.ticket = *ticket;
+    tell_(std::move(asked));
+  }
+}
+
+void operator_api::ask(api_act what, const server_request& asked, responder answer) {
+  api_request wanted;
+  wanted.what = what;
+  tell(std::move(wanted), asked, std::move(answer));
+}
+
+void operator_api::note_other_origin() {
+  api_request wanted;
+  wanted.what = api_act::refuse_origin;
+  wanted.from = here;
+  tell_(std::move(wanted));
+}
+
+void operator_api::command(const server_request& asked, responder answer) {
+  if (refuse_form(asked, answer))
+    return;
+  auto said = read_command(asked.body);
+  if (!said)
+    return refuse(answer, said.error());
+  api_request wanted;
+  wanted.what = api_act::command;
+  wanted.said = *std::move(said);
+  tell(std::move(wanted), asked, std::move(answer));
+}
+
+void operator_api::change_control(const server_request& asked, responder answer) {
+  if (refuse_form(asked, answer))
+    return;
+  auto said = read_control(asked.body);
+  if (!said)
+    return refuse(answer, said.error());
+  api_request wanted;
+  wanted.what = api_act::change_control;
+  wanted.act = said->act;
+  wanted.to = std::move(said->to);
+  tell(std::move(wanted), asked, std::move(answer));
+}
+
+void operator_api::read_audit(const server_request& asked, responder answer) {
+  const auto rows = read_rows(asked.target);
+  if (!rows)
+    return refuse(answer, rows.error());
+  api_request wanted;
+  wanted.what = api_act::read_audit;
+  wanted.rows = *rows;
+  tell(std::move(wanted), asked, std::move(answer));
+}
+
+void operator_api::log_in(server_request asked, responder answer) {
+  if (refuse_form(asked, answer))
+    return;
+  auto said = read_login(std::move(asked.body));
+  if (!said)
+    return refuse(answer, said.error());
+  if (said->link.empty())
+    check_password(*std::move(said), std::move(answer));
+  else
+    use_link(*std::move(said), std::move(answer));
+}
+
+void operator_api::use_link(login_body said, responder answer) {
+  api_request wanted;
+  wanted.what = api_act::use_link;
+  wanted.from = here;
+  wanted.link_hash = accounts::hash_of_token(said.link.revealed());
+  auto token = accounts::new_token();
+  wanted.new_token_hash = accounts::hash_of_token(token.revealed());
+  if (const auto ticket = answers_->add(std::move(answer), std::move(token))) {
+    wanted.ticket = *ticket;
+    tell_(std::move(wanted));
+  }
+}
+
+// Judged in the keeper's thread; a name that is not there is answered as a wrong password is.
+void operator_api::check_password(login_body said, responder answer) {
+  auto token = accounts::new_token();
+  auto token_hash = accounts::hash_of_token(token.revealed());
+  const auto waiting =
+      std::make_shared<std::pair<responder, io::http::secret_text>>(std::move(answer), std::move(token));
+  const auto name = said.name;
+  const bool is_taken = keeper_.check(
+      {std::move(said.name), std::move(said.password), here},
+      [answers = answers_, tell = tell_, waiting, name, token_hash](std::optional<operator_bridge::account> who) {
+        api_request wanted;
+        wanted.from = here;
+        if (!who) {
+          wanted.what = api_act::refuse_login;
+          wanted.account.name = name;
+          tell(std::move(wanted));
+          waiting->first.send(problem(401, "the name or the password is wrong"));
+          return;
+        }
+        wanted.what = api_act::open_session;
+        wanted.account = *std::move(who);
+        wanted.new_token_hash = token_hash;
+        if (const auto ticket = answers->add(std::move(waiting->first), std::move(waiting->second))) {
+          wanted.ticket = *ticket;
+          tell(std::move(wanted));
+        }
+      });
+  if (!is_taken)
+    waiting->first.send(problem(429, "too many log in at once; try again in a few seconds"));
+}
+
+} // namespace godwit::operator_port

@@ -1,0 +1,128 @@
+#include "programs/godwitd/operator_port/operator_desk.hpp"
+
+#include <utility>
+
+#include "programs/godwitd/operator_port/api_answers.hpp"
+
+namespace godwit::operator_port {
+
+using operators::principal;
+
+operator_desk::operator_desk(runtime::spawn_context context, bridge_handle bridge,
+                             std::shared_ptr<waiting_answers> answers)
+    : actor_base(std::move(context)), bridge_(std::move(bridge)), answers_(std::move(answers)) {}
+
+operator_desk::~operator_desk() = default;
+
+operator_desk::behavior_type operator_desk::handlers() {
+  return {on<api_request>([this](const api_request& m) { take(m); })};
+}
+
+void operator_desk::take(const api_request& asked) {
+  switch (asked.what) {
+  case api_act::open_session:
+    return ask_bridge(asked, answer_timeout,
+                      operator_bridge::open_session{asked.account, asked.new_token_hash, asked.from},
+                      [this, asked](const operator_bridge::session_answer& answer) { opened(asked, answer); });
+  case api_act::use_link:
+    return ask_bridge(asked, answer_timeout,
+                      operator_bridge::use_link{asked.link_hash, asked.new_token_hash, asked.from},
+                      [this, asked](const operator_bridge::session_answer& answer) { opened(asked, answer); });
+  case api_act::refuse_login:
+    return note_stranger(asked, "log in from " + asked.from, "wrong_password");
+  case api_act::refuse_origin:
+    return note_stranger(asked, "a page of another site", "cross_origin");
+  default:
+    return identify(asked);
+  }
+}
+
+template <class Question, class OnAnswer>
+void operator_desk::ask_bridge(const api_request& asked, std::chrono::seconds patience, Question question,
+                               OnAnswer on_answer) {
+  ask(bridge_, patience, std::move(question), std::move(on_answer),
+      [this, ticket = asked.ticket](const runtime::ask_error& why) {
+        const bool was_not_taken = why.code == runtime::ask_errc::not_taken;
+        answers_->resolve(ticket, problem(was_not_taken ? 503 : 504, "operator_bridge does not answer: " + why.what +
+                                                                         "; hold and return go out with godwitd ctl"));
+      });
+}
+
+void operator_desk::identify(const api_request& asked) {
+  ask_bridge(asked, answer_timeout, operator_bridge::identify{asked.token_hash},
+             [this, asked](const operator_bridge::identity& who) {
+               if (who.is_known)
+                 return take_known(asked, who);
+               note_stranger(asked, std::string(io::name_of(asked.what)) + " from " + asked.from, "no_session");
+               answers_->resolve(asked.ticket, problem(401, "log in first: there is no session, or it is over"));
+             });
+}
+
+void operator_desk::take_known(const api_request& asked, const operator_bridge::identity& who) {
+  switch (asked.what) {
+  case api_act::command:
+    return command(asked, who.who);
+  case api_act::view_control:
+    return view_control(asked, who.who);
+  case api_act::change_control:
+    return change_control(asked, who.who);
+  case api_act::read_audit:
+    return read_audit(asked, who.who);
+  case api_act::log_out:
+    return log_out(asked, who.who);
+  default:
+    return answers_->resolve(asked.ticket, answer_of(who.who, who.ends_ns, wall_ns(), 200));
+  }
+}
+
+void operator_desk::command(const api_request& asked, const principal& who) {
+  auto said = asked.said;
+  said.by = who;
+  ask_bridge(asked, command_timeout, std::move(said), [this, asked](const operator_bridge::command_answer& answer) {
+    answers_->resolve(asked.ticket, answer_of(asked.said.id, answer));
+  });
+}
+
+void operator_desk::view_control(const api_request& asked, const principal& who) {
+  ask_bridge(asked, answer_timeout, operator_bridge::get_operators{},
+             [this, asked, who](const operator_bridge::operators_view& view) {
+               answers_->resolve(asked.ticket, answer_of(view, who));
+             });
+}
+
+void operator_desk::change_control(const api_request& asked, const principal& who) {
+  ask_bridge(asked, answer_timeout, operator_bridge::change_control{who, asked.act, asked.to},
+             [this, asked](const operator_bridge::control_answer& answer) {
+               answers_->resolve(asked.ticket, answer_of(answer));
+             });
+}
+
+void operator_desk::read_audit(const api_request& asked, const principal& who) {
+  ask_bridge(
+      asked, answer_timeout, operator_bridge::get_audit{who, asked.rows},
+      [this, asked](const operator_bridge::audit_list& list) { answers_->resolve(asked.ticket, answer_of(list)); });
+}
+
+void operator_desk::log_out(const api_request& asked, const principal& who) {
+  ask_bridge(asked, answer_timeout, operator_bridge::end_session{who},
+             [this, asked](const operator_bridge::session_ended&) {
+               answers_->resolve(asked.ticket, {204,
+                                                {},
+                                                {},
+                                                {{"Set-Cookie", "godwit_session=; Path=/; Max-Age=0; HttpOnly; "
+                                                                "SameSite=Strict"}}});
+             });
+}
+
+void operator_desk::opened(const api_request& asked, const operator_bridge::session_answer& answer) {
+  if (answer.is_open)
+    answers_->resolve(asked.ticket, answer_of(answer.who, answer.ends_ns, wall_ns(), 201), true);
+  else
+    answers_->resolve(asked.ticket, problem(401, answer.reason));
+}
+
+void operator_desk::note_stranger(const api_request& asked, const std::string& what, const std::string& outcome) {
+  tell(bridge_, operator_bridge::audit_note{{asked.account.name, operators::role::viewer, {}}, what, outcome, {}});
+}
+
+} // namespace godwit::operator_port

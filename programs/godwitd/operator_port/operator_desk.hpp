@@ -1,0 +1,100 @@
+// Asks operator_bridge what a client of the operator's port wants, and answers it.
+//
+//   request ──who comes with this token?──> identity ──> command, control, audit, log out ──> answer
+//            └─ a password that was right, a link ──> session_answer ──> answer with a cookie
+//
+// Who is not known is answered 401, and stands in the audit as a stranger. Errors: as answers with a problem document.
+// Thread: as actor_base.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+#include "messages/operator_bridge/handle.hpp"
+#include "programs/godwitd/operator_port/waiting_answers.hpp"
+#include "runtime/actor_base.hpp"
+
+namespace godwit::operator_port {
+
+enum class api_act {
+  who_am_i,
+  command,
+  view_control,
+  change_control,
+  read_audit,
+  log_out,
+  open_session, // the password was right
+  use_link,
+  refuse_login, // it was not
+  refuse_origin // a page of another site has asked
+};
+
+constexpr auto enum_names(api_act) {
+  return io::names<api_act>({{api_act::who_am_i, "who_am_i"},
+                             {api_act::command, "command"},
+                             {api_act::view_control, "view_control"},
+                             {api_act::change_control, "change_control"},
+                             {api_act::read_audit, "read_audit"},
+                             {api_act::log_out, "log_out"},
+                             {api_act::open_session, "open_session"},
+                             {api_act::use_link, "use_link"},
+                             {api_act::refuse_login, "refuse_login"},
+                             {api_act::refuse_origin, "refuse_origin"}});
+}
+
+struct api_request {
+  std::uint64_t ticket = 0; // 0: nobody waits for an answer
+  api_act what = api_act::who_am_i;
+  std::string token_hash;                                                // of who comes; empty: without a token
+  std::string from;                                                      // for people: an address
+  operator_bridge::operator_command said;                                // command; without the principal
+  operator_bridge::control_act act = operator_bridge::control_act::take; // change_control
+  std::string to;                                                        // the same: hand_over
+  std::uint32_t rows = 50;                                               // read_audit
+  operator_bridge::account account;                                      // open_session; its name: refuse_login
+  std::string new_token_hash;                                            // open_session, use_link
+  std::string link_hash;                                                 // use_link
+  static constexpr auto fields = io::table(
+      "operator_port.request", io::field("ticket", &api_request::ticket), io::field("what", &api_request::what),
+      io::field("token_hash", &api_request::token_hash), io::field("from", &api_request::from),
+      io::field("said", &api_request::said), io::field("act", &api_request::act), io::field("to", &api_request::to),
+      io::field("rows", &api_request::rows), io::field("account", &api_request::account),
+      io::field("new_token_hash", &api_request::new_token_hash), io::field("link_hash", &api_request::link_hash));
+};
+
+using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;
+using bridge_handle = runtime::combine<operator_bridge::desk_handle, operator_bridge::door_handle>;
+
+class operator_desk final : public runtime::actor_base<desk_inlet> {
+public:
+  static constexpr std::chrono::seconds answer_timeout{2};
+  static constexpr std::chrono::seconds command_timeout{4}; // longer than operator_bridge takes
+
+  operator_desk(runtime::spawn_context context, bridge_handle bridge, std::shared_ptr<waiting_answers> answers);
+  ~operator_desk() override;
+
+protected:
+  behavior_type handlers() override;
+
+private:
+  void take(const api_request& asked);
+  void identify(const api_request& asked);
+  void take_known(const api_request& asked, const operator_bridge::identity& who);
+  void command(const api_request& asked, const operators::principal& who);
+  void view_control(const api_request& asked, const operators::principal& who);
+  void change_control(const api_request& asked, const operators::principal& who);
+  void read_audit(const api_request& asked, const operators::principal& who);
+  void log_out(const api_request& asked, const operators::principal& who);
+  void opened(const api_request& asked, const operator_bridge::session_answer& answer);
+  void note_stranger(const api_request& asked, const std::string& what, const std::string& outcome);
+  template <class Question, class OnAnswer>
+  void ask_bridge(const api_request& asked, std::chrono::seconds patience, Question question, OnAnswer on_answer);
+
+  bridge_handle bridge_;
+  std::shared_ptr<waiting_answers> answers_;
+};
+
+} // namespace godwit::operator_port

@@ -1,0 +1,195 @@
+#include "programs/godwitd/operator_port/request_body.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+#include <openssl/crypto.h>
+
+#include "actors/domain/mission/utc_text.hpp"
+#include "io/fields/json_value.hpp"
+#include "messages/mission/item_fields.hpp"
+
+namespace godwit::operator_port {
+namespace {
+
+using nlohmann::json;
+using operators::command_kind;
+
+constexpr std::uint32_t max_rows = 200;
+constexpr std::uint32_t usual_rows = 50;
+
+// As it stands in the body.
+struct command_body {
+  std::string id;
+  std::optional<operators::command_kind> command;
+  std::string valid_until;
+  std::string state;
+  std::uint32_t report = 0;
+  std::optional<mission::position> place;
+  std::string after;
+  static constexpr auto fields =
+      io::table("operator_port.command", io::field("id", &command_body::id),
+                io::field("command", &command_body::command), io::field("valid_until", &command_body::valid_until),
+                io::field("state", &command_body::state), io::field("report", &command_body::report),
+                io::field("place", &command_body::place), io::field("after", &command_body::after));
+};
+
+struct control_fields {
+  std::optional<operator_bridge::control_act> act;
+  std::string to;
+  static constexpr auto fields =
+      io::table("operator_port.control", io::field("act", &control_fields::act), io::field("to", &control_fields::to));
+};
+
+tl::unexpected<body_problem> wrong(std::string place, std::string sentence) {
+  return tl::make_unexpected(body_problem{std::move(place), std::move(sentence)});
+}
+
+template <class Body>
+tl::expected<Body, body_problem> read_body(std::string_view text) {
+  const auto document = json::parse(text, nullptr, false);
+  if (!document.is_object())
+    return wrong({}, "the body is a JSON object");
+  Body result;
+  if (const auto read = io::read_json(document, result); !read)
+    return wrong(read.error().path, read.error().message());
+  return result;
+}
+
+bool needs_state(command_kind kind) {
+  return !operators::is_stop(kind) && kind != command_kind::check && kind != command_kind::pull;
+}
+
+// Text that is overwritten when nobody needs it any more.
+class wiped {
+public:
+  explicit wiped(std::string& text) : text_(text) {}
+  ~wiped() { OPENSSL_cleanse(text_.data(), text_.size()); }
+  wiped(const wiped&) = delete;
+  wiped& operator=(const wiped&) = delete;
+
+private:
+  std::string& text_;
+};
+
+io::http::secret_text secret_of(const std::string& text) {
+  io::http::secret_text result(text.size());
+  std::ranges::copy(text, result.data());
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' '))
+    text.remove_prefix(1);
+  while (text.ends_with(' '))
+    text.remove_suffix(1);
+  return text;
+}
+
+} // namespace
+
+tl::expected<operator_bridge::operator_command, body_problem> read_command(std::string_view text) {
+  auto body = read_body<command_body>(text);
+  if (!body)
+    return tl::make_unexpected(std::move(body.error()));
+  if (!body->command)
+    return wrong("command", "a command is missing, such as \"start\"");
+  const auto kind = *body->command;
+  operator_bridge::operator_command result;
+  if (body->id.empty())
+    return wrong("id", "an id is missing: another one for each command that is meant, the same when it is said again");
+  if (body->valid_until.empty() && kind != command_kind::pause)
+    return wrong("valid_until", "a time is missing, such as 2026-05-04T10:15:30Z: later it is not obeyed");
+  if (!body->valid_until.empty()) {
+    const auto until = mission::time_of_utc_text(body->valid_until);
+    if (!until || *until <= 0)
+      return wrong("valid_until", "this is no time in UTC, such as 2026-05-04T10:15:30Z");
+    result.valid_until_ns = *until;
+  }
+  if (body->state.empty() && needs_state(kind))
+    return wrong("state", "the state that it is meant for is missing, as the flight's status has it");
+  if (!body->place && (kind == command_kind::go_to || kind == command_kind::insert))
+    return wrong("place", "a place is missing");
+  if (body->report == 0 && kind == command_kind::acknowledge)
+    return wrong("report", "the number of the preflight report is missing");
+  result.id = std::move(body->id);
+  result.what.kind = kind;
+  result.what.state = std::move(body->state);
+  result.what.report = body->report;
+  result.what.place = body->place;
+  result.what.after = std::move(body->after);
+  return result;
+}
+
+tl::expected<control_body, body_problem> read_control(std::string_view text) {
+  auto body = read_body<control_fields>(text);
+  if (!body)
+    return tl::make_unexpected(std::move(body.error()));
+  if (!body->act)
+    return wrong("act", "take, take_over, give or hand_over is missing");
+  if (*body->act == operator_bridge::control_act::hand_over && body->to.empty())
+    return wrong("to", "to whom is missing");
+  return control_body{*body->act, std::move(body->to)};
+}
+
+tl::expected<login_body, body_problem> read_login(std::string text) {
+  const wiped all(text);
+  auto document = json::parse(text, nullptr, false);
+  if (!document.is_object())
+    return wrong({}, "the body is a JSON object");
+  login_body result;
+  for (auto& [key, value] : document.items()) {
+    if (!value.is_string())
+      return wrong(key, "a text is expected");
+    auto& said = value.get_ref<std::string&>();
+    const wiped each(said);
+    if (key == "name")
+      result.name = said;
+    else if (key == "password")
+      result.password = secret_of(said);
+    else if (key == "link")
+      result.link = secret_of(said);
+    else
+      return wrong(key, "this field is not known; there are name and password, or link");
+  }
+  if (!result.link.empty() && result.name.empty() && result.password.empty())
+    return result;
+  if (!result.link.empty() || result.name.empty() || result.password.empty())
+    return wrong({}, "either name and password, or link");
+  return result;
+}
+
+std::string_view token_of(const io::http::server_request& asked) {
+  constexpr std::string_view bearer = "Bearer ";
+  if (const auto said = asked.find("Authorization"); said.starts_with(bearer))
+    return trimmed(said.substr(bearer.size()));
+  constexpr std::string_view name = "godwit_session=";
+  auto cookies = asked.find("Cookie");
+  while (!cookies.empty()) {
+    const auto end = std::min(cookies.find(';'), cookies.size());
+    const auto each = trimmed(cookies.substr(0, end));
+    if (each.starts_with(name))
+      return each.substr(name.size());
+    cookies.remove_prefix(std::min(end + 1, cookies.size()));
+  }
+  return {};
+}
+
+tl::expected<std::uint32_t, body_problem> read_rows(std::string_view target) {
+  const auto query = target.find('?');
+  if (query == std::string_view::npos)
+    return usual_rows;
+  constexpr std::string_view name = "rows=";
+  const auto said = target.substr(query + 1);
+  std::uint32_t result = 0;
+  const auto number = said.starts_with(name) ? said.substr(name.size()) : std::string_view();
+  const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), result);
+  if (failed != std::errc() || end != number.data() + number.size() || result == 0 || result > max_rows)
+    return wrong("rows", "the query is rows=1 to rows=200");
+  return result;
+}
+
+} // namespace godwit::operator_port

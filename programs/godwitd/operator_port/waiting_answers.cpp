@@ -1,0 +1,63 @@
+#include "programs/godwitd/operator_port/waiting_answers.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "io/http/server/response_head.hpp"
+
+namespace godwit::operator_port {
+
+using io::http::problem_response;
+
+std::optional<std::uint64_t> waiting_answers::add(io::http::responder answer, io::http::secret_text new_token) {
+  give_up_overdue();
+  {
+    const std::lock_guard guard(mutex_);
+    if (waiting_.size() < max_waiting && !has_ended_) {
+      waiting_.emplace(++last_ticket_,
+                       waiting{std::move(answer), std::move(new_token), std::chrono::steady_clock::now() + patience});
+      return last_ticket_;
+    }
+  }
+  answer.send(problem_response(503, "too many requests wait for an answer; ask again in a moment"));
+  return std::nullopt;
+}
+
+void waiting_answers::resolve(std::uint64_t ticket, io::http::server_response what, bool opens_session) {
+  std::unique_lock lock(mutex_);
+  auto found = waiting_.extract(ticket);
+  lock.unlock();
+  if (found.empty())
+    return;
+  auto& each = found.mapped();
+  if (opens_session)
+    what.headers.push_back({"Set-Cookie", "godwit_session=" + std::string(each.new_token.revealed()) +
+                                              "; Path=/; HttpOnly; SameSite=Strict"});
+  each.answer.send(std::move(what));
+}
+
+void waiting_answers::end() {
+  std::map<std::uint64_t, waiting> all;
+  {
+    const std::lock_guard guard(mutex_);
+    has_ended_ = true;
+    all = std::exchange(waiting_, {});
+  }
+  for (auto& [ticket, each] : all)
+    each.answer.send(problem_response(503, "godwit ends"));
+}
+
+void waiting_answers::give_up_overdue() {
+  std::vector<std::uint64_t> overdue;
+  {
+    const std::lock_guard guard(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    for (const auto& [ticket, each] : waiting_)
+      if (each.until <= now)
+        overdue.push_back(ticket);
+  }
+  for (const auto ticket : overdue)
+    resolve(ticket, problem_response(504, "nobody has answered in time; look at the status before you say it again"));
+}
+
+} // namespace godwit::operator_port

@@ -1,0 +1,46 @@
+// Requests that wait for the answer of an actor: each has a ticket, and is answered once or, when nobody does within
+// their time, with 504.
+//
+// The token of a session that is being opened waits here with its request, so that no message carries it. Thread: any;
+// an answer is sent in the thread of the port.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "io/http/secret_text.hpp"
+#include "io/http/server/responder.hpp"
+
+namespace godwit::operator_port {
+
+class waiting_answers {
+public:
+  static constexpr std::size_t max_waiting = 64;
+  static constexpr std::chrono::seconds patience{6}; // longer than all that operator_bridge and the executor take
+
+  // None: too many wait, or the end has come; ANSWER was given 503. NEW_TOKEN: of the session that the answer opens.
+  [[nodiscard]] std::optional<std::uint64_t> add(io::http::responder answer, io::http::secret_text new_token = {});
+  // OPENS_SESSION: its token goes along as a cookie.
+  void resolve(std::uint64_t ticket, io::http::server_response what, bool opens_session = false);
+  // Of those for whom nobody has answered in time.
+  void give_up_overdue();
+  // Nobody is answered any more: before the port goes.
+  void end();
+
+private:
+  struct waiting {
+    io::http::responder answer;
+    io::http::secret_text new_token;
+    std::chrono::steady_clock::time_point until;
+  };
+
+  std::mutex mutex_; // over what stands below
+  std::map<std::uint64_t, waiting> waiting_;
+  std::uint64_t last_ticket_ = 0;
+  bool has_ended_ = false;
+};
+
+} // namespace godwit::operator_port

@@ -1,0 +1,166 @@
+// The operator's API over a socket, with the real operator_bridge behind it and a stand-in for the executor, in one
+// thread: each request is sent, everything runs until nothing is left to do, and the answer is read. Thread: one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/write.hpp>
+#include <nlohmann/json.hpp>
+
+#include "actors/operator_bridge/actor.hpp"
+#include "io/http/server/server.hpp"
+#include "programs/godwitd/accounts/account_keeper.hpp"
+#include "programs/godwitd/accounts/token.hpp"
+#include "programs/godwitd/operator_port/operator_routes.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
+#include "runtime/simulation/simulation.hpp"
+#include "tests/programs/godwitd/scratch.hpp"
+
+namespace godwit::operator_port::tests {
+
+// Takes what is meant for its state, and remembers it.
+class executor_stand_in final : public runtime::actor_base<operator_bridge::executor_handle> {
+public:
+  executor_stand_in(runtime::spawn_context context, std::vector<operators::command>* heard)
+      : actor_base(std::move(context)), heard_(heard) {}
+  static constexpr const char* state = "ready/none/m/1/1/0";
+
+protected:
+  behavior_type handlers() override {
+    return {on<operators::command>([this](const operators::command& m) {
+      if (!m.state.empty() && m.state != state && !operators::is_stop(m.kind))
+        return operators::answer{false, "the flight stands otherwise by now", state};
+      heard_->push_back(m);
+      return operators::answer{true, {}, {}};
+    })};
+  }
+
+private:
+  std::vector<operators::command>* heard_;
+};
+
+struct http_answer {
+  unsigned status = 0;
+  std::string cookie; // that it sets
+  nlohmann::json body;
+};
+
+class api_world {
+public:
+  using headers = std::vector<std::pair<std::string, std::string>>;
+
+  api_world() : world(disk, 1) {
+    keeper = *accounts::account_keeper::open(folder.file("operators"));
+    const auto executor = world.actors().add<executor_stand_in>({.name = "executor"}, {}, &obeyed);
+    bridge = world.actors().add<operator_bridge::actor>({.name = "operator_bridge"}, {}, operator_bridge::settings{},
+                                                        operator_bridge::executor_handle(executor));
+    answers = std::make_shared<waiting_answers>();
+    desk = world.actors().add<operator_desk>({.name = "operator_desk"}, {}, bridge_handle(bridge), answers);
+    world.start();
+    world.run_until_idle();
+    const auto tell = [this](api_request asked) { world.tell(desk, std::move(asked)); };
+    api = std::make_shared<operator_api>(answers, *keeper, tell);
+    routes = std::make_unique<router>(routes_of(api), std::vector<std::string>{}, false);
+    routes->on_other_origin([this] { api->note_other_origin(); });
+    io::http::server_hooks hooks;
+    hooks.handle = [this](server_request asked, responder answer) {
+      routes->answer(std::move(asked), std::move(answer));
+    };
+    server = std::make_unique<io::http::server>(context, io::http::server_settings{}, std::move(hooks));
+    (void)server->listen();
+  }
+  ~api_world() { server->end_connections(); }
+
+  http_answer ask(const std::string& method, const std::string& target, const nlohmann::json& body = nullptr,
+                  const headers& more = {}) {
+    boost::asio::ip::tcp::socket socket(context);
+    socket.connect({boost::asio::ip::address_v4::loopback(), server->port()});
+    const auto text = body.is_null() ? std::string() : body.dump();
+    std::string head = method + " " + target + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" +
+                       "Content-Length: " + std::to_string(text.size()) + "\r\n";
+    if (!body.is_null())
+      head += "Content-Type: application/json\r\n";
+    for (const auto& [name, value] : more)
+      head += name + ": " + value + "\r\n";
+    boost::asio::write(socket, boost::asio::buffer(head + "\r\n" + text));
+    socket.non_blocking(true);
+    std::string got;
+    for (int turns = 0; turns < 10'000; ++turns) {
+      world.run_until_idle();
+      context.restart();
+      context.poll();
+      std::array<char, 4096> piece{};
+      boost::system::error_code failed;
+      const auto size = socket.read_some(boost::asio::buffer(piece), failed);
+      got.append(piece.data(), size);
+      if (failed && failed != boost::asio::error::would_block)
+        break;
+    }
+    return read(got);
+  }
+  // With the session or token of WHO.
+  http_answer ask_as(const std::string& token, const std::string& method, const std::string& target,
+                     const nlohmann::json& body = nullptr, headers more = {}) {
+    more.emplace_back("Cookie", "godwit_session=" + token);
+    return ask(method, target, body, more);
+  }
+  // A session that somebody has opened with the right password.
+  std::string log_in(const std::string& name, operators::role as) {
+    const auto token = std::string(accounts::new_token().revealed());
+    (void)world.ask(bridge, std::chrono::seconds(1),
+                    operator_bridge::open_session{{name, as, "stamp", {}}, accounts::hash_of_token(token), "here"});
+    world.run_until_idle();
+    return token;
+  }
+  [[nodiscard]] nlohmann::json command(const std::string& kind, const std::string& id) const {
+    return {{"id", id}, {"command", kind}, {"valid_until", utc_in(10)}, {"state", executor_stand_in::state}};
+  }
+  [[nodiscard]] std::string utc_in(std::int64_t seconds) const;
+  [[nodiscard]] std::uint32_t rows() {
+    const auto asked = world.ask(
+        bridge, std::chrono::seconds(1),
+        operator_bridge::get_audit{{"test", operators::role::engineer, std::string(operators::local_session)}, 200});
+    world.run_until_idle();
+    std::uint32_t result = 0;
+    for (const auto& each : asked->answer.rows)
+      result += each.count;
+    return result;
+  }
+
+  test::scratch folder;
+  runtime::simulated_disk disk;
+  runtime::simulation world;
+  std::vector<operators::command> obeyed;
+  operator_bridge::own_handle bridge;
+  desk_inlet desk;
+  std::unique_ptr<accounts::account_keeper> keeper;
+  std::shared_ptr<waiting_answers> answers;
+  std::shared_ptr<operator_api> api;
+  std::unique_ptr<router> routes;
+  boost::asio::io_context context;
+  std::unique_ptr<io::http::server> server;
+
+private:
+  static http_answer read(const std::string& text) {
+    http_answer result;
+    const auto end = text.find("\r\n\r\n");
+    if (text.size() < 12 || end == std::string::npos)
+      return result;
+    result.status = static_cast<unsigned>(std::stoi(text.substr(9, 3)));
+    constexpr std::string_view name = "Set-Cookie: godwit_session=";
+    if (const auto found = text.find(name); found != std::string::npos && found < end)
+      result.cookie = text.substr(found + name.size(), text.find(';', found) - found - name.size());
+    result.body = nlohmann::json::parse(text.substr(end + 4), nullptr, false);
+    return result;
+  }
+};
+
+} // namespace godwit::operator_port::tests

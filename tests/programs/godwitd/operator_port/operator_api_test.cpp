@@ -1,0 +1,144 @@
+// What operators do over HTTP, down to the executor and the audit.
+#include "programs/godwitd/operator_port/operator_api.hpp"
+
+#include <gtest/gtest.h>
+
+#include "actors/domain/mission/utc_text.hpp"
+#include "tests/programs/godwitd/operator_port/api_world.hpp"
+
+namespace godwit::operator_port::tests {
+
+std::string api_world::utc_in(std::int64_t seconds) const {
+  return mission::utc_text(world.time().wall_ns() + seconds * 1'000'000'000);
+}
+
+namespace {
+
+using namespace std::chrono_literals;
+using operators::role;
+
+constexpr const char* commands = "/api/v1/commands";
+constexpr const char* control = "/api/v1/control";
+constexpr const char* session = "/api/v1/session";
+
+std::string pilot(api_world& world, const std::string& name = "anna") {
+  auto token = world.log_in(name, role::operator_);
+  (void)world.ask_as(token, "POST", control, {{"act", "take"}});
+  return token;
+}
+
+TEST(operator_api, a_command_of_who_has_control_is_obeyed) {
+  api_world world;
+  const auto answer = world.ask_as(pilot(world), "POST", commands, world.command("start", "a1"));
+  EXPECT_EQ(answer.status, 200U);
+  EXPECT_EQ(answer.body.at("verdict"), "taken");
+  ASSERT_EQ(world.obeyed.size(), 1U);
+  EXPECT_EQ(world.obeyed[0].by, "anna");
+}
+
+TEST(
+    operator_api,
+    command_without_session_expired_replayed_cross_origin_wrong_role_without_control_late_stale_has_no_effect_and_one_audit_row_each) {
+  api_world world;
+  const auto anna = pilot(world);
+  const auto bob = world.log_in("bob", role::operator_);
+  const auto eve = world.log_in("eve", role::viewer);
+  ASSERT_EQ(world.ask_as(anna, "POST", commands, world.command("start", "first")).status, 200U);
+  ASSERT_EQ(world.obeyed.size(), 1U);
+  const auto expect = [&](const std::string& who, const nlohmann::json& body, unsigned status,
+                          const api_world::headers& more = {}) {
+    const auto rows = world.rows();
+    const auto answer = world.ask_as(who, "POST", commands, body, more);
+    EXPECT_EQ(answer.status, status) << answer.body.dump();
+    EXPECT_EQ(world.rows(), rows + 1) << answer.body.dump();
+    EXPECT_EQ(world.obeyed.size(), 1U) << answer.body.dump();
+  };
+  expect("nobody", world.command("resume", "n1"), 401);
+  expect(anna, world.command("start", "first"), 200); // as the first time
+  expect(anna, world.command("resume", "o1"), 403, {{"Origin", "http://evil.example"}});
+  expect(eve, world.command("resume", "e1"), 403);
+  expect(bob, world.command("resume", "b1"), 423);
+  auto late = world.command("resume", "l1");
+  late["valid_until"] = world.utc_in(-1);
+  expect(anna, late, 408);
+  auto stale = world.command("resume", "s1");
+  stale["state"] = "flying/none/m/1/1/0";
+  expect(anna, stale, 412);
+  world.world.advance(31min);
+  expect(anna, world.command("resume", "x1"), 401); // expired
+}
+
+TEST(operator_api, hold_and_return_are_open_to_every_operator) {
+  api_world world;
+  (void)pilot(world);
+  const auto bob = world.log_in("bob", role::operator_);
+  EXPECT_EQ(world.ask_as(bob, "POST", commands, {{"id", "h"}, {"command", "pause"}}).status, 200U);
+  EXPECT_EQ(
+      world.ask_as(bob, "POST", commands, {{"id", "r"}, {"command", "come_home"}, {"valid_until", world.utc_in(5)}})
+          .status,
+      200U);
+  EXPECT_EQ(world.obeyed.size(), 2U);
+}
+
+TEST(operator_api, what_is_stale_is_answered_with_the_state_as_it_is) {
+  api_world world;
+  auto stale = world.command("resume", "s1");
+  stale["state"] = "flying/none/m/1/1/0";
+  const auto answer = world.ask_as(pilot(world), "POST", commands, stale);
+  EXPECT_EQ(answer.status, 412U);
+  EXPECT_EQ(answer.body.at("state"), executor_stand_in::state);
+}
+
+TEST(operator_api, a_bad_body_is_answered_with_its_place) {
+  api_world world;
+  const auto anna = pilot(world);
+  auto body = world.command("start", "a1");
+  body["colour"] = 1;
+  const auto answer = world.ask_as(anna, "POST", commands, body);
+  EXPECT_EQ(answer.status, 400U);
+  EXPECT_EQ(answer.body.at("place"), "colour");
+  EXPECT_EQ(world.ask_as(anna, "POST", commands).status, 415U) << "no JSON";
+  EXPECT_TRUE(world.obeyed.empty());
+}
+
+TEST(operator_api, a_link_opens_a_session_once_and_its_cookie_is_known_until_the_logout) {
+  api_world world;
+  (void)world.world.ask(world.bridge, 1s,
+                        operator_bridge::make_link{{"desk", role::engineer, std::string(operators::local_session)},
+                                                   accounts::hash_of_token("the link")});
+  world.world.run_until_idle();
+  const auto opened = world.ask("POST", session, {{"link", "the link"}});
+  ASSERT_EQ(opened.status, 201U) << opened.body.dump();
+  ASSERT_EQ(opened.cookie.size(), accounts::token_size);
+  EXPECT_EQ(opened.body.at("role"), "engineer");
+  EXPECT_EQ(world.ask("POST", session, {{"link", "the link"}}).status, 401U);
+  EXPECT_EQ(world.ask_as(opened.cookie, "GET", session).body.at("name"), "desk");
+  EXPECT_EQ(world.ask_as(opened.cookie, "DELETE", session).status, 204U);
+  EXPECT_EQ(world.ask_as(opened.cookie, "GET", session).status, 401U);
+}
+
+TEST(operator_api, control_is_taken_shown_and_given) {
+  api_world world;
+  const auto anna = pilot(world);
+  const auto bob = world.log_in("bob", role::operator_);
+  EXPECT_EQ(world.ask_as(anna, "GET", control).body.at("is_yours"), true);
+  EXPECT_EQ(world.ask_as(bob, "GET", control).body.at("holder"), "anna");
+  const auto refused = world.ask_as(bob, "POST", control, {{"act", "take"}});
+  EXPECT_EQ(refused.status, 409U);
+  EXPECT_EQ(refused.body.at("holder"), "anna");
+  EXPECT_EQ(world.ask_as(anna, "POST", control, {{"act", "hand_over"}, {"to", "bob"}}).status, 200U);
+  EXPECT_EQ(world.ask_as(bob, "POST", control, {{"act", "give"}}).body.at("holder"), "");
+}
+
+TEST(operator_api, the_audit_is_for_operators) {
+  api_world world;
+  const auto anna = pilot(world);
+  const auto list = world.ask_as(anna, "GET", "/api/v1/audit?rows=1");
+  EXPECT_EQ(list.status, 200U);
+  EXPECT_EQ(list.body.at("rows").size(), 1U);
+  EXPECT_EQ(world.ask_as(world.log_in("eve", role::viewer), "GET", "/api/v1/audit").status, 403U);
+  EXPECT_EQ(world.ask("GET", "/api/v1/audit").status, 401U);
+}
+
+} // namespace
+} // namespace godwit::operator_port::tests

@@ -186,7 +186,7 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.flight = flight_.executor;
   of_desk.bridge = flight_.bridge;
   if (wanted_.operators)
-    operator_desk_ = actors.add<operator_port::operator_desk>(
+    operator_desk_ = host_->actors().add<operator_port::operator_desk>(
         {.name = "operator_desk"}, replaceable, operator_port::bridge_handle(flight_.bridge), api_answers_);
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);

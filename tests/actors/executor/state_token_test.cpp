@@ -39,13 +39,15 @@ TEST_P(state_token_of,
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().ground_speed_mps > 1; }, 60)) << "off the ground";
   const auto before = state_token(world.durable());
   EXPECT_TRUE(world.say(meant_for(command_kind::pause, "another one")).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 20)) << world.story();
   const auto refused = world.say(meant_for(command_kind::resume, before));
   EXPECT_FALSE(refused.is_taken);
   EXPECT_EQ(refused.state, state_token(world.durable()));
-  EXPECT_TRUE(world.say(meant_for(command_kind::resume, refused.state)).is_taken);
+  const auto taken = world.say(meant_for(command_kind::resume, refused.state));
+  EXPECT_TRUE(taken.is_taken) << taken.reason;
 }
 
 INSTANTIATE_TEST_SUITE_P(every_vehicle, state_token_of,

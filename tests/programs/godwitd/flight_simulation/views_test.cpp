@@ -40,7 +40,8 @@ TEST_F(views, a_report_has_the_word_of_each_part_of_a_flight) {
   EXPECT_TRUE(now->vehicle->connected);
   std::set<std::string> names;
   for (const auto& each : now->actors) {
-    EXPECT_EQ(each.phase, runtime::child_phase::running) << each.name;
+    const bool is_wanted = each.name != "scan_controller"; // this mission has no survey
+    EXPECT_EQ(each.phase == runtime::child_phase::running, is_wanted) << each.name;
     names.insert(each.name);
   }
   for (const auto* each : {"executor", "vehicle_link", "failsafe", "ground_port", "mission_client", "mapobjects_store",

@@ -47,7 +47,7 @@ std::string why_not(const std::string& actor, runtime::desk& bench) {
     return actor + " can not be replayed: " + std::string(found->why);
   if (bench.choose(actor))
     return {};
-  return "there is no actor " + actor + " in godwitd; these can be replayed: executor, failsafe, operator_bridge";
+  return "there is no actor " + actor + " in godwitd; these can be replayed: executor, failsafe";
 }
 
 } // namespace

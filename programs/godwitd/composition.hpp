@@ -116,7 +116,7 @@ private:
   operator_port::port operator_port_;
   std::shared_ptr<operator_port::view_api> view_api_;     // none without the port
   std::shared_ptr<operator_port::stream_api> stream_api_; // none without it
-  operator_port::desk_inlet operator_desk_;           // the same, and without a flight
+  operator_port::desk_inlet operator_desk_;               // the same, and without a flight
   std::shared_ptr<operator_port::waiting_answers> api_answers_ = std::make_shared<operator_port::waiting_answers>();
   std::shared_ptr<operator_port::operator_api> operator_api_; // as the desk
 };

@@ -30,6 +30,12 @@ void flight_context::adopt_flight() {
   was_up = true;
 }
 
+std::string flight_context::why_not_armed() const {
+  if (view.is_armed() || configured.arm_on_start)
+    return {};
+  return "the vehicle is disarmed, and starting does not arm it (arm_on_start): arm it, then start";
+}
+
 std::optional<vehicle_link::seen_state> flight_context::known() const {
   if (!view.mode())
     return std::nullopt;

@@ -61,6 +61,8 @@ struct flight_context {
   [[nodiscard]] task_runner::world world(instant now, effects& out) {
     return {s, view, authority, now.now_ns, out, known()};
   }
+  // Why a start would be for nothing; empty: the vehicle is armed, or a start arms it.
+  [[nodiscard]] std::string why_not_armed() const;
   // What an order says of the moment in which it was decided.
   [[nodiscard]] std::optional<vehicle_link::seen_state> known() const;
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people

@@ -27,19 +27,13 @@ std::optional<std::uint16_t> flight_start::sequence_of(const start_mission& aske
 // The sentence says why not; empty: it may.
 std::string flight_start::why_not(effects& out, instant now) {
   auto why = why_not_ready(out, now);
-  return why.empty() ? why_not_armed() : why;
+  return why.empty() ? flight_.why_not_armed() : why;
 }
 
 std::string flight_start::why_not_ready(effects& out, instant now) {
   if (flight_.s.status.now != phase::ready || !flight_.s.progress.plan || !flight_.s.mission)
     return flight_.sentence();
   return preparation_.why_not_start(out, now);
-}
-
-std::string flight_start::why_not_armed() const {
-  if (!flight_.view.is_armed() && !flight_.configured.arm_on_start)
-    return "the vehicle is disarmed, and starting does not arm it (arm_on_start)";
-  return {};
 }
 
 // Stations say arm and start in one breath, and an autopilot shows that it is armed with its next heartbeat.
@@ -122,7 +116,7 @@ void flight_start::begin_asked(effects& out, const start_mission& asked, instant
     begin_in_flight(out, asked, now);
   else if (const auto why = why_not_ready(out, now); !why.empty())
     tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
-  else if (const auto disarmed = why_not_armed(); !disarmed.empty())
+  else if (const auto disarmed = flight_.why_not_armed(); !disarmed.empty())
     tasks_.answer_start(out, asked.key, start_verdict::disarmed, disarmed);
   else if (const auto sequence = sequence_of(asked); !sequence)
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");

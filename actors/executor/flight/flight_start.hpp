@@ -35,7 +35,6 @@ private:
   void begin_asked(effects& out, const start_mission& asked, instant now);
   [[nodiscard]] std::string why_not(effects& out, instant now);
   [[nodiscard]] std::string why_not_ready(effects& out, instant now);
-  [[nodiscard]] std::string why_not_armed() const;
 
   flight_context& flight_;
   phase_machine& phases_;

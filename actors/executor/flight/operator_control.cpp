@@ -68,7 +68,7 @@ std::string operator_control::why_not(const operators::command& m, bool has_look
       return "the vehicle is not heard, so nobody knows who has it; say it again when it is";
     return {};
   case command_kind::start:
-    return at == phase::ready ? std::string() : "the flight is not ready: " + flight_.sentence();
+    return at == phase::ready ? flight_.why_not_armed() : "the flight is not ready: " + flight_.sentence();
   case command_kind::resume:
     return why_not_resume();
   case command_kind::pause:

@@ -19,6 +19,10 @@ json no_points(const ask_error& why) {
                                  : "there is no answer: " + why.what + "; ask for the points before you say it again"}};
 }
 
+std::string words_of(const scan_controller::decide_point& decided) {
+  return std::string(io::name_of(decided.says)) + " point " + std::to_string(decided.number);
+}
+
 json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
 
 constexpr std::size_t max_name = 64; // bytes
@@ -217,10 +221,14 @@ void request_handler::decide_point(const control_request& asked) {
     return answer_with(asked.ticket, on_the_ground());
   ask(
       *others_.points, answer_timeout, asked.decided,
-      [this, ticket = asked.ticket](const scan_controller::decide_answer& answer) {
-        answer_with(ticket, answer.is_taken ? json{{"ok", true}} : json{{"ok", false}, {"error", answer.reason}});
+      [this, asked](const scan_controller::decide_answer& answer) {
+        note(asked, words_of(asked.decided), answer.is_taken, answer.reason);
+        answer_with(asked.ticket, answer.is_taken ? json{{"ok", true}} : json{{"ok", false}, {"error", answer.reason}});
       },
-      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_points(why)); });
+      [this, asked](const ask_error& why) {
+        note(asked, words_of(asked.decided), false, "there is no answer");
+        answer_with(asked.ticket, no_points(why));
+      });
 }
 
 // Only what a person has confirmed has a place to fly to; from there on it is a command like any other.

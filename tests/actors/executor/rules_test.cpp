@@ -76,7 +76,9 @@ TEST_P(rule, it_arms_with_arm_on_start_only) {
     world.load(short_mission());
     ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
     if (policy == start_policy::on_command) {
-      EXPECT_TRUE(world.say(command_kind::start).is_taken);
+      const auto answer = world.say(command_kind::start);
+      EXPECT_FALSE(answer.is_taken);
+      EXPECT_NE(answer.reason.find("starting does not arm it"), std::string::npos) << answer.reason;
     }
     world.run_for(20);
     EXPECT_TRUE(world.commands().empty()) << world.story();

@@ -290,7 +290,11 @@ TEST(control_requests, points_are_listed_and_decided_about) {
   control_request decision;
   decision.what = request_kind::decide_point;
   decision.decided = {4, scan_controller::decision::confirm, "anna"};
-  EXPECT_EQ(process(true, true, true).ask(decision).at("ok"), true);
+  process p(true, true, true);
+  EXPECT_EQ(p.ask(decision).at("ok"), true);
+  ASSERT_EQ(p.notes.size(), 1U) << "the audit has it";
+  EXPECT_EQ(p.notes[0].what, "confirm point 4");
+  EXPECT_EQ(p.notes[0].outcome, "taken");
   decision.decided.number = 9;
   EXPECT_EQ(process(true, true, true).ask(decision).at("error"), "no such point");
   EXPECT_EQ(process(true).ask(decision).at("ok"), false) << "on the ground nobody looks for points";

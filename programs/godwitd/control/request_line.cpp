@@ -126,6 +126,8 @@ tl::expected<control_request, std::string> read_control(const json& document) {
   result.to = text_of(document, "to");
   if (*act == operator_bridge::control_act::hand_over && result.to.empty())
     return tl::make_unexpected(std::string("hand_over says to whom, such as \"to\": \"bob\""));
+  if (*act != operator_bridge::control_act::hand_over && !result.to.empty())
+    return tl::make_unexpected(std::string("only hand_over says to whom"));
   return result;
 }
 

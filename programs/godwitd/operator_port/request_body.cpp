@@ -130,8 +130,11 @@ tl::expected<control_body, body_problem> read_control(std::string_view text) {
     return tl::make_unexpected(std::move(body.error()));
   if (!body->act)
     return wrong("act", "take, take_over, give or hand_over is missing");
-  if (*body->act == operator_bridge::control_act::hand_over && body->to.empty())
+  const bool hands_over = *body->act == operator_bridge::control_act::hand_over;
+  if (hands_over && body->to.empty())
     return wrong("to", "to whom is missing");
+  if (!hands_over && !body->to.empty())
+    return wrong("to", "only hand_over says to whom");
   return control_body{*body->act, std::move(body->to)};
 }
 

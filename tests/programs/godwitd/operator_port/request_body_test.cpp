@@ -62,6 +62,7 @@ TEST(operator_request_body, a_login_is_a_name_and_a_password_or_a_link) {
 TEST(operator_request_body, control_says_what_and_to_whom) {
   EXPECT_EQ(read_control(R"({"act": "hand_over", "to": "bob"})")->to, "bob");
   EXPECT_EQ(read_control(R"({"act": "hand_over"})").error().place, "to");
+  EXPECT_EQ(read_control(R"({"act": "take_over", "to": "bob"})").error().place, "to");
   EXPECT_EQ(read_control(R"({"act": "steal"})").error().place, "act");
   EXPECT_EQ(read_control(R"({})").error().place, "act");
 }

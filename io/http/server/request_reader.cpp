@@ -33,12 +33,14 @@ struct request_reader::state {
   server_request made; // its head as it came before the body: what stands behind a chunked body is not looked at
   request_refusal refused;
   std::size_t max_body = 0;
+  std::size_t head_bytes = 0; // read of it so far
   bool head_judged = false;
   bool wants_continue = false;
 };
 
 void request_reader::state::begin() {
   made = {};
+  head_bytes = 0;
   head_judged = false;
   wants_continue = false;
   reading.begin(set.max_head_bytes, [this](std::span<const std::byte> bytes, beast::error_code& stop) {
@@ -56,8 +58,11 @@ progress request_reader::state::refuse(unsigned status, std::string sentence) {
 
 progress request_reader::state::too_large() { return refuse(413, "Up to " + std::to_string(max_body) + " bytes."); }
 
+// The parser is lax about the length of a head that comes in one piece.
 progress request_reader::state::judge_head() {
   head_judged = true;
+  if (head_bytes > set.max_head_bytes)
+    return refuse_as(beast::http::error::header_limit);
   auto& parser = reading.current();
   const auto& head = parser.get();
   made.method = text_of(head.method_string());
@@ -84,7 +89,9 @@ progress request_reader::state::refuse_as(const beast::error_code& code) {
 progress request_reader::state::parse() {
   const auto& parser = reading.current();
   while (reading.unread_bytes() != 0 && !parser.is_done()) {
+    const auto before = reading.unread_bytes();
     const auto code = reading.step();
+    head_bytes += head_judged ? 0 : before - reading.unread_bytes();
     if (code == beast::http::error::need_more) // what is unread is the beginning of a head, or of that of a chunk
       return reading.unread_bytes() > set.max_head_bytes ? refuse_as(beast::http::error::header_limit) : progress::more;
     if (code)

@@ -101,6 +101,22 @@ TEST(http_request_reader, a_head_that_is_too_long_is_refused) {
   EXPECT_LE(at, in_pieces.set.max_head_bytes + 1000);
 }
 
+TEST(http_request_reader, a_head_is_as_long_as_it_may_be_however_it_comes) {
+  const std::size_t most = reading().set.max_head_bytes;
+  const std::string begin = "GET / HTTP/1.1\r\nX: ";
+  const std::string end = "\r\n\r\n";
+  for (const std::size_t size : {most - 1, most, most + 1, most + 8}) {
+    const std::string text = begin + std::string(size - begin.size() - end.size(), 'x') + end;
+    const auto expected = size > most ? progress::refused : progress::complete;
+    EXPECT_EQ(reading().feed(text), expected) << size;
+    reading in_pieces;
+    auto now = progress::more;
+    for (std::size_t at = 0; at < text.size() && now == progress::more; ++at)
+      now = in_pieces.feed(std::string_view(text).substr(at, 1));
+    EXPECT_EQ(now, expected) << size << " in pieces";
+  }
+}
+
 TEST(http_request_reader, a_target_that_is_too_long_is_refused) {
   EXPECT_EQ(reading().refused("GET /" + std::string(2048, 'x') + " HTTP/1.1\r\n\r\n"), 414U);
   EXPECT_EQ(reading().feed("GET /" + std::string(2047, 'x') + " HTTP/1.1\r\n\r\n"), progress::complete);

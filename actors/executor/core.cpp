@@ -292,63 +292,6 @@ effects core::on_guarded(std::uint64_t number, const failsafe::guard_answer& ans
   return out;
 }
 
-// -- the service ------------------------------------------------------------------------------------
-
-effects core::on_mission(const mission_client::mission_loaded& m, instant) {
-  service_.on_mission();
-  const auto& s = flight_.s;
-  if (s.mission && s.mission->mission_id == m.document.mission_id && m.document.revision <= s.mission->revision)
-    return {};
-  if (s.arrived && *s.arrived == m.document)
-    return {};
-  if (progress::has_ended(s.progress, m.document.mission_id, m.document.revision))
-    return {}; // the service tells it at each start; what was flown is not flown again by itself
-  return {note{mission_arrived{m.document}}};
-}
-
-effects core::on_refused(const mission_client::mission_refused& m, instant now) {
-  service_.on_refused(m, now);
-  return {announce{"mission " + m.mission_id + ": " + m.reason, true}};
-}
-
-effects core::on_map(const mission_client::map_pulled& m, instant) {
-  service_.on_map(m);
-  return {};
-}
-
-effects core::on_assignment(const mission_client::assignment_arrived& m, instant) { return changes_.on_assignment(m); }
-
-effects core::on_change(const mission_client::change_outcome& m, instant) { return changes_.on_change(m); }
-
-// Of an earlier mission only what was seen for it is concerned.
-effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
-  const auto& s = flight_.s;
-  const bool is_current = s.mission && s.mission->mission_id == m.mission_id;
-  effects out;
-  std::string what_follows = "what was seen for it is kept on board";
-  if (is_current || m.mission_id == flight_.configured.mission_id) {
-    out.emplace_back(note{deletion_told{m.mission_id}});
-    what_follows = "it is not flown any more";
-  }
-  if (is_current && flight_.is_in_flight()) {
-    const bool comes_home = flight_.configured.deleted_mission == deletion_policy::come_home && !flight_.has_person() &&
-                            !flight_.is_coming_down();
-    if (comes_home)
-      flight_.wanted.put_halt(task_kind::come_home);
-    what_follows = comes_home ? "the vehicle is called home" : "what goes on goes on";
-  }
-  out.emplace_back(announce{"the service has deleted mission " + m.mission_id + "; " + what_follows, true});
-  return out;
-}
-
-effects core::on_delivered(const mission_client::mission_resolved& m, instant) {
-  const auto& s = flight_.s;
-  effects out;
-  if (s.status.now == phase::post_flight && s.mission && s.mission->mission_id == m.mission_id)
-    phases_.go(out, trigger::delivered, s.status.reason);
-  return out;
-}
-
 // -- people -----------------------------------------------------------------------------------------
 
 effects core::on_station(const plan_cleared& m, instant now) {

@@ -331,8 +331,9 @@ struct state {
   std::uint64_t last_task = 0;
   phase_status status;
   std::optional<executor::station>
-      person;               // through which the person acts who has the vehicle; none: another way, or nobody has
-  bool awaits_word = false; // it has flown, was resumed on the ground, or was under way without us: a person starts it
+      person; // through which the person acts who has the vehicle; none: another way, or nobody has
+  // It has flown, was resumed on the ground, was begun before, or was under way without us: a person starts it.
+  bool awaits_word = false;
   std::optional<kept_home> home;   // of this mission
   bool has_commanded_home = false; // and has not freed it
   preflight::state preflight;
@@ -366,14 +367,15 @@ struct durable_core {
   using state = executor::state;
   using event =
       std::variant<progress::mission_opened, progress::upload_intended, progress::start_intended,
-                   progress::mission_aborted, progress::upload_ended, progress::vehicle_looked_at,
-                   progress::plan_read_back, progress::start_ended, progress::current_told, progress::reached_told,
-                   progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked,
-                   preflight::acknowledged, preflight::mission_changed, preflight::took_off, preflight::flight_ended,
-                   preflight::restarted, mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked,
-                   change_resolved, assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken,
-                   station_rally_taken, last_line_brought, station_plan_dropped, task_begun, task_ended, phase_status,
-                   station_took_over, start_resolved, supervision::failsafe_missed, home_kept, home_commanded>;
+                   progress::earlier_reports_told, progress::mission_aborted, progress::upload_ended,
+                   progress::vehicle_looked_at, progress::plan_read_back, progress::start_ended, progress::current_told,
+                   progress::reached_told, progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted,
+                   preflight::looked, preflight::acknowledged, preflight::mission_changed, preflight::took_off,
+                   preflight::flight_ended, preflight::restarted, mission_arrived, mission_taken, arrival_refused,
+                   deletion_told, change_asked, change_resolved, assignment_kept, assignment_rejected,
+                   station_plan_taken, station_fence_taken, station_rally_taken, last_line_brought,
+                   station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
+                   supervision::failsafe_missed, home_kept, home_commanded>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

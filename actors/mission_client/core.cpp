@@ -37,14 +37,19 @@ void take(decision_context& t, const mission_fetched& m) {
   s.pull = pull_state::in_flight;
   auto& note = note_of(s, s.mission_id);
   note.is_deleted = false;
-  // The service may know more of it than this journal: another one was lost.
-  note.service_report_no = std::max(note.service_report_no, m.last_report_no.value_or(0));
+  std::optional<earlier_reports> earlier;
+  if (m.last_report_no.value_or(0) > note.service_report_no) {
+    earlier = earlier_reports{*m.last_report_no, m.last_report};
+    note.service_report_no = earlier->last_report_no;
+    if (note.last_report_no != 0) // what still comes with such a number the service has
+      note.last_report_no = std::max(note.last_report_no, earlier->last_report_no);
+  }
   s.refused.reset();
   s.revision = m.document.revision;
   s.asks_after = m.document.revision;
   s.schema_version = m.document.schema_version;
   s.last_fetch_ns = t.now_ns;
-  t.tell(mission_loaded{load_cause::fetched, m.document});
+  t.tell(mission_loaded{load_cause::fetched, m.document, earlier});
 }
 
 void take(decision_context& t, const fetch_failed& m) {

@@ -33,9 +33,11 @@ struct owed_found {
 struct mission_fetched {
   mission::document document;
   std::optional<std::uint32_t> last_report_no; // that the service has of it; absent: it does not say
+  std::optional<mission::progress_report> last_report{};
   static constexpr auto fields =
       io::table("mission_client.mission_fetched", io::field("document", &mission_fetched::document),
-                io::field("last_report_no", &mission_fetched::last_report_no));
+                io::field("last_report_no", &mission_fetched::last_report_no),
+                io::field("last_report", &mission_fetched::last_report));
 };
 
 struct fetch_failed {

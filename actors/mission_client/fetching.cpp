@@ -69,16 +69,25 @@ void fetching::take_progress(planning_context& d, const service_answer& answer) 
   default:
     return take_failure(d, answer);
   }
-  const auto told = mission::read<mission::progress_status>(answer.body);
+  auto told = mission::read<mission::progress_status>(answer.body);
   if (!told)
     return refuse(d, refusal::invalid, "what the service sent is no state of the progress: " + told.error().message(),
                   told.error().sample);
-  end(d, told->last_report_no);
+  if (told->last_report && told->last_report->mission_id != mission_id_)
+    return refuse(d, refusal::invalid,
+                  "the service sent a report of mission " + told->last_report->mission_id + " as one of " +
+                      mission_id_);
+  end(d, *std::move(told));
 }
 
-void fetching::end(planning_context& d, std::optional<std::uint32_t> last_report_no) {
+void fetching::end(planning_context& d, std::optional<mission::progress_status> told) {
   d.went_well(fetch_kind);
-  d.happened(mission_fetched{*std::exchange(mission_, {}), last_report_no});
+  mission_fetched result{*std::exchange(mission_, {}), {}, {}};
+  if (told) {
+    result.last_report_no = told->last_report_no;
+    result.last_report = std::move(told->last_report);
+  }
+  d.happened(std::move(result));
 }
 
 void fetching::take_failure(planning_context& d, const service_answer& answer) {

@@ -1,6 +1,7 @@
 // Fetches the mission: at its begin, where it is refused after a few tries, and when the fate of a change is not known,
 // where there is no hurry and no end. At the begin the service also says up to which number it has reports of this
-// mission: a journal that was lost has taken the numbers with it. A service that does not know that call says 404.
+// mission, and gives back the last one: a journal that was lost has taken both with it. A service that does not know
+// that call says 404.
 //
 // Nothing that is not a valid mission of this id and of our major version comes further than this. Thread: one at a
 // time.
@@ -13,6 +14,7 @@
 #include <tl/expected.hpp>
 
 #include "actors/mission_client/planning_context.hpp"
+#include "messages/mission/answer.hpp"
 
 namespace godwit::mission_client {
 
@@ -35,7 +37,7 @@ private:
   void take_progress(planning_context& d, const service_answer& answer);
   void take_failure(planning_context& d, const service_answer& answer);
   void refuse(planning_context& d, refusal why, std::string reason, std::string sample = {});
-  void end(planning_context& d, std::optional<std::uint32_t> last_report_no);
+  void end(planning_context& d, std::optional<mission::progress_status> told);
 
   attempt attempt_;
   std::string mission_id_;                   // that was asked for

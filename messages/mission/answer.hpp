@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
+#include "messages/mission/progress.hpp"
 
 namespace godwit::mission {
 
@@ -22,10 +23,12 @@ struct receipt {
 
 // How far the service was told of a mission.
 struct progress_status {
-  std::uint32_t last_report_no = 0; // 0: there is no report of it
+  std::uint32_t last_report_no = 0;             // 0: there is no report of it
+  std::optional<progress_report> last_report{}; // that one; absent: there is none, or the service does not give it back
 
   static constexpr auto fields =
-      io::table("mission.progress_status", io::field("last_report_no", &progress_status::last_report_no));
+      io::table("mission.progress_status", io::field("last_report_no", &progress_status::last_report_no),
+                io::field("last_report", &progress_status::last_report));
   friend bool operator==(const progress_status&, const progress_status&) = default;
 };
 

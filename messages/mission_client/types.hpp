@@ -165,12 +165,23 @@ constexpr auto enum_names(load_cause) {
                                 {load_cause::looked_up, "looked_up"}}); // after a change whose fate was not known
 }
 
+// Reports of the mission that the service has and this journal has not: it was lost, or another vehicle sent them.
+struct earlier_reports {
+  std::uint32_t last_report_no = 0;
+  std::optional<mission::progress_report> last_report; // absent: the service does not give it back
+  static constexpr auto fields =
+      io::table("mission_client.earlier_reports", io::field("last_report_no", &earlier_reports::last_report_no),
+                io::field("last_report", &earlier_reports::last_report));
+};
+
 // This is the mission from now on, instead of the one in memory.
 struct mission_loaded {
   load_cause cause = load_cause::fetched;
   mission::document document;
-  static constexpr auto fields = io::table("mission_client.mission_loaded", io::field("cause", &mission_loaded::cause),
-                                           io::field("document", &mission_loaded::document));
+  std::optional<earlier_reports> earlier{};
+  static constexpr auto fields =
+      io::table("mission_client.mission_loaded", io::field("cause", &mission_loaded::cause),
+                io::field("document", &mission_loaded::document), io::field("earlier", &mission_loaded::earlier));
 };
 
 enum class refusal {

@@ -36,12 +36,19 @@ preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
   return seen;
 }
 
+std::string preparation::why_no_mission() const {
+  const auto& id = flight_.configured.mission_id;
+  if (!service_.refusal().empty() || id.empty() || !progress::has_ended(flight_.s.progress, id, 0))
+    return service_.refusal();
+  return "mission " + id + " was flown to its end, or called off, before. Give it a new revision, or another mission.";
+}
+
 preflight::report preparation::look_at_all(instant now) {
   const auto& mission = flight_.s.mission;
   preflight::facts seen;
   seen.vehicle = look_at_vehicle(now);
   seen.mission.document = mission ? &*mission : nullptr;
-  seen.mission.refusal = service_.refusal();
+  seen.mission.refusal = why_no_mission();
   seen.mission.is_deleted = service_.is_deleted();
   seen.mission.has_service = flight_.configured.has_service;
   seen.mission.map = service_.map();

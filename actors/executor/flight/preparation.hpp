@@ -46,6 +46,7 @@ public:
 private:
   [[nodiscard]] preflight::report look_at_all(instant now);
   [[nodiscard]] preflight::vehicle_facts look_at_vehicle(instant now) const;
+  [[nodiscard]] std::string why_no_mission() const; // empty: nobody said
   [[nodiscard]] bool take_arrived(effects& out);
   void warn_of_straight_return(effects& out) const;
   [[nodiscard]] result check(effects& out, instant now);

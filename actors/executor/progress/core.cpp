@@ -46,6 +46,11 @@ bool has_ended(const state& s, std::string_view mission_id, std::int32_t revisio
   return (s.mission && is_ended(*s.mission)) || std::ranges::any_of(s.past_missions, is_ended);
 }
 
+bool has_reports(const state& s, std::string_view mission_id) {
+  const auto has = [&](const mission_record& each) { return each.mission_id == mission_id && each.report_no != 0; };
+  return (s.mission && has(*s.mission)) || std::ranges::any_of(s.past_missions, has);
+}
+
 std::optional<mission::progress_report> last_progress(const state& s) {
   return s.mission ? s.mission->last_report : std::nullopt;
 }

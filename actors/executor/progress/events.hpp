@@ -13,6 +13,7 @@
 #include "actors/executor/progress/plan_map.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages/mission.hpp"
+#include "messages/mission/progress.hpp"
 
 namespace godwit::executor::progress {
 
@@ -55,6 +56,17 @@ struct start_intended {
   std::uint16_t sequence = 0;
   static constexpr auto fields =
       io::table("executor.progress_start_intended", io::field("sequence", &start_intended::sequence));
+};
+
+// The missions service has more reports of a mission than we know of: numbers and generations go on behind them.
+struct earlier_reports_told {
+  std::string mission_id;
+  std::uint32_t last_report_no = 0;
+  std::optional<mission::progress_report> last_report; // absent: it does not give it back
+  static constexpr auto fields =
+      io::table("executor.progress_earlier_reports_told", io::field("mission_id", &earlier_reports_told::mission_id),
+                io::field("last_report_no", &earlier_reports_told::last_report_no),
+                io::field("last_report", &earlier_reports_told::last_report));
 };
 
 // The mission ends here.
@@ -152,8 +164,8 @@ struct vehicle_rebooted {
   static constexpr auto fields = io::table("executor.progress_vehicle_rebooted");
 };
 
-using event =
-    std::variant<mission_opened, upload_intended, start_intended, mission_aborted, upload_ended, vehicle_looked_at,
-                 plan_read_back, start_ended, current_told, reached_told, came_down, vehicle_rebooted>;
+using event = std::variant<mission_opened, earlier_reports_told, upload_intended, start_intended, mission_aborted,
+                           upload_ended, vehicle_looked_at, plan_read_back, start_ended, current_told, reached_told,
+                           came_down, vehicle_rebooted>;
 
 } // namespace godwit::executor::progress

@@ -17,6 +17,16 @@ void put_away(state& s, mission_record record) {
   s.past_missions.push_back(std::move(record));
 }
 
+mission_record& record_of(state& s, const std::string& mission_id) {
+  if (s.mission && s.mission->mission_id == mission_id)
+    return *s.mission;
+  const auto known = std::ranges::find(s.past_missions, mission_id, &mission_record::mission_id);
+  if (known != s.past_missions.end())
+    return *known;
+  put_away(s, {.mission_id = mission_id, .last_report = {}, .completed_revision = {}});
+  return s.past_missions.back();
+}
+
 mission_record take_out(state& s, const mission_opened& what) {
   const auto known = std::find_if(s.past_missions.begin(), s.past_missions.end(),
                                   [&](const auto& each) { return each.mission_id == what.mission_id; });
@@ -41,6 +51,19 @@ void take(decision_context& t, const mission_opened& what) {
   t.s.mission = std::move(opened);
   t.s.plan.reset();
   t.s.paused.reset();
+}
+
+void take(decision_context& t, const earlier_reports_told& what) {
+  auto& record = record_of(t.s, what.mission_id);
+  if (what.last_report_no <= record.report_no)
+    return;
+  record.report_no = what.last_report_no;
+  if (!what.last_report)
+    return;
+  record.last_report = what.last_report;
+  if (what.last_report->kind == mission::progress_kind::complete)
+    record.completed_revision = std::max(record.completed_revision.value_or(0), what.last_report->revision);
+  t.s.last_generation = std::max(t.s.last_generation, what.last_report->generation);
 }
 
 void take(decision_context& t, const mission_aborted&) {

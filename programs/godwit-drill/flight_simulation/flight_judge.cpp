@@ -10,6 +10,7 @@
 #include "actors/domain/mission/utc_text.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -149,7 +150,7 @@ std::string flaw_of_truth(flight_simulation& flight) {
 
 std::string flaw_of_end(const flight_simulation& flight) {
   const auto& at = flight.status();
-  if (executor::is_at_rest(at.now))
+  if (executor::is_at_rest(at.now) || has_nothing_to_fly(flight))
     return {};
   if (at.now != executor::phase::paused)
     return "it neither ends nor waits for a person";

@@ -15,11 +15,15 @@ bool is_told(flight_simulation& flight) {
 
 } // namespace
 
+bool has_nothing_to_fly(const flight_simulation& flight) {
+  return flight.status().now == phase::connected && flight.was_told("It has ended there and is not flown again");
+}
+
 bool fly_with_help(flight_simulation& flight) {
   constexpr int most_times = 60;
   constexpr double patience_s = 30;
   constexpr double delivery_s = 60; // five tries with their back-off
-  const auto is_at_rest = [&] { return executor::is_at_rest(flight.status().now); };
+  const auto is_at_rest = [&] { return executor::is_at_rest(flight.status().now) || has_nothing_to_fly(flight); };
   const auto waits = [&] { // for a person: to be resumed, or to be started again
     const auto& at = flight.status();
     return at.now == phase::paused || (at.now == phase::ready && !at.reason.empty());

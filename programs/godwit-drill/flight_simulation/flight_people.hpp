@@ -6,6 +6,9 @@
 
 namespace godwit::drill {
 
+// A process whose journal was lost knows from the service that the mission has ended.
+[[nodiscard]] bool has_nothing_to_fly(const flight_simulation& flight);
+
 // Lets it fly until it is at rest and the service knows. Whoever stands beside it hands it back and says
 // that it is to go on when it waits for a person, and changes the battery on the ground. False: it does not come to an
 // end.

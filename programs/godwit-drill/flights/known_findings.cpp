@@ -6,15 +6,18 @@
 namespace godwit::drill {
 
 std::span<const known_finding> known_findings() {
-  static constexpr std::array<known_finding, 7> all{{
-      // A process without the journal of its flight numbers its reports from 1 again.
-      {"_and_killed/", "a report came again with another content"},
-      {"_and_killed/", "goes back to an earlier item"},
-      {"_and_killed/", "a second time"},
-      {"_and_killed/", "is of an old generation"},
-      {"_and_killed/", "reports_without_gap: "},
-      {"_and_killed/", "generation_never_falls: "},
-      {"_and_killed/", "complete_once: "},
+  static constexpr std::array<known_finding, 9> all{{
+      // A report that had not reached the service is lost with the journal, and its number is used again.
+      {"/deleted_and_killed/", "reports_without_gap: there are two different reports"},
+      {"/deleted_and_killed/", "complete_once: "},
+      // A process with an older journal of its flight numbers its reports from there again.
+      {"/replaced_and_killed/", "a report came again with another content"},
+      {"/replaced_and_killed/", "goes back to an earlier item"},
+      {"/replaced_and_killed/", "a second time"},
+      {"/replaced_and_killed/", "is of an old generation"},
+      {"/replaced_and_killed/", "reports_without_gap: "},
+      {"/replaced_and_killed/", "generation_never_falls: "},
+      {"/replaced_and_killed/", "complete_once: "},
   }};
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "actors/domain/mission/read.hpp"
 #include "actors/domain/mission/write.hpp"
 #include "messages/mission/answer.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
@@ -41,8 +42,12 @@ answer put_reports(service_file& file, const call& at, const std::vector<mission
 
 } // namespace
 
-answer get_progress(service_file&, const call& at) {
-  const mission::progress_status told{static_cast<std::uint32_t>(at.mission.last_report_no)};
+answer get_progress(service_file& file, const call& at) {
+  mission::progress_status told{static_cast<std::uint32_t>(at.mission.last_report_no), {}};
+  const auto number = std::to_string(at.mission.last_report_no);
+  if (const auto text = row_text(file, at.to.mission_id, row_kind::progress, number))
+    if (auto last = mission::read<mission::progress_report>(*text))
+      told.last_report = *std::move(last);
   return {.body = mission::to_text(told), .headers = {}};
 }
 

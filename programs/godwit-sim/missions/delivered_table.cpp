@@ -13,6 +13,13 @@ bool put_row(service_file& file, const std::string& mission_id, row_kind kind, c
   return deliveries == 1;
 }
 
+std::optional<std::string> row_text(service_file& file, const std::string& mission_id, row_kind kind,
+                                    const std::string& id) {
+  return file.first_row(
+      "SELECT text FROM delivered WHERE mission_id = ?1 AND kind = ?2 AND id = ?3",
+      [](const statement& row) { return row.text(0); }, mission_id, io::name_of(kind), id);
+}
+
 std::vector<stored_row> rows_of(service_file& file, const std::string& mission_id, row_kind kind) {
   std::vector<stored_row> all;
   file.each_row(

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace godwit::sim::missions {
 bool put_row(service_file& file, const std::string& mission_id, row_kind kind, const std::string& id,
              const std::string& text);
 
+[[nodiscard]] std::optional<std::string> row_text(service_file& file, const std::string& mission_id, row_kind kind,
+                                                  const std::string& id);
 [[nodiscard]] std::vector<stored_row> rows_of(service_file& file, const std::string& mission_id, row_kind kind);
 [[nodiscard]] std::map<row_kind, row_figures> row_counts(service_file& file);
 

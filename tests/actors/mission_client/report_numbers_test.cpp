@@ -42,6 +42,51 @@ TEST(mission_client_reports, a_journal_that_was_lost_goes_on_behind_the_last_num
   EXPECT_EQ(p.status().lost_reports, 0U);
 }
 
+TEST(mission_client_reports, what_the_service_has_and_this_journal_has_not_is_told_with_the_mission) {
+  outside around;
+  deliver_before(around.service.add(sample_mission(mission_a)), 3);
+  process p(around);
+  begin(p, mission_a);
+  p.advance(2s);
+  ASSERT_EQ(around.listener.loaded.size(), 1U);
+  const auto& earlier = around.listener.loaded[0].earlier;
+  ASSERT_TRUE(earlier && earlier->last_report);
+  EXPECT_EQ(earlier->last_report_no, 3U);
+  EXPECT_EQ(*earlier->last_report, report(mission_a, 3).report);
+  // Whoever goes on behind it is not renumbered.
+  p.say(report(mission_a, 4));
+  p.advance(2s);
+  EXPECT_EQ(around.service.repeated_rows, 0U);
+  EXPECT_EQ(p.status().lost_reports, 0U);
+}
+
+TEST(mission_client_reports, of_a_mission_whose_reports_are_all_known_nothing_is_told) {
+  outside around;
+  around.service.add(sample_mission(mission_a));
+  around.service.add(sample_mission(uuid(2)));
+  process p(around);
+  begin(p, mission_a);
+  p.say(report(mission_a, 1));
+  p.advance(2s);
+  begin(p, uuid(2));
+  p.advance(2s);
+  begin(p, mission_a);
+  p.advance(2s);
+  ASSERT_EQ(around.listener.loaded.size(), 3U);
+  EXPECT_FALSE(around.listener.loaded[2].earlier);
+}
+
+TEST(mission_client_reports, a_last_report_of_another_mission_is_refused) {
+  outside around;
+  auto& m = around.service.add(sample_mission(mission_a));
+  m.reports.push_back(report(uuid(2), 1).report);
+  process p(around);
+  begin(p, mission_a);
+  p.advance(2s);
+  ASSERT_EQ(around.listener.refused.size(), 1U);
+  EXPECT_NE(around.listener.refused[0].reason.find(uuid(2)), std::string::npos);
+}
+
 TEST(mission_client_reports, a_response_names_the_last_report_as_the_service_numbers_it) {
   outside around;
   auto& m = around.service.add(sample_mission(mission_a));

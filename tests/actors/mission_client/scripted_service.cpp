@@ -30,6 +30,13 @@ std::string parameter(const std::string& query, const std::string& name) {
 
 std::string lane_of(const service_call& call) { return call.target.substr(0, call.target.find('?')); }
 
+mission::progress_status progress_of(const service_mission& m) {
+  mission::progress_status result{static_cast<std::uint32_t>(m.reports.size()), {}};
+  if (!m.reports.empty())
+    result.last_report = m.reports.back();
+  return result;
+}
+
 std::optional<std::size_t> behind(const mission::document& document, const std::optional<std::string>& item) {
   if (!item)
     return 0;
@@ -165,8 +172,7 @@ std::optional<service_answer> scripted_service::handle(const service_call& call,
     if (rest.empty())
       return plain(200, mission::to_text(m.document));
     if (rest == "/progress")
-      return plain(knows_progress_call ? 200 : 404,
-                   mission::to_text(mission::progress_status{static_cast<std::uint32_t>(m.reports.size())}));
+      return plain(knows_progress_call ? 200 : 404, mission::to_text(progress_of(m)));
     if (rest != "/assignments")
       return page(m, rest, query);
     mission::assignment_list list;

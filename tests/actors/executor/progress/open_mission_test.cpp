@@ -59,6 +59,35 @@ TEST(open_mission, past_missions_are_bounded_and_the_oldest_is_forgotten) {
   EXPECT_EQ(d.s.past_missions.front().mission_id, "mission 31");
 }
 
+mission::progress_report report_of_before(mission::progress_kind kind) {
+  mission::progress_report result;
+  result.mission_id = "lost";
+  result.generation = 7;
+  result.report_no = 12;
+  result.kind = kind;
+  return result;
+}
+
+TEST(open_mission, behind_a_lost_journal_numbers_and_generations_go_on_behind_those_of_the_service) {
+  progress_fixture d;
+  d.take(earlier_reports_told{"lost", 12, report_of_before(mission::progress_kind::reached)});
+  d.take(earlier_reports_told{"lost", 3, {}}); // an older answer
+  EXPECT_TRUE(has_reports(d.s, "lost"));
+  EXPECT_FALSE(has_ended(d.s, "lost", 1));
+  d.take(mission_opened{"lost", 1});
+  d.fly({"A"});
+  ASSERT_FALSE(d.reports.empty());
+  EXPECT_EQ(d.reports.back().report_no, 13U);
+  EXPECT_EQ(d.reports.back().generation, 8U);
+}
+
+TEST(open_mission, one_that_the_service_was_told_is_complete_has_ended) {
+  progress_fixture d;
+  d.take(earlier_reports_told{"lost", 12, report_of_before(mission::progress_kind::complete)});
+  EXPECT_TRUE(has_ended(d.s, "lost", 1));
+  EXPECT_FALSE(has_ended(d.s, "lost", 2));
+}
+
 TEST(open_mission, an_abort_is_reported_once_and_nothing_counts_after_it) {
   progress_fixture d;
   d.fly({"A", "B"});

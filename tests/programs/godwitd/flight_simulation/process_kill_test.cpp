@@ -68,6 +68,37 @@ TEST_P(lost_journal, of_a_flight_under_way_starts_nothing_behind_its_landing_unt
   EXPECT_TRUE(start_by_station(flight)) << flight.story();
 }
 
+// It stands there already when the next process begins, which can see nothing of the flight but what the service has.
+TEST_P(lost_journal, of_a_mission_that_was_begun_before_leaves_its_start_to_a_person) {
+  flight_simulation flight({.who = GetParam()});
+  ASSERT_TRUE(flight.run_until([&] { return flight.reports().size() >= 2; }, 120)) << flight.story();
+  flight.lose_power(120);
+  flight.outside().journal.actors.clear();
+  flight.run_for(110);
+  ASSERT_FALSE(flight.vehicle().describe().in_air) << flight.story();
+  const auto since_ns = flight.now_ns();
+  flight.run_for(90);
+  EXPECT_EQ(starts_since(flight, since_ns), 0) << flight.story();
+  EXPECT_TRUE(flight.was_told("another vehicle has flown the mission")) << flight.story();
+  EXPECT_TRUE(start_by_station(flight)) << flight.story();
+  EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+  EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+}
+
+TEST_P(lost_journal, of_a_flight_that_is_over_does_not_fly_it_again) {
+  flight_simulation flight({.who = GetParam()});
+  ASSERT_TRUE(flight.run_until_phase(executor::phase::done, 300)) << flight.story();
+  const auto reports = flight.reports().size();
+  flight.kill_process();
+  flight.outside().journal.actors.clear();
+  const auto since_ns = flight.now_ns();
+  flight.run_for(90);
+  EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
+  EXPECT_TRUE(has_nothing_to_fly(flight)) << flight.story();
+  EXPECT_EQ(flight.reports().size(), reports) << flight.story();
+  EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, lost_journal,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });

@@ -44,6 +44,7 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
       ->capture_default_str()
       ->check(CLI::Range(1U, 256U));
   command.add_option("--json", given.json_file, "Writes the figures to this file");
+  command.add_option("--html", given.html_file, "Writes a page with table, plots and failing flights to this file");
   command.add_option("--plant", given.planted, "Every flight does this wrong, to see that it is found")
       ->transform(CLI::CheckedTransformer(words_of(planted_flaw{})));
   if (which == flight_drill::simulate) {

@@ -9,24 +9,15 @@
 namespace godwit::drill {
 namespace {
 
-// Of P percent of them it is at most this.
-double percentile(std::vector<double> values, double p) {
-  if (values.empty())
-    return 0;
-  std::ranges::sort(values);
-  const auto last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(p * 0.01 * last + 0.5)];
-}
-
-std::string row(const std::string& name, const flight_figures& of) {
+std::string row(const std::string& name, std::size_t name_width, const flight_figures& of) {
   std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "%-22s %8llu %9llu %7llu %6llu %9llu %6llu %7llu %5llu %8llu", name.c_str(),
+  std::snprintf(text.data(), text.size(), "%8llu %9llu %7llu %6llu %9llu %6llu %7llu %5llu %8llu",
                 static_cast<unsigned long long>(of.flights), static_cast<unsigned long long>(of.not_tried),
                 static_cast<unsigned long long>(of.failed), static_cast<unsigned long long>(of.known),
                 static_cast<unsigned long long>(of.with_takeover), static_cast<unsigned long long>(of.kills),
                 static_cast<unsigned long long>(of.crashes), static_cast<unsigned long long>(of.lost),
                 static_cast<unsigned long long>(of.doubled));
-  std::string result = text.data();
+  auto result = name + std::string(name_width - name.size() + 1, ' ') + text.data();
   if (!of.recoveries_ms.empty()) {
     std::snprintf(text.data(), text.size(), " %8.1f %8.1f %8.1f", percentile(of.recoveries_ms, 50),
                   percentile(of.recoveries_ms, 99), percentile(of.recoveries_ms, 100));
@@ -56,6 +47,14 @@ nlohmann::json to_json(const std::string& name, const flight_figures& of) {
 
 } // namespace
 
+double percentile(std::vector<double> values, double p) {
+  if (values.empty())
+    return 0;
+  std::ranges::sort(values);
+  const auto last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(p * 0.01 * last + 0.5)];
+}
+
 void flight_figures::take(const flight_outcome& each) {
   ++flights;
   not_tried += each.skipped.empty() ? 0 : 1;
@@ -75,16 +74,19 @@ void drill_book::take(const flight_outcome& each) {
   groups_[each.group].take(each);
   total_.take(each);
   if (keeps_all_ || !each.held())
-    kept_.push_back(nlohmann::json::parse(io::to_json(each)));
+    kept_.push_back(each);
 }
 
 std::string drill_book::to_table(double took_s) const {
-  std::string result =
-      "                        flights not tried  failed  known takeovers  kills crashes  lost  doubled"
-      "   p50 ms   p99 ms   max ms\n";
+  std::size_t name_width = 20;
   for (const auto& [name, figures] : groups_)
-    result += row(name, figures);
-  result += row("all", total_);
+    name_width = std::max(name_width, name.size());
+  auto result =
+      std::string(name_width + 1, ' ') +
+      " flights not tried  failed  known takeovers  kills crashes  lost  doubled   p50 ms   p99 ms   max ms\n";
+  for (const auto& [name, figures] : groups_)
+    result += row(name, name_width, figures);
+  result += row("all", name_width, total_);
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(), "%.0f s of flights in %.1f s: %.0f times real time\n", total_.flown_s, took_s,
                 took_s > 0 ? total_.flown_s / took_s : 0);
@@ -95,18 +97,21 @@ nlohmann::json drill_book::to_json(double took_s) const {
   nlohmann::json groups = nlohmann::json::array();
   for (const auto& [name, figures] : groups_)
     groups.push_back(drill::to_json(name, figures));
+  nlohmann::json flights = nlohmann::json::array();
+  for (const auto& each : kept_)
+    flights.push_back(nlohmann::json::parse(io::to_json(each)));
   return {{"total", drill::to_json("all", total_)},
           {"groups", groups},
           {"took_s", took_s},
           {"times_real_time", took_s > 0 ? total_.flown_s / took_s : 0},
-          {"flights", kept_}};
+          {"flights", std::move(flights)}};
 }
 
-std::string text_of_failure(const flight_outcome& each, const std::string& again) {
+std::string text_of_failure(const flight_outcome& each) {
   std::string result = "FAILED " + each.name + "\n";
   for (const auto& flaw : each.flaws)
     result += "  " + flaw + "\n";
-  return result + "  again: " + again + "\n" + each.story;
+  return result + "  again: " + each.again + "\n" + each.story;
 }
 
 } // namespace godwit::drill

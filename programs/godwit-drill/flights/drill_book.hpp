@@ -1,4 +1,5 @@
-// Counts what the flights of a drill came to, and says it: a table, a JSON document, and each flight with a flaw.
+// Counts what the flights of a drill came to, and says it: a table, a JSON document, and each flight with a flaw
+// (drill_page.hpp has the page).
 // Thread: one.
 #pragma once
 
@@ -31,12 +32,14 @@ struct flight_figures {
 
 class drill_book {
 public:
-  // KEEPS_ALL: the document has each flight and not only those with a flaw.
+  // KEEPS_ALL: each flight and not only those with a flaw.
   explicit drill_book(bool keeps_all) : keeps_all_(keeps_all) {}
 
   void take(const flight_outcome& each);
 
   [[nodiscard]] const flight_figures& total() const { return total_; }
+  [[nodiscard]] const std::map<std::string, flight_figures>& groups() const { return groups_; }
+  [[nodiscard]] const std::vector<flight_outcome>& kept() const { return kept_; }
   // TOOK_S: of this machine, by all workers together.
   [[nodiscard]] std::string to_table(double took_s) const;
   [[nodiscard]] nlohmann::json to_json(double took_s) const;
@@ -45,10 +48,13 @@ private:
   bool keeps_all_;
   std::map<std::string, flight_figures> groups_;
   flight_figures total_;
-  nlohmann::json kept_ = nlohmann::json::array();
+  std::vector<flight_outcome> kept_;
 };
 
-// With AGAIN, the command that flies it once more.
-[[nodiscard]] std::string text_of_failure(const flight_outcome& each, const std::string& again);
+// With the command that flies it again.
+[[nodiscard]] std::string text_of_failure(const flight_outcome& each);
+
+// Of P percent of them it is at most this; 0: there are none.
+[[nodiscard]] double percentile(std::vector<double> values, double p);
 
 } // namespace godwit::drill

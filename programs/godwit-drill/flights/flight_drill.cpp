@@ -13,6 +13,7 @@
 #include "programs/common/exit_code.hpp"
 #include "programs/godwit-drill/flights/case_runner.hpp"
 #include "programs/godwit-drill/flights/drill_book.hpp"
+#include "programs/godwit-drill/flights/drill_page.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
 #include "programs/godwit-drill/flights/random_flight.hpp"
 #include "programs/godwit-drill/flights/shrink.hpp"
@@ -142,12 +143,24 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-bool write_json(const std::string& file, nlohmann::json document, const flight_drill_options& options) {
+// False, with a word about it: it can not be written. An empty FILE is not asked for.
+bool write_file(const std::string& file, const std::string& text) {
+  if (file.empty())
+    return true;
+  std::ofstream out(file);
+  out << text;
+  if (out.flush())
+    return true;
+  std::fprintf(stderr, "godwit-drill: %s can not be written\n", file.c_str());
+  return false;
+}
+
+bool write_files(const drill_book& book, const flight_drill_options& options, double took_s) {
+  auto document = book.to_json(took_s);
   document["drill"] = io::name_of(options.which);
   document["jobs"] = options.jobs;
-  std::ofstream out(file);
-  out << document.dump(2) << '\n';
-  return static_cast<bool>(out.flush());
+  const bool is_json_written = write_file(options.json_file, document.dump(2) + '\n');
+  return write_file(options.html_file, to_html({words_of(options), took_s, book})) && is_json_written;
 }
 
 // Flies failing flights again with fewer and fewer faults, each in a worker, and says with which they still fail.
@@ -174,10 +187,8 @@ void say_shrunk(const flight_drill_options& options, const std::vector<flight_ou
 
 int say_end(const drill_book& book, const flight_list& flights, const flight_drill_options& options, double took_s) {
   std::printf("\n%s", book.to_table(took_s).c_str());
-  if (!options.json_file.empty() && !write_json(options.json_file, book.to_json(took_s), options)) {
-    std::fprintf(stderr, "godwit-drill: %s can not be written\n", options.json_file.c_str());
+  if (!write_files(book, options, took_s))
     return static_cast<int>(exit_code::failed);
-  }
   const auto failed = book.total().failed;
   if (failed > 0) {
     std::printf("FAILED: %llu of %zu flights\n", static_cast<unsigned long long>(failed), flights.size());
@@ -234,6 +245,8 @@ int run_flight_drill(const flight_drill_options& options) {
           outcome.group = flights.group(index);
           outcome.faults = options.which == flight_drill::simulate ? most_faults : 0;
         }
+        if (!outcome.held())
+          outcome.again = flights.again(index);
         book.take(outcome);
         const auto failed = book.total().failed;
         if (!outcome.held() && outcome.faults > 0 && options.without.empty() && to_shrink.size() < most_shrunk)
@@ -241,7 +254,7 @@ int run_flight_drill(const flight_drill_options& options) {
         if (!outcome.held()) {
           if (failed > most_stories)
             outcome.story.clear();
-          std::printf("%s", text_of_failure(outcome, flights.again(index)).c_str());
+          std::printf("%s", text_of_failure(outcome).c_str());
           std::fflush(stdout);
         } else if (flights.size() == 1) {
           std::printf("%s", outcome.story.c_str());

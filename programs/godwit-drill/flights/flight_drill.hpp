@@ -42,6 +42,7 @@ struct flight_drill_options {
   unsigned jobs = 1;
   planted_flaw planted = planted_flaw::none;
   std::string json_file; // empty: none
+  std::string html_file; // empty: none
 };
 
 // Says it on stdout, and on stderr how far it is. The exit code: 0, 1 (a flight has a flaw, or the file can not be

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "programs/common/html_page.hpp"
 #include "programs/godwit-trace/actors/exporting/export_format.hpp"
 #include "programs/godwit-trace/actors/flight_events.hpp"
 #include "programs/godwit-trace/actors/latency.hpp"
@@ -17,45 +18,10 @@ namespace godwit::trace_tool {
 
 namespace {
 
-// No script and nothing from elsewhere: the page is shown the same in ten years, and on a machine without a network.
-constexpr const char* head = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>godwit flight report</title>
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<style>
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 70rem; padding: 0 1rem; color: #1c2126; background: #fff }
-h1 { font-size: 1.5rem } h2 { font-size: 1.1rem; margin-top: 2rem }
-table { border-collapse: collapse; width: 100% } th, td { text-align: left; padding: .15rem .6rem .15rem 0; vertical-align: top }
-th { font-weight: 600; border-bottom: 1px solid #9aa5b1 } td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
-td.t { font-variant-numeric: tabular-nums; white-space: nowrap; color: #52606d } tr.bad td { color: #a61b1b }
-svg { width: 100%; height: auto; border: 1px solid #d5dbe1; background: #f7f9fb } .note { color: #52606d }
-</style></head><body>
-)";
-
 std::string fixed(double value, int decimals) {
   std::array<char, 64> text{};
   const int size = std::snprintf(text.data(), text.size(), "%.*f", decimals, value); // NOLINT(*-vararg)
   return {text.data(), static_cast<std::size_t>(std::max(size, 0))};
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-    case '&':
-      result += "&amp;";
-      break;
-    case '<':
-      result += "&lt;";
-      break;
-    case '>':
-      result += "&gt;";
-      break;
-    default:
-      result += c;
-    }
-  }
-  return result;
 }
 
 // The way of the vehicle, thinned out so that it stays small however long the flight is.
@@ -132,7 +98,7 @@ class html_report final : public exporter {
 public:
   html_report(const runtime::name_table& names, std::uint64_t limit) : names_(names), limit_(limit), flight_(names) {}
 
-  void begin(std::string& out) override { out += head; }
+  void begin(std::string& out) override { out += programs::html_head("godwit flight report"); }
 
   void take(std::string&, const runtime::delivery& each) override {
     first_ns_ = std::min(first_ns_, each.began_ns);
@@ -182,7 +148,7 @@ private:
     out += each.is_bad ? "<tr class=\"bad\"><td class=\"t\">" : "<tr><td class=\"t\">";
     out += utc_ns(each.at_ns) + "</td><td class=\"n\">" +
            fixed(static_cast<double>(each.at_ns - first_ns_) / ns_per_s, 3) + "</td><td>" +
-           std::string(io::name_of(each.matter)) + "</td><td>" + escaped(each.sentence) + "</td></tr>\n";
+           std::string(io::name_of(each.matter)) + "</td><td>" + programs::html_escaped(each.sentence) + "</td></tr>\n";
   }
   void append_events(std::string& out, const char* title, auto wanted) const {
     out += "<h2>" + std::string(title) +
@@ -208,7 +174,7 @@ private:
         "p50</th><th class=\"n\">p99</th><th class=\"n\">max</th><th class=\"n\">Handling p50</th><th "
         "class=\"n\">p99</th><th class=\"n\">max</th></tr>\n";
     for (const auto& [actor, times] : actors_) {
-      out += "<tr><td>" + escaped(names_.name(actor)) + "</td><td class=\"n\">" +
+      out += "<tr><td>" + programs::html_escaped(names_.name(actor)) + "</td><td class=\"n\">" +
              std::to_string(times.handling.count()) + "</td>";
       for (const auto* each : {&times.waiting, &times.handling})
         for (const double part : {median, nearly_all, 1.0})

@@ -30,7 +30,7 @@ TEST(known_findings, are_of_cases_that_are_there) {
 
 TEST(known_findings, do_not_hide_what_else_goes_wrong_in_the_same_flight) {
   flight_outcome outcome;
-  outcome.name = "px4/deleted_and_killed/commit_37";
+  outcome.name = "px4/replaced_and_killed/commit_37";
   outcome.flaws = {"report 4 goes back to an earlier item",
                    "it was started by itself behind a flight that nobody knew"};
   set_known_aside(outcome);

@@ -50,6 +50,11 @@ void connection::write(std::string_view first, std::string_view second, done the
     asio::async_write(ends_->socket, both, std::move(then));
 }
 
+void connection::write_plain(std::string_view first, std::string_view second, done then) {
+  const std::array<asio::const_buffer, 2> both{asio::buffer(first), asio::buffer(second)};
+  asio::async_write(ends_->socket, both, std::move(then));
+}
+
 void connection::shut_down(done then) {
   auto end_tcp = [&socket = ends_->socket, then = std::move(then)](const error_code& failed) {
     error_code ignored; // who has gone already needs no goodbye

@@ -36,6 +36,8 @@ public:
 
   void read_some(boost::asio::mutable_buffer to, done then);
   void write(std::string_view first, std::string_view second, done then); // all of both
+  // The same past TLS, whose handshake has failed.
+  void write_plain(std::string_view first, std::string_view second, done then);
   // Says what TLS says at the end, and that nothing more comes; what comes in can still be read with read_raw.
   void shut_down(done then);
   // Bytes as they are on their way, which nobody will understand: for who only waits for the end.

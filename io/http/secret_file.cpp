@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
 #include <system_error>
 
@@ -17,12 +18,15 @@ namespace {
 constexpr mode_t permission_bits = 07777;
 constexpr mode_t wanted_mode = 0600;
 
+// O_NONBLOCK: opening a pipe that somebody has put there must not hang.
+constexpr int to_read = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+constexpr int to_make = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+
 // Closes the file whatever happens.
 class open_file {
 public:
-  // O_NONBLOCK: opening a pipe that somebody has put there must not hang.
-  explicit open_file(const std::string& name)
-      : descriptor_(::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {} // NOLINT(*-vararg)
+  open_file(const std::string& name, int how)
+      : descriptor_(::open(name.c_str(), how, wanted_mode)) {} // NOLINT(*-vararg)
   ~open_file() {
     if (descriptor_ >= 0)
       ::close(descriptor_);
@@ -93,7 +97,7 @@ bool is_token_character(char c) { return c > ' ' && c < '\x7f' && c != '"' && c 
 } // namespace
 
 result<secret_text> load_secret_file(const std::string& file, std::size_t max_bytes, errc code) {
-  const open_file opened(file);
+  const open_file opened(file, to_read);
   if (opened.descriptor() < 0)
     return failure(code, system_problem(errno), file);
   std::size_t size = 0;
@@ -103,6 +107,30 @@ result<secret_text> load_secret_file(const std::string& file, std::size_t max_by
   if (auto wrong = read_problem(opened.descriptor(), content, size); !wrong.empty())
     return failure(code, std::move(wrong), file);
   return content;
+}
+
+result<void> store_secret_file(const std::string& file, std::string_view content, errc code) {
+  const auto problem = [&] { return failure(code, "it can not be written: " + system_problem(errno), file); };
+  const auto fresh = file + ".new";
+  (void)::unlink(fresh.c_str());
+  const open_file out(fresh, to_make);
+  if (out.descriptor() < 0 || ::fchmod(out.descriptor(), wanted_mode) != 0)
+    return problem();
+  while (!content.empty()) {
+    const auto count = ::write(out.descriptor(), content.data(), content.size());
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      return problem();
+    content.remove_prefix(static_cast<std::size_t>(count));
+  }
+  if (::fsync(out.descriptor()) != 0 || ::rename(fresh.c_str(), file.c_str()) != 0)
+    return problem();
+  const auto beside = std::filesystem::path(file).parent_path();
+  const open_file folder(beside.empty() ? "." : beside.string(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder.descriptor() < 0 || ::fsync(folder.descriptor()) != 0)
+    return problem();
+  return {};
 }
 
 result<secret_text> load_token(const std::string& file) {

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "io/http/error.hpp"
 #include "io/http/secret_text.hpp"
@@ -20,6 +21,9 @@ inline constexpr std::size_t max_token_bytes = 8 * 1024; // what servers take as
 inline constexpr std::size_t max_key_bytes = 64 * 1024;  // a key of RSA 16384 in PEM has 13 kB
 
 [[nodiscard]] result<secret_text> load_secret_file(const std::string& file, std::size_t max_bytes, errc code);
+
+// Written whole beside it and renamed over it, with that mode; on the disk when this returns.
+[[nodiscard]] result<void> store_secret_file(const std::string& file, std::string_view content, errc code);
 
 // One end of line behind the token is cut off. What is left must be a token, and not, say, two lines.
 [[nodiscard]] result<secret_text> load_token(const std::string& file);

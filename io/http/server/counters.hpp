@@ -11,6 +11,7 @@ struct server_counters {
   std::uint64_t accepted = 0;    // connections
   std::uint64_t turned_away = 0; // connections above their bound, closed at once
   std::uint64_t open = 0;        // now
+  std::uint64_t handshakes = 0;  // of TLS that went well
   std::uint64_t upgraded = 0;    // connections that somebody else has taken over
   std::uint64_t requests = 0;    // that were brought to the handler
   std::uint64_t answered = 0;    // of these: the whole answer went out

@@ -18,6 +18,8 @@ struct server_request {
   std::string target; // path and query, as they came
   std::vector<header> headers;
   std::string body;
+  std::string from = {}; // address of the client; of both an IPv4 address is one also over IPv6
+  std::string to = {};   // address of this computer that it has asked
 
   [[nodiscard]] std::string_view find(std::string_view name) const { return find_header(headers, name); }
 };

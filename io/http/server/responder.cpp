@@ -58,6 +58,11 @@ void responder::on_gone(next then) {
     who->on_gone(std::move(then));
 }
 
+void responder::keep_unread() {
+  if (const auto who = waiting(to_, request_number_))
+    who->keep_unread();
+}
+
 void responder::upgrade(const taker& then) {
   if (const auto who = waiting(std::exchange(to_, {}), request_number_))
     who->upgrade(then);

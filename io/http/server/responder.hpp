@@ -54,8 +54,10 @@ public:
   // To be called when the client goes before it has its answer. Set within the handler.
   void on_gone(next then);
   // Hands the connection over, for another protocol: from then on neither bounds nor time-outs of the server hold for
-  // it. Within the handler only. The answer, 101 or another, is the taker's.
+  // it. Within the handler, or later behind keep_unread(). The answer, 101 or another, is the taker's.
   void upgrade(const taker& then);
+  // Nothing is read until there is an answer, and nobody sees that the client has gone. Within the handler only.
+  void keep_unread();
 
 private:
   std::weak_ptr<session> to_;

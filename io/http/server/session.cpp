@@ -4,16 +4,39 @@
 #include <string_view>
 #include <utility>
 
+#include <boost/asio/ip/address.hpp>
+#include <openssl/err.h>
+#include <openssl/ssl.h>
+
 #include "io/http/server/response_head.hpp"
+#include "io/http/tls.hpp"
 
 namespace godwit::io::http {
 
 namespace asio = boost::asio;
 
+namespace {
+
+constexpr std::string_view tls_sentence =
+    R"({"type":"about:blank","title":"Bad Request","status":400,"detail":"This port speaks TLS: ask with https://."})";
+
+std::string text_of(asio::ip::address address) {
+  if (address.is_v6() && address.to_v6().is_v4_mapped())
+    address = asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
+  return address.to_string();
+}
+
+bool is_plain_http(const boost::system::error_code& failed) {
+  return is_tls_alert(failed) && ERR_GET_REASON(static_cast<unsigned long>(failed.value())) == SSL_R_HTTP_REQUEST;
+}
+
+} // namespace
+
 session::session(std::shared_ptr<session_parts> parts, asio::ip::tcp::socket accepted, std::shared_ptr<void> place)
     : parts_(std::move(parts)), connection_(std::make_unique<connection>(std::move(accepted))), watchdog_(parts_->io),
       reader_(parts_->set, parts_->limit) {
   connection_->place = std::move(place);
+  note_addresses();
 }
 
 void session::start(asio::ssl::context* tls) {
@@ -24,10 +47,35 @@ void session::start(asio::ssl::context* tls) {
   connection_->shake_hands(connection::side::server, [self = shared_from_this()](const error_code& failed, auto) {
     if (self->phase_ == phase::ended)
       return;
-    if (!failed)
+    if (!failed) {
+      ++self->parts_->counters.handshakes;
       return self->read();
+    }
     ++self->parts_->counters.handshakes_failed;
+    if (is_plain_http(failed))
+      return self->refuse_plain();
     self->end();
+  });
+}
+
+void session::note_addresses() {
+  boost::system::error_code gone; // then nobody hears an answer
+  const auto& socket = connection_->socket();
+  if (const auto other = socket.remote_endpoint(gone); !gone)
+    from_ = text_of(other.address());
+  if (const auto own = socket.local_endpoint(gone); !gone)
+    to_ = text_of(own.address());
+}
+
+// In clear, since the client speaks nothing else.
+void session::refuse_plain() {
+  phase_ = phase::writing;
+  is_last_ = true;
+  head_ = head_of(problem_response(400, {}), tls_sentence.size());
+  watch(clock::now() + parts_->set.write_timeout, &server_counters::write_timeouts);
+  connection_->write_plain(head_, tls_sentence, [self = shared_from_this()](const error_code& failed, auto) {
+    if (self->phase_ != phase::ended)
+      failed ? self->end() : self->say_goodbye();
   });
 }
 
@@ -115,6 +163,9 @@ void session::handle() {
   ++parts_->counters.requests;
   is_last_ = is_last_ || request_number_ == parts_->set.max_requests || !reader_.can_be_kept();
   auto asked = reader_.take();
+  asked.from = from_;
+  asked.to = to_;
+  keeps_unread_ = false;
   is_head_only_ = asked.method == "HEAD";
   parts_->handle(std::move(asked), {weak_from_this(), request_number_, parts_->io.get_executor()});
   look_for_end();
@@ -130,7 +181,7 @@ void session::refuse() {
 }
 
 void session::look_for_end() {
-  if (phase_ == phase::handling && !is_reading_ && early_bytes_ == 0 && reader_.unread().empty())
+  if (phase_ == phase::handling && !keeps_unread_ && !is_reading_ && early_bytes_ == 0 && reader_.unread().empty())
     start_reading();
 }
 

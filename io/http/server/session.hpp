@@ -60,6 +60,7 @@ public:
   void abort();
   void on_gone(responder::next then) { on_gone_ = std::move(then); }
   void upgrade(const responder::taker& then);
+  void keep_unread() { keeps_unread_ = true; }
 
 private:
   using clock = std::chrono::steady_clock;
@@ -82,6 +83,8 @@ private:
   void say_goodbye();
   void drain();
   void lost();
+  void note_addresses();
+  void refuse_plain();
 
   void watch(clock::time_point until, std::uint64_t server_counters::*counted);
   void watch_reading();
@@ -89,12 +92,15 @@ private:
 
   std::shared_ptr<session_parts> parts_;
   std::unique_ptr<connection> connection_; // null: somebody else has it
+  std::string from_;
+  std::string to_;
   phase phase_ = phase::handshaking;
   boost::asio::steady_timer watchdog_;
   std::uint64_t watch_ = 0; // number of what is watched: an older one that comes late is nobody's business
   request_reader reader_;
   std::array<std::byte, request_reader::read_bytes> bytes_{};
   bool is_reading_ = false;
+  bool keeps_unread_ = false;                 // until the answer
   std::size_t early_bytes_ = 0;               // in bytes_, read while an answer was awaited
   std::optional<clock::time_point> begun_at_; // the request that is being read
   std::uint64_t request_number_ = 0;

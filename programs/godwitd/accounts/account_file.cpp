@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -49,18 +48,6 @@ std::string problem_of(const account_list& all) {
   return {};
 }
 
-checked write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const auto count = ::write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR)
-      continue;
-    if (count < 0)
-      return tl::make_unexpected(std::string(std::strerror(errno)));
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return {};
-}
-
 std::string text_of(const account_list& all) {
   json list = json::array();
   for (const auto& each : all)
@@ -68,30 +55,9 @@ std::string text_of(const account_list& all) {
   return json{{"version", 1}, {"accounts", std::move(list)}}.dump(2) + "\n";
 }
 
-checked sync_folder_of(const std::string& file) {
-  auto folder = std::filesystem::path(file).parent_path();
-  if (folder.empty())
-    folder = ".";
-  const io::link::descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); // NOLINT(*-vararg)
-  if (!opened.is_open() || ::fsync(opened.number()) != 0)
-    return tl::make_unexpected(std::string(std::strerror(errno)));
-  return {};
-}
-
 checked store(const std::string& file, const account_list& all) {
-  const auto fresh = file + ".new";
-  (void)::unlink(fresh.c_str());
-  const io::link::descriptor out(
-      ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, owner_only)); // NOLINT(*-vararg)
-  if (!out.is_open())
-    return wrong(file, fresh + " can not be written: " + std::strerror(errno));
-  if (::fchmod(out.number(), owner_only) != 0)
-    return wrong(file, std::strerror(errno));
-  if (auto written = write_all(out.number(), text_of(all)); !written)
-    return wrong(file, "they can not be written: " + written.error());
-  if (::fsync(out.number()) != 0 || ::rename(fresh.c_str(), file.c_str()) != 0)
-    return wrong(file, std::string("they can not be written: ") + std::strerror(errno));
-  return sync_folder_of(file);
+  return io::http::store_secret_file(file, text_of(all), io::http::errc::token_file)
+      .map_error([&](const io::http::error& why) { return "the accounts in " + why.message(); });
 }
 
 } // namespace

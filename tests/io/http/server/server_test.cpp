@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <openssl/ssl.h>
+
 #include "io/http/tls.hpp"
 #include "tests/io/http/http_fixture.hpp"
 #include "tests/io/http/server/server_fixture.hpp"
@@ -166,9 +168,12 @@ TEST_F(http_server_tls, counts_who_refuses_its_certificate_and_who_speaks_none) 
   EXPECT_TRUE(server.reaches(&server_counters::handshakes_failed, 1));
   raw_client plain(server);
   plain.write(get("/"));
-  static_cast<void>(plain.read_to_end()); // an alert, or nothing
+  const auto told = plain.read_to_end();
+  EXPECT_TRUE(told.starts_with("HTTP/1.1 400 Bad Request\r\n")) << told;
+  EXPECT_NE(told.find("ask with https://"), std::string::npos) << told;
   EXPECT_TRUE(server.reaches(&server_counters::handshakes_failed, 2));
   EXPECT_EQ(server.counters().requests, 0U);
+  EXPECT_TRUE(server.reaches(&server_counters::open, 0));
 }
 
 TEST_F(http_server_tls, handshake_timeout_ends_who_says_nothing) {
@@ -176,6 +181,45 @@ TEST_F(http_server_tls, handshake_timeout_ends_who_says_nothing) {
   running_server server(say_target, {.handshake_timeout = short_time}, {.tls = [&] { return tls.get(); }});
   EXPECT_EQ(raw_client(server).read_to_end(), "");
   EXPECT_EQ(server.counters().handshake_timeouts, 1U);
+}
+
+// The beginning of a TLS 1.2 ClientHello that promises more than it says.
+const std::string half_hello("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11);
+
+TEST_F(http_server_tls, ends_who_begins_a_handshake_and_stops_or_goes_on_a_byte_now_and_then) {
+  const auto tls = server_tls(loopback_identity());
+  running_server server(say_target, {.handshake_timeout = short_time}, {.tls = [&] { return tls.get(); }});
+  raw_client half(server);
+  half.write(half_hello);
+  EXPECT_EQ(half.read_to_end(), "");
+  raw_client slow(server);
+  slow.write(half_hello);
+  EXPECT_TRUE(slow.dribble_until_closed());
+  EXPECT_TRUE(server.reaches(&server_counters::handshake_timeouts, 2));
+  EXPECT_EQ(server.counters().handshakes, 0U);
+  EXPECT_TRUE(server.reaches(&server_counters::open, 0));
+}
+
+TEST_F(http_server_tls, ends_who_says_what_is_no_tls_and_goes_on_with_others) {
+  const auto tls = server_tls(loopback_identity());
+  running_server server(say_target, {.handshake_timeout = long_time}, {.tls = [&] { return tls.get(); }});
+  std::uint64_t failed = 0;
+  for (const auto& garbage : {std::string("\x00\x00\x00\x00\x00\x00", 6), std::string(20'000, 'x'),
+                              half_hello + std::string(600, '\xff'), std::string("\x15\x03\x03\x00\x02\x02\x28", 7),
+                              std::string("\x80\x2e\x01\x00\x02", 5) + std::string(50, '\0')}) {
+    raw_client client(server);
+    client.write(garbage);
+    client.close_sending();
+    (void)client.read_to_end();
+    EXPECT_TRUE(server.reaches(&server_counters::handshakes_failed, ++failed));
+  }
+  EXPECT_EQ(body_of(ask("https://127.0.0.1:" + std::to_string(server.port()))), "/");
+  EXPECT_EQ(server.counters().handshakes, 1U);
+}
+
+TEST_F(http_server_tls, speaks_nothing_older_than_1_2) {
+  const auto tls = server_tls(loopback_identity());
+  EXPECT_EQ(::SSL_CTX_get_min_proto_version(tls->native_handle()), TLS1_2_VERSION);
 }
 
 TEST_F(http_server_tls, needs_a_certificate_and_the_key_that_fits_it) {

@@ -36,6 +36,32 @@ TEST(http_session, a_connection_is_kept_for_the_next_request) {
   EXPECT_TRUE(server.reaches(&server_counters::answered, 3));
 }
 
+TEST(http_session, a_request_says_which_address_it_comes_from_and_which_it_has_asked) {
+  running_server server(
+      [](const server_request& asked, responder answer) { answer.send({.body = asked.from + " " + asked.to}); });
+  raw_client client(server);
+  client.write(get("/"));
+  EXPECT_EQ(client.read().body(), "127.0.0.1 127.0.0.1");
+}
+
+TEST(http_session, what_is_kept_unread_can_be_handed_over_later) {
+  std::optional<responder> held;
+  running_server server([&](const server_request&, responder answer) {
+    answer.keep_unread();
+    held.emplace(std::move(answer));
+  });
+  raw_client client(server);
+  client.write(get("/"));
+  ASSERT_TRUE(server.reaches(&server_counters::requests, 1));
+  client.write("more");
+  bool is_taken = false;
+  server.inside([&](auto&) {
+    held->upgrade([&](std::unique_ptr<connection> taken, const std::string&) { is_taken = taken != nullptr; });
+  });
+  EXPECT_TRUE(is_taken);
+  EXPECT_EQ(server.counters().upgraded, 1U);
+}
+
 TEST(http_session, requests_that_come_together_are_answered_in_their_order) {
   running_server server;
   raw_client client(server);

@@ -182,6 +182,7 @@ void actor::ask_for_failsafe_status() {
 void actor::read_host_status() {
   auto seen = world_.read_host_status();
   observe(seen.journal, journal_facts_);
+  observe(seen.operators, operator_fact_);
   seen.actors = supervisor_->facts();
   core_->on_host_status(std::move(seen));
 }

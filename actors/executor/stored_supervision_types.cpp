@@ -6,6 +6,7 @@
 
 // What comes in beside the mailbox, for the trace.
 GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::journal_facts);
+GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::operator_fact);
 GODWIT_DEFINE_MESSAGE(godwit::executor::supervision::own_process);
 
 GODWIT_DEFINE_MESSAGE(godwit::executor::supervision::failsafe_missed);

@@ -2,8 +2,10 @@
 
 namespace godwit::operator_bridge {
 
-actor::actor(runtime::spawn_context context, const settings& configured, executor_handle executor)
-    : durable_actor(std::move(context)), settings_(configured), executor_(std::move(executor)) {}
+actor::actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
+             std::shared_ptr<presence> shown)
+    : durable_actor(std::move(context)), settings_(configured), executor_(std::move(executor)),
+      presence_(std::move(shown)) {}
 
 actor::~actor() = default;
 
@@ -30,7 +32,7 @@ actor::behavior_type actor::handlers() {
             carry_out(wanted);
             return answer;
           }),
-          decides(&core::on_end),
+          decides(&core::on_end), decides(&core::on_leave),
           on<accounts_read>([this](const accounts_read& m) { carry_out(core_->on_accounts(m, now())); })};
 }
 
@@ -53,6 +55,7 @@ void actor::carry_out(const effects& wanted) {
   for (const auto& each : wanted)
     std::visit([this](const auto& what) { carry_out(what); }, each);
   plan_deadline();
+  show_presence();
 }
 
 void actor::carry_out(const hand_over& each) {
@@ -84,6 +87,11 @@ void actor::ask_executor(std::uint64_t number, const operators::command& what) {
       [this, number](const runtime::ask_error& why) {
         carry_out(core_->on_no_answer(number, why.code != runtime::ask_errc::not_taken, now()));
       });
+}
+
+void actor::show_presence() {
+  if (const auto heard_ns = core_->operator_heard_ns())
+    at_end([this, at_ns = *heard_ns] { presence_->hear(at_ns); });
 }
 
 void actor::plan_deadline() {

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "actors/operator_bridge/core.hpp"
+#include "actors/operator_bridge/presence.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "runtime/durable_actor.hpp"
@@ -23,7 +25,8 @@ public:
   // The executor answers when the disk has it; together with core::release_within_ns less than those who ask wait.
   static constexpr std::chrono::milliseconds executor_patience{2'000};
 
-  actor(runtime::spawn_context context, const settings& configured, executor_handle executor);
+  actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
+        std::shared_ptr<presence> shown = std::make_shared<presence>());
   ~actor() override;
 
 protected:
@@ -49,9 +52,11 @@ private:
   void release(std::uint64_t number);
   void ask_executor(std::uint64_t number, const operators::command& what);
   void plan_deadline();
+  void show_presence();
 
   settings settings_;
   executor_handle executor_;
+  std::shared_ptr<presence> presence_;
   std::optional<core> core_;
 };
 

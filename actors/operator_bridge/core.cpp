@@ -85,12 +85,18 @@ effects core::on_command(const operator_command& m, std::uint64_t request, insta
 // Who is not known leaves a row of its own kind.
 bool core::is_known(effects& out, const principal& by, const std::string& what, instant now) {
   if (sessions_.is_alive(by, now)) {
-    control_.hear(by, now);
+    hear(by, now);
     sessions_.touch(out, by.session, now);
     return true;
   }
   audit_.add_stranger(out, by.name, {.what = what, .outcome = std::string(io::name_of(verdict::no_session))}, now);
   return false;
+}
+
+void core::hear(const principal& who, instant now) {
+  control_.hear(who, now);
+  if (who.role >= role::operator_)
+    operator_heard_ns_ = now.monotonic_ns;
 }
 
 core::under_way* core::find_under_way(const operator_command& m) {
@@ -269,6 +275,24 @@ void core::put_row(effects& out, const principal& by, const operators::command& 
 
 // -- control, sessions, audit -----------------------------------------------------------------------
 
+std::pair<effects, leave> core::on_leave(const ask_leave& m, instant now) {
+  effects out;
+  control_.free_silent(out, now);
+  if (!is_known(out, m.by, m.what, now))
+    return {std::move(out), {verdict::no_session, log_in_first}};
+  leave answer{verdict::taken, {}};
+  if (m.by.role < role::operator_)
+    answer = {verdict::wrong_role, "a viewer decides nothing"};
+  else if (auto objection = control_.objection_to(m.by, now); !objection.empty())
+    answer = {verdict::no_control, std::move(objection)};
+  if (answer.verdict != verdict::taken)
+    audit_.add(
+        out,
+        {.who = m.by, .what = m.what, .outcome = std::string(io::name_of(answer.verdict)), .reason = answer.reason},
+        now);
+  return {std::move(out), std::move(answer)};
+}
+
 std::pair<effects, control_answer> core::on_control(const change_control& m, instant now) {
   effects out;
   control_.free_silent(out, now);
@@ -312,7 +336,7 @@ std::pair<effects, identity> core::on_identify(const identify& m, instant now) {
   effects out;
   auto found = sessions_.find(out, m, now);
   if (found.is_known)
-    control_.hear(found.who, now);
+    hear(found.who, now);
   return {std::move(out), std::move(found)};
 }
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +58,7 @@ public:
   // WAS_TAKEN: it may have been obeyed.
   [[nodiscard]] effects on_no_answer(std::uint64_t number, bool was_taken, instant now);
 
+  [[nodiscard]] std::pair<effects, leave> on_leave(const ask_leave& m, instant now);
   [[nodiscard]] std::pair<effects, control_answer> on_control(const change_control& m, instant now);
   [[nodiscard]] std::pair<effects, session_answer> on_open(const open_session& m, instant now);
   [[nodiscard]] std::pair<effects, session_answer> on_open(const use_link& m, instant now);
@@ -71,6 +73,9 @@ public:
   // Monotonic; on_time is due then.
   [[nodiscard]] std::int64_t next_due_ns() const;
   [[nodiscard]] effects on_time(instant now);
+
+  // When somebody who may fly was heard last; none: nobody yet.
+  [[nodiscard]] std::optional<std::int64_t> operator_heard_ns() const { return operator_heard_ns_; }
 
 private:
   struct under_way {
@@ -94,6 +99,7 @@ private:
                const command_answer& answer, instant now);
   [[nodiscard]] under_way* find_under_way(const operator_command& m);
   [[nodiscard]] bool is_known(effects& out, const operators::principal& by, const std::string& what, instant now);
+  void hear(const operators::principal& who, instant now);
 
   settings set_;
   const state& s_;
@@ -105,6 +111,7 @@ private:
   std::int64_t swept_ns_;
   std::uint64_t commands_ = 0;
   std::uint64_t refused_ = 0;
+  std::optional<std::int64_t> operator_heard_ns_; // monotonic
 };
 
 } // namespace godwit::operator_bridge

@@ -20,8 +20,14 @@ actor::actor(runtime::spawn_context context, std::shared_ptr<const peers> others
 actor::~actor() = default;
 
 actor::behavior_type actor::handlers() {
-  return {shows<io::mavlink::global_position_int>(), shows<io::mavlink::attitude>(),   shows<io::mavlink::sys_status>(),
-          shows<vehicle_link::connection_changed>(), shows<executor::flight_status>(), shows<health::health_status>()};
+  return {shows<io::mavlink::global_position_int>(),
+          shows<io::mavlink::attitude>(),
+          shows<io::mavlink::sys_status>(),
+          shows<vehicle_link::connection_changed>(),
+          shows<executor::flight_status>(),
+          shows<health::health_status>(),
+          on<scan_controller::point_shown>([this](const scan_controller::point_shown&) { ask_points(); }),
+          on<scan_controller::point_closed>([this](const scan_controller::point_closed&) { ask_points(); })};
 }
 
 // What the executor told while there was no incarnation to hear it.
@@ -31,25 +37,42 @@ void actor::started() {
         others_->flight, answer_timeout, executor::get_flight{},
         [this](const executor::flight_status& m) { publish(core_.take(m, handler_time().monotonic_ns)); },
         [](const runtime::ask_error&) {}); // it tells the next change
+  ask_points();
   on_deadline();
 }
 
 void actor::on_deadline() {
   publish(core_.beat());
-  if (++beats_ % beats_a_map == 0)
-    ask_map();
+  if (++beats_ % beats_a_question == 0)
+    ask_round();
   wake_at(now_ns() + std::chrono::nanoseconds(beat_period).count());
 }
 
-void actor::ask_map() {
+void actor::ask_round() {
   audience now{hub_->counts().subscribers != 0};
   observe(now, seen_);
-  if (!now.is_there || !others_->map)
+  if (!now.is_there)
+    return;
+  ask_points();
+  if (!others_->map)
     return;
   ask(
       others_->map, answer_timeout, mapobjects_store::get_map{},
       [this](const mapobjects_store::map_status& m) { publish(core_.take(m, handler_time().monotonic_ns)); },
       [](const runtime::ask_error&) {}); // asked again
+}
+
+// While no mission with scanning flies there is nobody to ask.
+void actor::ask_points() {
+  if (!others_->points)
+    return;
+  ask(
+      others_->points, answer_timeout, scan_controller::get_points{},
+      [this](const scan_controller::points& m) { publish(core_.take(m, handler_time().wall_ns)); },
+      [this](const runtime::ask_error& why) {
+        if (why.code == runtime::ask_errc::not_taken)
+          publish(core_.take_no_points());
+      });
 }
 
 void actor::publish(publications all) {

@@ -1,9 +1,10 @@
 // The stream of telemetry as an actor: hears the vehicle, the executor and the health of all, and publishes each thing
 // once, in its hub.
 //
-//   vehicle_link, executor, health ──> core ──> hub ──> subscribers
+//   vehicle_link, executor, health, scan_controller ──> core ──> hub ──> subscribers
 //
-// The map does not tell its changes: it is asked each 2 s while the hub has a subscriber. Nothing is durable; the hub
+// The map does not tell its changes: it is asked each 2 s while the hub has a subscriber. So is scan_controller, and
+// also whenever it tells that a point is shown or closed: what it answers is the whole. Nothing is durable; the hub
 // outlives the incarnations, and with it the subscribers and the newest of each topic. Policy `lose`: what was said to
 // an incarnation that crashed is old. Errors: none. Thread: as actor_base.
 #pragma once
@@ -24,6 +25,7 @@ namespace godwit::telemetry_stream {
 struct peers {
   runtime::mailbox<runtime::asks<mapobjects_store::get_map, mapobjects_store::map_status>> map;
   runtime::mailbox<runtime::asks<executor::get_flight, executor::flight_status>> flight;
+  runtime::mailbox<runtime::asks<scan_controller::get_points, scan_controller::points>> points;
 };
 
 // Whether anybody listens: an input that comes by no mailbox.
@@ -36,7 +38,7 @@ class actor final : public runtime::actor_base<own_handle> {
 public:
   static constexpr std::chrono::seconds beat_period{1};
   static constexpr std::chrono::seconds answer_timeout{2};
-  static constexpr std::uint64_t beats_a_map = 2;
+  static constexpr std::uint64_t beats_a_question = 2;
 
   actor(runtime::spawn_context context, std::shared_ptr<const peers> others, std::shared_ptr<hub> to);
   ~actor() override;
@@ -50,7 +52,8 @@ private:
   template <class M>
   auto shows();
   void publish(publications all);
-  void ask_map();
+  void ask_round();
+  void ask_points();
 
   std::shared_ptr<const peers> others_;
   std::shared_ptr<hub> hub_;

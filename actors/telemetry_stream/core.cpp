@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "io/fields/json_text.hpp"
 
@@ -18,6 +19,7 @@ constexpr double volts_of_mv = 1e-3;
 constexpr double amperes_of_ca = 1e-2;
 constexpr double degrees_of_rad = 180 / std::numbers::pi;
 constexpr std::uint16_t unknown_u16 = 65535;
+constexpr std::int64_t ns_in_ms = 1'000'000;
 
 template <class Update>
 publication made(topic what, const Update& update) {
@@ -101,8 +103,49 @@ publications core::take(const mapobjects_store::map_status& m, std::int64_t) {
   return {std::move(now)};
 }
 
+publications core::take(const scan_controller::points& m, std::int64_t wall_ns) {
+  return show_points(update_of(m, wall_ns));
+}
+
+publications core::take_no_points() {
+  auto now = points_.value_or(points_update{});
+  now.is_looking = false;
+  now.shown.clear();
+  now.waiting = 0;
+  return show_points(now);
+}
+
+publications core::show_points(const points_update& now) {
+  auto compared = now;
+  for (auto& each : compared.shown)
+    each.decide_until_ms = 0;
+  if (points_ == compared)
+    return {};
+  points_ = std::move(compared);
+  return {made(topic::points, now)};
+}
+
 publications core::beat() { return {made(topic::clock, clock_update{++beats_})}; }
 
 std::string json_of(const log_update& said) { return io::to_json(said); }
+
+points_update update_of(const scan_controller::points& m, std::int64_t wall_ns) {
+  const auto described = [](const scan_controller::point_view& each) {
+    return point_of_interest{each.number,
+                             each.class_group,
+                             each.position.latitude_deg,
+                             each.position.longitude_deg,
+                             each.confidence,
+                             each.has_moved,
+                             0,
+                             each.by};
+  };
+  points_update result{true, m.mission_id, {}, {}, m.waiting};
+  for (const auto& each : m.shown)
+    result.shown.emplace_back(described(each)).decide_until_ms = wall_ns / ns_in_ms + each.decide_within_ms;
+  for (const auto& each : m.confirmed)
+    result.confirmed.push_back(described(each));
+  return result;
+}
 
 } // namespace godwit::telemetry_stream

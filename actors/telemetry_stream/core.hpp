@@ -17,6 +17,7 @@
 #include "messages/executor/flight.hpp"
 #include "messages/health/types.hpp"
 #include "messages/mapobjects_store/status.hpp"
+#include "messages/scan_controller/point.hpp"
 #include "messages/telemetry_stream/types.hpp"
 #include "messages/vehicle_link/connection.hpp"
 
@@ -41,10 +42,14 @@ public:
   [[nodiscard]] publications take(const executor::flight_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const health::health_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const mapobjects_store::map_status& m, std::int64_t now_ns);
+  // WALL_NS: since 1970 (UTC).
+  [[nodiscard]] publications take(const scan_controller::points& m, std::int64_t wall_ns);
+  [[nodiscard]] publications take_no_points(); // nobody looks for them
   [[nodiscard]] publications beat();
 
 private:
   [[nodiscard]] static bool is_due(std::optional<std::int64_t>& last_ns, std::int64_t interval_ns, std::int64_t now_ns);
+  [[nodiscard]] publications show_points(const points_update& now);
 
   std::optional<std::int64_t> position_ns_; // when it was shown last
   std::optional<std::int64_t> attitude_ns_;
@@ -53,9 +58,12 @@ private:
   std::optional<authority_update> authority_;
   std::optional<progress_update> progress_;
   std::string map_;
+  std::optional<points_update> points_; // as shown last, without the ends of windows, which differ by a millisecond
   std::uint64_t beats_ = 0;
 };
 
 [[nodiscard]] std::string json_of(const log_update& said);
+// As people see them. WALL_NS: since 1970 (UTC).
+[[nodiscard]] points_update update_of(const scan_controller::points& m, std::int64_t wall_ns);
 
 } // namespace godwit::telemetry_stream

@@ -66,4 +66,20 @@ struct command_answer {
   friend bool operator==(const command_answer&, const command_answer&) = default;
 };
 
+// May BY do something that is no command to the flight, such as a decision about a point of interest? The rules are
+// those of a command. A refusal is in the audit; of what is granted whoever does it tells the outcome.
+struct ask_leave {
+  operators::principal by;
+  std::string what; // for the audit
+  static constexpr auto fields =
+      io::table("operator_bridge.ask_leave", io::field("by", &ask_leave::by), io::field("what", &ask_leave::what));
+};
+
+struct leave {
+  operator_bridge::verdict verdict = operator_bridge::verdict::unknown; // taken: it may be done
+  std::string reason;                                                   // sentence for people; empty when taken
+  static constexpr auto fields =
+      io::table("operator_bridge.leave", io::field("verdict", &leave::verdict), io::field("reason", &leave::reason));
+};
+
 } // namespace godwit::operator_bridge

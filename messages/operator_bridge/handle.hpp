@@ -13,7 +13,8 @@ namespace godwit::operator_bridge {
 using desk_handle =
     runtime::mailbox<runtime::asks<operator_command, command_answer>, runtime::asks<change_control, control_answer>,
                      runtime::asks<get_operators, operators_view>, runtime::asks<get_audit, audit_list>,
-                     runtime::tells<audit_note>, runtime::asks<make_link, link_answer>>;
+                     runtime::tells<audit_note>, runtime::asks<make_link, link_answer>,
+                     runtime::asks<ask_leave, leave>>;
 
 // Who lets operators in.
 using door_handle = runtime::mailbox<runtime::asks<open_session, session_answer>,

@@ -6,6 +6,7 @@
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::accounts_read);
+GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::ask_leave);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::audit_list);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::audit_note);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::change_control);
@@ -16,6 +17,7 @@ GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::get_audit);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::get_operators);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::identify);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::identity);
+GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::leave);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::link_answer);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::make_link);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::open_session);

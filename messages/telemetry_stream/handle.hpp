@@ -5,14 +5,16 @@
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/health/types.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/connection.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::telemetry_stream {
 
-using own_handle =
+using own_handle = runtime::combine<
     runtime::mailbox<runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::attitude>,
                      runtime::tells<io::mavlink::sys_status>, runtime::tells<vehicle_link::connection_changed>,
-                     runtime::tells<executor::flight_status>, runtime::tells<health::health_status>>;
+                     runtime::tells<executor::flight_status>, runtime::tells<health::health_status>>,
+    scan_controller::subscriber_handle>;
 
 } // namespace godwit::telemetry_stream

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/fields/field_table.hpp"
 
@@ -21,10 +22,11 @@ enum class topic {
   progress,  // of the mission
   map,       // how much of it there is
   health,    // of all parts
-  log        // a line of godwitd's log
+  log,       // a line of godwitd's log
+  points     // of interest
 };
 
-inline constexpr std::size_t topic_count = 11;
+inline constexpr std::size_t topic_count = 12;
 
 constexpr auto enum_names(topic) {
   return io::names<topic>({{topic::clock, "clock"},
@@ -37,7 +39,8 @@ constexpr auto enum_names(topic) {
                            {topic::progress, "progress"},
                            {topic::map, "map"},
                            {topic::health, "health"},
-                           {topic::log, "log"}});
+                           {topic::log, "log"},
+                           {topic::points, "points"}});
 }
 
 struct clock_update {
@@ -126,6 +129,39 @@ struct log_update {
   static constexpr auto fields =
       io::table("telemetry_stream.log", io::field("is_warning", &log_update::is_warning),
                 io::field("part", &log_update::part), io::field("sentence", &log_update::sentence));
+};
+
+struct point_of_interest {
+  std::uint64_t number = 0; // by which a person decides
+  std::string class_group;
+  double latitude_deg = 0;
+  double longitude_deg = 0;
+  double confidence = 0; // 0..1
+  bool has_moved = false;
+  std::int64_t decide_until_ms = 0; // of one that is shown
+  std::string by;                   // of one that is confirmed: who did
+  static constexpr auto fields = io::table(
+      "telemetry_stream.point_of_interest", io::field("number", &point_of_interest::number),
+      io::field("class_group", &point_of_interest::class_group),
+      io::field("latitude_deg", &point_of_interest::latitude_deg),
+      io::field("longitude_deg", &point_of_interest::longitude_deg),
+      io::field("confidence", &point_of_interest::confidence), io::field("has_moved", &point_of_interest::has_moved),
+      io::field("decide_until_ms", &point_of_interest::decide_until_ms), io::field("by", &point_of_interest::by));
+  friend bool operator==(const point_of_interest&, const point_of_interest&) = default;
+};
+
+// While nobody looks for them none is shown: nobody can decide then.
+struct points_update {
+  bool is_looking = false;
+  std::string mission_id;               // of all of them; empty: there was none yet
+  std::vector<point_of_interest> shown; // people decide about these
+  std::vector<point_of_interest> confirmed;
+  std::uint32_t waiting = 0; // for their turn
+  static constexpr auto fields =
+      io::table("telemetry_stream.points", io::field("is_looking", &points_update::is_looking),
+                io::field("mission_id", &points_update::mission_id), io::field("shown", &points_update::shown),
+                io::field("confirmed", &points_update::confirmed), io::field("waiting", &points_update::waiting));
+  friend bool operator==(const points_update&, const points_update&) = default;
 };
 
 } // namespace godwit::telemetry_stream

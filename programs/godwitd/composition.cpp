@@ -22,6 +22,7 @@
 #include "programs/godwitd/flight_state.hpp"
 #include "programs/godwitd/open_line.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
+#include "programs/godwitd/option_table.hpp"
 #include "programs/godwitd/process_figures.hpp"
 #include "runtime/mail_view.hpp"
 
@@ -44,6 +45,8 @@ tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon
   std::unique_ptr<composition> result(new composition(std::move(wanted), log));
   if (auto opened = result->open_files(); !opened)
     return tl::make_unexpected(std::move(opened.error()));
+  if (auto checked = result->check_operators(); !checked)
+    return tl::make_unexpected(std::move(checked.error()));
   result->surround_actors();
   result->add_actors();
   return result;
@@ -97,6 +100,20 @@ checked composition::open_files() {
     return tl::make_unexpected(std::move(host.error()));
   host_ = *std::move(host);
   began_ms_ = host_->time().wall_ns() / 1'000'000;
+  return {};
+}
+
+// In flight a file of accounts that is gone is no reason to leave the vehicle alone.
+checked composition::check_operators() {
+  if (!wanted_.operators)
+    return {};
+  const auto objection = operator_port::objection_to(*wanted_.operators, keeper_ && keeper_->has_accounts());
+  if (!objection)
+    return {};
+  if (!is_in_flight())
+    return tl::make_unexpected(all_names_of("operator-listen") + ": " + *objection);
+  announce({*objection + "\nthe flight goes on without the operator's port", true}, "operator_port");
+  wanted_.operators.reset();
   return {};
 }
 
@@ -156,6 +173,7 @@ void composition::add_actors() {
   views_outside_.read_host = [this] { return read_host(); };
   views_ = add_views(actors, views_outside_, base_, flight_);
   of_desk.health = views_.health;
+  of_desk.port = port_view_;
   of_desk.rescue_journal = [this](control::peers::rescued then) {
     host_->journal().rescue([then = std::move(then)](tl::expected<std::string, runtime::journal_error> done) {
       then(std::move(done).map_error([](const runtime::journal_error& why) { return why.message(); }));
@@ -187,7 +205,7 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.bridge = flight_.bridge;
   if (wanted_.operators)
     operator_desk_ = host_->actors().add<operator_port::operator_desk>(
-        {.name = "operator_desk"}, replaceable, operator_port::bridge_handle(flight_.bridge), api_answers_);
+        {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight_.bridge, flight_.scan}, api_answers_);
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
@@ -360,20 +378,36 @@ void composition::open_operator_port() {
   stream_api_ = std::make_shared<operator_port::stream_api>(operator_port_.context(), views_outside_.stream);
   auto routes = view_api_->routes();
   std::ranges::move(stream_api_->routes(), std::back_inserter(routes));
-  std::function<void()> on_other_origin;
+  operator_port::port_guards guards;
   if (keeper_) {
     open_operator_api();
     auto more = operator_port::routes_of(operator_api_);
     routes.insert(routes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    on_other_origin = [api = operator_api_] { api->note_other_origin(); };
+    guards = {[api = operator_api_](const std::string& from) { api->note_other_origin(from); },
+              [api = operator_api_](const operator_port::server_request& asked, operator_port::responder answer,
+                                    std::function<void(operator_port::responder)> then) {
+                api->admit(asked, std::move(answer), std::move(then));
+              }};
   }
-  if (const auto opened = operator_port_.open(*wanted_.operators, std::move(routes), on_other_origin); !opened) {
+  if (const auto opened = operator_port_.open(*wanted_.operators, std::move(routes), std::move(guards)); !opened) {
     const auto sentence = "the operator's port can not be opened: " + opened.error();
     host_->health().post("operator_port", runtime::health_colour::yellow, sentence);
     announce({sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true}, "operator_port");
     return;
   }
-  announce({"what there is to see: http://" + operator_port_.place() + "/status", false}, "operator_port");
+  tell_operator_port();
+}
+
+void composition::tell_operator_port() {
+  const auto& fingerprint = operator_port_.fingerprint();
+  announce({"what there is to see: " + operator_port_.url() + "/status", false}, "operator_port");
+  if (!fingerprint.empty())
+    announce(
+        {std::string(operator_port_.is_certificate_new() ? "a new certificate was made; its" : "the certificate's") +
+             " fingerprint (SHA-256) is " + fingerprint,
+         operator_port_.is_certificate_new()},
+        "operator_port");
+  port_view_->set(operator_port_.url(), fingerprint);
 }
 
 health::host_figures composition::read_host() const {

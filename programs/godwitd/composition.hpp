@@ -74,6 +74,8 @@ private:
   void open_ground();
   void open_operator_port();
   void open_operator_api();
+  [[nodiscard]] tl::expected<void, std::string> check_operators();
+  void tell_operator_port();
   [[nodiscard]] health::host_figures read_host() const;
   void open_feed();
   void open_accounts();
@@ -117,7 +119,9 @@ private:
   std::shared_ptr<operator_port::view_api> view_api_;     // none without the port
   std::shared_ptr<operator_port::stream_api> stream_api_; // none without it
   operator_port::desk_inlet operator_desk_;               // the same, and without a flight
-  std::shared_ptr<operator_port::waiting_answers> api_answers_ = std::make_shared<operator_port::waiting_answers>();
+  std::shared_ptr<operator_port::waiting_answers> api_answers_ =
+      std::make_shared<operator_port::waiting_answers>(wanted_.operators && wanted_.operators->uses_tls);
+  std::shared_ptr<control::port_view> port_view_ = std::make_shared<control::port_view>();
   std::shared_ptr<operator_port::operator_api> operator_api_; // as the desk
 };
 

@@ -41,6 +41,9 @@ void check_inputs(const daemon_settings& wanted, problem_list& to) {
       to.add("signing-key", key.error().message());
   if (const auto accounts = accounts::load(wanted.accounts_file); !accounts)
     to.add("accounts", accounts.error());
+  else if (wanted.operators)
+    if (const auto objection = operator_port::objection_to(*wanted.operators, !accounts->empty()))
+      to.add("operator-listen", *objection);
   if (!wanted.mission_file.empty())
     if (const auto mission = load_mission_file(wanted.mission_file, wanted.allow_partial); !mission)
       to.add("mission", mission.error());

@@ -25,19 +25,21 @@ constexpr const char* failsafe_name = "failsafe";
 constexpr const char* scan_name = "scan_controller";
 constexpr const char* feeder_name = "sightings";
 
-executor::host_status read_host_status(const actor_surroundings& outside) {
+executor::host_status read_host_status(const actor_surroundings& outside, const operator_bridge::presence& operators) {
   executor::host_status result;
   result.journal.is_sound = true; // it was checked as it was opened, and nothing runs with one that is not
   const auto journal = outside.journal->status();
   result.journal.is_writable = !journal.failing;
   result.journal.is_nearly_full = journal.fill >= io::sqlite::nearly_full;
   result.journal.free_bytes = outside.host->free_bytes();
+  result.operators.is_there = operators.is_there(outside.host->time().monotonic_ns());
   return result;
 }
 
-executor::outside_world world_of(const runtime::system& actors, const actor_surroundings& outside) {
+executor::outside_world world_of(const runtime::system& actors, const actor_surroundings& outside,
+                                 const std::shared_ptr<operator_bridge::presence>& operators) {
   return {[&outside](const executor::announce& said) { outside.say(executor_name, said.sentence, said.is_warning); },
-          [&outside] { return read_host_status(outside); }, [&actors] { return actors.names(); },
+          [&outside, operators] { return read_host_status(outside, *operators); }, [&actors] { return actors.names(); },
           [&outside] { return outside.process; },
           [&outside](const executor::phase_status& status) {
             if (outside.sightings)
@@ -71,6 +73,7 @@ void add_scan(runtime::system& actors, const daemon_settings& settings, const ac
   const auto of_scan = std::make_shared<scan_controller::peers>();
   made.scan = actors.add<scan_controller::actor>({.name = scan_name}, replaceable, settings.scan,
                                                  std::shared_ptr<const scan_controller::peers>(of_scan), outside.seed);
+  made.of_scan = of_scan;
   of_scan->map = base.store;
   of_scan->subscribers.emplace_back(made.executor);
   of_scan->say = [&outside](const std::string& sentence, bool is_warning) {
@@ -126,9 +129,10 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
   flight_actors made;
   const auto of_executor = std::make_shared<executor::peers>();
   made.of_executor = of_executor;
-  made.executor =
-      actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
-                                  std::shared_ptr<const executor::peers>(of_executor), world_of(actors, outside));
+  const auto operators = std::make_shared<operator_bridge::presence>();
+  made.executor = actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
+                                              std::shared_ptr<const executor::peers>(of_executor),
+                                              world_of(actors, outside, operators));
   if (outside.ground) {
     const auto of_ground = std::make_shared<ground_port::peers>();
     made.ground = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings_of_ground(settings),
@@ -142,8 +146,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_failsafe->people.emplace_back(made.ground);
     base.of_vehicle->add(made.ground);
   }
-  made.bridge =
-      actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable, settings.sessions, made.executor);
+  made.bridge = actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable, settings.sessions,
+                                                   made.executor, operators);
   of_executor->vehicle = base.vehicle;
   of_executor->guardian = actors.guardian();
   actors.set_supervisor(made.executor);

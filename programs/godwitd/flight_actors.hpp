@@ -57,6 +57,10 @@ namespace godwit::mission_client {
 struct peers;
 }
 
+namespace godwit::scan_controller {
+struct peers;
+}
+
 namespace godwit::daemon {
 
 // What the actors meet of the world.
@@ -103,6 +107,7 @@ struct flight_actors {
   sightings::feeder_handle feeder;
   // Whom it speaks with; filled in before the actors start.
   std::shared_ptr<executor::peers> of_executor;
+  std::shared_ptr<scan_controller::peers> of_scan;
 };
 
 // The table that holds until the executor has sent its own: from it on an essential actor that can not be kept up is

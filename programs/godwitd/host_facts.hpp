@@ -28,6 +28,7 @@ public:
       : read_free_bytes_(std::move(read_free_bytes)), time_(time) {}
 
   [[nodiscard]] std::optional<std::uint64_t> free_bytes();
+  [[nodiscard]] const runtime::time_source& time() const { return time_; }
 
 private:
   const disk_reader read_free_bytes_;

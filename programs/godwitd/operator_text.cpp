@@ -48,6 +48,11 @@ std::string control_text(const json& answer) {
   return holder.empty() ? "control is free" : holder + " has control";
 }
 
+std::string port_line(const json& part) {
+  const auto fingerprint = text(part, "fingerprint");
+  return text(part, "url") + (fingerprint.empty() ? "" : ", fingerprint " + fingerprint);
+}
+
 std::string operators_line(const json& part) {
   const auto control = part.find("control");
   std::string result = control != part.end() && control->is_object()

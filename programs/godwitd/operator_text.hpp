@@ -16,4 +16,7 @@ namespace godwit::daemon {
 // The part `operators` of a status: who has control, who is logged in.
 [[nodiscard]] std::string operators_line(const nlohmann::json& part);
 
+// The part `port`: "https://0.0.0.0:8443, fingerprint 3A:5F:...".
+[[nodiscard]] std::string port_line(const nlohmann::json& part);
+
 } // namespace godwit::daemon

@@ -72,7 +72,7 @@ inline constexpr std::array option_rows{
     option_row{"control", "/control/path", option_kind::text, "FILE",
                "The socket for `godwitd ctl` (beside the journal)"},
     option_row{"operator-listen", "/operator/listen", option_kind::text, "ADDRESS",
-               "The port for programs that watch, such as 127.0.0.1:8088"},
+               "The port for operators and programs, such as 127.0.0.1:8088; with TLS 0.0.0.0:8443"},
     option_row{"log-file", "/log/file", option_kind::text, "FILE",
                "The log goes there instead of standard output; SIGHUP opens it anew"},
     option_row{"log-format", "/log/format", option_kind::text, "text|json", "How a line of the log looks (text)"},

@@ -138,6 +138,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.failsafe_gone = io::value_of<executor::failsafe_gone_policy>(text(flight, "failsafe_gone")).value();
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();
   to.flight.checks.starts_by_itself = to.flight.start == executor::start_policy::automatic;
+  to.flight.checks.is_operator_session_required = flight.at("needs_operator").get<bool>();
   to.flight.checks.asks_for_straight_return = flight.at("ask_straight_return").get<bool>();
   to.flight.checks.battery_margin_percent = flight.at("battery_margin_percent").get<std::int32_t>();
   if (to.flight.start == executor::start_policy::automatic && !to.flight.arm_on_start)
@@ -184,7 +185,7 @@ checked read_ground(const json& ground, daemon_settings& to) {
   return {};
 }
 
-checked read_operators(const json& given, daemon_settings& to) {
+checked read_operators(const json& given, const std::string& journal, daemon_settings& to) {
   const auto where = text(given, "listen");
   if (where.empty())
     return {};
@@ -196,6 +197,15 @@ checked read_operators(const json& given, daemon_settings& to) {
     return wrong("operator-listen", "operator.hosts: " + hosts.error());
   to.operators = *std::move(listen);
   to.operators->hosts = *std::move(hosts);
+  to.operators->uses_tls = !to.operators->is_local || given.at("tls").get<bool>();
+  to.operators->certificate_file = text(given, "certificate");
+  to.operators->key_file = text(given, "key");
+  if (to.operators->certificate_file.empty() != to.operators->key_file.empty())
+    return wrong("operator-listen", "operator.certificate and operator.key belong together: name both, or neither");
+  if (!to.operators->is_local && !to.flies)
+    return wrong("operator-listen", to.operators->host + " is reached from other computers, and a run on the ground "
+                                                         "knows no operators: name 127.0.0.1 or [::1]");
+  to.operators->identity_file = std::filesystem::path(journal).replace_extension(".tls").string();
   return {};
 }
 
@@ -272,7 +282,7 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
     return tl::make_unexpected(std::move(failsafe.error()));
   if (auto ground = read_ground(configuration.at("ground"), result); !ground)
     return tl::make_unexpected(std::move(ground.error()));
-  if (auto operators = read_operators(configuration.at("operator"), result); !operators)
+  if (auto operators = read_operators(configuration.at("operator"), journal_path(configuration), result); !operators)
     return tl::make_unexpected(std::move(operators.error()));
   read_map(configuration, result);
   read_accounts(configuration, result);

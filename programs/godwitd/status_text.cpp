@@ -168,9 +168,10 @@ struct part_row {
 };
 
 constexpr part_row parts[] = {
-    {"health", health_line},       {"run", run_line},         {"flight", flight_line}, {"failsafe", failsafe_line},
-    {"operators", operators_line}, {"service", service_line}, {"map", map_line},       {"sightings", sightings_line},
-    {"points", points_line},       {"vehicle", vehicle_line}, {"ground", ground_line}, {"actors", actor_lines}};
+    {"health", health_line},       {"run", run_line},       {"flight", flight_line},   {"failsafe", failsafe_line},
+    {"operators", operators_line}, {"port", port_line},     {"service", service_line}, {"map", map_line},
+    {"sightings", sightings_line}, {"points", points_line}, {"vehicle", vehicle_line}, {"ground", ground_line},
+    {"actors", actor_lines}};
 
 } // namespace
 

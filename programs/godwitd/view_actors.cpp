@@ -2,6 +2,7 @@
 
 #include "actors/executor/actor.hpp"
 #include "actors/health/actor.hpp"
+#include "actors/scan_controller/actor.hpp"
 #include "actors/telemetry_stream/actor.hpp"
 #include "programs/godwitd/child_policies.hpp"
 
@@ -13,12 +14,15 @@ telemetry_stream::own_handle add_stream(runtime::system& actors, const std::shar
   const auto of_stream = std::make_shared<telemetry_stream::peers>();
   of_stream->map = base.store;
   of_stream->flight = flight.executor;
+  of_stream->points = flight.scan;
   auto made =
       actors.add<telemetry_stream::actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, replaceable,
                                           std::shared_ptr<const telemetry_stream::peers>(of_stream), to);
   base.of_vehicle->add(made);
   if (flight.of_executor)
     flight.of_executor->watchers.emplace_back(made);
+  if (flight.of_scan)
+    flight.of_scan->subscribers.emplace_back(made);
   return made;
 }
 

@@ -1,7 +1,7 @@
 // The actors that only show what there is: health, and the stream of telemetry. The flight does not depend on them.
 //
 //   all actors ──answers, news──> health ── report_port ──> the operator's port
-//   vehicle_link, executor, health ──> telemetry_stream ── hub ──> subscribers
+//   vehicle_link, executor, health, scan_controller ──> telemetry_stream ── hub ──> subscribers
 //
 // Made behind all others, whom they watch. Thread: one owner, before the actors start. OUTSIDE outlives the actors, and
 // its functions may be called by any thread.

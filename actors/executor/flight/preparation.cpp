@@ -73,7 +73,7 @@ preflight::report preparation::look_at_all(instant now) {
   seen.journal = host_status_.journal;
   seen.actors = host_status_.actors;
   seen.wall_ns = now.wall_ns;
-  seen.is_operator_session_alive = host_status_.is_operator_session_alive;
+  seen.is_operator_session_alive = host_status_.operators.is_there;
   seen.camera = preflight::camera_state::off;
   return preflight::run_checks(seen, flight_.configured.checks);
 }

@@ -21,7 +21,7 @@ namespace godwit::executor {
 struct host_status {
   preflight::journal_facts journal;
   std::vector<preflight::actor_fact> actors;
-  bool is_operator_session_alive = false;
+  preflight::operator_fact operators;
 };
 
 class preparation {

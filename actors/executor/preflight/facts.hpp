@@ -85,6 +85,11 @@ struct journal_facts {
       io::field("free_bytes", &journal_facts::free_bytes));
 };
 
+struct operator_fact {
+  bool is_there = false; // somebody who may fly: logged in or at the control socket, and heard just now
+  static constexpr auto fields = io::table("executor.operator_fact", io::field("is_there", &operator_fact::is_there));
+};
+
 struct actor_fact {
   std::string name;
   bool is_running = false;

@@ -23,6 +23,10 @@ std::string words_of(const scan_controller::decide_point& decided) {
   return std::string(io::name_of(decided.says)) + " point " + std::to_string(decided.number);
 }
 
+json no_bridge(const ask_error& why) {
+  return {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}};
+}
+
 json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
 
 constexpr std::size_t max_name = 64; // bytes
@@ -95,6 +99,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
   half.missing += (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.ground ? 1 : 0) +
                   (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0) + (others_.failsafe_status ? 1 : 0) +
                   (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0) + (others_.points ? 1 : 0);
+  if (others_.port)
+    half.document["port"] = others_.port->json();
   if (others_.run)
     collect(ticket, "run", *others_.run, ground_run::get_run{});
   if (others_.flight)
@@ -217,8 +223,20 @@ void request_handler::list_points(std::uint64_t ticket) {
 }
 
 void request_handler::decide_point(const control_request& asked) {
-  if (!others_.points)
+  if (!others_.points || !others_.bridge)
     return answer_with(asked.ticket, on_the_ground());
+  ask(
+      *others_.bridge, answer_timeout, operator_bridge::ask_leave{speaker(asked), words_of(asked.decided)},
+      [this, asked](const operator_bridge::leave& answer) {
+        if (answer.verdict == operator_bridge::verdict::taken)
+          pass_decision_on(asked);
+        else
+          answer_with(asked.ticket, json_of(operator_bridge::command_answer{answer.verdict, answer.reason}));
+      },
+      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
+}
+
+void request_handler::pass_decision_on(const control_request& asked) {
   ask(
       *others_.points, answer_timeout, asked.decided,
       [this, asked](const scan_controller::decide_answer& answer) {
@@ -299,9 +317,7 @@ void request_handler::change_control(const control_request& asked) {
           document["error"] = answer.reason;
         answer_with(ticket, document);
       },
-      [this, ticket = asked.ticket](const ask_error& why) {
-        answer_with(ticket, {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}});
-      });
+      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
 }
 
 void request_handler::make_link(const control_request& asked) {
@@ -315,9 +331,7 @@ void request_handler::make_link(const control_request& asked) {
           document["error"] = answer.reason;
         answer_with(ticket, document);
       },
-      [this, ticket = asked.ticket](const ask_error& why) {
-        answer_with(ticket, {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}});
-      });
+      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
 }
 
 void request_handler::list_audit(const control_request& asked) {
@@ -330,9 +344,7 @@ void request_handler::list_audit(const control_request& asked) {
         document["ok"] = list.refusal.empty();
         answer_with(ticket, document);
       },
-      [this, ticket = asked.ticket](const ask_error& why) {
-        answer_with(ticket, {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}});
-      });
+      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
 }
 
 void request_handler::crash(const control_request& asked) {

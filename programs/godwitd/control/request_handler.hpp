@@ -29,6 +29,7 @@
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 #include "programs/godwitd/control/messages.hpp"
+#include "programs/godwitd/control/port_view.hpp"
 #include "programs/godwitd/control/response_queue.hpp"
 #include "programs/godwitd/ground_run/handle.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
@@ -58,6 +59,7 @@ struct peers {
   std::optional<scan_controller::operator_handle> points; // with a flight
   std::optional<health::status_handle> health;
   std::optional<sightings::status_handle> sightings; // with a flight
+  std::shared_ptr<const port_view> port;             // null: nobody shows it
   runtime::guardian_handle guardian;
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
   using rescued = std::function<void(tl::expected<std::string, std::string>)>; // the new file, or why not
@@ -95,6 +97,7 @@ private:
   void collect_points(std::uint64_t ticket);
   void list_points(std::uint64_t ticket);
   void decide_point(const control_request& asked);
+  void pass_decision_on(const control_request& asked);
   void insert_at_point(const control_request& asked);
   template <class Then>
   void ask_points(std::uint64_t ticket, Then then);

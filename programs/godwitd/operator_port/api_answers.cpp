@@ -1,6 +1,7 @@
 #include "programs/godwitd/operator_port/api_answers.hpp"
 
 #include "actors/domain/mission/utc_text.hpp"
+#include "io/fields/json_text.hpp"
 #include "io/http/server/response_head.hpp"
 
 namespace godwit::operator_port {
@@ -72,7 +73,8 @@ unsigned status_of(verdict which) {
 server_response answer_of(const std::string& id, const operator_bridge::command_answer& answer) {
   const auto status = status_of(answer.verdict);
   auto document = answer.verdict == verdict::taken ? json::object() : problem_document(status, answer.reason);
-  document["id"] = id;
+  if (!id.empty())
+    document["id"] = id;
   document["verdict"] = io::name_of(answer.verdict);
   if (!answer.state.empty())
     document["state"] = answer.state;
@@ -119,6 +121,10 @@ server_response answer_of(const operator_bridge::audit_list& list) {
                     {"reason", each.reason},
                     {"count", each.count}});
   return json_answer(200, {{"rows", std::move(rows)}});
+}
+
+server_response answer_of(const telemetry_stream::points_update& seen) {
+  return {200, "application/json", io::to_json(seen), {}};
 }
 
 } // namespace godwit::operator_port

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actors/telemetry_stream/core.hpp"
 #include "io/http/server/message.hpp"
 #include "messages/operator_bridge/audit.hpp"
 #include "messages/operator_bridge/command.hpp"
@@ -23,6 +24,7 @@ namespace godwit::operator_port {
 // 200 taken; 401 no_session; 403 wrong_role; 408 late; 409 refused, superseded; 412 stale; 422 id_used;
 // 423 no_control; 503 busy, not_done; 504 unknown
 [[nodiscard]] unsigned status_of(operator_bridge::verdict which);
+// ID: of a command; empty: it was none.
 [[nodiscard]] io::http::server_response answer_of(const std::string& id, const operator_bridge::command_answer& answer);
 [[nodiscard]] io::http::server_response answer_of(const operators::principal& who, std::int64_t ends_ns,
                                                   std::int64_t wall_ns, unsigned status);
@@ -31,5 +33,6 @@ namespace godwit::operator_port {
 [[nodiscard]] io::http::server_response answer_of(const operator_bridge::operators_view& view,
                                                   const operators::principal& who);
 [[nodiscard]] io::http::server_response answer_of(const operator_bridge::audit_list& list);
+[[nodiscard]] io::http::server_response answer_of(const telemetry_stream::points_update& seen);
 
 } // namespace godwit::operator_port

@@ -17,6 +17,10 @@ bool is_port(std::string_view text) {
 
 } // namespace
 
+std::string_view without_brackets(std::string_view name) {
+  return name.starts_with('[') && name.ends_with(']') ? name.substr(1, name.size() - 2) : name;
+}
+
 std::string_view host_name(std::string_view host) {
   if (host.empty() || host.size() > longest_host)
     return {};
@@ -29,10 +33,11 @@ std::string_view host_name(std::string_view host) {
   return host.substr(0, end);
 }
 
-bool is_ours(std::string_view host, const std::vector<std::string>& others) {
+bool is_ours(std::string_view host, std::string_view to, const std::vector<std::string>& others) {
   const auto name = host_name(host);
   const auto is_name = [&](std::string_view each) { return io::http::equals_ignoring_case(each, name); };
-  return !name.empty() && (std::ranges::any_of(own_names, is_name) || std::ranges::any_of(others, is_name));
+  return !name.empty() && (without_brackets(name) == to || std::ranges::any_of(own_names, is_name) ||
+                           std::ranges::any_of(others, is_name));
 }
 
 bool is_same_origin(std::string_view origin, std::string_view host, bool is_secure) {

@@ -14,9 +14,12 @@ namespace godwit::operator_port {
 
 // "drone.local:8088" -> "drone.local", "[::1]:8088" -> "[::1]"; empty: it is no host.
 [[nodiscard]] std::string_view host_name(std::string_view host);
+// "[::1]" -> "::1"
+[[nodiscard]] std::string_view without_brackets(std::string_view name);
 
-// The names of this computer itself, and OTHERS; the port is not compared, since it may be forwarded.
-[[nodiscard]] bool is_ours(std::string_view host, const std::vector<std::string>& others);
+// The names of this computer itself, the address TO that was asked, and OTHERS; the port is not compared, since it may
+// be forwarded. An address stands for no name, so nobody can make one lead here.
+[[nodiscard]] bool is_ours(std::string_view host, std::string_view to, const std::vector<std::string>& others);
 
 // ORIGIN is empty, or that of a page from HOST. IS_SECURE: it came by TLS.
 [[nodiscard]] bool is_same_origin(std::string_view origin, std::string_view host, bool is_secure);

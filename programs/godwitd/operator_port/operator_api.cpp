@@ -12,9 +12,6 @@ using io::http::server_request;
 
 namespace {
 
-// Until the port is open to others: whoever asks is on this computer.
-constexpr const char* here = "this computer";
-
 bool is_json(const server_request& asked) {
   const auto type = asked.find("Content-Type");
   return type == "application/json" || type.starts_with("application/json;");
@@ -37,7 +34,7 @@ operator_api::operator_api(std::shared_ptr<waiting_answers> answers, accounts::a
 void operator_api::tell(api_request asked, const server_request& from, responder answer) {
   const auto token = token_of(from);
   asked.token_hash = token.empty() ? std::string() : accounts::hash_of_token(token);
-  asked.from = here;
+  asked.from = from.from;
   if (const auto ticket = answers_->add(std::move(answer))) {
     asked.ticket = *ticket;
     tell_(std::move(asked));
@@ -50,10 +47,25 @@ void operator_api::ask(api_act what, const server_request& asked, responder answ
   tell(std::move(wanted), asked, std::move(answer));
 }
 
-void operator_api::note_other_origin() {
+void operator_api::admit(const server_request& asked, responder answer, std::function<void(responder)> then) {
+  answer.keep_unread(); // it may want to become a WebSocket
+  api_request wanted;
+  wanted.what = api_act::look;
+  const auto token = token_of(asked);
+  if (token.empty())
+    return answer.send(problem(401, "from another computer log in first, or send a token"));
+  wanted.token_hash = accounts::hash_of_token(token);
+  wanted.from = asked.from;
+  if (const auto ticket = answers_->add(std::move(answer), std::move(then))) {
+    wanted.ticket = *ticket;
+    tell_(std::move(wanted));
+  }
+}
+
+void operator_api::note_other_origin(const std::string& from) {
   api_request wanted;
   wanted.what = api_act::refuse_origin;
-  wanted.from = here;
+  wanted.from = from;
   tell_(std::move(wanted));
 }
 
@@ -82,6 +94,18 @@ void operator_api::change_control(const server_request& asked, responder answer)
   tell(std::move(wanted), asked, std::move(answer));
 }
 
+void operator_api::decide_point(const server_request& asked, responder answer) {
+  if (refuse_form(asked, answer))
+    return;
+  auto said = read_decision(asked.body);
+  if (!said)
+    return refuse(answer, said.error());
+  api_request wanted;
+  wanted.what = api_act::decide_point;
+  wanted.decided = *std::move(said);
+  tell(std::move(wanted), asked, std::move(answer));
+}
+
 void operator_api::read_audit(const server_request& asked, responder answer) {
   const auto rows = read_rows(asked.target);
   if (!rows)
@@ -99,15 +123,15 @@ void operator_api::log_in(server_request asked, responder answer) {
   if (!said)
     return refuse(answer, said.error());
   if (said->link.empty())
-    check_password(*std::move(said), std::move(answer));
+    check_password(*std::move(said), asked.from, std::move(answer));
   else
-    use_link(*std::move(said), std::move(answer));
+    use_link(*std::move(said), asked.from, std::move(answer));
 }
 
-void operator_api::use_link(login_body said, responder answer) {
+void operator_api::use_link(login_body said, const std::string& from, responder answer) {
   api_request wanted;
   wanted.what = api_act::use_link;
-  wanted.from = here;
+  wanted.from = from;
   wanted.link_hash = accounts::hash_of_token(said.link.revealed());
   auto token = accounts::new_token();
   wanted.new_token_hash = accounts::hash_of_token(token.revealed());
@@ -118,17 +142,17 @@ void operator_api::use_link(login_body said, responder answer) {
 }
 
 // Judged in the keeper's thread; a name that is not there is answered as a wrong password is.
-void operator_api::check_password(login_body said, responder answer) {
+void operator_api::check_password(login_body said, const std::string& from, responder answer) {
   auto token = accounts::new_token();
   auto token_hash = accounts::hash_of_token(token.revealed());
   const auto waiting =
       std::make_shared<std::pair<responder, io::http::secret_text>>(std::move(answer), std::move(token));
   const auto name = said.name;
   const bool is_taken = keeper_.check(
-      {std::move(said.name), std::move(said.password), here},
-      [answers = answers_, tell = tell_, waiting, name, token_hash](std::optional<operator_bridge::account> who) {
+      {std::move(said.name), std::move(said.password), from},
+      [answers = answers_, tell = tell_, waiting, name, from, token_hash](std::optional<operator_bridge::account> who) {
         api_request wanted;
-        wanted.from = here;
+        wanted.from = from;
         if (!who) {
           wanted.what = api_act::refuse_login;
           wanted.account.name = name;

@@ -4,6 +4,7 @@
 //   POST   /api/v1/commands   a command (request_body.hpp)
 //   GET    /api/v1/control    who has it                                    POST: {"act", "to"}
 //   GET    /api/v1/audit      ?rows=50
+//   GET    /api/v1/points     of interest                                   POST: {"point", "decision"}
 //
 // A program sends its token as "Authorization: Bearer ...", a browser has a cookie. Bodies are application/json, which
 // a page of another site can not send unasked. Errors: problem documents. Thread: that of the port.
@@ -30,16 +31,20 @@ public:
   void log_in(io::http::server_request asked, io::http::responder answer);
   void command(const io::http::server_request& asked, io::http::responder answer);
   void change_control(const io::http::server_request& asked, io::http::responder answer);
+  void decide_point(const io::http::server_request& asked, io::http::responder answer);
   void read_audit(const io::http::server_request& asked, io::http::responder answer);
   // For the audit: a page of another site has asked, and was refused.
-  void note_other_origin();
-  // What needs nothing but a token: who_am_i, log_out, view_control.
+  void note_other_origin(const std::string& from);
+  // THEN, in any thread, when who asks has a session or a token.
+  void admit(const io::http::server_request& asked, io::http::responder answer,
+             std::function<void(io::http::responder)> then);
+  // What needs nothing but a token: who_am_i, log_out, view_control, list_points.
   void ask(api_act what, const io::http::server_request& asked, io::http::responder answer);
 
 private:
   void tell(api_request asked, const io::http::server_request& from, io::http::responder answer);
-  void check_password(login_body said, io::http::responder answer);
-  void use_link(login_body said, io::http::responder answer);
+  void check_password(login_body said, const std::string& from, io::http::responder answer);
+  void use_link(login_body said, const std::string& from, io::http::responder answer);
 
   std::shared_ptr<waiting_answers> answers_;
   accounts::account_keeper& keeper_;

@@ -6,11 +6,12 @@
 
 namespace godwit::operator_port {
 
+using operator_bridge::verdict;
 using operators::principal;
 
-operator_desk::operator_desk(runtime::spawn_context context, bridge_handle bridge,
+operator_desk::operator_desk(runtime::spawn_context context, desk_peers others,
                              std::shared_ptr<waiting_answers> answers)
-    : actor_base(std::move(context)), bridge_(std::move(bridge)), answers_(std::move(answers)) {}
+    : actor_base(std::move(context)), others_(std::move(others)), answers_(std::move(answers)) {}
 
 operator_desk::~operator_desk() = default;
 
@@ -40,7 +41,7 @@ void operator_desk::take(const api_request& asked) {
 template <class Question, class OnAnswer>
 void operator_desk::ask_bridge(const api_request& asked, std::chrono::seconds patience, Question question,
                                OnAnswer on_answer) {
-  ask(bridge_, patience, std::move(question), std::move(on_answer),
+  ask(others_.bridge, patience, std::move(question), std::move(on_answer),
       [this, ticket = asked.ticket](const runtime::ask_error& why) {
         const bool was_not_taken = why.code == runtime::ask_errc::not_taken;
         answers_->resolve(ticket, problem(was_not_taken ? 503 : 504, "operator_bridge does not answer: " + why.what +
@@ -53,7 +54,8 @@ void operator_desk::identify(const api_request& asked) {
              [this, asked](const operator_bridge::identity& who) {
                if (who.is_known)
                  return take_known(asked, who);
-               note_stranger(asked, std::string(io::name_of(asked.what)) + " from " + asked.from, "no_session");
+               if (asked.what != api_act::look)
+                 note_stranger(asked, std::string(io::name_of(asked.what)) + " from " + asked.from, "no_session");
                answers_->resolve(asked.ticket, problem(401, "log in first: there is no session, or it is over"));
              });
 }
@@ -68,6 +70,12 @@ void operator_desk::take_known(const api_request& asked, const operator_bridge::
     return change_control(asked, who.who);
   case api_act::read_audit:
     return read_audit(asked, who.who);
+  case api_act::list_points:
+    return list_points(asked);
+  case api_act::decide_point:
+    return decide_point(asked, who.who);
+  case api_act::look:
+    return answers_->let_go_on(asked.ticket);
   case api_act::log_out:
     return log_out(asked, who.who);
   default:
@@ -103,26 +111,69 @@ void operator_desk::read_audit(const api_request& asked, const principal& who) {
       [this, asked](const operator_bridge::audit_list& list) { answers_->resolve(asked.ticket, answer_of(list)); });
 }
 
+// While no mission with scanning flies there is nobody to ask, and nothing to decide.
+void operator_desk::list_points(const api_request& asked) {
+  ask(
+      others_.points, answer_timeout, scan_controller::get_points{},
+      [this, asked](const scan_controller::points& seen) {
+        answers_->resolve(asked.ticket, answer_of(telemetry_stream::update_of(seen, wall_ns())));
+      },
+      [this, asked](const runtime::ask_error& why) {
+        answers_->resolve(asked.ticket, why.code == runtime::ask_errc::not_taken
+                                            ? answer_of(telemetry_stream::points_update{})
+                                            : problem(504, "scan_controller does not answer: " + why.what));
+      });
+}
+
+void operator_desk::decide_point(const api_request& asked, const principal& who) {
+  auto decided = asked.decided;
+  decided.by = who.name;
+  const auto what = std::string(io::name_of(decided.says)) + " point " + std::to_string(decided.number);
+  const auto end = [this, asked, who, what](const operator_bridge::command_answer& answer) {
+    tell(others_.bridge,
+         operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
+    answers_->resolve(asked.ticket, answer_of({}, answer));
+  };
+  const auto decide = [this, decided, end] {
+    ask(
+        others_.points, answer_timeout, decided,
+        [end](const scan_controller::decide_answer& answer) {
+          end({answer.is_taken ? verdict::taken : verdict::refused, answer.reason});
+        },
+        [end](const runtime::ask_error& why) {
+          if (why.code == runtime::ask_errc::not_taken)
+            end({verdict::not_done, "nobody looks for points of interest now: no mission with scanning is flown"});
+          else
+            end({verdict::unknown, "there is no answer; look at the points before you say it again"});
+        });
+  };
+  ask_bridge(asked, answer_timeout, operator_bridge::ask_leave{who, what},
+             [this, asked, decide](const operator_bridge::leave& answer) {
+               if (answer.verdict == verdict::taken)
+                 decide();
+               else
+                 answers_->resolve(asked.ticket, answer_of({}, {answer.verdict, answer.reason}));
+             });
+}
+
 void operator_desk::log_out(const api_request& asked, const principal& who) {
   ask_bridge(asked, answer_timeout, operator_bridge::end_session{who},
              [this, asked](const operator_bridge::session_ended&) {
-               answers_->resolve(asked.ticket, {204,
-                                                {},
-                                                {},
-                                                {{"Set-Cookie", "godwit_session=; Path=/; Max-Age=0; HttpOnly; "
-                                                                "SameSite=Strict"}}});
+               answers_->resolve(asked.ticket, {204, {}, {}, {}}, waiting_answers::cookie::ends_session);
              });
 }
 
 void operator_desk::opened(const api_request& asked, const operator_bridge::session_answer& answer) {
   if (answer.is_open)
-    answers_->resolve(asked.ticket, answer_of(answer.who, answer.ends_ns, wall_ns(), 201), true);
+    answers_->resolve(asked.ticket, answer_of(answer.who, answer.ends_ns, wall_ns(), 201),
+                      waiting_answers::cookie::opens_session);
   else
     answers_->resolve(asked.ticket, problem(401, answer.reason));
 }
 
 void operator_desk::note_stranger(const api_request& asked, const std::string& what, const std::string& outcome) {
-  tell(bridge_, operator_bridge::audit_note{{asked.account.name, operators::role::viewer, {}}, what, outcome, {}});
+  tell(others_.bridge,
+       operator_bridge::audit_note{{asked.account.name, operators::role::viewer, {}}, what, outcome, {}});
 }
 
 } // namespace godwit::operator_port

@@ -1,6 +1,6 @@
 // Asks operator_bridge what a client of the operator's port wants, and answers it.
 //
-//   request ──who comes with this token?──> identity ──> command, control, audit, log out ──> answer
+//   request ──who comes with this token?──> identity ──> command, control, audit, points, log out ──> answer
 //            └─ a password that was right, a link ──> session_answer ──> answer with a cookie
 //
 // Who is not known is answered 401, and stands in the audit as a stranger. Errors: as answers with a problem document.
@@ -14,6 +14,7 @@
 
 #include "io/fields/field_table.hpp"
 #include "messages/operator_bridge/handle.hpp"
+#include "messages/scan_controller/handle.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
 #include "runtime/actor_base.hpp"
 
@@ -25,7 +26,10 @@ enum class api_act {
   view_control,
   change_control,
   read_audit,
+  list_points,
+  decide_point,
   log_out,
+  look,         // may this client look at all?
   open_session, // the password was right
   use_link,
   refuse_login, // it was not
@@ -38,7 +42,10 @@ constexpr auto enum_names(api_act) {
                              {api_act::view_control, "view_control"},
                              {api_act::change_control, "change_control"},
                              {api_act::read_audit, "read_audit"},
+                             {api_act::list_points, "list_points"},
+                             {api_act::decide_point, "decide_point"},
                              {api_act::log_out, "log_out"},
+                             {api_act::look, "look"},
                              {api_act::open_session, "open_session"},
                              {api_act::use_link, "use_link"},
                              {api_act::refuse_login, "refuse_login"},
@@ -54,6 +61,7 @@ struct api_request {
   operator_bridge::control_act act = operator_bridge::control_act::take; // change_control
   std::string to;                                                        // the same: hand_over
   std::uint32_t rows = 50;                                               // read_audit
+  scan_controller::decide_point decided;                                 // decide_point; without who does
   operator_bridge::account account;                                      // open_session; its name: refuse_login
   std::string new_token_hash;                                            // open_session, use_link
   std::string link_hash;                                                 // use_link
@@ -61,19 +69,26 @@ struct api_request {
       "operator_port.request", io::field("ticket", &api_request::ticket), io::field("what", &api_request::what),
       io::field("token_hash", &api_request::token_hash), io::field("from", &api_request::from),
       io::field("said", &api_request::said), io::field("act", &api_request::act), io::field("to", &api_request::to),
-      io::field("rows", &api_request::rows), io::field("account", &api_request::account),
-      io::field("new_token_hash", &api_request::new_token_hash), io::field("link_hash", &api_request::link_hash));
+      io::field("rows", &api_request::rows), io::field("decided", &api_request::decided),
+      io::field("account", &api_request::account), io::field("new_token_hash", &api_request::new_token_hash),
+      io::field("link_hash", &api_request::link_hash));
 };
 
 using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;
 using bridge_handle = runtime::combine<operator_bridge::desk_handle, operator_bridge::door_handle>;
+
+// Whom it asks.
+struct desk_peers {
+  bridge_handle bridge;
+  scan_controller::operator_handle points;
+};
 
 class operator_desk final : public runtime::actor_base<desk_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
   static constexpr std::chrono::seconds command_timeout{4}; // longer than operator_bridge takes
 
-  operator_desk(runtime::spawn_context context, bridge_handle bridge, std::shared_ptr<waiting_answers> answers);
+  operator_desk(runtime::spawn_context context, desk_peers others, std::shared_ptr<waiting_answers> answers);
   ~operator_desk() override;
 
 protected:
@@ -87,13 +102,15 @@ private:
   void view_control(const api_request& asked, const operators::principal& who);
   void change_control(const api_request& asked, const operators::principal& who);
   void read_audit(const api_request& asked, const operators::principal& who);
+  void list_points(const api_request& asked);
+  void decide_point(const api_request& asked, const operators::principal& who);
   void log_out(const api_request& asked, const operators::principal& who);
   void opened(const api_request& asked, const operator_bridge::session_answer& answer);
   void note_stranger(const api_request& asked, const std::string& what, const std::string& outcome);
   template <class Question, class OnAnswer>
   void ask_bridge(const api_request& asked, std::chrono::seconds patience, Question question, OnAnswer on_answer);
 
-  bridge_handle bridge_;
+  desk_peers others_;
   std::shared_ptr<waiting_answers> answers_;
 };
 

@@ -4,10 +4,15 @@
 #include <optional>
 #include <utility>
 
+#include <boost/asio/post.hpp>
+
+#include "io/http/server/identity.hpp"
 #include "io/http/server/server.hpp"
+#include "io/http/tls.hpp"
 #include "io/link/io_thread.hpp"
 #include "programs/godwitd/operator_port/client_table.hpp"
-#include "programs/godwitd/operator_port/router.hpp"
+#include "programs/godwitd/operator_port/host_check.hpp"
+#include "programs/godwitd/operator_port/own_addresses.hpp"
 
 namespace godwit::operator_port {
 namespace {
@@ -31,6 +36,7 @@ std::vector<header> security_headers() {
 constexpr std::size_t max_body_bytes = 64 * 1024;
 // A browser keeps six connections, and an address has eight places: those that say nothing are free again soon.
 constexpr std::chrono::seconds idle_timeout{5};
+constexpr std::chrono::seconds handshake_timeout{5}; // two ways there and back, of which each may be repeated
 
 io::http::server_settings settings_of(const settings& wanted) {
   io::http::server_settings result;
@@ -40,6 +46,7 @@ io::http::server_settings settings_of(const settings& wanted) {
   result.max_connections = wanted.max_clients;
   result.max_body_bytes = max_body_bytes;
   result.idle_timeout = idle_timeout;
+  result.handshake_timeout = handshake_timeout;
   return result;
 }
 
@@ -52,6 +59,12 @@ struct counter_row {
 constexpr counter_row counter_rows[] = {
     {"godwit_operator_port_connections_total", "Connections of clients.", &io::http::server_counters::accepted},
     {"godwit_operator_port_turned_away_total", "Connections above a bound.", &io::http::server_counters::turned_away},
+    {"godwit_operator_port_handshakes_total", "Handshakes of TLS that went well.",
+     &io::http::server_counters::handshakes},
+    {"godwit_operator_port_handshakes_failed_total", "Handshakes of TLS that did not.",
+     &io::http::server_counters::handshakes_failed},
+    {"godwit_operator_port_handshake_timeouts_total", "Handshakes of TLS that took too long.",
+     &io::http::server_counters::handshake_timeouts},
     {"godwit_operator_port_upgraded_total", "Connections that became WebSockets.",
      &io::http::server_counters::upgraded},
     {"godwit_operator_port_requests_total", "Requests.", &io::http::server_counters::requests},
@@ -67,19 +80,79 @@ struct port::parts {
   bool is_running = false;
   std::optional<router> routes;
   std::shared_ptr<client_table> clients;
+  io::http::tls_context tls; // null: plain HTTP
+  std::string fingerprint;
+  bool is_certificate_new = false;
   std::unique_ptr<io::http::server> server;
+
+  [[nodiscard]] tl::expected<void, std::string> begin_tls(const settings& wanted);
+  void guard(port_guards by);
 };
+
+namespace {
+
+// The names that a certificate of ours must have, so that a browser takes it for each under which we are asked.
+std::vector<std::string> names_of(const settings& wanted) {
+  std::vector<std::string> result{"localhost", "127.0.0.1", "::1"};
+  for (const auto& each : wanted.hosts)
+    result.emplace_back(without_brackets(each));
+  if (!wanted.is_local && wanted.host != "0.0.0.0" && wanted.host != "::")
+    result.push_back(wanted.host);
+  return result;
+}
+
+} // namespace
+
+tl::expected<void, std::string> port::parts::begin_tls(const settings& wanted) {
+  io::http::server_identity who;
+  if (!wanted.certificate_file.empty()) {
+    auto loaded = io::http::load_identity(wanted.certificate_file, wanted.key_file);
+    if (!loaded)
+      return tl::make_unexpected(loaded.error().message());
+    who = *std::move(loaded);
+  } else {
+    auto kept = io::http::keep_identity(wanted.identity_file, names_of(wanted), own_addresses());
+    if (!kept)
+      return tl::make_unexpected(kept.error().message());
+    who = std::move(kept->identity);
+    is_certificate_new = kept->is_new;
+  }
+  auto made = io::http::make_server_tls_context(who.certificate, who.key.revealed());
+  if (!made)
+    return tl::make_unexpected(made.error().message() +
+                               (wanted.certificate_file.empty()
+                                    ? std::string()
+                                    : " (" + wanted.certificate_file + ", " + wanted.key_file + ")"));
+  tls = *std::move(made);
+  fingerprint = io::http::fingerprint_of(who.certificate);
+  return {};
+}
+
+void port::parts::guard(port_guards by) {
+  routes->on_other_origin(std::move(by.on_other_origin));
+  if (!by.let_in)
+    return;
+  routes->guard([this, let_in = std::move(by.let_in)](const server_request& asked, responder answer,
+                                                      const std::function<void(responder)>& then) {
+    let_in(asked, std::move(answer), [this, then](responder whose) {
+      boost::asio::post(thread.context(),
+                        [then, kept = std::make_shared<responder>(std::move(whose))] { then(std::move(*kept)); });
+    });
+  });
+}
 
 port::port() : parts_(std::make_unique<parts>()) {}
 port::~port() { close(); }
 
 boost::asio::io_context& port::context() { return parts_->thread.context(); }
 
-tl::expected<void, std::string> port::open(const settings& wanted, route_list routes,
-                                           std::function<void()> on_other_origin) {
+tl::expected<void, std::string> port::open(const settings& wanted, route_list routes, port_guards by) {
   auto& p = *parts_;
-  p.routes.emplace(std::move(routes), wanted.hosts, false);
-  p.routes->on_other_origin(std::move(on_other_origin));
+  if (wanted.uses_tls)
+    if (auto begun = p.begin_tls(wanted); !begun)
+      return begun;
+  p.routes.emplace(std::move(routes), wanted.hosts, wanted.uses_tls);
+  p.guard(std::move(by));
   p.clients = std::make_shared<client_table>(wanted.max_clients, wanted.max_clients_an_address);
   io::http::server_hooks hooks;
   hooks.handle = [&p](server_request asked, responder answer) {
@@ -89,6 +162,8 @@ tl::expected<void, std::string> port::open(const settings& wanted, route_list ro
     return p.routes->max_body_bytes(method, target);
   };
   hooks.admit = [clients = p.clients](const boost::asio::ip::address& from) { return clients->admit(from); };
+  if (p.tls)
+    hooks.tls = [&p] { return p.tls.get(); };
   p.server = std::make_unique<io::http::server>(p.thread.context(), settings_of(wanted), std::move(hooks));
   if (const auto listening = p.server->listen(); !listening) {
     p.server.reset();
@@ -113,6 +188,13 @@ void port::close(const std::function<void()>& what) {
 
 std::string port::place() const { return parts_->server ? parts_->server->place() : std::string(); }
 
+std::string port::url() const {
+  return parts_->server ? (parts_->tls ? "https://" : "http://") + place() : std::string();
+}
+
+const std::string& port::fingerprint() const { return parts_->fingerprint; }
+bool port::is_certificate_new() const { return parts_->is_certificate_new; }
+
 void port::append_metrics(io::prometheus::text_writer& out) const {
   using io::prometheus::metric_kind;
   const auto& p = *parts_;
@@ -126,6 +208,7 @@ void port::append_metrics(io::prometheus::text_writer& out) const {
   out.add(refused.other_origin, {{"reason", "origin"}});
   out.add(refused.no_such_path, {{"reason", "path"}});
   out.add(refused.no_such_method, {{"reason", "method"}});
+  out.add(refused.not_let_in, {{"reason", "session"}});
 }
 
 } // namespace godwit::operator_port

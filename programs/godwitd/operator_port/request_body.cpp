@@ -44,6 +44,13 @@ struct control_fields {
       io::table("operator_port.control", io::field("act", &control_fields::act), io::field("to", &control_fields::to));
 };
 
+struct decision_body {
+  std::uint64_t point = 0;
+  std::optional<scan_controller::decision> decision;
+  static constexpr auto fields = io::table("operator_port.decision", io::field("point", &decision_body::point),
+                                           io::field("decision", &decision_body::decision));
+};
+
 tl::unexpected<body_problem> wrong(std::string place, std::string sentence) {
   return tl::make_unexpected(body_problem{std::move(place), std::move(sentence)});
 }
@@ -136,6 +143,17 @@ tl::expected<control_body, body_problem> read_control(std::string_view text) {
   if (!hands_over && !body->to.empty())
     return wrong("to", "only hand_over says to whom");
   return control_body{*body->act, std::move(body->to)};
+}
+
+tl::expected<scan_controller::decide_point, body_problem> read_decision(std::string_view text) {
+  auto body = read_body<decision_body>(text);
+  if (!body)
+    return tl::make_unexpected(std::move(body.error()));
+  if (body->point == 0)
+    return wrong("point", "the number of the point is missing");
+  if (!body->decision)
+    return wrong("decision", "confirm or decline is missing");
+  return scan_controller::decide_point{body->point, *body->decision, {}};
 }
 
 tl::expected<login_body, body_problem> read_login(std::string text) {

@@ -12,6 +12,7 @@
 #include "io/http/server/message.hpp"
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
+#include "messages/scan_controller/decision.hpp"
 
 namespace godwit::operator_port {
 
@@ -33,6 +34,9 @@ struct control_body {
 };
 // {"act": "hand_over", "to": "bob"}
 [[nodiscard]] tl::expected<control_body, body_problem> read_control(std::string_view body);
+
+// {"point": 3, "decision": "confirm"}
+[[nodiscard]] tl::expected<scan_controller::decide_point, body_problem> read_decision(std::string_view body);
 
 struct login_body {
   std::string name;

@@ -19,11 +19,16 @@ using io::http::responder;
 using io::http::server_request;
 using io::http::server_response;
 
+// From this computer itself all can be looked at. From elsewhere looking needs a session or a token, and what is `open`
+// looks after that itself, or is nothing but the page.
+enum class access { looking, open };
+
 struct route {
   std::string_view method; // GET answers HEAD as well
   std::string_view path;   // without the query; a segment {} stands for any one: "/api/v1/operators/{}"
   std::size_t max_body_bytes = 0;
   std::function<void(server_request asked, responder answer)> handle;
+  access who = access::looking;
 };
 
 using route_list = std::vector<route>;

@@ -1,9 +1,11 @@
 #include "programs/godwitd/operator_port/router.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "io/http/server/response_head.hpp"
+#include "io/http/url.hpp"
 #include "programs/godwitd/operator_port/host_check.hpp"
 
 namespace godwit::operator_port {
@@ -69,9 +71,20 @@ server_response router::refusal_of(const server_request& asked) {
   return result;
 }
 
+void router::let_in(const route& to, server_request asked, responder answer) {
+  if (to.who == access::open || io::http::names_this_computer(asked.from))
+    return to.handle(std::move(asked), std::move(answer));
+  if (!gate_) {
+    ++counts_.not_let_in;
+    return answer.send(problem_response(401, "From another computer nothing can be looked at here."));
+  }
+  auto shared = std::make_shared<server_request>(std::move(asked));
+  gate_(*shared, std::move(answer), [&to, shared](responder then) { to.handle(std::move(*shared), std::move(then)); });
+}
+
 void router::answer(server_request asked, responder answer) {
   const auto host = asked.find("Host");
-  if (!is_ours(host, hosts_)) {
+  if (!is_ours(host, asked.to, hosts_)) {
     ++counts_.other_host;
     return answer.send(problem_response(421, "This computer is not known under that name: ask for localhost, or have "
                                              "the name entered in operator.hosts of the configuration."));
@@ -79,11 +92,11 @@ void router::answer(server_request asked, responder answer) {
   if (!is_same_origin(asked.find("Origin"), host, is_secure_)) {
     ++counts_.other_origin;
     if (other_origin_)
-      other_origin_();
+      other_origin_(asked.from);
     return answer.send(problem_response(403, "Pages of other sites may ask for nothing here."));
   }
   if (const auto* const found = find(asked.method, asked.target))
-    return found->handle(std::move(asked), std::move(answer));
+    return let_in(*found, std::move(asked), std::move(answer));
   answer.send(refusal_of(asked));
 }
 

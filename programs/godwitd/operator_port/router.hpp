@@ -1,6 +1,7 @@
 // Who answers a request, or why nobody does.
 //
 //   421 the Host is not ours   403 the Origin is not the same   404 no such path   405 no such method there
+//   401 who asks from another computer is not known
 //
 // Thread: pure, but for counts(), which is that of the port.
 #pragma once
@@ -20,7 +21,11 @@ struct refusal_counts {
   std::uint64_t other_origin = 0;
   std::uint64_t no_such_path = 0;
   std::uint64_t no_such_method = 0;
+  std::uint64_t not_let_in = 0; // nobody could look after who asks
 };
+
+// Finds out whether who asks may look, and refuses it or calls THEN, in the thread of the port.
+using gate = std::function<void(const server_request& asked, responder answer, std::function<void(responder)> then)>;
 
 class router {
 public:
@@ -29,7 +34,9 @@ public:
       : routes_(std::move(routes)), hosts_(std::move(hosts)), is_secure_(is_secure) {}
 
   // THEN is called for each request from a page of another site, which is refused.
-  void on_other_origin(std::function<void()> then) { other_origin_ = std::move(then); }
+  void on_other_origin(std::function<void(const std::string& from)> then) { other_origin_ = std::move(then); }
+  // Without it nobody may look from another computer.
+  void guard(gate by) { gate_ = std::move(by); }
   void answer(server_request asked, responder answer);
   [[nodiscard]] std::size_t max_body_bytes(std::string_view method, std::string_view target) const;
   [[nodiscard]] const refusal_counts& counts() const { return counts_; }
@@ -38,12 +45,14 @@ private:
   [[nodiscard]] const route* find(std::string_view method, std::string_view target) const;
   [[nodiscard]] std::string methods_at(std::string_view target) const; // "GET, HEAD"; empty: there is no such path
   [[nodiscard]] server_response refusal_of(const server_request& asked);
+  void let_in(const route& to, server_request asked, responder answer);
 
   route_list routes_;
   std::vector<std::string> hosts_;
   bool is_secure_;
   refusal_counts counts_;
-  std::function<void()> other_origin_;
+  std::function<void(const std::string& from)> other_origin_;
+  gate gate_;
 };
 
 [[nodiscard]] std::string_view path_of(std::string_view target);

@@ -3,8 +3,7 @@
 #include <charconv>
 #include <sstream>
 
-#include <boost/asio/ip/address.hpp>
-
+#include "io/http/url.hpp"
 #include "programs/godwitd/operator_port/host_check.hpp"
 
 namespace godwit::operator_port {
@@ -15,12 +14,6 @@ constexpr std::size_t max_hosts = 16;
 tl::unexpected<std::string> mistake(std::string_view text) {
   return tl::make_unexpected("\"" + std::string(text) +
                              "\" is no address with a port; write one such as 127.0.0.1:8088 or [::1]:8088");
-}
-
-bool is_loopback(const std::string& host) {
-  boost::system::error_code failed;
-  const auto address = boost::asio::ip::make_address(host, failed);
-  return host == "localhost" || (!failed && address.is_loopback());
 }
 
 } // namespace
@@ -37,11 +30,17 @@ tl::expected<settings, std::string> read_listen(std::string_view text) {
   if (name.front() == '[')
     name = name.substr(1, name.size() - 2);
   result.host = name;
-  if (!is_loopback(result.host))
-    return tl::make_unexpected(result.host +
-                               " is reached from other computers, and the port has neither TLS nor accounts yet: "
-                               "name 127.0.0.1 or [::1], and bring it elsewhere by ssh -L");
+  result.is_local = io::http::names_this_computer(result.host);
+  result.uses_tls = !result.is_local;
   return result;
+}
+
+std::optional<std::string> objection_to(const settings& wanted, bool has_accounts) {
+  if (wanted.is_local || has_accounts)
+    return std::nullopt;
+  return wanted.host +
+         " is reached from other computers, and nobody has an account: make one with `godwitd operator add "
+         "NAME --role operator`, or name 127.0.0.1 and bring the port elsewhere by ssh -L";
 }
 
 tl::expected<std::vector<std::string>, std::string> read_hosts(const std::string& text) {

@@ -10,30 +10,52 @@ namespace godwit::operator_port {
 using io::http::problem_response;
 
 std::optional<std::uint64_t> waiting_answers::add(io::http::responder answer, io::http::secret_text new_token) {
+  return put({std::move(answer), std::move(new_token), {}});
+}
+
+std::optional<std::uint64_t> waiting_answers::add(io::http::responder answer,
+                                                  std::function<void(io::http::responder)> then) {
+  return put({std::move(answer), {}, {}, std::move(then)});
+}
+
+std::optional<std::uint64_t> waiting_answers::put(waiting one) {
   give_up_overdue();
   {
     const std::lock_guard guard(mutex_);
     if (waiting_.size() < max_waiting && !has_ended_) {
-      waiting_.emplace(++last_ticket_,
-                       waiting{std::move(answer), std::move(new_token), std::chrono::steady_clock::now() + patience});
+      one.until = std::chrono::steady_clock::now() + patience;
+      waiting_.emplace(++last_ticket_, std::move(one));
       return last_ticket_;
     }
   }
-  answer.send(problem_response(503, "too many requests wait for an answer; ask again in a moment"));
+  one.answer.send(problem_response(503, "too many requests wait for an answer; ask again in a moment"));
   return std::nullopt;
 }
 
-void waiting_answers::resolve(std::uint64_t ticket, io::http::server_response what, bool opens_session) {
+// RFC 6265, 4.1: with Secure a browser sends it by TLS alone.
+std::string waiting_answers::cookie_of(std::string_view token, bool ends) const {
+  return "godwit_session=" + std::string(token) + "; Path=/; HttpOnly; SameSite=Strict" +
+         (is_secure_ ? "; Secure" : "") + (ends ? "; Max-Age=0" : "");
+}
+
+void waiting_answers::resolve(std::uint64_t ticket, io::http::server_response what, cookie with) {
   std::unique_lock lock(mutex_);
   auto found = waiting_.extract(ticket);
   lock.unlock();
   if (found.empty())
     return;
   auto& each = found.mapped();
-  if (opens_session)
-    what.headers.push_back({"Set-Cookie", "godwit_session=" + std::string(each.new_token.revealed()) +
-                                              "; Path=/; HttpOnly; SameSite=Strict"});
+  if (with != cookie::none)
+    what.headers.push_back({"Set-Cookie", cookie_of(each.new_token.revealed(), with == cookie::ends_session)});
   each.answer.send(std::move(what));
+}
+
+void waiting_answers::let_go_on(std::uint64_t ticket) {
+  std::unique_lock lock(mutex_);
+  auto found = waiting_.extract(ticket);
+  lock.unlock();
+  if (!found.empty())
+    found.mapped().then(std::move(found.mapped().answer));
 }
 
 void waiting_answers::end() {

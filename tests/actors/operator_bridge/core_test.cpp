@@ -1,8 +1,11 @@
 // What operator_bridge decides about commands.
 #include "actors/operator_bridge/core.hpp"
 
+#include <tuple>
+
 #include <gtest/gtest.h>
 
+#include "actors/operator_bridge/presence.hpp"
 #include "tests/actors/operator_bridge/bridge_desk.hpp"
 
 namespace godwit::operator_bridge::tests {
@@ -64,6 +67,49 @@ TEST(operator_bridge_core,
   expect(early, verdict::refused);
   desk.pass(desk.set.session_idle_s * s);
   expect(desk.command(anna, command_kind::resume, "a9"), verdict::no_session); // expired
+}
+
+TEST(operator_bridge_core, leave_for_what_is_no_command_has_the_rules_of_one_and_a_refusal_is_one_row) {
+  bridge_desk desk;
+  const auto anna = desk.pilot();
+  const auto bob = desk.log_in("bob");
+  const auto eve = desk.log_in("eve", role::viewer);
+  const auto ask = [&](const operators::principal& by) {
+    const auto [wanted, answer] = desk.decides().on_leave({by, "confirm point 3"}, desk.now);
+    desk.carry_out(wanted);
+    return answer.verdict;
+  };
+  for (const auto& [by, wanted, rows] : {std::tuple(anna, verdict::taken, 0U),
+                                         {bob, verdict::no_control, 1U},
+                                         {eve, verdict::wrong_role, 1U},
+                                         {{"mallory", role::engineer, "s99"}, verdict::no_session, 1U},
+                                         {local(), verdict::no_control, 1U}}) {
+    const auto before = desk.rows();
+    EXPECT_EQ(ask(by), wanted) << by.name;
+    EXPECT_EQ(desk.rows(), before + rows) << by.name;
+  }
+  desk.pass(11 * s);
+  EXPECT_EQ(ask(local()), verdict::taken) << "nobody has control";
+}
+
+TEST(operator_bridge_core, an_operator_is_there_who_was_heard_within_ten_seconds_and_a_viewer_is_none) {
+  bridge_desk desk;
+  presence shown;
+  const auto is_there = [&] {
+    if (const auto heard = desk.decides().operator_heard_ns())
+      shown.hear(*heard);
+    return shown.is_there(desk.now.monotonic_ns);
+  };
+  const auto eve = desk.log_in("eve", role::viewer);
+  (void)desk.decides().on_identify({"hash of eve"}, desk.now);
+  EXPECT_FALSE(is_there());
+  const auto anna = desk.log_in("anna");
+  (void)desk.decides().on_identify({"hash of anna"}, desk.now);
+  EXPECT_TRUE(is_there());
+  desk.pass(10 * s);
+  EXPECT_TRUE(is_there());
+  desk.pass(1);
+  EXPECT_FALSE(is_there());
 }
 
 TEST(operator_bridge_core, hold_and_return_are_open_to_every_operator_and_go_out_before_they_are_written) {

@@ -1,6 +1,7 @@
 #include "actors/telemetry_stream/actor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -32,10 +33,26 @@ private:
   int* asked_;
 };
 
+class scan_stand_in final : public runtime::actor_base<
+                                runtime::mailbox<runtime::asks<scan_controller::get_points, scan_controller::points>>> {
+public:
+  scan_stand_in(runtime::spawn_context context, scan_controller::points* seen)
+      : actor_base(std::move(context)), seen_(seen) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<scan_controller::get_points>([this](const scan_controller::get_points&) { return *seen_; })};
+  }
+
+private:
+  scan_controller::points* seen_;
+};
+
 struct process {
   process() : world(disk, 1) {
     const auto others = std::make_shared<peers>();
     others->map = world.actors().add<map_stand_in>({.name = "map"}, {}, &asked);
+    others->points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &seen);
     who = world.actors().add<actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, {},
                                     std::shared_ptr<const peers>(others), all);
     world.start();
@@ -47,7 +64,15 @@ struct process {
       result.push_back(json::parse(*text).at("topic"));
     return result;
   }
+  std::vector<json> texts_of(subscriber& of, std::string_view topic) const {
+    std::vector<json> result;
+    while (const auto text = of.take())
+      if (auto said = json::parse(*text); said.at("topic") == topic)
+        result.push_back(std::move(said.at("data")));
+    return result;
+  }
   int asked = 0;
+  scan_controller::points seen;
   std::shared_ptr<hub> all = std::make_shared<hub>(1);
   runtime::simulated_disk disk;
   runtime::simulation world;
@@ -99,6 +124,30 @@ TEST(telemetry_stream, a_crash_loses_what_was_under_way_and_no_subscriber) {
   p.world.run_until_idle();
   const auto heard = p.topics_of(*place);
   EXPECT_EQ(std::ranges::count(heard, "flight"), 1);
+}
+
+TEST(telemetry_stream, who_comes_hears_all_points_of_interest_and_then_each_change_at_once) {
+  process p;
+  p.seen.shown.emplace_back().number = 3;
+  const auto place = p.all->subscribe({{topic::points, 0}}, [] {}).value();
+  p.world.advance(2500ms);
+  auto heard = p.texts_of(*place, "points");
+  ASSERT_FALSE(heard.empty());
+  EXPECT_EQ(heard.back().at("shown").at(0).at("number"), 3);
+  p.seen.shown.emplace_back().number = 4;
+  p.world.tell(p.who, scan_controller::point_shown{});
+  p.world.run_until_idle();
+  heard = p.texts_of(*place, "points");
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard[0].at("shown").size(), 2U);
+  p.seen.confirmed = std::exchange(p.seen.shown, {});
+  p.world.tell(p.who, scan_controller::point_closed{});
+  p.world.run_until_idle();
+  heard = p.texts_of(*place, "points");
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard[0].at("confirmed").size(), 2U);
+  p.world.advance(10s);
+  EXPECT_TRUE(p.texts_of(*place, "points").empty()) << "nothing has changed";
 }
 
 } // namespace

@@ -114,6 +114,11 @@ protected:
             on<ob::audit_note>([this](const ob::audit_note& m) { notes_->push_back(m); }),
             on<ob::make_link>([](const ob::make_link&) {
               return ob::link_answer{true, {}, 1};
+            }),
+            on_deferred<ob::ask_leave, ob::leave>([this](const ob::ask_leave& m, std::uint64_t request) {
+              if (*answers_)
+                answer_later(request, m.by.name == "bob" ? ob::leave{ob::verdict::no_control, "anna has control"}
+                                                         : ob::leave{ob::verdict::taken, {}});
             })};
   }
 
@@ -298,6 +303,19 @@ TEST(control_requests, points_are_listed_and_decided_about) {
   decision.decided.number = 9;
   EXPECT_EQ(process(true, true, true).ask(decision).at("error"), "no such point");
   EXPECT_EQ(process(true).ask(decision).at("ok"), false) << "on the ground nobody looks for points";
+}
+
+TEST(control_requests, about_a_point_decides_who_may_command_and_nobody_while_operator_bridge_does_not_answer) {
+  control_request decision;
+  decision.what = request_kind::decide_point;
+  decision.decided = {4, scan_controller::decision::confirm, "bob"};
+  decision.by = "bob";
+  process p(true, true, true);
+  EXPECT_EQ(p.ask(decision).at("error"), "anna has control");
+  EXPECT_TRUE(p.notes.empty()) << "operator_bridge has written its row";
+  decision.by = "anna";
+  p.bridge_answers = false;
+  EXPECT_NE(p.ask(decision).at("error").get<std::string>().find("operator_bridge"), std::string::npos);
 }
 
 TEST(control_requests, a_waypoint_is_inserted_at_a_point_that_a_person_has_confirmed_and_at_no_other) {

@@ -47,8 +47,36 @@ private:
   std::vector<operators::command>* heard_;
 };
 
+// Shows point 4, and closes it at the first decision.
+class scan_stand_in final : public runtime::actor_base<scan_controller::operator_handle> {
+public:
+  scan_stand_in(runtime::spawn_context context, std::vector<scan_controller::decide_point>* heard)
+      : actor_base(std::move(context)), heard_(heard) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<scan_controller::get_points>([](const scan_controller::get_points&) {
+              scan_controller::points result;
+              auto& shown = result.shown.emplace_back();
+              shown.number = 4;
+              shown.decide_within_ms = 30'000;
+              return result;
+            }),
+            on<scan_controller::decide_point>([this](const scan_controller::decide_point& m) {
+              if (m.number != 4)
+                return scan_controller::decide_answer{false, "there is no such point"};
+              heard_->push_back(m);
+              return scan_controller::decide_answer{true, {}};
+            })};
+  }
+
+private:
+  std::vector<scan_controller::decide_point>* heard_;
+};
+
 struct http_answer {
   unsigned status = 0;
+  std::string head;
   std::string cookie; // that it sets
   nlohmann::json body;
 };
@@ -57,21 +85,29 @@ class api_world {
 public:
   using headers = std::vector<std::pair<std::string, std::string>>;
 
-  api_world() : world(disk, 1) {
+  explicit api_world(bool is_secure = false) : world(disk, 1) {
     keeper = *accounts::account_keeper::open(folder.file("operators"));
     const auto executor = world.actors().add<executor_stand_in>({.name = "executor"}, {}, &obeyed);
     bridge = world.actors().add<operator_bridge::actor>({.name = "operator_bridge"}, {}, operator_bridge::settings{},
                                                         operator_bridge::executor_handle(executor));
-    answers = std::make_shared<waiting_answers>();
-    desk = world.actors().add<operator_desk>({.name = "operator_desk"}, {}, bridge_handle(bridge), answers);
+    points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &decided);
+    answers = std::make_shared<waiting_answers>(is_secure);
+    desk = world.actors().add<operator_desk>({.name = "operator_desk"}, {}, desk_peers{bridge, points}, answers);
     world.start();
     world.run_until_idle();
     const auto tell = [this](api_request asked) { world.tell(desk, std::move(asked)); };
     api = std::make_shared<operator_api>(answers, *keeper, tell);
-    routes = std::make_unique<router>(routes_of(api), std::vector<std::string>{}, false);
-    routes->on_other_origin([this] { api->note_other_origin(); });
+    auto list = routes_of(api);
+    list.push_back({"GET", "/look", 0, [](const server_request&, responder answer) { answer.send({.body = "{}"}); }});
+    routes = std::make_unique<router>(std::move(list), std::vector<std::string>{}, false);
+    routes->guard([this](const server_request& asked, responder answer, std::function<void(responder)> then) {
+      api->admit(asked, std::move(answer), std::move(then));
+    });
+    routes->on_other_origin([this](const std::string& whose) { api->note_other_origin(whose); });
     io::http::server_hooks hooks;
     hooks.handle = [this](server_request asked, responder answer) {
+      if (!from.empty())
+        asked.from = from;
       routes->answer(std::move(asked), std::move(answer));
     };
     server = std::make_unique<io::http::server>(context, io::http::server_settings{}, std::move(hooks));
@@ -135,11 +171,14 @@ public:
     return result;
   }
 
+  std::string from; // where requests come from; empty: this computer
   test::scratch folder;
   runtime::simulated_disk disk;
   runtime::simulation world;
   std::vector<operators::command> obeyed;
+  std::vector<scan_controller::decide_point> decided;
   operator_bridge::own_handle bridge;
+  scan_controller::operator_handle points;
   desk_inlet desk;
   std::unique_ptr<accounts::account_keeper> keeper;
   std::shared_ptr<waiting_answers> answers;
@@ -154,6 +193,7 @@ private:
     const auto end = text.find("\r\n\r\n");
     if (text.size() < 12 || end == std::string::npos)
       return result;
+    result.head = text.substr(0, end);
     result.status = static_cast<unsigned>(std::stoi(text.substr(9, 3)));
     constexpr std::string_view name = "Set-Cookie: godwit_session=";
     if (const auto found = text.find(name); found != std::string::npos && found < end)

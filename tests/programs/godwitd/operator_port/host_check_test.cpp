@@ -19,10 +19,12 @@ TEST(host_check, a_name_is_what_stands_before_the_port) {
 TEST(host_check, this_computer_and_the_names_of_the_settings_are_ours_and_no_others) {
   const std::vector<std::string> others{"drone.local"};
   for (const auto* ours : {"localhost", "LOCALHOST:1", "127.0.0.1:8088", "[::1]:9", "Drone.Local:8088"})
-    EXPECT_TRUE(is_ours(ours, others)) << ours;
+    EXPECT_TRUE(is_ours(ours, "", others)) << ours;
+  EXPECT_TRUE(is_ours("192.168.7.7:8443", "192.168.7.7", others));
+  EXPECT_TRUE(is_ours("[fd00::7]:8443", "fd00::7", others));
   for (const auto* strange : {"", "evil.example", "drone.local.evil.example", "127.0.0.1.evil.example:8088",
                               "localhost.", "127.0.0.2", "user@localhost", " localhost"})
-    EXPECT_FALSE(is_ours(strange, others)) << strange;
+    EXPECT_FALSE(is_ours(strange, "192.168.7.7", others)) << strange;
 }
 
 TEST(host_check, a_page_of_the_same_host_and_port_may_ask_and_who_is_no_page) {

@@ -1,4 +1,7 @@
-// config/operator_port.openapi.json says what the port does: the same routes, and the fields that it really sends.
+// config/operator_port.openapi.json says what the port does: the same routes, the fields that it really sends, and
+// answers as they really are.
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <set>
 
@@ -7,8 +10,11 @@
 
 #include "actors/health/report.hpp"
 #include "io/fields/json_schema.hpp"
+#include "io/json_schema/compiled_schema.hpp"
+#include "programs/godwitd/operator_port/operator_routes.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
+#include "tests/programs/godwitd/operator_port/api_world.hpp"
 
 namespace {
 
@@ -27,7 +33,7 @@ std::set<std::string> served() {
       std::make_shared<view_api>(io, view_parts{std::make_shared<health::report_port>(), {}, {}, nullptr});
   const auto stream = std::make_shared<stream_api>(io, std::make_shared<telemetry_stream::hub>());
   std::set<std::string> result;
-  for (const auto& routes : {view->routes(), stream->routes()})
+  for (const auto& routes : {view->routes(), stream->routes(), routes_of(nullptr)})
     for (const auto& each : routes)
       result.insert(std::string(each.method) + " " + std::string(each.path));
   return result;
@@ -66,6 +72,84 @@ void expect_covers(const json& described_type, const json& sent, const std::stri
   }
 }
 
+// WHAT with all that it refers to put in its place.
+json resolved(const json& what, const json& api) {
+  if (what.is_object() && what.contains("$ref"))
+    return resolved(api.at(json::json_pointer(what.at("$ref").get<std::string>().substr(1))), api);
+  auto result = what;
+  if (result.is_structured())
+    for (auto& each : result)
+      each = resolved(each, api);
+  return result;
+}
+
+// Whether ANSWER is one that is described for this call.
+void expect_described(const tests::http_answer& answer, const std::string& method, const std::string& path) {
+  static const auto api = described();
+  const auto where = method + " " + path + " " + std::to_string(answer.status) + " " + answer.body.dump();
+  const auto& responses = api.at("paths").at(path).at(method).at("responses");
+  ASSERT_TRUE(responses.contains(std::to_string(answer.status))) << where;
+  const auto response = resolved(responses.at(std::to_string(answer.status)), api);
+  if (!response.contains("content"))
+    return EXPECT_TRUE(answer.body.is_discarded()) << where;
+  const auto* const type = answer.status < 300 ? "application/json" : "application/problem+json";
+  ASSERT_NE(answer.head.find("Content-Type: " + std::string(type)), std::string::npos) << where << answer.head;
+  const io::schemas::compiled_schema schema(response.at("content").at(type).at("schema"));
+  for (const auto& each : schema.problems_of(answer.body, 3))
+    ADD_FAILURE() << where << ": " << each.what << ", " << each.allowed;
+}
+
+TEST(operator_port_openapi, describes_what_is_really_answered) {
+  tests::api_world world;
+  const auto anna = world.log_in("anna", operators::role::operator_);
+  const auto eve = world.log_in("eve", operators::role::viewer);
+  const auto ask = [&](const std::string& who, const std::string& method, const std::string& target, unsigned status,
+                       const json& body = nullptr) {
+    const auto answer = world.ask_as(who, method, target, body);
+    EXPECT_EQ(answer.status, status) << method << " " << target << " " << answer.body.dump();
+    std::string lower = method;
+    std::ranges::transform(lower, lower.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    expect_described(answer, lower, target.substr(0, target.find('?')));
+  };
+  const json place{{"latitude", 47.4}, {"longitude", 8.5}, {"altitude_m", 40}};
+  const auto go_to = [&](const char* id) {
+    auto said = world.command("go_to", id);
+    said["place"] = place;
+    return said;
+  };
+  ask(anna, "GET", "/api/v1/control", 200);
+  ask(anna, "POST", "/api/v1/commands", 423, world.command("start", "a0"));
+  ask(anna, "POST", "/api/v1/control", 200, {{"act", "take"}});
+  ask(anna, "GET", "/api/v1/control", 200);
+  ask(eve, "POST", "/api/v1/control", 409, {{"act", "take"}});
+  ask(anna, "POST", "/api/v1/control", 400, {{"act", "seize"}});
+  ask(anna, "POST", "/api/v1/control", 415);
+  ask(anna, "POST", "/api/v1/commands", 200, go_to("a1"));
+  ask(anna, "POST", "/api/v1/commands", 422, world.command("start", "a1"));
+  auto late = world.command("resume", "a2");
+  late["valid_until"] = world.utc_in(-1);
+  ask(anna, "POST", "/api/v1/commands", 408, late);
+  auto stale = world.command("resume", "a3");
+  stale["state"] = "another";
+  ask(anna, "POST", "/api/v1/commands", 412, stale);
+  ask(eve, "POST", "/api/v1/commands", 403, world.command("pause", "e1"));
+  ask("nobody", "POST", "/api/v1/commands", 401, world.command("pause", "n1"));
+  ask(anna, "POST", "/api/v1/commands", 400, {{"command", "start"}});
+  ask(eve, "GET", "/api/v1/points", 200);
+  ask(anna, "POST", "/api/v1/points", 409, {{"point", 9}, {"decision", "confirm"}});
+  ask(anna, "POST", "/api/v1/points", 200, {{"point", 4}, {"decision", "confirm"}});
+  ask(eve, "POST", "/api/v1/points", 403, {{"point", 4}, {"decision", "confirm"}});
+  ask(anna, "POST", "/api/v1/points", 400, {{"point", 4}});
+  ask(anna, "GET", "/api/v1/audit?rows=5", 200);
+  ask(anna, "GET", "/api/v1/audit?rows=0", 400);
+  ask(eve, "GET", "/api/v1/audit", 403);
+  ask(anna, "GET", "/api/v1/session", 200);
+  ask("nobody", "POST", "/api/v1/session", 401, {{"link", "none"}});
+  ask("nobody", "POST", "/api/v1/session", 400, {{"name", "anna"}});
+  ask(anna, "DELETE", "/api/v1/session", 204);
+  ask(anna, "GET", "/api/v1/session", 401);
+}
+
 TEST(operator_port_openapi, describes_the_routes_that_there_are_and_no_others) {
   EXPECT_EQ(described_routes(), served());
 }
@@ -89,7 +173,8 @@ TEST(operator_port_openapi, describes_each_topic_of_the_stream) {
                                                {ts::topic::progress, io::json_schema<ts::progress_update>()},
                                                {ts::topic::map, io::json_schema<mapobjects_store::map_status>()},
                                                {ts::topic::health, io::json_schema<health::health_status>()},
-                                               {ts::topic::log, io::json_schema<ts::log_update>()}};
+                                               {ts::topic::log, io::json_schema<ts::log_update>()},
+                                               {ts::topic::points, io::json_schema<ts::points_update>()}};
   EXPECT_EQ(std::size(topics), ts::topic_count);
   for (const auto& [topic, sent] : topics)
     expect_covers(schemas.at("topic_" + std::string(io::name_of(topic))), sent, std::string(io::name_of(topic)));

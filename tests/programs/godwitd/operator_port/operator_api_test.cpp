@@ -19,6 +19,7 @@ using operators::role;
 
 constexpr const char* commands = "/api/v1/commands";
 constexpr const char* control = "/api/v1/control";
+constexpr const char* points = "/api/v1/points";
 constexpr const char* session = "/api/v1/session";
 
 std::string pilot(api_world& world, const std::string& name = "anna") {
@@ -128,6 +129,76 @@ TEST(operator_api, control_is_taken_shown_and_given) {
   EXPECT_EQ(refused.body.at("holder"), "anna");
   EXPECT_EQ(world.ask_as(anna, "POST", control, {{"act", "hand_over"}, {"to", "bob"}}).status, 200U);
   EXPECT_EQ(world.ask_as(bob, "POST", control, {{"act", "give"}}).body.at("holder"), "");
+}
+
+TEST(operator_api, points_of_interest_are_shown_to_who_is_logged_in) {
+  api_world world;
+  const auto seen = world.ask_as(world.log_in("eve", role::viewer), "GET", points);
+  EXPECT_EQ(seen.status, 200U);
+  EXPECT_EQ(seen.body.at("is_looking"), true);
+  EXPECT_EQ(seen.body.at("shown").at(0).at("number"), 4);
+  EXPECT_EQ(world.ask("GET", points).status, 401U);
+}
+
+TEST(operator_api, a_decision_about_a_point_is_taken_from_who_has_control_and_each_has_one_audit_row) {
+  api_world world;
+  const auto anna = pilot(world);
+  const auto bob = world.log_in("bob", role::operator_);
+  const auto eve = world.log_in("eve", role::viewer);
+  const nlohmann::json confirm{{"point", 4}, {"decision", "confirm"}};
+  const auto expect = [&](const std::string& who, const nlohmann::json& body, unsigned status, std::size_t decided) {
+    const auto rows = world.rows();
+    const auto answer = world.ask_as(who, "POST", points, body);
+    EXPECT_EQ(answer.status, status) << answer.body.dump();
+    EXPECT_EQ(world.rows(), rows + 1) << answer.body.dump();
+    EXPECT_EQ(world.decided.size(), decided);
+  };
+  expect("nobody", confirm, 401, 0);
+  expect(eve, confirm, 403, 0);
+  expect(bob, confirm, 423, 0);
+  expect(anna, {{"point", 5}, {"decision", "decline"}}, 409, 0);
+  expect(anna, confirm, 200, 1);
+  EXPECT_EQ(world.decided.at(0).by, "anna");
+  EXPECT_EQ(world.ask_as(anna, "POST", points, {{"point", 4}}).body.at("place"), "decision");
+  EXPECT_EQ(world.ask_as(anna, "POST", points, {{"decision", "confirm"}}).body.at("place"), "point");
+}
+
+TEST(operator_api, over_tls_the_cookie_is_for_tls_alone_and_at_the_logout_it_is_taken_back) {
+  api_world world(true);
+  (void)world.world.ask(world.bridge, 1s,
+                        operator_bridge::make_link{{"desk", role::engineer, std::string(operators::local_session)},
+                                                   accounts::hash_of_token("the link")});
+  world.world.run_until_idle();
+  const auto opened = world.ask("POST", session, {{"link", "the link"}});
+  EXPECT_NE(opened.head.find("; Secure"), std::string::npos) << opened.head;
+  EXPECT_NE(opened.head.find("HttpOnly; SameSite=Strict"), std::string::npos) << opened.head;
+  const auto ended = world.ask_as(opened.cookie, "DELETE", session);
+  EXPECT_NE(ended.head.find("godwit_session=; Path=/; HttpOnly; SameSite=Strict; Secure; Max-Age=0"),
+            std::string::npos);
+  EXPECT_EQ(api_world().ask("POST", session, {{"link", "none"}}).head.find("Secure"), std::string::npos);
+}
+
+TEST(operator_api, from_another_computer_looking_needs_a_session_or_a_token) {
+  api_world world;
+  world.from = "192.168.7.9";
+  const auto eve = world.log_in("eve", role::viewer);
+  EXPECT_EQ(world.ask("GET", "/look").status, 401U);
+  EXPECT_EQ(world.ask_as("nonsense", "GET", "/look").status, 401U);
+  EXPECT_EQ(world.ask_as(eve, "GET", "/look").status, 200U);
+  EXPECT_EQ(world.ask("GET", session).status, 401U) << "of which each looks after the session itself";
+  world.world.advance(31min);
+  EXPECT_EQ(world.ask_as(eve, "GET", "/look").status, 401U) << "the session is over";
+}
+
+TEST(operator_api, the_audit_has_the_address_of_who_logs_in) {
+  api_world world;
+  world.from = "192.168.7.9";
+  EXPECT_EQ(world.ask("POST", session, {{"link", "none"}}).status, 401U);
+  const auto anna = pilot(world);
+  const auto rows = world.ask_as(anna, "GET", "/api/v1/audit").body.at("rows");
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& each) {
+    return each.at("what") == "log in by link from 192.168.7.9";
+  })) << rows.dump();
 }
 
 TEST(operator_api, the_audit_is_for_operators) {

@@ -2,12 +2,18 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 
 #include <atomic>
+#include <fstream>
+#include <future>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/http/client.hpp"
+#include "io/http/secret_file.hpp"
+#include "io/http/server/identity.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
 #include "tests/io/http/server/server_fixture.hpp"
+#include "tests/programs/godwitd/scratch.hpp"
 
 namespace {
 
@@ -130,6 +136,68 @@ TEST_F(open_port, an_address_has_eight_clients_and_a_place_is_free_when_one_has_
       return;
   }
   FAIL() << "the place was never free";
+}
+
+// With TLS and a certificate of its own, and a client that knows it.
+struct secure_port {
+  explicit secure_port(settings wanted) : opened(port.open(wanted, {{"GET", "/", 0, say_it}})) {
+    const auto place = port.place();
+    if (opened)
+      url = "https://localhost" + place.substr(place.find(':'));
+  }
+  ~secure_port() { port.close(); }
+  static void say_it(const server_request& asked, responder answer) { answer.send({.body = asked.from}); }
+  static settings wanted(const std::string& identity_file) {
+    settings result{.host = "127.0.0.1", .port = 0, .hosts = {"drone.local"}};
+    result.uses_tls = true;
+    result.identity_file = identity_file;
+    return result;
+  }
+  class port port;
+  tl::expected<void, std::string> opened;
+  std::string url;
+};
+
+TEST(operator_port_tls, makes_its_certificate_once_and_says_its_fingerprint) {
+  const test::scratch folder;
+  const auto wanted = secure_port::wanted(folder.file("godwit.tls"));
+  std::string fingerprint;
+  {
+    secure_port first(wanted);
+    ASSERT_TRUE(first.opened) << first.opened.error();
+    EXPECT_TRUE(first.port.is_certificate_new());
+    EXPECT_TRUE(first.port.url().starts_with("https://127.0.0.1:"));
+    fingerprint = first.port.fingerprint();
+    io::http::settings as_client;
+    as_client.base_url = first.url;
+    as_client.ca_file = folder.file("godwit.tls"); // what it has of keys is passed over
+    std::promise<std::string> heard;
+    auto client = io::http::client::open(as_client).value();
+    (void)client->send({}, [&](const io::http::result<io::http::response>& end) {
+      heard.set_value(end ? end->body : end.error().message());
+    });
+    EXPECT_EQ(heard.get_future().get(), "127.0.0.1");
+  }
+  secure_port second(wanted);
+  EXPECT_FALSE(second.port.is_certificate_new());
+  EXPECT_EQ(second.port.fingerprint(), fingerprint);
+}
+
+TEST(operator_port_tls, a_certificate_or_key_that_can_not_be_used_is_named_and_the_port_stays_closed) {
+  const test::scratch folder;
+  auto wanted = secure_port::wanted({});
+  wanted.certificate_file = folder.file("none.pem");
+  wanted.key_file = folder.file("none.key");
+  const secure_port unreadable(wanted);
+  ASSERT_FALSE(unreadable.opened);
+  EXPECT_NE(unreadable.opened.error().find("none.pem"), std::string::npos);
+  const auto one = io::http::make_identity({"localhost"}).value();
+  const auto other = io::http::make_identity({"localhost"}).value();
+  std::ofstream(wanted.certificate_file) << one.certificate;
+  ASSERT_TRUE(io::http::store_secret_file(wanted.key_file, other.key.revealed(), io::http::errc::invalid_settings));
+  const secure_port not_matching(wanted);
+  ASSERT_FALSE(not_matching.opened);
+  EXPECT_NE(not_matching.opened.error().find("none.key"), std::string::npos) << not_matching.opened.error();
 }
 
 TEST_F(open_port, a_port_that_is_taken_is_named_with_the_remedy) {

@@ -16,13 +16,24 @@ TEST(operator_port_settings, an_address_of_this_computer_itself_and_a_port) {
     EXPECT_FALSE(read_listen(wrong)) << wrong;
 }
 
-TEST(operator_port_settings, beyond_this_computer_it_does_not_listen_without_tls_and_accounts) {
+TEST(operator_port_settings, beyond_this_computer_it_speaks_tls) {
   for (const auto* open : {"0.0.0.0:8088", "[::]:8088", "192.168.1.5:8088", "drone.local:8088"}) {
     const auto read = read_listen(open);
-    ASSERT_FALSE(read) << open;
-    EXPECT_NE(read.error().find("neither TLS nor accounts"), std::string::npos) << read.error();
-    EXPECT_NE(read.error().find("127.0.0.1"), std::string::npos) << "what to do";
+    ASSERT_TRUE(read) << open;
+    EXPECT_FALSE(read->is_local) << open;
+    EXPECT_TRUE(read->uses_tls) << open;
   }
+  EXPECT_TRUE(read_listen("[::1]:8088")->is_local);
+  EXPECT_FALSE(read_listen("127.0.0.7:8088")->uses_tls);
+}
+
+TEST(operator_port_settings, beyond_this_computer_it_needs_an_account_and_both_remedies_are_said) {
+  const auto open = *read_listen("0.0.0.0:8443");
+  EXPECT_FALSE(objection_to(open, true));
+  const auto said = objection_to(open, false).value_or("");
+  EXPECT_NE(said.find("godwitd operator add"), std::string::npos) << said;
+  EXPECT_NE(said.find("127.0.0.1"), std::string::npos) << said;
+  EXPECT_FALSE(objection_to(*read_listen("127.0.0.1:8088"), false));
 }
 
 TEST(operator_port_settings, further_names_stand_between_spaces_without_ports) {

@@ -1,0 +1,26 @@
+# The modules of OpenCV 4.6 that godwit uses, as Debian packages them one by one: the file that OpenCV itself gives to CMake
+# is in the package with all modules. Provides OpenCV::core and the other components asked for.
+find_path(OpenCV_INCLUDE_DIR NAMES opencv2/core.hpp PATH_SUFFIXES opencv4)
+if(OpenCV_INCLUDE_DIR)
+  file(STRINGS "${OpenCV_INCLUDE_DIR}/opencv2/core/version.hpp" opencv_version_lines
+       REGEX "#define CV_VERSION_(MAJOR|MINOR|REVISION) ")
+  string(REGEX REPLACE "[^0-9;]" "" OpenCV_VERSION "${opencv_version_lines}")
+  list(JOIN OpenCV_VERSION "." OpenCV_VERSION)
+endif()
+foreach(component ${OpenCV_FIND_COMPONENTS})
+  find_library(OpenCV_${component}_LIBRARY NAMES opencv_${component})
+  if(OpenCV_${component}_LIBRARY)
+    set(OpenCV_${component}_FOUND TRUE)
+  endif()
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenCV REQUIRED_VARS OpenCV_INCLUDE_DIR VERSION_VAR OpenCV_VERSION HANDLE_COMPONENTS)
+if(OpenCV_FOUND)
+  foreach(component ${OpenCV_FIND_COMPONENTS})
+    if(NOT TARGET OpenCV::${component})
+      add_library(OpenCV::${component} UNKNOWN IMPORTED)
+      set_target_properties(OpenCV::${component} PROPERTIES IMPORTED_LOCATION "${OpenCV_${component}_LIBRARY}"
+                            INTERFACE_INCLUDE_DIRECTORIES "${OpenCV_INCLUDE_DIR}")
+    endif()
+  endforeach()
+endif()

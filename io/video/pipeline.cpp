@@ -1,0 +1,257 @@
+#include "io/video/pipeline.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <mutex>
+#include <utility>
+
+#include <gst/app/gstappsink.h>
+#include <gst/gst.h>
+#include <gst/video/video.h>
+#include <unistd.h>
+
+namespace godwit::io::video {
+namespace {
+
+constexpr int rtsp_latency_ms = 100;
+
+struct unref {
+  void operator()(GstElement* each) const { gst_object_unref(each); }
+  void operator()(GstBus* each) const { gst_object_unref(each); }
+  void operator()(GstSample* each) const { gst_sample_unref(each); }
+  void operator()(GstMessage* each) const { gst_message_unref(each); }
+  void operator()(GError* each) const { g_error_free(each); }
+};
+template <class T>
+using owned = std::unique_ptr<T, unref>;
+
+std::int64_t monotonic_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+// A picture that GStreamer keeps as long as somebody holds it.
+struct mapped_picture {
+  owned<GstSample> sample;
+  GstVideoFrame video{};
+  bool is_mapped = false;
+  mapped_picture(owned<GstSample> from, GstVideoInfo* info) : sample(std::move(from)) {
+    is_mapped = gst_video_frame_map(&video, info, gst_sample_get_buffer(sample.get()), GST_MAP_READ) == TRUE;
+  }
+  ~mapped_picture() {
+    if (is_mapped)
+      gst_video_frame_unmap(&video);
+  }
+  mapped_picture(const mapped_picture&) = delete;
+  mapped_picture& operator=(const mapped_picture&) = delete;
+};
+
+std::optional<frame> frame_of(owned<GstSample> sample) {
+  GstVideoInfo info{};
+  auto* const caps = gst_sample_get_caps(sample.get());
+  if (caps == nullptr || gst_video_info_from_caps(&info, caps) == FALSE ||
+      GST_VIDEO_INFO_FORMAT(&info) != GST_VIDEO_FORMAT_I420)
+    return std::nullopt;
+  const auto mapped = std::make_shared<mapped_picture>(std::move(sample), &info);
+  if (!mapped->is_mapped)
+    return std::nullopt;
+  frame result;
+  result.captured_ns = monotonic_ns();
+  result.width = GST_VIDEO_FRAME_WIDTH(&mapped->video);
+  result.height = GST_VIDEO_FRAME_HEIGHT(&mapped->video);
+  for (std::size_t i = 0; i < result.planes.size(); ++i) {
+    const auto number = static_cast<guint>(i);
+    result.planes.at(i) = {static_cast<const std::uint8_t*>(GST_VIDEO_FRAME_PLANE_DATA(&mapped->video, number)),
+                           static_cast<std::size_t>(GST_VIDEO_FRAME_PLANE_STRIDE(&mapped->video, number))};
+  }
+  result.owner = mapped;
+  return result;
+}
+
+std::string size_caps(const camera_uri& from) {
+  std::string result = "video/x-raw";
+  if (from.width_px != 0)
+    result += ",width=" + std::to_string(from.width_px) + ",height=" + std::to_string(from.height_px);
+  if (from.frames_per_s != 0)
+    result += ",framerate=" + std::to_string(from.frames_per_s) + "/1";
+  return result;
+}
+
+// Texts of people stand in none of these: they are set as properties.
+std::string description_of(const camera_uri& from, bool is_paced) {
+  const std::string end = " ! videoconvert ! video/x-raw,format=I420 ! appsink name=sink enable-last-sample=false" +
+                          std::string(is_paced ? " max-buffers=1 drop=true" : " max-buffers=4 drop=false") +
+                          (from.kind == camera_kind::file && is_paced ? " sync=true" : " sync=false");
+  switch (from.kind) {
+  case camera_kind::device:
+    return from.width_px == 0 ? "v4l2src name=source ! decodebin" + end
+                              : "v4l2src name=source ! decodebin ! videoscale ! videorate ! " + size_caps(from) + end;
+  case camera_kind::test:
+    return "videotestsrc name=source is-live=true ! capsfilter name=shape caps=" + size_caps(from) + end;
+  case camera_kind::network:
+  case camera_kind::file:
+    break;
+  }
+  return "uridecodebin name=source" + end;
+}
+
+// By TCP: a picture is whole, and no fire wall is in the way. Old pictures are of no use.
+void set_up_source(GstElement* /*bin*/, GstElement* made, gpointer /*data*/) {
+  if (g_object_class_find_property(G_OBJECT_GET_CLASS(made), "drop-on-latency") == nullptr)
+    return; // it is not rtspsrc
+  g_object_set(made, "latency", rtsp_latency_ms, "drop-on-latency", TRUE, nullptr);
+  gst_util_set_object_arg(G_OBJECT(made), "protocols", "tcp");
+}
+
+std::string why_no_device(const std::string& path) {
+  if (::access(path.c_str(), F_OK) != 0)
+    return "there is no " + path + ": connect the camera, or set camera.uri to the device that it has";
+  if (::access(path.c_str(), R_OK | W_OK) != 0)
+    return path + " may not be used: " + std::strerror(errno) + "; the user of godwitd has to be in the group video";
+  return {};
+}
+
+std::string why_no_file(const std::string& uri) {
+  const auto path = uri.substr(std::strlen("file://"));
+  return ::access(path.c_str(), R_OK) == 0 ? std::string() : path + " can not be read: " + std::strerror(errno);
+}
+
+std::string sentence_of(const GError& error) {
+  std::string text = error.message;
+  if (error.domain == GST_RESOURCE_ERROR && error.code == GST_RESOURCE_ERROR_BUSY)
+    return "the camera is in use by another program: " + text;
+  if (error.domain == GST_RESOURCE_ERROR && error.code == GST_RESOURCE_ERROR_NOT_AUTHORIZED)
+    return "the camera wants another name or password: " + text;
+  if (error.domain == GST_CORE_ERROR && error.code == GST_CORE_ERROR_MISSING_PLUGIN)
+    return "GStreamer has no decoder for these pictures (H.264 and H.265 need the package gstreamer1.0-libav): " + text;
+  if (error.domain == GST_STREAM_ERROR && error.code == GST_STREAM_ERROR_CODEC_NOT_FOUND)
+    return "GStreamer has no decoder for these pictures (H.264 and H.265 need the package gstreamer1.0-libav): " + text;
+  if (error.domain == GST_STREAM_ERROR)
+    return "what comes is no video that can be shown: " + text;
+  return text;
+}
+
+} // namespace
+
+struct pipeline::parts {
+  camera_uri from;
+  picture_taker on_picture;
+  owned<GstElement> whole;
+  owned<GstBus> bus;
+  std::int64_t taken = 0; // of a test; in the one thread that brings pictures
+
+  void play_test() {
+    ++taken;
+    if (from.resize_after != 0 && taken == from.resize_after) {
+      const owned<GstElement> shape(gst_bin_get_by_name(GST_BIN(whole.get()), "shape"));
+      auto smaller = from;
+      smaller.width_px = from.width_px / 4 * 2;
+      smaller.height_px = from.height_px / 4 * 2;
+      gst_util_set_object_arg(G_OBJECT(shape.get()), "caps", size_caps(smaller).c_str());
+    }
+  }
+};
+
+namespace {
+
+// What the callback needs, without the private type.
+struct taker {
+  std::function<bool(owned<GstSample>)> take;
+};
+
+GstFlowReturn take_sample(GstAppSink* sink, gpointer data) {
+  owned<GstSample> sample(gst_app_sink_pull_sample(sink));
+  if (sample == nullptr)
+    return GST_FLOW_EOS;
+  return static_cast<taker*>(data)->take(std::move(sample)) ? GST_FLOW_OK : GST_FLOW_ERROR;
+}
+
+void forget(gpointer data) { std::unique_ptr<taker>(static_cast<taker*>(data)).reset(); }
+
+void set_properties(const camera_uri& from, GstElement* made) {
+  switch (from.kind) {
+  case camera_kind::device:
+    g_object_set(made, "device", from.where.c_str(), nullptr);
+    return;
+  case camera_kind::test:
+    gst_util_set_object_arg(G_OBJECT(made), "pattern", from.where.c_str());
+    if (from.stop_after != 0)
+      g_object_set(made, "num-buffers", static_cast<int>(from.stop_after), nullptr);
+    return;
+  case camera_kind::network:
+  case camera_kind::file:
+    g_object_set(made, "uri", from.where.c_str(), nullptr);
+    g_signal_connect(made, "source-setup", G_CALLBACK(set_up_source), nullptr);
+    return;
+  }
+}
+
+} // namespace
+
+pipeline::pipeline(std::unique_ptr<parts> made) : parts_(std::move(made)) {}
+
+pipeline::~pipeline() { gst_element_set_state(parts_->whole.get(), GST_STATE_NULL); }
+
+tl::expected<std::unique_ptr<pipeline>, std::string> pipeline::make(const camera_uri& from, bool is_paced,
+                                                                    picture_taker on_picture) {
+  static std::once_flag is_begun; // GStreamer's own state is of the process
+  std::call_once(is_begun, [] { gst_init(nullptr, nullptr); });
+  auto absent = from.kind == camera_kind::device ? why_no_device(from.where)
+                : from.kind == camera_kind::file ? why_no_file(from.where)
+                                                 : std::string();
+  if (!absent.empty())
+    return tl::make_unexpected(std::move(absent));
+  GError* failure = nullptr;
+  auto made = std::make_unique<parts>();
+  made->from = from;
+  made->on_picture = std::move(on_picture);
+  made->whole.reset(gst_parse_launch(description_of(from, is_paced).c_str(), &failure));
+  const owned<GError> why(failure);
+  if (!made->whole || why)
+    return tl::make_unexpected("GStreamer lacks a part (the packages gstreamer1.0-plugins-base and -good): " +
+                               std::string(why ? why->message : "unknown"));
+  made->bus.reset(gst_element_get_bus(made->whole.get()));
+  const owned<GstElement> begin(gst_bin_get_by_name(GST_BIN(made->whole.get()), "source"));
+  set_properties(from, begin.get());
+  const owned<GstElement> sink(gst_bin_get_by_name(GST_BIN(made->whole.get()), "sink"));
+  GstAppSinkCallbacks callbacks{};
+  callbacks.new_sample = take_sample;
+  auto* const state = made.get();
+  auto taking = std::make_unique<taker>();
+  taking->take = [state](owned<GstSample> sample) {
+    state->play_test();
+    if (state->from.hang_after != 0 && state->taken > state->from.hang_after)
+      return true; // a camera that is there, and says nothing more
+    if (auto picture = frame_of(std::move(sample)))
+      state->on_picture(*std::move(picture));
+    return true;
+  };
+  gst_app_sink_set_callbacks(GST_APP_SINK(sink.get()), &callbacks, taking.release(), forget);
+  return std::unique_ptr<pipeline>(new pipeline(std::move(made)));
+}
+
+tl::expected<void, std::string> pipeline::play() {
+  if (gst_element_set_state(parts_->whole.get(), GST_STATE_PLAYING) != GST_STATE_CHANGE_FAILURE)
+    return {};
+  const auto said = wait(std::chrono::milliseconds(0));
+  return tl::make_unexpected(said && !said->error.empty() ? said->error : "the camera can not be opened");
+}
+
+std::optional<pipeline::news> pipeline::wait(std::chrono::milliseconds most) {
+  const auto kinds = static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS);
+  const owned<GstMessage> said(gst_bus_timed_pop_filtered(
+      parts_->bus.get(), static_cast<GstClockTime>(std::chrono::nanoseconds(most).count()), kinds));
+  if (!said)
+    return std::nullopt;
+  if (GST_MESSAGE_TYPE(said.get()) == GST_MESSAGE_EOS)
+    return news{true, {}};
+  GError* failure = nullptr;
+  gst_message_parse_error(said.get(), &failure, nullptr);
+  const owned<GError> why(failure);
+  return news{false, why ? sentence_of(*why) : "GStreamer failed without a reason"};
+}
+
+} // namespace godwit::io::video

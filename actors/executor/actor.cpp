@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "actors/executor/flight/survey_view.hpp"
+#include "actors/executor/people_views.hpp"
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/scan_sentences.hpp"
 #include "actors/executor/state_token.hpp"
@@ -58,6 +59,9 @@ actor::behavior_type actor::handlers() {
       on_deferred<operators::command, operators::answer>(
           [this](const operators::command& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<get_flight>([this](const get_flight&) { return describe(); }),
+      on<get_plan>([this](const get_plan&) { return plan_view_of(current_state(), core_->view()); }),
+      on<get_preflight>(
+          [this](const get_preflight&) { return preflight_view_of(current_state().preflight, core_->last_look()); }),
       on_deferred<station_act, act_answer>(
           [this](const station_act& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),

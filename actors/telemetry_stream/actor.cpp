@@ -23,6 +23,8 @@ actor::behavior_type actor::handlers() {
   return {shows<io::mavlink::global_position_int>(),
           shows<io::mavlink::attitude>(),
           shows<io::mavlink::sys_status>(),
+          shows<io::mavlink::gps_raw_int>(),
+          shows<io::mavlink::home_position>(),
           shows<vehicle_link::connection_changed>(),
           shows<executor::flight_status>(),
           shows<health::health_status>(),

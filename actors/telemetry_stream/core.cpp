@@ -18,8 +18,10 @@ constexpr double degrees_of_cdeg = 1e-2;
 constexpr double volts_of_mv = 1e-3;
 constexpr double amperes_of_ca = 1e-2;
 constexpr double degrees_of_rad = 180 / std::numbers::pi;
+constexpr double hdop_of_unit = 1e-2;
 constexpr std::uint16_t unknown_u16 = 65535;
 constexpr std::int64_t ns_in_ms = 1'000'000;
+constexpr std::uint8_t unknown_u8 = 255;
 
 template <class Update>
 publication made(topic what, const Update& update) {
@@ -80,13 +82,36 @@ publications core::take(const mavlink::sys_status& m, std::int64_t now_ns) {
   return {made(topic::battery, update)};
 }
 
+publications core::take(const mavlink::gps_raw_int& m, std::int64_t now_ns) {
+  if (!is_due(gps_ns_, gps_interval_ns, now_ns))
+    return {};
+  gps_update update;
+  update.fix = m.fix_type;
+  if (m.satellites_visible != unknown_u8)
+    update.satellites = m.satellites_visible;
+  if (m.eph != unknown_u16)
+    update.hdop = m.eph * hdop_of_unit;
+  if (m.h_acc != 0)
+    update.accuracy_m = m.h_acc * metres_of_mm;
+  return {made(topic::gps, update)};
+}
+
+publications core::take(const mavlink::home_position& m, std::int64_t) {
+  publications result;
+  show_changed(result, topic::home,
+               home_update{m.latitude * degrees_of_unit, m.longitude * degrees_of_unit, m.altitude * metres_of_mm},
+               home_);
+  return result;
+}
+
 publications core::take(const vehicle_link::connection_changed& m, std::int64_t) { return {made(topic::link, m)}; }
 
 publications core::take(const executor::flight_status& m, std::int64_t) {
   publications result;
-  show_changed(result, topic::flight,
-               flight_update{m.phase, m.cause, m.sentence, m.in_flight, m.is_armed, m.mode, m.preflight_report},
-               flight_);
+  show_changed(
+      result, topic::flight,
+      flight_update{m.phase, m.cause, m.sentence, m.in_flight, m.is_armed, m.mode, m.preflight_report, m.state},
+      flight_);
   show_changed(result, topic::authority, authority_update{m.authority}, authority_);
   show_changed(result, topic::progress,
                progress_update{m.mission_id, m.revision, m.generation, m.items, m.items_done, m.reports}, progress_);

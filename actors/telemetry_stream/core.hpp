@@ -2,9 +2,9 @@
 //
 //   what vehicle, executor and others say ──take()──> publication, or nothing
 //
-// Of what comes many times a second (position, attitude, battery) at most one in data_interval_ns is shown; what is
-// told when it changes (flight, authority, progress, link, map) is shown when it has changed. Pure: the time comes in,
-// as monotonic nanoseconds. Thread: one owner.
+// Of what comes many times a second (position, attitude, gps, battery) at most one in data_interval_ns is shown; what
+// is told when it changes (flight, authority, progress, home, link, map) is shown when it has changed. Pure: the time
+// comes in, as monotonic nanoseconds. Thread: one owner.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@
 
 namespace godwit::telemetry_stream {
 
-inline constexpr std::int64_t data_interval_ns = 100'000'000;      // 10 a second: more than a person sees
+inline constexpr std::int64_t data_interval_ns = 100'000'000; // 10 a second: more than a person sees
+inline constexpr std::int64_t gps_interval_ns = 500'000'000;
 inline constexpr std::int64_t battery_interval_ns = 1'000'000'000; // it does not change faster
 
 struct publication {
@@ -38,6 +39,8 @@ public:
   [[nodiscard]] publications take(const io::mavlink::global_position_int& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const io::mavlink::attitude& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const io::mavlink::sys_status& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const io::mavlink::gps_raw_int& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const io::mavlink::home_position& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const vehicle_link::connection_changed& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const executor::flight_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const health::health_status& m, std::int64_t now_ns);
@@ -54,6 +57,8 @@ private:
   std::optional<std::int64_t> position_ns_; // when it was shown last
   std::optional<std::int64_t> attitude_ns_;
   std::optional<std::int64_t> battery_ns_;
+  std::optional<std::int64_t> gps_ns_;
+  std::optional<home_update> home_;     // as shown last
   std::optional<flight_update> flight_; // as shown last
   std::optional<authority_update> authority_;
   std::optional<progress_update> progress_;

@@ -11,6 +11,7 @@
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/plan_view.hpp"
 #include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/failsafe/types.hpp"
@@ -33,6 +34,9 @@ using station_handle =
 using operator_handle =
     runtime::mailbox<runtime::asks<operators::command, operators::answer>, runtime::asks<get_flight, flight_status>>;
 
+// What those ask for who show a flight; they can cause nothing.
+using view_handle = runtime::mailbox<runtime::asks<get_plan, plan_view>, runtime::asks<get_preflight, preflight_view>>;
+
 // Who is told how the flight stands, when it stands otherwise than before.
 using flight_watcher = runtime::mailbox<runtime::tells<flight_status>>;
 
@@ -47,8 +51,8 @@ using telemetry_handle =
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
-using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, station_handle, telemetry_handle,
-                                    scan_controller::subscriber_handle,
+using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, view_handle, station_handle,
+                                    telemetry_handle, scan_controller::subscriber_handle,
                                     runtime::mailbox<runtime::tells<failsafe::failsafe_status>,
                                                      runtime::tells<runtime::child_event>, runtime::tells<tick>>>;
 

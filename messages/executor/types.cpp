@@ -1,6 +1,7 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
 #include "messages/executor/types.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/plan_view.hpp"
 #include "messages/executor/station_act.hpp"
 #include "runtime/define_message.hpp"
 
@@ -8,8 +9,12 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::act_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::current_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::flight_status);
 GODWIT_DEFINE_MESSAGE(godwit::executor::get_flight);
+GODWIT_DEFINE_MESSAGE(godwit::executor::get_plan);
+GODWIT_DEFINE_MESSAGE(godwit::executor::get_preflight);
 GODWIT_DEFINE_MESSAGE(godwit::executor::plan_cleared);
 GODWIT_DEFINE_MESSAGE(godwit::executor::plan_taken);
+GODWIT_DEFINE_MESSAGE(godwit::executor::plan_view);
+GODWIT_DEFINE_MESSAGE(godwit::executor::preflight_view);
 GODWIT_DEFINE_MESSAGE(godwit::executor::set_current);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_mission);

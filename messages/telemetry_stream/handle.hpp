@@ -13,7 +13,8 @@ namespace godwit::telemetry_stream {
 
 using own_handle = runtime::combine<
     runtime::mailbox<runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::attitude>,
-                     runtime::tells<io::mavlink::sys_status>, runtime::tells<vehicle_link::connection_changed>,
+                     runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::gps_raw_int>,
+                     runtime::tells<io::mavlink::home_position>, runtime::tells<vehicle_link::connection_changed>,
                      runtime::tells<executor::flight_status>, runtime::tells<health::health_status>>,
     scan_controller::subscriber_handle>;
 

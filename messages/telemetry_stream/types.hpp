@@ -17,6 +17,8 @@ enum class topic {
   position,  // of the vehicle
   attitude,  // of the vehicle
   battery,   // of the vehicle
+  gps,       // of the vehicle
+  home,      // of the vehicle
   flight,    // phase, mode, armed
   authority, // who has the vehicle
   progress,  // of the mission
@@ -26,7 +28,7 @@ enum class topic {
   points     // of interest
 };
 
-inline constexpr std::size_t topic_count = 12;
+inline constexpr std::size_t topic_count = 14;
 
 constexpr auto enum_names(topic) {
   return io::names<topic>({{topic::clock, "clock"},
@@ -34,6 +36,8 @@ constexpr auto enum_names(topic) {
                            {topic::position, "position"},
                            {topic::attitude, "attitude"},
                            {topic::battery, "battery"},
+                           {topic::gps, "gps"},
+                           {topic::home, "home"},
                            {topic::flight, "flight"},
                            {topic::authority, "authority"},
                            {topic::progress, "progress"},
@@ -84,6 +88,29 @@ struct battery_update {
                 io::field("voltage_v", &battery_update::voltage_v), io::field("current_a", &battery_update::current_a));
 };
 
+// What the receiver says of itself.
+struct gps_update {
+  std::uint8_t fix = 0;                   // GPS_FIX_TYPE: 0 none there, 1 no fix, 2 2D, 3 3D, 4 DGPS, 5 and 6 RTK
+  std::optional<std::int32_t> satellites; // seen
+  std::optional<double> hdop;
+  std::optional<double> accuracy_m; // horizontal
+  static constexpr auto fields = io::table(
+      "telemetry_stream.gps", io::field("fix", &gps_update::fix), io::field("satellites", &gps_update::satellites),
+      io::field("hdop", &gps_update::hdop), io::field("accuracy_m", &gps_update::accuracy_m));
+};
+
+// Where the vehicle's own return leads.
+struct home_update {
+  double latitude_deg = 0;
+  double longitude_deg = 0;
+  double altitude_msl_m = 0; // above mean sea level
+  static constexpr auto fields =
+      io::table("telemetry_stream.home", io::field("latitude_deg", &home_update::latitude_deg),
+                io::field("longitude_deg", &home_update::longitude_deg),
+                io::field("altitude_msl_m", &home_update::altitude_msl_m));
+  friend bool operator==(const home_update&, const home_update&) = default;
+};
+
 struct flight_update {
   std::string phase;
   std::string cause; // of a pause
@@ -92,11 +119,12 @@ struct flight_update {
   bool is_armed = false;
   std::string mode;
   std::uint32_t preflight_report = 0; // that waits for an acknowledgement; 0: none
+  std::string state;                  // as executor::flight_status: what a command is meant for
   static constexpr auto fields = io::table(
       "telemetry_stream.flight", io::field("phase", &flight_update::phase), io::field("cause", &flight_update::cause),
       io::field("sentence", &flight_update::sentence), io::field("in_flight", &flight_update::in_flight),
       io::field("is_armed", &flight_update::is_armed), io::field("mode", &flight_update::mode),
-      io::field("preflight_report", &flight_update::preflight_report));
+      io::field("preflight_report", &flight_update::preflight_report), io::field("state", &flight_update::state));
   friend bool operator==(const flight_update&, const flight_update&) = default;
 };
 

@@ -22,6 +22,7 @@
 #include "programs/godwitd/flight_state.hpp"
 #include "programs/godwitd/open_line.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
+#include "programs/godwitd/operator_port/page_files.hpp"
 #include "programs/godwitd/option_table.hpp"
 #include "programs/godwitd/process_figures.hpp"
 #include "runtime/mail_view.hpp"
@@ -203,9 +204,13 @@ void composition::add_flight(control::peers& of_desk) {
   flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
   of_desk.flight = flight_.executor;
   of_desk.bridge = flight_.bridge;
-  if (wanted_.operators)
+  if (wanted_.operators) {
     operator_desk_ = host_->actors().add<operator_port::operator_desk>(
         {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight_.bridge, flight_.scan}, api_answers_);
+    view_desk_ = host_->actors().add<operator_port::view_desk>({.name = "view_desk", .policy = runtime::on_crash::lose},
+                                                               replaceable, executor::view_handle(flight_.executor),
+                                                               api_answers_);
+  }
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
@@ -376,13 +381,21 @@ void composition::open_operator_port() {
                                                           &host_->time()});
   view_api_->open();
   stream_api_ = std::make_shared<operator_port::stream_api>(operator_port_.context(), views_outside_.stream);
-  auto routes = view_api_->routes();
-  std::ranges::move(stream_api_->routes(), std::back_inserter(routes));
+  log_api_ = std::make_shared<operator_port::log_api>(operator_port_.context());
+  log_api_->open(*views_outside_.stream);
+  auto routes = operator_port::page_routes();
+  const auto add = [&routes](operator_port::route_list more) { std::ranges::move(more, std::back_inserter(routes)); };
+  add(view_api_->routes());
+  add(stream_api_->routes());
+  add(log_api_->routes());
   operator_port::port_guards guards;
   if (keeper_) {
     open_operator_api();
-    auto more = operator_port::routes_of(operator_api_);
-    routes.insert(routes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    add(operator_port::routes_of(operator_api_));
+    add(operator_port::view_routes(
+        api_answers_,
+        [way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("view_api")),
+         desk = view_desk_](operator_port::view_request asked) { way_in->tell(desk, std::move(asked)); }));
     guards = {[api = operator_api_](const std::string& from) { api->note_other_origin(from); },
               [api = operator_api_](const operator_port::server_request& asked, operator_port::responder answer,
                                     std::function<void(operator_port::responder)> then) {
@@ -400,7 +413,7 @@ void composition::open_operator_port() {
 
 void composition::tell_operator_port() {
   const auto& fingerprint = operator_port_.fingerprint();
-  announce({"what there is to see: " + operator_port_.url() + "/status", false}, "operator_port");
+  announce({"what there is to see: " + operator_port_.url() + "/", false}, "operator_port");
   if (!fingerprint.empty())
     announce(
         {std::string(operator_port_.is_certificate_new() ? "a new certificate was made; its" : "the certificate's") +
@@ -461,6 +474,7 @@ int composition::close(runtime::exit_code code) {
   operator_port_.close([this] {
     view_api_->close();
     stream_api_->close();
+    log_api_->close();
   });
   control_.reset();
   if (feed_)

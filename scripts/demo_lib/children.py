@@ -21,6 +21,13 @@ def free_port():
         return probe.getsockname()[1]
 
 
+def free_tcp_port():
+    """Of TCP on the loopback, a moment ago."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
 def environment():
     """Ours without GODWIT_*: what the demo sets shall be all that is set."""
     return {name: value for name, value in os.environ.items() if not name.startswith("GODWIT_")}

@@ -8,7 +8,7 @@ from demo_lib.status import ANSWER_S, ask
 
 
 class Daemon:
-    def __init__(self, programs, folder, config, service, vehicle_uri, sightings):
+    def __init__(self, programs, folder, config, service, vehicle_uri, sightings, more=()):
         self.program = programs / "godwitd"
         self.socket = folder / "godwit.control"
         self.child = Child(
@@ -16,7 +16,7 @@ class Daemon:
             [self.program, "--config", config, "--allow-crash", "--vehicle", vehicle_uri]
             + ["--service", service.url, "--token-file", service.token, "--mission-id", service.mission_id]
             + ["--sightings", sightings, "--journal", folder / "godwit.db", "--trace", folder / "trace"]
-            + ["--control", self.socket],
+            + ["--control", self.socket, *more],
             folder,
         )
         self.kills = 0
@@ -32,10 +32,11 @@ class Daemon:
         self.child.start()
 
     def ctl(self, *words):
-        """A word of `godwitd ctl`."""
+        """A word of `godwitd ctl`, and what it prints."""
         command = [self.program, "ctl", *words, "--control", self.socket]
         result = subprocess.run(
             command, capture_output=True, text=True, timeout=4 * ANSWER_S, check=False, env=environment()
         )
         if result.returncode != 0:
             raise Trouble(f"'godwitd ctl {' '.join(words)}' is refused: {(result.stderr or result.stdout).strip()}")
+        return result.stdout.strip()

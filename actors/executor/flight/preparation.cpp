@@ -75,7 +75,8 @@ preflight::report preparation::look_at_all(instant now) {
   seen.wall_ns = now.wall_ns;
   seen.is_operator_session_alive = host_status_.operators.is_there;
   seen.camera = preflight::camera_state::off;
-  return preflight::run_checks(seen, flight_.configured.checks);
+  last_look_ = preflight::dated_report{preflight::run_checks(seen, flight_.configured.checks), now.wall_ns};
+  return last_look_->what;
 }
 
 std::string preparation::why_not_start(effects& out, instant now) {

@@ -39,6 +39,9 @@ public:
   // The sentence says why the flight may not be started now; empty: it may.
   [[nodiscard]] std::string why_not_start(effects& out, instant now);
 
+  // What this incarnation found last; for people.
+  [[nodiscard]] const std::optional<preflight::dated_report>& last_look() const { return last_look_; }
+
   void on_host_status(host_status seen);
   void check_again() { wants_checks_ = true; }
   void acknowledge(preflight::acknowledged what) { acknowledged_ = std::move(what); }
@@ -62,6 +65,7 @@ private:
   std::vector<plan::return_crossing> crossings_; // of these plans, by a straight return
   std::int64_t checked_ns_ = 0;
   host_status host_status_;
+  std::optional<preflight::dated_report> last_look_;
 };
 
 } // namespace godwit::executor

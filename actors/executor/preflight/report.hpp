@@ -34,6 +34,12 @@ struct report {
   friend bool operator==(const report&, const report&) = default;
 };
 
+// As it was found at that time: nanoseconds since 1970 (UTC).
+struct dated_report {
+  report what;
+  std::int64_t at_ns = 0;
+};
+
 [[nodiscard]] report run_checks(const facts& seen, const settings& set);
 
 // The worst; of nothing, fail.

@@ -28,7 +28,7 @@ constexpr std::array rows{
     row{"scan_controller", {away, for_scans, away}},
 };
 // Who shows what there is.
-constexpr std::array<std::string_view, 2> dispensable{"health", "telemetry_stream"};
+constexpr std::array<std::string_view, 3> dispensable{"health", "telemetry_stream", "view_desk"};
 
 constexpr row others{"", {wanted, wanted, wanted}};
 

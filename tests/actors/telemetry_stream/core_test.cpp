@@ -49,6 +49,36 @@ TEST(telemetry_stream_core, what_the_vehicle_does_not_know_is_absent) {
     EXPECT_TRUE(data.at(each).is_null()) << each;
 }
 
+TEST(telemetry_stream_core, a_receiver_is_shown_with_what_it_knows_twice_a_second_and_a_home_when_it_moves) {
+  core all;
+  io::mavlink::gps_raw_int gps;
+  gps.fix_type = 3;
+  gps.satellites_visible = 12;
+  gps.eph = 90;
+  gps.h_acc = 1'500;
+  const auto said = json::parse(all.take(gps, 1).at(0).data);
+  EXPECT_EQ(said.at("fix"), 3);
+  EXPECT_EQ(said.at("satellites"), 12);
+  EXPECT_NEAR(said.at("hdop").get<double>(), 0.9, 1e-9);
+  EXPECT_NEAR(said.at("accuracy_m").get<double>(), 1.5, 1e-9);
+  EXPECT_TRUE(all.take(gps, 400 * ms).empty());
+  gps.satellites_visible = 255;
+  gps.eph = 65535;
+  gps.h_acc = 0;
+  const auto unknown = json::parse(all.take(gps, 600 * ms).at(0).data);
+  for (const auto* each : {"satellites", "hdop", "accuracy_m"})
+    EXPECT_TRUE(unknown.at(each).is_null()) << each;
+  io::mavlink::home_position home;
+  home.latitude = 473977000;
+  home.altitude = 488'000;
+  ASSERT_EQ(all.take(home, 1).size(), 1U);
+  EXPECT_TRUE(all.take(home, 2).empty());
+  home.latitude += 10;
+  const auto moved = json::parse(all.take(home, 3).at(0).data);
+  EXPECT_NEAR(moved.at("latitude_deg").get<double>(), 47.397701, 1e-9);
+  EXPECT_NEAR(moved.at("altitude_msl_m").get<double>(), 488, 1e-9);
+}
+
 TEST(telemetry_stream_core, what_comes_many_times_a_second_is_shown_ten_times_and_the_battery_once) {
   core all;
   int positions = 0;

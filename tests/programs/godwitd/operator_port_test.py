@@ -18,7 +18,7 @@ class Port(World):
     def begin(self, listen="127.0.0.1:0", *more):
         godwitd = self.start("--operator-listen", listen, *more)
         said = self.until_it_says(godwitd, "what there is to see: ")
-        self.place = re.search(r"http://(127\.0\.0\.1:\d+)/status", said).group(1)
+        self.place = re.search(r"http://(127\.0\.0\.1:\d+)/", said).group(1)
         return godwitd
 
     def get(self, target, **headers):

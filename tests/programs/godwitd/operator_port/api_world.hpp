@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,6 +22,7 @@
 #include "programs/godwitd/accounts/token.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
+#include "programs/godwitd/operator_port/view_desk.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
@@ -74,6 +76,28 @@ private:
   std::vector<scan_controller::decide_point>* heard_;
 };
 
+// Shows always the same.
+class flight_stand_in final : public runtime::actor_base<executor::view_handle> {
+public:
+  using actor_base::actor_base;
+
+protected:
+  behavior_type handlers() override {
+    return {on<executor::get_plan>([](const executor::get_plan&) {
+              executor::plan_view result;
+              result.mission.emplace();
+              result.mission->mission_id = "m";
+              result.mission->items.emplace_back(mission::waypoint{.id = "w1", .at = {47.4, 8.5, 30}, .speed_mps = {}});
+              return result;
+            }),
+            on<executor::get_preflight>([](const executor::get_preflight&) {
+              executor::preflight_view result;
+              result.findings = {{"battery", "fail", "Charge it."}};
+              return result;
+            })};
+  }
+};
+
 struct http_answer {
   unsigned status = 0;
   std::string head;
@@ -93,11 +117,15 @@ public:
     points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &decided);
     answers = std::make_shared<waiting_answers>(is_secure);
     desk = world.actors().add<operator_desk>({.name = "operator_desk"}, {}, desk_peers{bridge, points}, answers);
+    const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {});
+    const auto views = world.actors().add<view_desk>({.name = "view_desk"}, {}, executor::view_handle(flight), answers);
     world.start();
     world.run_until_idle();
     const auto tell = [this](api_request asked) { world.tell(desk, std::move(asked)); };
     api = std::make_shared<operator_api>(answers, *keeper, tell);
     auto list = routes_of(api);
+    std::ranges::move(view_routes(answers, [this, views](view_request asked) { world.tell(views, asked); }),
+                      std::back_inserter(list));
     list.push_back({"GET", "/look", 0, [](const server_request&, responder answer) { answer.send({.body = "{}"}); }});
     routes = std::make_unique<router>(std::move(list), std::vector<std::string>{}, false);
     routes->guard([this](const server_request& asked, responder answer, std::function<void(responder)> then) {

@@ -1,0 +1,142 @@
+// The map: vehicle, its track, the plan with its progress, fences, home, the place of a go-to. Leaflet on one canvas;
+// nothing of it is made anew while the vehicle moves, and no request goes to another host.
+import * as L from "leaflet";
+import { extent_of, is_place, items_of, way_of } from "../model/geometry.ts";
+import type { place, plan_view } from "../model/messages.ts";
+import type { track } from "../model/track.ts";
+import { metre_grid } from "./grid.ts";
+import { fence_style, item_style, mark_icon, style_of } from "./styles.ts";
+
+// Names come from missions: they stay text, whatever they look like.
+function plain_text(words: string): HTMLElement {
+  const result = document.createElement("span");
+  result.textContent = words;
+  return result;
+}
+
+const latlng = (at: place): L.LatLngTuple => [at.latitude, at.longitude];
+
+export class chart {
+  readonly map: L.Map;
+  private readonly grid = new metre_grid();
+  private readonly plan = L.layerGroup();
+  private readonly going = L.layerGroup();
+  private readonly way: L.Polyline;
+  private readonly way_open: L.Polyline;
+  private readonly vehicle: L.Marker;
+  private items: { index: number; mark: L.CircleMarker }[] = [];
+  private track_seen = -1;
+  private home: L.Marker | undefined;
+  private is_placed = false;
+  private has_seen_plan = false;
+  private shown_done = -1;
+  follows = true;
+
+  constructor(where: HTMLElement, on_click: (at: place) => void) {
+    this.map = L.map(where, { renderer: L.canvas({ padding: 0.3 }), preferCanvas: true, zoomControl: false, maxZoom: 22,
+      minZoom: 3, zoomSnap: 0.5, attributionControl: false, zoomAnimation: false, fadeAnimation: false,
+      markerZoomAnimation: false, keyboard: true }).setView([0, 0], 3);
+    const pane = this.map.createPane("grid");
+    pane.style.zIndex = "250";
+    this.grid.addTo(this.map);
+    L.control.zoom({ position: "topleft" }).addTo(this.map);
+    L.control.scale({ imperial: false, maxWidth: 140, position: "bottomright" }).addTo(this.map);
+    this.plan.addTo(this.map);
+    this.way = L.polyline([], style_of("track", { weight: 2 })).addTo(this.map);
+    this.way_open = L.polyline([], style_of("track", { weight: 2 })).addTo(this.map);
+    this.going.addTo(this.map);
+    this.vehicle = L.marker([0, 0], { icon: mark_icon("vehicle", "vehicle"), interactive: false, keyboard: false,
+      zIndexOffset: 1000 });
+    this.map.on("click", (event) => on_click({ latitude: event.latlng.lat, longitude: event.latlng.lng }));
+    this.map.on("dragstart", () => { this.follows = false; });
+    new ResizeObserver(() => this.map.invalidateSize({ animate: false })).observe(where);
+  }
+
+  show_vehicle(at: place, heading_deg: number | null, is_old: boolean): void {
+    if (!this.map.hasLayer(this.vehicle)) this.vehicle.addTo(this.map);
+    this.vehicle.setLatLng(latlng(at));
+    const element = this.vehicle.getElement();
+    element?.classList.toggle("old", is_old);
+    const arrow = element?.querySelector<SVGElement>("svg");
+    if (arrow !== null && arrow !== undefined) arrow.style.transform = `rotate(${heading_deg ?? 0}deg)`;
+    if (!this.is_placed) this.fit([at]);
+    if (this.follows && !this.map.getBounds().pad(-0.15).contains(latlng(at))) this.map.panTo(latlng(at), { animate: false });
+  }
+
+  show_track(of: track): void {
+    if (this.track_seen !== of.changed) {
+      this.track_seen = of.changed;
+      this.way.setLatLngs(of.kept.map(latlng));
+    }
+    const from = of.kept.at(-1);
+    if (from !== undefined && of.last !== undefined) this.way_open.setLatLngs([latlng(from), latlng(of.last)]);
+  }
+
+  // All that of the plan is drawn, anew: at each other plan, not with the vehicle.
+  show_plan(view: plan_view): void {
+    this.plan.clearLayers();
+    this.items = [];
+    this.shown_done = -1;
+    const mission = view.mission;
+    for (const fence of mission?.geofences ?? [])
+      L.polygon(fence.vertices.map(latlng), fence_style(fence.kind)).addTo(this.plan);
+    const way = way_of(view);
+    if (way.length > 1) L.polyline(way.map(latlng), style_of("way", { weight: 2, dashArray: "6 5" })).addTo(this.plan);
+    for (const item of mission === null ? [] : items_of(mission)) {
+      const mark = L.circleMarker(latlng(item.at), item_style("open")).bindTooltip(
+        plain_text(`${item.index + 1} ${item.id} (${item.kind})`), { direction: "top" });
+      this.items.push({ index: item.index, mark });
+      mark.addTo(this.plan);
+    }
+    const kept = is_place(view.kept) ? view.kept : mission?.return_point;
+    if (is_place(kept)) L.marker(latlng(kept), { icon: mark_icon("return", "R"), interactive: false, keyboard: false }).addTo(this.plan);
+    if (!this.has_seen_plan && way.length > 0) this.fit(extent_of(view, undefined));
+    this.has_seen_plan ||= way.length > 0;
+  }
+
+  show_progress(items_done: number): void {
+    if (items_done === this.shown_done) return;
+    this.shown_done = items_done;
+    const next = this.items.find((each) => each.index >= items_done)?.index;
+    for (const { index, mark } of this.items)
+      mark.setStyle(item_style(index < items_done ? "done" : index === next ? "next" : "open"));
+  }
+
+  show_home(at: place): void {
+    this.grid.set_origin(at);
+    if (this.home === undefined)
+      this.home = L.marker(latlng(at), { icon: mark_icon("home", "H"), interactive: false, keyboard: false }).addTo(this.map);
+    this.home.setLatLng(latlng(at));
+  }
+
+  // The grid counts from somewhere while no home is known.
+  show_origin(at: place): void {
+    if (this.home === undefined) this.grid.set_origin(at);
+  }
+
+  // Where a go-to would lead; none: it is not asked for.
+  show_target(from: place | undefined, to: place | undefined): void {
+    this.going.clearLayers();
+    if (to === undefined) return;
+    if (from !== undefined)
+      L.polyline([latlng(from), latlng(to)], style_of("going", { weight: 3, dashArray: "2 6" })).addTo(this.going);
+    L.circleMarker(latlng(to), style_of("going", { radius: 8, weight: 3, fill: false })).addTo(this.going);
+  }
+
+  // The next click is meant as a place.
+  set_pointing(is_pointing: boolean): void {
+    this.map.getContainer().classList.toggle("pointing", is_pointing);
+  }
+
+  fit(places: place[]): void {
+    if (places.length === 0) return;
+    this.is_placed = true;
+    this.map.fitBounds(L.latLngBounds(places.map(latlng)).pad(0.12), { maxZoom: 18.5, animate: false });
+  }
+
+  set_theme(): void {
+    this.way.setStyle(style_of("track", { weight: 2 }));
+    this.way_open.setStyle(style_of("track", { weight: 2 }));
+    this.grid.draw();
+  }
+}

@@ -1,0 +1,69 @@
+// What needs a person: it sounds, and stays until it is seen. Pure.
+//
+// An alarm has a key: it is raised when what it says begins to hold, once, and can be raised again when it has ceased
+// to hold meanwhile.
+import type { world } from "./world.ts";
+import { plain } from "./words.ts";
+
+export interface alarm {
+  key: string;
+  words: string;
+  at_ms: number; // by the clock of godwitd
+}
+
+export const max_alarms = 20; // the oldest goes
+
+export class alarms {
+  list: alarm[] = [];
+  private holding = new Set<string>();
+
+  // True: there is a new one.
+  look(all: world, now: number): boolean {
+    const holds = holding_now(all, now);
+    let is_new = false;
+    for (const [key, words] of holds) {
+      if (this.holding.has(key)) continue;
+      this.list = [...this.list.filter((each) => each.key !== key), { key, words, at_ms: all.godwit_ms(now) }]
+        .slice(-max_alarms);
+      is_new = true;
+    }
+    this.holding = new Set(holds.keys());
+    return is_new;
+  }
+
+  see(key: string): void {
+    this.list = this.list.filter((each) => each.key !== key);
+  }
+
+  see_all(): void {
+    this.list = [];
+  }
+}
+
+const taken_away: Record<string, string> = {
+  person: "A person has taken the vehicle. Nothing is sent until it is handed back.",
+  failsafe: "godwit's failsafe has the vehicle.",
+  autopilot_failsafe: "The autopilot's own failsafe has the vehicle.",
+  unclear: "It is not known who has the vehicle.",
+};
+
+function holding_now(all: world, now: number): Map<string, string> {
+  const holds = new Map<string, string>();
+  const flight = all.get("flight");
+  const flies = flight?.in_flight === true;
+  if (all.session !== "" && !all.is_heard(now))
+    holds.set("silence", "godwitd is not heard. The flight goes on without this page; what it shows is old.");
+  const holder = all.get("authority")?.holder ?? "";
+  const words = taken_away[holder];
+  if (words !== undefined && flies) holds.set(`authority/${holder}`, words);
+  if (flight !== undefined && flight.phase === "paused" && flight.cause !== "asked")
+    holds.set(`paused/${flight.cause}`, `The flight is paused (${plain(flight.cause)}): ${flight.sentence}`);
+  if (flight !== undefined && flight.preflight_report !== 0)
+    holds.set(`report/${flight.preflight_report}`, `Preflight report ${flight.preflight_report} waits for an acknowledgement.`);
+  const link = all.get("link");
+  if (link !== undefined && link.phase !== "connected" && flies)
+    holds.set("link", `The vehicle is not heard: ${link.reason || plain(link.phase)}`);
+  for (const part of all.get("health")?.parts ?? [])
+    if (part.health === "red") holds.set(`health/${part.part}`, `${part.part}: ${part.reason || "does not work"}`);
+  return holds;
+}

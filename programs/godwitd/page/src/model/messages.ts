@@ -1,0 +1,224 @@
+// What godwitd says, as far as the page shows it (docs/operator_port.md, docs/operator_api.md). Degrees (WGS 84),
+// metres, milliseconds since 1970 (UTC) by the clock of godwitd.
+
+export interface place {
+  latitude: number;
+  longitude: number;
+}
+
+export interface position_update {
+  latitude_deg: number;
+  longitude_deg: number;
+  altitude_m: number; // above home
+  altitude_msl_m: number;
+  ground_speed_mps: number;
+  climb_mps: number;
+  heading_deg: number | null;
+}
+
+export interface attitude_update {
+  roll_deg: number;
+  pitch_deg: number;
+  yaw_deg: number;
+}
+
+export interface battery_update {
+  remaining_percent: number | null;
+  voltage_v: number | null;
+  current_a: number | null;
+}
+
+export interface gps_update {
+  fix: number; // GPS_FIX_TYPE
+  satellites: number | null;
+  hdop: number | null;
+  accuracy_m: number | null;
+}
+
+export interface home_update {
+  latitude_deg: number;
+  longitude_deg: number;
+  altitude_msl_m: number;
+}
+
+export interface flight_update {
+  phase: string;
+  cause: string;
+  sentence: string;
+  in_flight: boolean;
+  is_armed: boolean;
+  mode: string;
+  preflight_report: number; // 0: none waits
+  state: string;
+}
+
+export interface progress_update {
+  mission_id: string;
+  revision: number;
+  generation: number;
+  items: number;
+  items_done: number;
+  reports: number;
+}
+
+export interface part_health {
+  part: string;
+  health: string; // green, yellow, red
+  reason: string;
+  since_ms: number;
+}
+
+export interface health_update {
+  worst: string;
+  since_ms: number;
+  parts: part_health[];
+}
+
+export interface log_update {
+  is_warning: boolean;
+  part: string;
+  sentence: string;
+}
+
+export interface topics {
+  clock: { beat: number };
+  link: { phase: string; reason: string };
+  position: position_update;
+  attitude: attitude_update;
+  battery: battery_update;
+  gps: gps_update;
+  home: home_update;
+  flight: flight_update;
+  authority: { holder: string };
+  progress: progress_update;
+  map: Record<string, unknown>;
+  health: health_update;
+  log: log_update;
+}
+
+export type topic = keyof topics;
+
+export const topic_names: readonly topic[] = ["clock", "link", "position", "attitude", "battery", "gps", "home", "flight",
+  "authority", "progress", "map", "health", "log"];
+
+export interface text<T extends topic = topic> {
+  topic: T;
+  number: number;
+  at_ms: number;
+  data: topics[T];
+}
+
+export interface stream_text {
+  topic: "stream";
+  data: { session?: string; dropped?: Record<string, number> };
+}
+
+// -- answers of the API -----------------------------------------------------------------------------
+
+export interface mission_item {
+  id: string;
+  kind: string;
+  at?: place & { altitude_m: number };
+  polygon?: place[];
+  altitude_m?: number;
+  [more: string]: unknown;
+}
+
+export interface geofence {
+  kind: "INCLUSION" | "EXCLUSION";
+  vertices: place[];
+  floor_m: number | null;
+  ceiling_m: number | null;
+}
+
+export interface mission_document {
+  mission_id: string;
+  revision: number;
+  items: mission_item[];
+  geofences: geofence[];
+  return_point: place & { altitude_m: number };
+}
+
+export interface plan_view {
+  mission: mission_document | null;
+  generation: number;
+  way: (place & { altitude_m: number })[];
+  home: (place & { above_sea_m: number }) | null;
+  kept: (place & { above_sea_m: number }) | null;
+}
+
+export interface preflight_view {
+  phase: string;
+  reason: string;
+  report: number;
+  acknowledged_by: string;
+  looked_ms: number;
+  findings: { check: string; verdict: string; sentence: string }[];
+}
+
+export interface who {
+  name: string;
+  role: "viewer" | "operator" | "engineer";
+  session: string;
+  now: string;
+  ends?: string;
+}
+
+export interface control_view {
+  holder: string;
+  is_yours: boolean;
+  since?: string;
+}
+
+export interface actor_report {
+  name: string;
+  phase: string;
+  incarnation: number;
+  restarts: number;
+  last_crash: string;
+  wanted: boolean;
+  essential: boolean;
+  health: string;
+  health_reason: string;
+}
+
+export interface mail_figures {
+  actor: string;
+  waiting: number;
+  handled: number;
+  crashes: number;
+  dead_lettered: number;
+  dropped: number;
+}
+
+export interface status_report {
+  at_ms: number;
+  failsafe: { reacts: { why: string; what: string; stage: string } | null;
+              overridden: { scope: string; reason: string; until_ns: number }[] } | null;
+  vehicle: Record<string, unknown> | null;
+  service: Record<string, unknown> | null;
+  ground: Record<string, unknown> | null;
+  actors: actor_report[];
+  mail: mail_figures[];
+  process: { version: string; cpu_s: number; resident_bytes: number; began_ms: number };
+}
+
+export interface audit_row {
+  number: number;
+  at: string;
+  who: { name: string; role: string; session: string };
+  what: string;
+  id: string;
+  outcome: string;
+  reason: string;
+  count: number;
+}
+
+export interface problem {
+  status: number;
+  detail: string;
+  verdict?: string;
+  state?: string;
+  place?: string;
+  holder?: string;
+}

@@ -1,0 +1,203 @@
+// The page of operators in a real browser, against a godwitd that flies a simulated vehicle.
+//
+//   GODWITD=... GODWIT_SIM=... node --test page_test.mjs
+//
+// One flight from its login to the kill of the daemon; each test begins where the one before has ended. With
+// GODWIT_PICTURES=FOLDER the pictures that README shows are written there.
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { flight_world, hold, load, root, until, value_of, wait } from "./flight_world.mjs";
+import { take_the_sticks } from "./pilot.mjs";
+
+const markup = "<img src=x onerror=alert(1)>";
+let world;
+let page;
+const text = (where, of = page) => of.textContent(where);
+const is_shown = async (where, words, of = page) => ((await of.textContent(where)) ?? "").includes(words);
+const shows = (where, words, of = page) => until(() => is_shown(where, words, of), `${words} in ${where}`,
+  () => world.daemon.heard.slice(-1_000));
+
+async function picture(name, size) {
+  await page.setViewportSize(size);
+  await page.click("#see-all");
+  await wait(300);
+  const bytes = await page.screenshot();
+  assert.ok(bytes.length > 20_000, `${name}: ${bytes.length} bytes`);
+  if (process.env.GODWIT_PICTURES) writeFileSync(join(process.env.GODWIT_PICTURES, `page_${name}.png`), bytes);
+}
+
+before(async () => {
+  world = new flight_world({ speed: 4 });
+  const mission = JSON.parse(readFileSync(join(root, "missions/survey.json"), "utf8"));
+  mission.items[2].id = markup;
+  world.mission = join(world.folder, "mission.json");
+  writeFileSync(world.mission, JSON.stringify(mission));
+  const config = join(world.folder, "config.json");
+  writeFileSync(config, JSON.stringify({ operator: { hosts: "drone.local" } }));
+  world.more = ["--config", config];
+  await world.begin();
+  page = await world.open_browser({ name: "drone.local" }); // no secure context: no crypto.subtle, no randomUUID
+});
+after(() => world.end());
+
+test("an operator logs in by name where browsers have no crypto, and sees the vehicle", async () => {
+  assert.equal(await page.evaluate("typeof crypto.subtle"), "undefined");
+  await shows("#line", "live");
+  await world.log_in(page);
+  assert.equal(await text("#me"), "anna operator");
+  await shows("#phase", "ready");
+  assert.match(await text("#authority"), /nobody/);
+  assert.ok(Math.abs(Number(await value_of(page, "Altitude"))) < 2);
+  await page.waitForSelector(".mark-vehicle");
+  await page.waitForSelector(".mark-home");
+});
+
+test("what the checks have found is shown", async () => {
+  await page.click("#tab-preflight");
+  await shows("#tab-body", "The battery is at");
+  await page.click("#tab-plan");
+});
+
+test("names that look like markup stay text", async () => {
+  await shows("#tab-body", markup);
+  assert.equal(await page.locator("#tab-body img").count(), 0);
+});
+
+test("what moves the vehicle needs control, and is held down to confirm", async () => {
+  assert.ok(await page.isDisabled("#command-start"));
+  await page.click("#take-control");
+  await shows("#control .words", "You have control.");
+  await page.click("#command-start"); // too short
+  await wait(300);
+  assert.match(await text("#phase"), /ready/);
+  await hold(page, "#command-start");
+  await shows("#authority strong", "godwit");
+  await until(async () => Number(await value_of(page, "Altitude")) > 5, "it climbs");
+});
+
+test("a refusal stands beside its button with its reason", async () => {
+  await hold(page, "#command-start");
+  await page.waitForSelector("#refusal-start");
+  assert.ok((await text("#refusal-start")).length > 10);
+});
+
+test("a second operator sees who has control, can stop and can not start, and an engineer takes it over", async () => {
+  const other = await world.open_browser();
+  await world.log_in(other, "bob");
+  await shows("#control .words", "anna has control.", other);
+  assert.ok(await other.isDisabled("#command-start"));
+  await other.click("#command-pause");
+  await shows("#phase", "paused", other);
+  await shows("#phase", "paused");
+  await other.click("#take-over");
+  await shows("#control .words", "You have control.", other);
+  await shows("#control .words", "bob has control.");
+  await other.click("#give-control");
+  await shows("#control .words", "Control is free.");
+  await page.click("#take-control");
+  await shows("#control .words", "You have control.");
+  await other.context().close();
+});
+
+test("by keyboard alone: the flight goes on", async () => {
+  await page.evaluate("document.activeElement.blur()");
+  await page.keyboard.press("r");
+  assert.equal(await page.evaluate("document.activeElement.id"), "command-resume");
+  await page.keyboard.down(" ");
+  await wait(850);
+  await page.keyboard.up(" ");
+  await shows("#phase strong", "flying");
+});
+
+test("a go-to shows its way before it is confirmed", async () => {
+  await page.keyboard.press("g");
+  await shows(".going", "Click the place");
+  const box = await page.locator("#map").boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await shows(".going", "from the vehicle");
+  assert.ok(await page.isEnabled("#go-to-confirm"));
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".going").count(), 0);
+});
+
+test("a pilot who takes the vehicle is shown large, and the alarm stays until it is seen", async () => {
+  await take_the_sticks(world.vehicle_port);
+  await shows("#authority strong", "a person");
+  await shows("#alarms", "A person has taken the vehicle");
+  await hold(page, "#command-hand_back");
+  await shows("#authority strong", "godwit");
+  await shows("#alarms", "A person has taken the vehicle");
+  for (let left = await page.locator("#alarms button").count(); left > 0; --left) await page.locator("#alarms button").first().click();
+  assert.equal(await page.locator("#alarms p").count(), 0);
+});
+
+test("the flight goes on when it is said so, and refusals of before are gone", async () => {
+  await hold(page, "#command-resume");
+  await shows("#phase strong", "flying");
+  await until(async () => (await page.locator(".refusal").count()) === 0, "no refusal is left");
+});
+
+test("an actor that crashes is red with its reason, and has the next incarnation", async () => {
+  await page.click("#tab-actors");
+  await shows('[data-actor="mapobjects_store"]', "incarnation 1");
+  world.ctl("crash", "mapobjects_store");
+  await shows('[data-actor="mapobjects_store"]', "incarnation 2");
+  assert.match(await text('[data-actor="mapobjects_store"]'), /last crash: /);
+  assert.match(await page.getAttribute('[data-actor="mapobjects_store"]', "class"), /warn|bad/);
+});
+
+test("log and audit can be filtered", async () => {
+  await page.click("#tab-log");
+  await shows("#tab-body", "executor");
+  await page.fill("#filter", "no line has this");
+  await until(async () => (await page.locator("#tab-body tr").count()) === 0, "no line");
+  await page.click("#tab-audit");
+  await shows("#tab-body", "hand_back");
+});
+
+test("axe finds nothing serious, by day, in sunlight and at night", async () => {
+  const { AxeBuilder } = load("@axe-core/playwright");
+  for (const theme of ["day", "sun", "night"]) {
+    await page.click(`#theme-${theme}`);
+    const look = new AxeBuilder({ page });
+    const { violations } = await (theme === "day" ? look : look.withRules(["color-contrast"])).analyze();
+    const serious = violations.filter((each) => each.impact === "serious" || each.impact === "critical");
+    assert.deepEqual(serious.map((each) => `${theme} ${each.id}: ${each.nodes.map((node) => node.html.slice(0, 200)).join("; ")}`), []);
+  }
+});
+
+test("pictures at three sizes", async () => {
+  await page.click("#tab-actors");
+  await picture("night", { width: 1440, height: 900 });
+  await page.click("#theme-sun");
+  await picture("sun", { width: 820, height: 1180 });
+  await page.click("#theme-day");
+  await page.click("#tab-plots");
+  await page.waitForSelector("#plots canvas");
+  await picture("day", { width: 1280, height: 800 });
+});
+
+test("that godwitd is killed is said within two seconds, and two seconds behind its start all is as on a fresh page", async () => {
+  const killed_at = Date.now();
+  await world.daemon.kill();
+  await shows("#line", "not heard");
+  assert.ok(Date.now() - killed_at < 2_000, `${Date.now() - killed_at} ms`);
+  await until(() => page.locator(".instrument.old .age").count(), "old values say their age");
+  await world.start_daemon();
+  const started_at = Date.now();
+  await shows("#line", "live");
+  assert.ok(Date.now() - started_at < 2_000, `${Date.now() - started_at} ms`);
+  await until(async () => (await page.locator(".instrument.old").count()) === 0, "all values are new again");
+  const fresh = await world.open_browser({ name: "drone.local" });
+  await shows("#line", "live", fresh);
+  for (const part of ["#authority strong", "#phase strong", "#progress"])
+    await until(async () => (await text(part)) === (await text(part, fresh)), `${part} is the same on both`);
+  await shows("#control .words", "You have control."); // its holder has ten seconds behind a restart
+});
+
+test("nothing is asked of another host, and the browser has nothing to complain about", () => {
+  assert.deepEqual(page.asked_elsewhere, []);
+  assert.deepEqual(page.said.filter((each) => !/status of 4(01|09|12|23)|ERR_CONNECTION|Cross-Origin-Opener-Policy/.test(each)), []);
+});

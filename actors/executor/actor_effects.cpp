@@ -1,0 +1,156 @@
+// How what the cores decided leaves the executor: orders to the vehicle, and what is said to other actors.
+#include <type_traits>
+
+#include "actors/executor/actor.hpp"
+#include "actors/executor/station_plan.hpp"
+#include "runtime/planted_bug.hpp"
+
+namespace godwit::executor {
+
+void actor::carry_out(const effects& wanted) {
+  for (const auto& each : wanted)
+    std::visit([this](const auto& what) { carry_out(what); }, each);
+  core_->on_applied();
+}
+
+void actor::carry_out(const order& each) {
+  if (each.when == goes::at_once || GODWIT_PLANTED(forget_gate))
+    send(each);
+  else
+    after_commit([this, each] { dispatch_effect(each); });
+}
+
+void actor::dispatch_effect(const order& each) {
+  switch (core_->lets_out(each, now())) {
+  case core::release::now:
+    send(each);
+    break;
+  case core::release::too_late:
+    at_end([this, each] { then(core_->on_late(each, now())); });
+    break;
+  case core::release::revoked:
+    ++revoked_;
+    at_end([this, each] { then(core_->on_revoked(each)); });
+    world_.tell_people({"an order that waited for the disk is not sent any more", true});
+    break;
+  }
+}
+
+void actor::send(const order& each) {
+  if (!each.expected.empty())
+    tell(others_->failsafe, failsafe::expect_mode{each.expected, flight::order_is_expected_ns / 1'000'000});
+  std::visit([&](const auto& what) { send(each.number, what); }, each.what);
+}
+
+template <class Q>
+void actor::command_vehicle(std::uint64_t number, const Q& what) {
+  ask(
+      others_->vehicle, command_patience, what,
+      [this, number](const vehicle_link::command_outcome& outcome) { then(core_->on_command(number, outcome, now())); },
+      [this, number](const runtime::ask_error&) {
+        vehicle_link::command_outcome outcome;
+        outcome.verdict = vehicle_link::command_verdict::timed_out;
+        outcome.reason = "vehicle_link did not answer";
+        then(core_->on_command(number, outcome, now()));
+      });
+}
+
+void actor::send(std::uint64_t number, const vehicle_link::send_command& what) { command_vehicle(number, what); }
+
+void actor::send(std::uint64_t number, const vehicle_link::set_current_item& what) { command_vehicle(number, what); }
+
+void actor::send(std::uint64_t number, const failsafe::guard_mission& what) {
+  ask(
+      others_->failsafe, failsafe_status_patience, what,
+      [this, number](const failsafe::guard_answer& answer) { then(core_->on_guarded(number, answer, true, now())); },
+      [this, number](const runtime::ask_error&) {
+        then(core_->on_guarded(number, {false, "it does not answer"}, false, now()));
+      });
+}
+
+template <class Q>
+void actor::transfer_plan(std::uint64_t number, const Q& what) {
+  ask(
+      others_->vehicle, transfer_patience, what,
+      [this, number](const vehicle_link::transfer::outcome& outcome) {
+        then(core_->on_transfer(number, outcome, now()));
+      },
+      [this, number](const runtime::ask_error&) {
+        vehicle_link::transfer::outcome outcome; // timed out; what the vehicle holds is not known
+        outcome.reason = "vehicle_link did not answer";
+        then(core_->on_transfer(number, outcome, now()));
+      });
+}
+
+void actor::carry_out(const give_up_transfer&) { tell(others_->vehicle, vehicle_link::cancel_transfer{}); }
+
+void actor::carry_out(const say_to_failsafe& each) {
+  std::visit([this](const auto& what) { tell(others_->failsafe, what); }, each.what);
+}
+
+void actor::carry_out(const say_to_client& each) {
+  if (others_->client)
+    after_commit([this, each] { std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what); });
+}
+
+void actor::carry_out(const say_to_port& each) {
+  if (others_->port)
+    std::visit([this](const auto& what) { tell(*others_->port, what); }, each.what);
+}
+
+void actor::carry_out(const announce& each) {
+  using io::mavlink::mav_severity;
+  at_end([this, each] { world_.tell_people(each); });
+  say_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
+}
+
+void actor::say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence) {
+  if (others_->port)
+    tell(*others_->port, ground_port::status_text{severity, sentence});
+}
+
+void actor::show_reached(const mission::progress_report& report) {
+  const auto reached = reached_shown(current_state(), report, settings_.shows_home);
+  if (others_->port && reached)
+    tell(*others_->port, *reached);
+}
+
+void actor::show_phase_status(const phase_status& status) {
+  using io::mavlink::mav_severity;
+  at_end([this, status] {
+    world_.on_phase_status(status);
+    say_to_stations(status.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
+  });
+}
+
+void actor::dispatch(const durable_core::effect& each) {
+  std::visit(
+      [this]<class M>(const M& m) {
+        if constexpr (std::is_same_v<M, mission_client::report_progress> ||
+                      std::is_same_v<M, mission_client::respond_to_assignment> ||
+                      std::is_same_v<M, mission_client::insert_waypoint> ||
+                      std::is_same_v<M, mission_client::replace_tail>) {
+          if (others_->client)
+            tell(*others_->client, m);
+          if constexpr (std::is_same_v<M, mission_client::report_progress>)
+            show_reached(m.report);
+        } else if constexpr (std::is_same_v<M, start_answer>) {
+          if (!answer_current(m) && others_->port)
+            tell(*others_->port, m);
+        } else if constexpr (std::is_same_v<M, phase_status>) {
+          show_phase_status(m);
+        } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {
+          carry_out(announce{"preflight: " + m.sentence, m.now == preflight::phase::failed});
+        } else if constexpr (std::is_same_v<M, preflight::report_opened>) {
+          carry_out(announce{"preflight report " + std::to_string(m.what.id) + " waits for an acknowledgement", true});
+        } else if constexpr (std::is_same_v<M, preflight::acknowledgement_answered>) {
+          if (!m.is_taken)
+            carry_out(announce{"the acknowledgement is not taken: " + m.reason, true});
+        } else {
+          news_.push_back(m);
+        }
+      },
+      each);
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,94 @@
+// What the link shows of itself.
+#include <utility>
+#include <vector>
+
+#include "actors/vehicle_link/core.hpp"
+
+namespace godwit::vehicle_link {
+
+namespace {
+
+constexpr std::int64_t ns_per_ms = 1'000'000;
+
+std::vector<named_count> named(const std::vector<mavlink::channel_count>& counts) {
+  std::vector<named_count> result;
+  for (const auto& each : counts)
+    result.push_back({each.name, each.count});
+  return result;
+}
+
+void show(const mavlink::channel_report& of, connection& in) {
+  in.rx_seq = of.last_sequence;
+  in.signing_enabled = of.is_signing;
+  in.frames_in = of.frames_in;
+  in.frames_out = of.frames_out;
+  in.sequence_gaps = of.sequence_gaps;
+  in.parse_errors_total = of.parse_errors_total;
+  in.parse_errors = named(of.parse_errors);
+  in.kind_errors = named(of.kind_errors);
+  in.signing_rejected = of.signing_rejected;
+  in.signing_errors = named(of.signing_errors);
+}
+
+} // namespace
+
+std::string core::refused_sentence() const {
+  return std::string(refused_for_signature) + ": " + channel_.last_rejection();
+}
+
+bool core::speaks_v1_only(std::int64_t now_ns) const {
+  return first_v1_ns_ && channel_.frames_in() == 0 && now_ns - *first_v1_ns_ >= v1_only_after_ms * ns_per_ms;
+}
+
+connection core::describe(instant now) const {
+  connection result;
+  result.phase = watch_.phase();
+  result.connected = result.phase == connection_phase::connected;
+  result.reason = watch_.reason();
+  result.last_heartbeat_age_ms = watch_.heartbeat_age_ms(now.monotonic_ns);
+  std::optional<mavlink::sender> who;
+  if (const auto& vehicle = watch_.vehicle()) {
+    who = mavlink::sender{vehicle->system, vehicle->component};
+    result.system = vehicle->system;
+    result.autopilot = vehicle->autopilot;
+    result.vehicle_type = vehicle->type;
+  }
+  show(channel_.report(who), result);
+  result.tx_seq = channel_.next_sequence(ourselves());
+  result.heartbeat_held_back = heartbeat_held_back_;
+  result.not_accepted = not_accepted_;
+  result.relayed_to_vehicle = relayed_to_vehicle_;
+  result.relayed_to_stations = relayed_to_stations_;
+  result.relays_dropped = relays_dropped_;
+  result.vehicle_restarts = watch_.restarts();
+  result.late_heartbeats = late_heartbeats_;
+  result.other_autopilots = watch_.other_autopilots();
+  result.under_its_name = under_its_name_;
+  result.orders_kept_back = orders_.kept_back();
+  result.reconnects = reconnects_;
+  for (const auto id : streams_.missing())
+    if (const auto* const info = mavlink::find_message(id))
+      result.missing_streams.emplace_back(info->name);
+  return result;
+}
+
+runtime::condition core::health(instant now) {
+  if (speaks_v1_only(now.monotonic_ns))
+    return {runtime::health_colour::red,
+            "the vehicle speaks MAVLink 1 only; set it to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL = 2, PX4: "
+            "MAV_PROTO_VER = 2)"};
+  if (watch_.phase() != connection_phase::connected)
+    return {runtime::health_colour::red, watch_.reason()};
+  if (channel_.signs_beyond_reservation())
+    return {runtime::health_colour::red,
+            "signing goes on without its time being on the disk: the journal does not answer"};
+  if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ms * ns_per_ms)
+    return {runtime::health_colour::yellow, refused_sentence()};
+  if (const auto who = gate_.missing(now.monotonic_ns))
+    return {runtime::health_colour::yellow, "our heartbeat is held back: " + *who + " does not say that it is well"};
+  if (losses_.is_bad())
+    return {runtime::health_colour::yellow, losses_.sentence()};
+  return {runtime::health_colour::green, settings_.open_line};
+}
+
+} // namespace godwit::vehicle_link

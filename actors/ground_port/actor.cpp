@@ -42,6 +42,8 @@ actor::behavior_type actor::handlers() {
       on<item_reached>([this](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
       on<status_text>([this](const status_text& m) { then(core_->on_status_text(m, now())); }),
       on<plan_judged>([this](const plan_judged& m) { then(core_->on_plan_judged(m, now())); }),
+      on<operator_bridge::control_news>(
+          [this](const operator_bridge::control_news& m) { then(core_->on_control(m, now())); }),
       on<set_mission>([this](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
       on<get_port>([this](const get_port&) {
         auto result = core_->describe(now());
@@ -72,6 +74,7 @@ actor::behavior_type actor::handlers() {
 void actor::started() {
   core_.emplace(settings_, signing_, current_state(), others_->executor.has_value(), now());
   begin_line();
+  ask_who_has_control();
 }
 
 // -- effects --------------------------------------------------------------------------------------
@@ -122,6 +125,34 @@ void actor::carry_out(const act_to_ask& each) {
 void actor::carry_out(const tell_taken_over&) {
   if (others_->failsafe)
     tell(*others_->failsafe, failsafe::taken_over{});
+}
+
+void actor::carry_out(const audit_row_to_tell& each) {
+  if (!others_->bridge)
+    return;
+  const auto name = "station " + std::to_string(each.who.system) + '/' + std::to_string(each.who.component);
+  const auto role = settings_.stations_are.value_or(operators::role::viewer);
+  // What is refused to one that nobody can tell from a stranger is a stranger's row: they fill nobody else's.
+  const bool is_stranger = !signing_.key && each.outcome != "taken";
+  tell(*others_->bridge,
+       operator_bridge::audit_note{
+           {name, role, is_stranger ? std::string() : "mavlink"}, each.what, each.outcome, each.reason});
+}
+
+// Until it is known stations hold and return, and no more. Whoever is started later tells it by itself.
+void actor::ask_who_has_control() {
+  if (!others_->bridge || !settings_.stations_are)
+    return;
+  ask(
+      *others_->bridge, control_patience, operator_bridge::get_operators{},
+      [this](const operator_bridge::operators_view& m) {
+        if (!core_->knows_control()) // what was told since is newer
+          then(core_->on_control({m.control ? m.control->who.name : std::string()}, now()));
+      },
+      [this](const runtime::ask_error& why) {
+        if (why.code == runtime::ask_errc::timeout && !core_->knows_control())
+          ask_who_has_control();
+      });
 }
 
 void actor::carry_out(const operator_link& each) {

@@ -17,6 +17,7 @@
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/handle.hpp"
+#include "messages/operator_bridge/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
 
 namespace godwit::ground_port {
@@ -28,11 +29,18 @@ using io::link::wire;
 inline constexpr std::chrono::seconds command_patience{3};
 inline constexpr std::chrono::seconds current_patience{10};
 
+// Who has control is asked for once, and told at each change; a question that is not answered is put again.
+inline constexpr std::chrono::seconds control_patience{2};
+
 // A person's message waits for so long for the executor, which answers it without the disk.
 inline constexpr std::chrono::milliseconds act_patience{1'000};
 
 // Who has to hear of a person that has the vehicle, where the executor does not answer.
 using takeover_listener = runtime::mailbox<runtime::tells<failsafe::taken_over>>;
+
+// Who knows who has control, and keeps the audit.
+using bridge_handle = runtime::mailbox<runtime::asks<operator_bridge::get_operators, operator_bridge::operators_view>,
+                                       runtime::tells<operator_bridge::audit_note>>;
 
 // Whom the port speaks with. Filled in while the process is composed, when the addresses of all actors exist, and not
 // changed after the actors were started.
@@ -40,6 +48,7 @@ struct peers {
   std::optional<executor::station_handle> executor;  // none: missions are taken and shown, and not started
   std::optional<vehicle_link::relay_handle> vehicle; // none: nothing is passed on
   std::optional<takeover_listener> failsafe;
+  std::optional<bridge_handle> bridge; // none: there are no operators beside the stations
   std::vector<operator_ear> operator_ears;
 };
 
@@ -66,7 +75,9 @@ private:
   void carry_out(const pass_on& each);
   void carry_out(const act_to_ask& each);
   void carry_out(const tell_taken_over&);
+  void carry_out(const audit_row_to_tell& each);
   void carry_out(const operator_link& each);
+  void ask_who_has_control();
 
   settings settings_;
   signing_settings signing_;

@@ -22,7 +22,7 @@ constexpr auto autopilot_component = mavlink::number(mavlink::mav_component::aut
 core::core(settings configured, const signing_settings& signing, const state& restored, bool has_executor, instant now)
     : settings_(std::move(configured)), has_executor_(has_executor),
       channel_(signing, mavlink::signing_time{restored.signing_ceiling}), stations_(settings_.heartbeats_to_begin),
-      gate_(settings_.rates), starts_(restored.last_start, now),
+      rules_(settings_.stations_are), gate_(settings_.rates), starts_(restored.last_start, now),
       params_(params_to_show({settings_.as.system, settings_.as.component})),
       first_ticket_(static_cast<std::uint64_t>(now.wall_ns)), next_ticket_(first_ticket_),
       start_item_(restored.start_item), noted_start_item_(restored.start_item), next_beat_ns_(now.monotonic_ns) {
@@ -94,7 +94,7 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
                                                  [&](const auto& m) {
                                                    if (is_busy_with_disk())
                                                      ++counts_.waiting_for_disk;
-                                                   else
+                                                   else if (!is_refused(t, *from, m))
                                                      go_on(t, server_->on(who, m, t.now.monotonic_ns));
                                                  }) ||
                         other_messages::visit(frame, [&](const auto& m) { take(t, *from, m); });

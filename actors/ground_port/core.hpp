@@ -36,6 +36,7 @@
 #include "actors/ground_port/settings.hpp"
 #include "actors/ground_port/start_dedup.hpp"
 #include "actors/ground_port/state.hpp"
+#include "actors/ground_port/station_rules.hpp"
 #include "actors/ground_port/station_table.hpp"
 #include "actors/ground_port/text_queue.hpp"
 #include "actors/ground_port/vehicle_role/current_report.hpp"
@@ -46,6 +47,7 @@
 #include "messages/ground_port/plan_judged.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
+#include "messages/operator_bridge/control.hpp"
 #include "runtime/condition.hpp"
 
 namespace godwit::ground_port {
@@ -105,6 +107,9 @@ public:
 
   [[nodiscard]] effects on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now);
   [[nodiscard]] effects on_act_failed(std::uint64_t request, const std::string& reason, instant now);
+
+  [[nodiscard]] effects on_control(const operator_bridge::control_news& m, instant now);
+  [[nodiscard]] bool knows_control() const { return rules_.knows_control(); }
 
   // On the disk now, in this life or an earlier one.
   [[nodiscard]] effects on_durable(const plan_resolved& m, instant now);
@@ -190,6 +195,30 @@ private:
   void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 
+  // core_principals.cpp
+  void tell_audit(decision_context& t, mavlink::sender who, std::string what, std::string outcome, std::string reason);
+  [[nodiscard]] std::optional<station_rules::objection> object_to(decision_context& t, mavlink::sender who,
+                                                                  const std::string& what);
+  // True: it has its answer.
+  [[nodiscard]] bool is_refused(decision_context& t, const vehicle_role::order& what, const std::string& name);
+  struct plan_wish { // an upload, of a part too, or a clear
+    std::uint8_t target_system = 0;
+    std::uint8_t target_component = 0;
+    std::uint8_t mission_type = 0;
+    bool clears = false;
+  };
+  [[nodiscard]] bool is_refused(decision_context& t, const station& from, const plan_wish& what);
+  // A download changes nothing.
+  template <class M>
+  [[nodiscard]] bool is_refused(decision_context& t, const station& from, const M& m) {
+    constexpr bool clears = M::message_id == mavlink::mission_clear_all::message_id;
+    if constexpr (clears || M::message_id == mavlink::mission_count::message_id ||
+                  M::message_id == mavlink::mission_write_partial_list::message_id)
+      return is_refused(t, from, plan_wish{m.target_system, m.target_component, m.mission_type, clears});
+    else
+      return false;
+  }
+
   // core_mission.cpp
   struct held;            // waits for the disk
   struct awaited_verdict; // of the executor
@@ -229,6 +258,7 @@ private:
   mavlink::channel channel_;
   std::optional<mission_server::server> server_;
   station_table stations_;
+  station_rules rules_;
   forward_gate gate_;
   text_queue texts_;
   start_dedup starts_;

@@ -112,6 +112,8 @@ void core::start(decision_context& t, const vehicle_role::order& what) {
     return answer(t, what, mav_result::in_progress);
   if (repetition == start_dedup::kind::repeated_after)
     return answer(t, what, static_cast<mav_result>(starts_.record()->result));
+  if (is_refused(t, what, "Mission start"))
+    return;
   vehicle_role::start_situation now;
   now.item_count = static_cast<int>(server_->plan(mavlink::mav_mission_type::mission).items.size());
   now.is_transferring = server_->is_receiving() || !held_.empty();
@@ -151,6 +153,8 @@ effects core::on_durable(const start_resolved& m, instant now) {
   if (!record.is_correction && now.wall_ns - record.resolved_at_ns < answer_is_worth_ns)
     answer(t, {.from = to, .command = record.command, .target_component = record.asked_component}, result);
   t.say(result == mav_result::accepted ? mav_severity::info : mav_severity::warning, record.text);
+  if (!record.is_correction)
+    tell_audit(t, to, "Mission start", result == mav_result::accepted ? "taken" : "refused", record.text);
   finish(t);
   return std::move(t.done);
 }

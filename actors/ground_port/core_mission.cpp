@@ -212,6 +212,10 @@ void core::tell_judged(decision_context& t) {
 // what is here stays.
 void core::tell_verdict(decision_context& t, held& what) {
   const auto verdict = what.worst();
+  for (const auto& each : what.reaction.changes)
+    if (each.type == mav_mission_type::mission)
+      tell_audit(t, each.by, what.is_clear ? "Clear" : "Upload",
+                 verdict ? std::string(io::name_of(*verdict)) : "unknown", {});
   if (verdict == plan_verdict::taken)
     return;
   const bool is_refused = verdict == plan_verdict::refused;
@@ -336,6 +340,10 @@ void core::choose_current(decision_context& t, const set_current_request& set_cu
                    "Set current: there is no item " + std::to_string(set_current.index));
     return;
   }
+  if (const auto objection = object_to(t, set_current.from, "Set current")) {
+    refuse_current(t, set_current, objection->result, "Set current: " + objection->why);
+    return;
+  }
   if (!held_.empty() || is_busy_with_disk()) {
     refuse_current(t, set_current, mav_result::temporarily_rejected, "Set current: a plan is being stored");
     return;
@@ -401,6 +409,7 @@ effects core::on_current_failed(std::uint64_t request, const std::string& reason
 
 void core::end_set_current(decision_context& t, mav_result result, const std::string& text) {
   const auto set_current = *std::exchange(set_current_, std::nullopt);
+  tell_audit(t, set_current.from, "Set current", result == mav_result::accepted ? "taken" : "refused", text);
   if (result != mav_result::accepted) {
     refuse_current(t, set_current, result, text);
     return;

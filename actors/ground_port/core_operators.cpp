@@ -41,6 +41,9 @@ void core::begin_word(decision_context& t, const vehicle_role::order& what, cons
   const auto reject_for_now = [&](const std::string& why) {
     refuse(t, what, mav_result::temporarily_rejected, name_for_people(what) + ": " + why);
   };
+  const bool is_go_to = command.kind == operators::command_kind::go_to;
+  if (!operators::is_stop(command.kind) && is_refused(t, what, is_go_to ? "Go to" : "Continue"))
+    return;
   if (!has_executor_)
     return reject_for_now("no executor is there");
   if (!words_.may_begin(what.from, now_ns))
@@ -69,6 +72,7 @@ void core::end_word(decision_context& t, std::uint64_t request, mav_result resul
   const auto asked = words_.resolve(request, result, t.now.monotonic_ns);
   if (!asked)
     return;
+  tell_audit(t, asked->from, name_for_people(*asked), result == mav_result::accepted ? "taken" : "refused", reason);
   if (result == mav_result::accepted)
     answer(t, *asked, result);
   else

@@ -292,6 +292,8 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
 }
 
 void core::start_or_resume(decision_context& t, vehicle_role::order what) {
+  if (rules_.look() && is_refused(t, what, "Mission start"))
+    return;
   const bool is_held = std::exchange(is_hold_asked_, false);
   if (!is_held && is_running() && mode_.kind == mode_kind::mission)
     return answer(t, what, mav_result::accepted);

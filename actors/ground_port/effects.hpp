@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -45,11 +46,19 @@ struct act_to_ask {
 // The failsafe is told that a person has the vehicle, by nobody else: the executor does not answer.
 struct tell_taken_over {};
 
+// operator_bridge writes it down: what WHO wanted of godwit, and what came of it.
+struct audit_row_to_tell {
+  mavlink::sender who;
+  std::string what;
+  std::string outcome;
+  std::string reason;
+};
+
 // To be made durable. What comes of it is given to on_durable.
 using durable_event = durable_core::event;
 
 using effect = std::variant<transmission, start_request_to_executor, word_to_say, pass_on, act_to_ask, tell_taken_over,
-                            durable_event, operator_link>;
+                            audit_row_to_tell, durable_event, operator_link>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::ground_port

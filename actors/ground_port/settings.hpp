@@ -9,6 +9,7 @@
 #include "actors/ground_port/forward_gate.hpp"
 #include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 #include "io/mavlink/enums.hpp"
+#include "messages/operator/principal.hpp"
 
 namespace godwit::ground_port {
 
@@ -38,7 +39,8 @@ struct settings {
   // than one where anybody can speak: a forged heartbeat must begin nothing.
   int heartbeats_to_begin = 1;
   std::string open_line; // why anybody can speak on it, as a sentence for people; empty: not anybody can
-  int max_items = 1'000; // of one plan; more is answered with NO_SPACE
+  std::optional<operators::role> stations_are = {}; // beside operators; none: there are none
+  int max_items = 1'000;                            // of one plan; more is answered with NO_SPACE
 };
 
 // Why SETTINGS can not be used, as a sentence for people; nothing: they can.

@@ -3,9 +3,9 @@
 namespace godwit::operator_bridge {
 
 actor::actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
-             std::shared_ptr<presence> shown)
+             std::shared_ptr<presence> shown, std::vector<control_listener> listeners)
     : durable_actor(std::move(context)), settings_(configured), executor_(std::move(executor)),
-      presence_(std::move(shown)) {}
+      presence_(std::move(shown)), listeners_(std::move(listeners)) {}
 
 actor::~actor() = default;
 
@@ -56,6 +56,7 @@ void actor::carry_out(const effects& wanted) {
     std::visit([this](const auto& what) { carry_out(what); }, each);
   plan_deadline();
   show_presence();
+  tell_control();
 }
 
 void actor::carry_out(const hand_over& each) {
@@ -87,6 +88,19 @@ void actor::ask_executor(std::uint64_t number, const operators::command& what) {
       [this, number](const runtime::ask_error& why) {
         carry_out(core_->on_no_answer(number, why.code != runtime::ask_errc::not_taken, now()));
       });
+}
+
+// When it is on the disk: what a killed process has told is true of the next one.
+void actor::tell_control() {
+  const auto& control = current_state().control;
+  auto holder = control ? control->who.name : std::string();
+  if (told_control_ == holder)
+    return;
+  told_control_ = holder;
+  after_commit([this, holder = std::move(holder)] {
+    for (const auto& each : listeners_)
+      tell(each, control_news{holder});
+  });
 }
 
 void actor::show_presence() {

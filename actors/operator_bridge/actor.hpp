@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "actors/operator_bridge/core.hpp"
 #include "actors/operator_bridge/presence.hpp"
@@ -26,7 +28,7 @@ public:
   static constexpr std::chrono::milliseconds executor_patience{2'000};
 
   actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
-        std::shared_ptr<presence> shown = std::make_shared<presence>());
+        std::shared_ptr<presence> shown = std::make_shared<presence>(), std::vector<control_listener> listeners = {});
   ~actor() override;
 
 protected:
@@ -53,10 +55,13 @@ private:
   void ask_executor(std::uint64_t number, const operators::command& what);
   void plan_deadline();
   void show_presence();
+  void tell_control();
 
   settings settings_;
   executor_handle executor_;
   std::shared_ptr<presence> presence_;
+  std::vector<control_listener> listeners_;
+  std::optional<std::string> told_control_; // the name; none: nobody was told yet
   std::optional<core> core_;
 };
 

@@ -11,6 +11,7 @@
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/plan_judged.hpp"
 #include "messages/ground_port/types.hpp"
+#include "messages/operator_bridge/control.hpp"
 #include "messages/vehicle_link/relay.hpp"
 #include "runtime/seam.hpp"
 
@@ -41,7 +42,10 @@ using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 // Who hears how the operator's link is.
 using operator_ear = runtime::mailbox<runtime::tells<operator_link>>;
 
+// Who knows who has control.
+using control_handle = runtime::mailbox<runtime::tells<operator_bridge::control_news>>;
+
 // All of it.
-using own_handle = runtime::combine<handle, telemetry_handle, relay_handle, wake_handle>;
+using own_handle = runtime::combine<handle, telemetry_handle, relay_handle, wake_handle, control_handle>;
 
 } // namespace godwit::ground_port

@@ -53,6 +53,12 @@ struct control_holder {
   friend bool operator==(const control_holder&, const control_holder&) = default;
 };
 
+// Told when another one has it than before, and when operator_bridge begins anew.
+struct control_news {
+  std::string holder; // a name; empty: nobody
+  static constexpr auto fields = io::table("operator_bridge.control_news", io::field("holder", &control_news::holder));
+};
+
 struct get_operators {
   static constexpr auto fields = io::table("operator_bridge.get_operators");
 };

@@ -21,6 +21,9 @@ using door_handle = runtime::mailbox<runtime::asks<open_session, session_answer>
                                      runtime::asks<use_link, session_answer>, runtime::asks<identify, identity>,
                                      runtime::asks<end_session, session_ended>, runtime::tells<audit_note>>;
 
+// Who has to know who has control.
+using control_listener = runtime::mailbox<runtime::tells<control_news>>;
+
 // Who reads the accounts.
 using accounts_handle = runtime::mailbox<runtime::tells<accounts_read>>;
 

@@ -12,6 +12,7 @@ GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::audit_note);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::change_control);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::command_answer);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::control_answer);
+GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::control_news);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::end_session);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::get_audit);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::get_operators);

@@ -59,6 +59,7 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
     result.as.component = io::mavlink::number(io::mavlink::mav_component::autopilot1);
   result.passes = settings.ground_passes;
   result.also_passes = settings.ground_also_passes;
+  result.stations_are = settings.ground_key_file.empty() ? settings.unsigned_stations : operators::role::operator_;
   if (settings.ground) {
     const bool is_signed = !settings.ground_key_file.empty();
     result.heartbeats_to_begin = heartbeats_to_begin(*settings.ground, is_signed);
@@ -130,15 +131,17 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
   const auto of_executor = std::make_shared<executor::peers>();
   made.of_executor = of_executor;
   const auto operators = std::make_shared<operator_bridge::presence>();
+  std::vector<operator_bridge::control_listener> of_control;
+  const auto of_ground = std::make_shared<ground_port::peers>();
   made.executor = actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
                                               std::shared_ptr<const executor::peers>(of_executor),
                                               world_of(actors, outside, operators));
   if (outside.ground) {
-    const auto of_ground = std::make_shared<ground_port::peers>();
     made.ground = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings_of_ground(settings),
                                                  outside.ground_signing, outside.ground,
                                                  std::shared_ptr<const ground_port::peers>(of_ground));
     of_executor->port = made.ground;
+    of_control.emplace_back(made.ground);
     of_ground->executor = made.executor;
     of_ground->vehicle = base.vehicle;
     of_ground->failsafe = base.failsafe;
@@ -147,7 +150,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_vehicle->add(made.ground);
   }
   made.bridge = actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable, settings.sessions,
-                                                   made.executor, operators);
+                                                   made.executor, operators, of_control);
+  of_ground->bridge = made.bridge;
   of_executor->vehicle = base.vehicle;
   of_executor->guardian = actors.guardian();
   actors.set_supervisor(made.executor);

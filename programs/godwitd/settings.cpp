@@ -169,6 +169,7 @@ checked read_ground(const json& ground, daemon_settings& to) {
   to.ground_key_file = text(ground, "key_file");
   to.speaks_as_autopilot = ground.at("as_autopilot").get<bool>();
   to.flight.shows_home = to.speaks_as_autopilot;
+  to.unsigned_stations = io::value_of<godwit::operators::role>(text(ground, "unsigned_role")).value();
   to.ground_passes = text(ground, "passes") == "all";
   std::istringstream names(text(ground, "also_passes"));
   for (std::string each; names >> each;) {

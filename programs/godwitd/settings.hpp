@@ -19,6 +19,7 @@
 #include "actors/vehicle_link/settings.hpp"
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
+#include "messages/operator/principal.hpp"
 #include "programs/godwitd/crash_loop_guard.hpp"
 #include "programs/godwitd/link_log/link_log_options.hpp"
 #include "programs/godwitd/log/log_settings.hpp"
@@ -45,7 +46,9 @@ struct daemon_settings {
   std::optional<io::link::uri> ground; // none: no ground station is spoken to
   bool speaks_as_autopilot = true;     // there: for stations that bring missions to nobody else
   std::string ground_key_file;         // empty: nothing is signed there
-  bool ground_passes = true;           // reading and what people do goes on to the vehicle
+  godwit::operators::role unsigned_stations =
+      godwit::operators::role::operator_; // what they are where nothing is signed
+  bool ground_passes = true;              // reading and what people do goes on to the vehicle
   std::vector<std::string> ground_also_passes;
   mapobjects_store::map_writer_options map;
   scan_controller::settings scan;

@@ -124,6 +124,11 @@ daemon_process::answer daemon_process::command(const operator_bridge::operator_c
   };
 }
 
+void daemon_process::change_control(const operator_bridge::change_control& what) {
+  constexpr std::chrono::seconds patience{4};
+  (void)parts_->world.ask(parts_->flight.bridge, patience, what);
+}
+
 void daemon_process::see(const mapobjects_store::sighting& what) {
   parts_->outside.seen.push_back(what);
   parts_->add(what);

@@ -19,6 +19,7 @@
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/command.hpp"
+#include "messages/operator_bridge/control.hpp"
 #include "messages/scan_controller/types.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
@@ -75,6 +76,7 @@ public:
   // To operator_bridge. The function tells the answer, as soon as there is one.
   using answer = std::function<std::optional<operator_bridge::command_answer>()>;
   [[nodiscard]] answer command(const operator_bridge::operator_command& what);
+  void change_control(const operator_bridge::change_control& what);
   void see(const mapobjects_store::sighting& what);
   // At the control socket; the answer is there when what can happen now has happened.
   [[nodiscard]] scan_controller::decide_answer decide(const scan_controller::decide_point& what);

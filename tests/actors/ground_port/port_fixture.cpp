@@ -164,6 +164,8 @@ void port_fixture::carry_out(const effects& wanted) {
       passed_on.push_back(passed->what);
     else if (const auto* act = std::get_if<act_to_ask>(&each))
       acts.push_back(*act);
+    else if (const auto* row = std::get_if<audit_row_to_tell>(&each))
+      rows.push_back(*row);
     else if (std::holds_alternative<tell_taken_over>(each))
       taken_over_told.push_back(passed_on.size());
     else if (is_disk_slow_)

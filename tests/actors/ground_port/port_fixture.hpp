@@ -80,6 +80,8 @@ public:
   void leaves_act(std::uint64_t request) {
     carry_out(core_->on_act_failed(request, "the executor does not answer", now()));
   }
+  // Empty: nobody.
+  void has_control(const std::string& name) { carry_out(core_->on_control({name}, now())); }
   void judge(const plan_judged& m) { carry_out(core_->on_plan_judged(m, now())); }
   void component_says(const vehicle_link::relayed_frame& m) { carry_out(core_->on_relayed(m, now())); }
   // The answer to the last start that was asked for; started: with the progress that follows it.
@@ -149,6 +151,7 @@ public:
   std::vector<act_to_ask> acts;
   std::vector<std::size_t> taken_over_told; // so many had been passed on when the failsafe was told
   std::vector<operator_link> operator_news;
+  std::vector<audit_row_to_tell> rows;
   state disk;
   std::size_t events = 0;
 

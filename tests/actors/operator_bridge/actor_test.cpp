@@ -41,10 +41,27 @@ private:
   const bool* answers_;
 };
 
+// Hears who has control.
+class listener_stand_in final : public runtime::actor_base<control_listener> {
+public:
+  listener_stand_in(runtime::spawn_context context, std::vector<std::string>* heard)
+      : actor_base(std::move(context)), heard_(heard) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<control_news>([this](const control_news& m) { heard_->push_back(m.holder); })};
+  }
+
+private:
+  std::vector<std::string>* heard_;
+};
+
 struct process {
   explicit process(runtime::simulated_disk& disk, std::uint64_t seed = 1) : world(disk, seed) {
     const auto executor = world.actors().add<executor_stand_in>({.name = "executor"}, {}, &heard, &answers);
-    bridge = world.actors().add<actor>({.name = "operator_bridge"}, {}, settings{}, executor_handle(executor));
+    const auto listener = world.actors().add<listener_stand_in>({.name = "ground_port"}, {}, &control);
+    bridge = world.actors().add<actor>({.name = "operator_bridge"}, {}, settings{}, executor_handle(executor), shown,
+                                       std::vector<control_listener>{listener});
     world.start();
     world.run_until_idle();
   }
@@ -66,6 +83,8 @@ struct process {
     return asked->answer.rows;
   }
   std::vector<operators::command> heard;
+  std::vector<std::string> control; // who has it, as it was told
+  std::shared_ptr<presence> shown = std::make_shared<presence>();
   bool answers = true;
   runtime::simulation world;
   own_handle bridge;
@@ -83,6 +102,27 @@ TEST(operator_bridge, a_command_is_handed_over_when_it_is_on_the_disk_and_answer
   EXPECT_EQ(asked->answer.verdict, verdict::taken);
   EXPECT_EQ(p.heard.size(), 1U);
   EXPECT_EQ(p.audit().back().outcome, "taken");
+}
+
+TEST(operator_bridge, who_has_control_is_told_when_it_is_on_the_disk_and_by_each_incarnation) {
+  runtime::simulated_disk disk;
+  process p(disk);
+  EXPECT_EQ(p.control, (std::vector<std::string>{""}));
+  p.world.journal().hold(true);
+  (void)p.world.ask(p.bridge, 1s, change_control{local, control_act::take, {}});
+  p.world.run_until_idle();
+  EXPECT_EQ(p.control.size(), 1U) << "it may never have been";
+  p.world.journal().hold(false);
+  p.world.run_until_idle();
+  EXPECT_EQ(p.control, (std::vector<std::string>{"", "desk"}));
+  p.world.kill("operator_bridge");
+  p.world.advance(1s);
+  EXPECT_EQ(p.control.back(), "desk");
+  EXPECT_EQ(p.control.size(), 3U);
+  p.world.advance(11s);
+  EXPECT_EQ(p.control.back(), "") << "who has it is silent";
+  EXPECT_TRUE(p.shown->is_there(p.world.time().monotonic_ns() - 12'000'000'000));
+  EXPECT_FALSE(p.shown->is_there(p.world.time().monotonic_ns()));
 }
 
 TEST(operator_bridge, a_stop_waits_for_no_disk) {

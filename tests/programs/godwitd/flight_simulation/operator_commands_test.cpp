@@ -129,6 +129,35 @@ TEST_P(operator_commands, that_operator_bridge_is_given_up_or_hangs_touches_no_f
   }
 }
 
+// A hold of a station goes to the executor whoever has control, and while operator_bridge is gone.
+TEST_P(operator_commands, a_station_moves_nothing_while_somebody_else_has_control_and_holds_whoever_has_it) {
+  using io::mavlink::mav_cmd;
+  constexpr int temporarily_rejected = 1;
+  flight_simulation flight({.who = GetParam()});
+  fly(flight);
+  const operators::principal anna{"anna", operators::role::engineer, std::string(operators::local_session)};
+  flight.process()->change_control({anna, operator_bridge::control_act::take, {}});
+  flight.run_for(0.2);
+  flight.station().command(mav_cmd::do_pause_continue, 0);
+  ASSERT_TRUE(flight.run_until_phase(phase::paused, 20)) << flight.story();
+  flight.run_for(0.2);
+  const auto since_ns = flight.now_ns();
+  flight.station().command(mav_cmd::do_pause_continue, 1);
+  flight.run_for(1);
+  EXPECT_EQ(flight.station().result_of(mav_cmd::do_pause_continue).value_or(255), temporarily_rejected)
+      << flight.story();
+  EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
+  EXPECT_EQ(flight.status().now, phase::paused) << flight.story();
+  flight.process()->change_control({anna, operator_bridge::control_act::give, {}});
+  flight.run_for(0.5);
+  flight.station().command(mav_cmd::do_pause_continue, 1);
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 20)) << flight.story();
+  (void)flight.give_up("operator_bridge");
+  flight.run_for(0.5);
+  flight.station().command(mav_cmd::do_pause_continue, 0);
+  ASSERT_TRUE(flight.run_until_phase(phase::paused, 20)) << flight.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, operator_commands,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });

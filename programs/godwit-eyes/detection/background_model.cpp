@@ -1,0 +1,223 @@
+#include "programs/godwit-eyes/detection/background_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "programs/godwit-eyes/detection/own_motion.hpp"
+
+namespace godwit::eyes {
+
+namespace {
+
+constexpr int margin = 48;            // of the canvas around the picture with which it is laid
+constexpr float first_variance = 200; // of what was seen once
+constexpr float least_variance = 10;
+constexpr float most_variance = 1500;
+constexpr float oldest = 40;       // pictures; older ones are forgotten at this rate
+constexpr float fits_squared = 6;  // of a deviation to the variance: it is the same thing
+constexpr float found_squared = 5; // it may be a mover
+constexpr float sure_squared = 20; // it surely differs
+constexpr float young = 3;         // younger ground tells nothing
+constexpr double least_scale = 0.8;
+constexpr double most_scale = 1.25;
+constexpr std::uint8_t may_be = 128;
+constexpr std::uint8_t sure = 255;
+
+std::array<cv::Point2d, 4> corners_of(const cv::Size& size) {
+  const double right = size.width - 1;
+  const double bottom = size.height - 1;
+  return {cv::Point2d(0, 0), cv::Point2d(right, 0), cv::Point2d(right, bottom), cv::Point2d(0, bottom)};
+}
+
+void start(cv::Vec3f& mode, float value, float age) { mode = {value, first_variance, age}; }
+
+// The mean follows by 1/age, the variance likewise.
+void refine(cv::Vec3f& mode, float deviation) {
+  const float share = 1 / (mode[2] + 1);
+  mode[0] += share * deviation;
+  mode[1] += share * (deviation * deviation - mode[1]);
+  mode[1] = std::clamp(mode[1], least_variance, most_variance);
+  mode[2] = std::min(mode[2] + 1, oldest);
+}
+
+bool is_like(const cv::Vec3f& mode, float deviation) {
+  return deviation * deviation < fits_squared * std::max(mode[1], least_variance);
+}
+
+void learn(cv::Vec3f& ground, cv::Vec3f& other, float value) {
+  const float to_ground = value - ground[0];
+  if (is_like(ground, to_ground))
+    return refine(ground, to_ground);
+  const float to_other = value - other[0];
+  if (other[2] > 0 && is_like(other, to_other))
+    refine(other, to_other);
+  else
+    start(other, value, 1);
+  if (other[2] > ground[2]) {
+    ground = other;
+    other = {0, first_variance, 0};
+  }
+}
+
+} // namespace
+
+const cv::Mat& background_model::look(const cv::Mat& now, const cv::Matx33d& before_to_now) {
+  canvas_to_now_ = before_to_now * canvas_to_now_;
+  if (ground_.empty() || !fits(now.size()))
+    lay_canvas(now.size());
+  const cv::Rect part = part_of_canvas(now.size());
+  lay_picture(now, part);
+  match_brightness(part);
+  const cv::Mat mean = mean_(part);
+  const cv::Mat around = cv::getStructuringElement(cv::MORPH_RECT, cv::Size(3, 3));
+  cv::erode(mean, lowest_, around);
+  cv::dilate(mean, highest_, around);
+  update(part);
+  const cv::Matx33d part_to_now = canvas_to_now_ * cv::Matx33d(1, 0, part.x, 0, 1, part.y, 0, 0, 1);
+  cv::warpPerspective(found_, mask_, part_to_now, now.size(), cv::INTER_NEAREST);
+  return mask_;
+}
+
+void background_model::forget() {
+  ground_.release();
+  canvas_to_now_ = cv::Matx33d::eye();
+}
+
+// The picture lies on the canvas, and is neither much larger nor much smaller there.
+bool background_model::fits(const cv::Size& picture) const {
+  const cv::Matx33d to_canvas = canvas_to_now_.inv();
+  const cv::Rect2d all(0, 0, canvas_.width, canvas_.height);
+  std::array<cv::Point2d, 4> laid;
+  const auto corners = corners_of(picture);
+  for (std::size_t n = 0; n < corners.size(); ++n) {
+    laid[n] = moved(to_canvas, corners[n]);
+    if (!all.contains(laid[n]))
+      return false;
+  }
+  for (std::size_t n = 0; n < corners.size(); ++n) {
+    const double before = cv::norm(corners[n] - corners[(n + 1) % 4]);
+    const double scale = cv::norm(laid[n] - laid[(n + 1) % 4]) / before;
+    if (scale < least_scale || scale > most_scale)
+      return false;
+  }
+  return true;
+}
+
+void background_model::lay_canvas(const cv::Size& picture) {
+  const cv::Matx33d new_to_now(1, 0, -margin, 0, 1, -margin, 0, 0, 1);
+  const cv::Size size(picture.width + 2 * margin, picture.height + 2 * margin);
+  if (ground_.empty()) {
+    ground_ = cv::Mat::zeros(size, CV_32FC3);
+    other_ = cv::Mat::zeros(size, CV_32FC3);
+    mean_ = cv::Mat::zeros(size, CV_8UC1);
+  } else {
+    const cv::Matx33d old_to_new = new_to_now.inv() * canvas_to_now_;
+    cv::Mat ground;
+    cv::Mat other;
+    cv::Mat mean;
+    cv::warpPerspective(ground_, ground, old_to_new, size, cv::INTER_LINEAR);
+    cv::warpPerspective(other_, other, old_to_new, size, cv::INTER_NEAREST);
+    cv::warpPerspective(mean_, mean, old_to_new, size, cv::INTER_LINEAR);
+    ground_ = ground;
+    other_ = other;
+    mean_ = mean;
+  }
+  canvas_ = size;
+  canvas_to_now_ = new_to_now;
+}
+
+cv::Rect background_model::part_of_canvas(const cv::Size& picture) const {
+  const cv::Matx33d to_canvas = canvas_to_now_.inv();
+  double left = canvas_.width;
+  double right = 0;
+  double top = canvas_.height;
+  double bottom = 0;
+  for (const auto& corner : corners_of(picture)) {
+    const auto at = moved(to_canvas, corner);
+    left = std::min(left, at.x);
+    right = std::max(right, at.x);
+    top = std::min(top, at.y);
+    bottom = std::max(bottom, at.y);
+  }
+  const cv::Rect part(cv::Point(static_cast<int>(std::floor(left)), static_cast<int>(std::floor(top))),
+                      cv::Point(static_cast<int>(std::ceil(right)) + 1, static_cast<int>(std::ceil(bottom)) + 1));
+  return part & cv::Rect(cv::Point(), canvas_);
+}
+
+void background_model::lay_picture(const cv::Mat& now, const cv::Rect& part) {
+  const cv::Matx33d part_to_now = canvas_to_now_ * cv::Matx33d(1, 0, part.x, 0, 1, part.y, 0, 0, 1);
+  cv::warpPerspective(now, laid_, part_to_now, part.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                      cv::BORDER_REPLICATE);
+  is_known_ = cv::Mat::zeros(part.size(), CV_8UC1);
+  const cv::Matx33d to_part = part_to_now.inv();
+  std::array<cv::Point, 4> corners;
+  std::ranges::transform(corners_of(now.size()), corners.begin(), [&](const cv::Point2d& corner) {
+    const auto at = moved(to_part, corner);
+    return cv::Point(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
+  });
+  cv::fillConvexPoly(is_known_, corners.data(), 4, cv::Scalar(255));
+}
+
+// One factor for the whole picture: automatic exposure. Least squares on a grid, once more without what does not fit.
+void background_model::match_brightness(const cv::Rect& part) {
+  constexpr int apart = 8;
+  constexpr float most_difference = 18;
+  const cv::Mat mean = mean_(part);
+  const cv::Mat ground = ground_(part);
+  float factor = 1;
+  for (int round = 0; round < 3; ++round) {
+    double both = 0;
+    double own = 0;
+    for (int y = 0; y < part.height; y += apart)
+      for (int x = 0; x < part.width; x += apart) {
+        if (is_known_.at<std::uint8_t>(y, x) == 0 || ground.at<cv::Vec3f>(y, x)[2] < young)
+          continue;
+        const float value = laid_.at<std::uint8_t>(y, x);
+        const float known = mean.at<std::uint8_t>(y, x);
+        if (round > 0 && std::abs(value * factor - known) > most_difference)
+          continue;
+        both += value * known;
+        own += value * value;
+      }
+    if (own > 0)
+      factor = std::clamp(static_cast<float>(both / own), 0.5F, 2.0F);
+  }
+  if (std::abs(factor - 1) > 0.002F)
+    laid_.convertTo(laid_, CV_8U, factor);
+}
+
+void background_model::update(const cv::Rect& part) {
+  found_.create(part.size(), CV_8UC1);
+  for (int y = 0; y < part.height; ++y) {
+    const std::uint8_t* const laid = laid_.ptr<std::uint8_t>(y);
+    const std::uint8_t* const is_known = is_known_.ptr<std::uint8_t>(y);
+    const std::uint8_t* const lowest = lowest_.ptr<std::uint8_t>(y);
+    const std::uint8_t* const highest = highest_.ptr<std::uint8_t>(y);
+    std::uint8_t* const found = found_.ptr<std::uint8_t>(y);
+    std::uint8_t* const mean = mean_.ptr<std::uint8_t>(y + part.y) + part.x;
+    cv::Vec3f* const ground = ground_.ptr<cv::Vec3f>(y + part.y) + part.x;
+    cv::Vec3f* const other = other_.ptr<cv::Vec3f>(y + part.y) + part.x;
+    for (int x = 0; x < part.width; ++x) {
+      found[x] = 0;
+      if (is_known[x] == 0)
+        continue;
+      const float value = laid[x];
+      if (ground[x][2] < 1) {
+        start(ground[x], value, 1);
+      } else {
+        if (ground[x][2] >= young) {
+          const int outside = std::max({laid[x] - highest[x], lowest[x] - laid[x], 0});
+          const float squared = static_cast<float>(outside * outside) / std::max(ground[x][1], least_variance);
+          found[x] = squared > sure_squared ? sure : squared > found_squared ? may_be : std::uint8_t{0};
+        }
+        learn(ground[x], other[x], value);
+      }
+      mean[x] = static_cast<std::uint8_t>(ground[x][0] + 0.5F);
+    }
+  }
+}
+
+} // namespace godwit::eyes

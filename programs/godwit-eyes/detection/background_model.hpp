@@ -1,0 +1,45 @@
+// What the ground looks like, pixel by pixel, and so what does not belong to it.
+//
+// Each pixel of a canvas, which lies still on the ground, has two Gaussians with an age: one for what is seen there
+// mostly, and one for what may take its place. A brightness that fits the first one makes it older and surer; one that
+// does not goes to the second, which takes over when it has become older. So what passes leaves no trace, and what
+// stays becomes ground. The canvas is laid anew when the picture leaves it.
+//
+// Source: Yi, Yun, Kim, Chang, Choi, "Detection of Moving Objects with Non-stationary Cameras in 5.8ms", CVPRW 2013:
+// dual-mode single Gaussian model with age. Different from it: the blocks are the pixels of the reduced picture, and
+// models are not mixed from frame to frame but stay in their canvas, so that they do not blur. Thread: one.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace godwit::eyes {
+
+class background_model {
+public:
+  // The mask, in the picture's pixels: 0 ground or not known, 128 may be a mover, 255 surely differs.
+  // BEFORE_TO_NOW: how the ground moved since the last picture.
+  [[nodiscard]] const cv::Mat& look(const cv::Mat& now, const cv::Matx33d& before_to_now);
+  void forget();
+
+private:
+  void lay_canvas(const cv::Size& picture);
+  [[nodiscard]] bool fits(const cv::Size& picture) const;
+  [[nodiscard]] cv::Rect part_of_canvas(const cv::Size& picture) const;
+  void lay_picture(const cv::Mat& now, const cv::Rect& part);
+  void match_brightness(const cv::Rect& part);
+  void update(const cv::Rect& part);
+
+  cv::Matx33d canvas_to_now_ = cv::Matx33d::eye();
+  cv::Size canvas_;
+  cv::Mat ground_; // three floats a pixel: mean, variance, age in pictures (0: nothing is known)
+  cv::Mat other_;  // the same, of what may become ground
+  cv::Mat mean_;   // of the ground, as bytes
+  // Of the part of the canvas that the picture covers:
+  cv::Mat laid_;             // the picture
+  cv::Mat is_known_;         // where it is
+  cv::Mat lowest_, highest_; // of mean_, around each pixel
+  cv::Mat found_;
+  cv::Mat mask_;
+};
+
+} // namespace godwit::eyes

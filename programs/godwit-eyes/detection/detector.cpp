@@ -1,0 +1,270 @@
+#include "programs/godwit-eyes/detection/detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <deque>
+#include <numbers>
+
+#include <opencv2/imgproc.hpp>
+
+#include "programs/godwit-eyes/detection/background_model.hpp"
+#include "programs/godwit-eyes/detection/blobs.hpp"
+#include "programs/godwit-eyes/detection/own_motion.hpp"
+#include "programs/godwit-eyes/detection/parallax.hpp"
+#include "programs/godwit-eyes/detection/picture_check.hpp"
+#include "programs/godwit-eyes/detection/tracker.hpp"
+#include "programs/godwit-eyes/ground/ground_point.hpp"
+#include "programs/godwit-eyes/ground/sight.hpp"
+#include "runtime/assert.hpp"
+
+namespace godwit::eyes {
+
+namespace {
+
+constexpr int pictures_to_start = 6; // the background is young before
+constexpr double longest_gap_s = 0.5;
+constexpr int most_coasting = 3; // a track that was not seen for longer is not said
+
+std::int64_t thread_microseconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return now.tv_sec * 1'000'000 + now.tv_nsec / 1000;
+}
+
+// From reduced pixels to those of the picture: the middle of a block of REDUCTION pixels.
+cv::Matx33d scaled_up(const cv::Matx33d& way, int reduction) {
+  const double s = reduction;
+  const double o = (s - 1) / 2;
+  const cv::Matx33d up(s, 0, o, 0, s, o, 0, 0, 1);
+  return up * way * up.inv();
+}
+
+// The same the other way round, from pixels of the picture.
+cv::Matx33d scaled_down(const Eigen::Matrix3d& way, int reduction) {
+  cv::Matx33d full;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      full(row, column) = way(row, column);
+  const double s = reduction;
+  const double o = (s - 1) / 2;
+  const cv::Matx33d up(s, 0, o, 0, s, o, 0, 0, 1);
+  return up.inv() * full * up;
+}
+
+// In most of the pictures in which it was seen it went as something high would.
+bool is_parallax(const track& who) { return 2 * who.along_parallax > who.seen; }
+
+constexpr std::size_t most_sights = 128;
+constexpr double velocity_over_s = 0.7; // of the camera: long enough for positions that come five times a second
+
+} // namespace
+
+struct detector::parts {
+  explicit parts(const detector_settings& given)
+      : settings(given), tracks({given.frames_to_confirm, static_cast<std::size_t>(given.max_tracks)}) {}
+
+  void begin_anew();
+  [[nodiscard]] verdict look(const frame_view& frame, const std::optional<camera_pose>& pose);
+  [[nodiscard]] unusable find(const cv::Mat& now, double dt_s, verdict& said);
+  [[nodiscard]] unusable take_pose(const std::optional<camera_pose>& pose, std::int64_t at_ns);
+  [[nodiscard]] Eigen::Vector3d camera_velocity() const;
+  void mark_parallax();
+  void say(verdict& said) const;
+
+  detector_settings settings;
+  own_motion motion;
+  background_model background;
+  tracker tracks;
+  cv::Mat last;
+  int width = 0;
+  int height = 0;
+  int reduction = 1;
+  std::int64_t last_ns = 0;
+  int pictures = 0;         // since it began anew
+  std::deque<sight> sights; // of the last pictures, the newest at the back; empty: the pose is not known
+};
+
+void detector::parts::begin_anew() {
+  motion.forget();
+  background.forget();
+  tracks.forget();
+  sights.clear();
+  last.release();
+  pictures = 0;
+}
+
+verdict detector::parts::look(const frame_view& frame, const std::optional<camera_pose>& pose) {
+  verdict said;
+  said.why = check_frame(frame);
+  if (said.why != unusable::none)
+    return said;
+  const double dt_s = static_cast<double>(frame.captured_ns - last_ns) * 1e-9;
+  if (frame.width != width || frame.height != height || dt_s <= 0 || dt_s > longest_gap_s) {
+    begin_anew();
+    width = frame.width;
+    height = frame.height;
+    reduction = reduction_for(width, settings.working_width_px);
+  }
+  last_ns = frame.captured_ns;
+  const cv::Mat now = reduced(frame, reduction);
+  const auto state = judge(now);
+  said.figures.brightness = state.brightness;
+  said.why = state.why;
+  if (said.why == unusable::none && !last.empty() && cv::norm(now, last, cv::NORM_INF) == 0)
+    said.why = unusable::repeated;
+  if (said.why == unusable::repeated)
+    return said; // the next one is compared with this
+  last = now;
+  if (said.why != unusable::none) {
+    begin_anew();
+    return said;
+  }
+  const unusable flaw = take_pose(pose, frame.captured_ns);
+  said.why = find(now, dt_s, said); // also where the pose is wrong: the next picture needs this one
+  if (flaw != unusable::none)
+    said.why = flaw;
+  if (said.why == unusable::none)
+    say(said);
+  return said;
+}
+
+// Keeps the sight where the pose is right; the reason why it says nothing where it is not.
+unusable detector::parts::take_pose(const std::optional<camera_pose>& pose, std::int64_t at_ns) {
+  if (!pose || !settings.camera) {
+    sights.clear();
+    return unusable::none;
+  }
+  if (const auto flaw = flaw_of(*pose, at_ns); flaw != pose_flaw::none) {
+    sights.clear();
+    return flaw == pose_flaw::too_old ? unusable::attitude_old : unusable::bad_pose;
+  }
+  sights.emplace_back(*settings.camera, *pose, at_ns, width);
+  while (sights.size() > 2 && static_cast<double>(at_ns - sights[1].pose().at_ns) * 1e-9 > velocity_over_s)
+    sights.pop_front();
+  if (sights.size() > most_sights)
+    sights.pop_front();
+  if (pose->height_m < settings.min_height_m)
+    return unusable::too_low;
+  const double off_nadir = sights.back().off_nadir_rad(width / 2.0, height / 2.0);
+  return off_nadir > settings.max_off_nadir_deg * std::numbers::pi / 180 ? unusable::too_oblique : unusable::none;
+}
+
+Eigen::Vector3d detector::parts::camera_velocity() const {
+  const double dt_s = static_cast<double>(sights.back().pose().at_ns - sights.front().pose().at_ns) * 1e-9;
+  return dt_s < 0.05 ? Eigen::Vector3d::Zero().eval()
+                     : (way_between(sights.front().pose(), sights.back().pose()) / dt_s).eval();
+}
+
+void detector::parts::mark_parallax() {
+  if (sights.size() < 2)
+    return;
+  const Eigen::Vector3d velocity = camera_velocity();
+  for (auto& each : tracks.tracks()) {
+    if (each.missed > 0)
+      continue;
+    const auto at = each.filter.place();
+    const auto by = each.filter.velocity();
+    if (is_like_parallax(sights.back(), velocity, reduction * Eigen::Vector2d(at.x, at.y),
+                         reduction * Eigen::Vector2d(by.x, by.y)))
+      ++each.along_parallax;
+  }
+}
+
+unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
+  cv::Mat smooth;
+  cv::GaussianBlur(now, smooth, cv::Size(3, 3), 0.7);
+  std::optional<cv::Matx33d> guess;
+  if (sights.size() >= 2)
+    guess = scaled_down(ground_homography(sights[sights.size() - 2], sights.back()), reduction);
+  const auto moved_by = motion.step(smooth, guess);
+  look_figures& figures = said.figures;
+  figures.features = moved_by.features;
+  figures.inliers = moved_by.inliers;
+  figures.residual_px = moved_by.residual_px * reduction;
+  if (moved_by.why != unusable::none) {
+    const bool is_first = pictures == 0;
+    background.forget();
+    tracks.forget();
+    pictures = 1;
+    return is_first ? unusable::starting : moved_by.why;
+  }
+  const cv::Matx33d full = scaled_up(moved_by.before_to_now, reduction);
+  figures.homography.emplace();
+  std::copy_n(full.val, 9, figures.homography->begin());
+  figures.corner_shift_px = corner_shift(full, cv::Size(width, height));
+  const cv::Mat& mask = background.look(smooth, moved_by.before_to_now);
+  const auto found = find_blobs(mask);
+  figures.changed_share = found.changed_share;
+  tracks.step(found.blobs, dt_s, moved_by.before_to_now, now.size());
+  mark_parallax();
+  figures.tracks = static_cast<int>(tracks.tracks().size());
+  figures.coasting =
+      static_cast<int>(std::ranges::count_if(tracks.tracks(), [](const track& t) { return t.missed > 0; }));
+  if (++pictures < pictures_to_start)
+    return unusable::starting;
+  if (found.changed_share > settings.max_changed_share || tracks.is_full())
+    return unusable::too_many_movers;
+  return unusable::none;
+}
+
+void detector::parts::say(verdict& said) const {
+  for (const auto& each : tracks.tracks()) {
+    if (!each.is_confirmed || each.missed > most_coasting || is_parallax(each))
+      continue;
+    const cv::Rect2d box = box_of(each);
+    candidate made;
+    made.track = each.number;
+    made.box = {box.x * reduction, box.y * reduction, box.width * reduction, box.height * reduction};
+    if (std::max(made.box.width_px, made.box.height_px) < settings.min_size_px)
+      continue;
+    made.speed_px_s = cv::norm(each.filter.velocity()) * reduction;
+    made.confidence = static_cast<double>(each.seen) / (each.age + 2);
+    made.frames_seen = each.seen;
+    made.is_seen_now = each.missed == 0;
+    if (!sights.empty())
+      made.place = ground_point(sights.back(), made.box, settings.max_off_nadir_deg * std::numbers::pi / 180);
+    said.confirmed.push_back(made);
+  }
+}
+
+std::optional<std::string> problem_of(const detector_settings& settings) {
+  if (settings.camera)
+    if (auto wrong = problem_of(*settings.camera))
+      return "camera: " + *wrong;
+  struct range {
+    const char* name;
+    double value;
+    double least;
+    double most;
+  };
+  for (const auto& each : {range{"working_width_px", static_cast<double>(settings.working_width_px), 64, 2048},
+                           range{"frames_to_confirm", static_cast<double>(settings.frames_to_confirm), 2, 60},
+                           range{"min_size_px", settings.min_size_px, 2, 500},
+                           range{"max_tracks", static_cast<double>(settings.max_tracks), 1, 500},
+                           range{"max_off_nadir_deg", settings.max_off_nadir_deg, 5, 80},
+                           range{"min_height_m", settings.min_height_m, 0, 1000},
+                           range{"max_changed_share", settings.max_changed_share, 0.01, 1}})
+    if (!(each.value >= each.least && each.value <= each.most)) // also when it is not a number
+      return std::string(each.name) + " is " + std::to_string(each.value) + ", and must be from " +
+             std::to_string(each.least) + " to " + std::to_string(each.most);
+  return std::nullopt;
+}
+
+void use_one_thread() { cv::setNumThreads(1); }
+
+detector::detector(const detector_settings& settings) : parts_(std::make_unique<parts>(settings)) {
+  const auto wrong = problem_of(settings);
+  GODWIT_ASSERT(!wrong, "settings of a detector that were not checked: " + wrong.value_or(""));
+}
+
+detector::~detector() = default;
+
+verdict detector::look(const frame_view& frame, const std::optional<camera_pose>& pose) {
+  const std::int64_t begin = thread_microseconds();
+  verdict said = parts_->look(frame, pose);
+  said.figures.microseconds = thread_microseconds() - begin;
+  return said;
+}
+
+} // namespace godwit::eyes

@@ -1,0 +1,151 @@
+#include "programs/godwit-eyes/detection/tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "programs/godwit-eyes/detection/own_motion.hpp"
+
+namespace godwit::eyes {
+
+namespace {
+
+constexpr double gate_squared = 16;  // standard deviations, squared, of a blob that belongs to a track
+constexpr double place_share = 0.12; // of the size: how unsure the middle of a blob is
+constexpr double least_deviation_px = 0.7;
+constexpr double size_share = 0.3;  // of a new size in the smoothed one
+constexpr double most_growth = 2.2; // of a side, from one picture to the next
+constexpr int most_missed_young = 2;
+constexpr int most_missed_confirmed = 10;
+constexpr double least_speed_px_s = 8;
+
+// What a track must show: little where hardly anything else differs from the ground, more among many blobs that come
+// and go (leaves, tops that move against the ground, glints). Between the two in proportion.
+struct demands {
+  double way_px;
+  double way_by_size;
+  double straightness; // of the way
+  double seen_share;   // of its pictures
+  double sure_speed;   // in standard deviations of the speed
+};
+constexpr demands of_calm{2.5, 0.25, 0.5, 0.5, 0.5};
+constexpr demands of_clutter{4.5, 0.45, 0.6, 0.7, 4};
+constexpr double calm_births = 0.4; // new tracks a picture
+constexpr double cluttered_births = 2.5;
+constexpr double births_share = 0.1; // of the newest picture in the mean
+
+demands between(const demands& a, const demands& b, double share) {
+  const auto mix = [&](double from, double to) { return from + (to - from) * share; };
+  return {mix(a.way_px, b.way_px), mix(a.way_by_size, b.way_by_size), mix(a.straightness, b.straightness),
+          mix(a.seen_share, b.seen_share), mix(a.sure_speed, b.sure_speed)};
+}
+
+double deviation_of(const cv::Size2d& size) {
+  return std::max(least_deviation_px, place_share * std::max(size.width, size.height));
+}
+
+cv::Point2d middle_of(const cv::Rect2d& box) { return {box.x + box.width / 2, box.y + box.height / 2}; }
+
+struct fit {
+  double distance;
+  std::size_t track;
+  std::size_t blob;
+};
+
+bool has_like_size(const cv::Size2d& known, const cv::Rect2d& box) {
+  const double before = std::max(known.width, known.height) + 2;
+  const double now = std::max(box.width, box.height) + 2;
+  return now < before * most_growth && before < now * most_growth * 1.5;
+}
+
+} // namespace
+
+cv::Rect2d box_of(const track& who) {
+  const cv::Point2d at = who.filter.place();
+  return {at.x - who.size.width / 2, at.y - who.size.height / 2, who.size.width, who.size.height};
+}
+
+void tracker::step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& ground, const cv::Size& picture) {
+  for (auto& each : tracks_) {
+    each.filter.predict(dt_s, ground);
+    each.born = moved(ground, each.born);
+    ++each.age;
+    ++each.missed; // taken back where it is seen
+    each.way_px += cv::norm(each.filter.velocity()) * dt_s;
+  }
+  std::vector<bool> is_taken(blobs.size());
+  assign(blobs, is_taken);
+  const cv::Rect2d inside(0, 0, picture.width, picture.height);
+  std::erase_if(tracks_, [&](const track& each) {
+    const int most_missed = each.is_confirmed ? most_missed_confirmed : most_missed_young;
+    return each.missed > most_missed || !inside.contains(each.filter.place());
+  });
+  is_full_ = false;
+  const std::uint32_t last_before = last_number_;
+  for (std::size_t n = 0; n < blobs.size(); ++n) {
+    if (is_taken[n])
+      continue;
+    if (tracks_.size() >= settings_.max_tracks) {
+      is_full_ = true;
+      break;
+    }
+    const auto& box = blobs[n].box;
+    const cv::Size2d size(box.width, box.height);
+    track made{++last_number_, track_filter(middle_of(box), deviation_of(size)), size, middle_of(box)};
+    made.age = made.seen = 1;
+    tracks_.push_back(std::move(made));
+  }
+  births_ += births_share * (last_number_ - last_before - births_);
+}
+
+void tracker::assign(std::span<const blob> blobs, std::vector<bool>& is_taken) {
+  std::vector<fit> fits;
+  for (std::size_t t = 0; t < tracks_.size(); ++t)
+    for (std::size_t b = 0; b < blobs.size(); ++b) {
+      const auto& box = blobs[b].box;
+      const cv::Size2d& size = tracks_[t].size;
+      const double distance = tracks_[t].filter.distance_squared(middle_of(box), deviation_of(size));
+      const cv::Point2d off = middle_of(box) - tracks_[t].filter.place();
+      // A new track does not know its speed yet: it may not reach farther than a few of its own lengths.
+      const double reach = 6 + 1.0 * std::max(size.width, size.height);
+      if (distance < gate_squared && cv::norm(off) < reach && has_like_size(size, box))
+        fits.push_back({distance - (tracks_[t].is_confirmed ? gate_squared : 0), t, b});
+    }
+  std::ranges::stable_sort(fits, [](const fit& a, const fit& b) { return a.distance < b.distance; });
+  std::vector<bool> is_seen(tracks_.size());
+  for (const auto& each : fits) {
+    if (is_seen[each.track] || is_taken[each.blob])
+      continue;
+    is_seen[each.track] = true;
+    is_taken[each.blob] = true;
+    see(tracks_[each.track], blobs[each.blob].box);
+  }
+  // What else lies in the box of a track that was seen is a part of it.
+  for (std::size_t b = 0; b < blobs.size(); ++b)
+    for (std::size_t t = 0; t < tracks_.size() && !is_taken[b]; ++t)
+      if (tracks_[t].missed == 0 && box_of(tracks_[t]).contains(middle_of(blobs[b].box)))
+        is_taken[b] = true;
+}
+
+void tracker::see(track& who, const cv::Rect2d& box) {
+  who.filter.update(middle_of(box), deviation_of(who.size));
+  who.size.width += size_share * (box.width - who.size.width);
+  who.size.height += size_share * (box.height - who.size.height);
+  ++who.seen;
+  who.missed = 0;
+  judge(who);
+}
+
+void tracker::judge(track& who) const {
+  if (who.is_confirmed)
+    return;
+  const double gone = cv::norm(who.filter.place() - who.born);
+  const double clutter = std::clamp((births_ - calm_births) / (cluttered_births - calm_births), 0.0, 1.0);
+  const demands need = between(of_calm, of_clutter, clutter);
+  const double enough = std::max(need.way_px, need.way_by_size * std::max(who.size.width, who.size.height));
+  const double speed = cv::norm(who.filter.velocity());
+  who.is_confirmed = who.seen >= settings_.frames_to_confirm && who.seen >= need.seen_share * who.age &&
+                     gone >= enough && gone >= need.straightness * who.way_px && speed >= least_speed_px_s &&
+                     speed >= need.sure_speed * who.filter.speed_deviation();
+}
+
+} // namespace godwit::eyes

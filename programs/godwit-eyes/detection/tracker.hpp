@@ -1,0 +1,66 @@
+// Which blobs belong to one thing over time, and which of these things really move over the ground.
+//
+// A blob goes to the track that expects it, nearest first; blobs that lie in one track's box are parts of one thing. A
+// track is confirmed when it was seen in enough pictures, has gone farther than its place is unsure, and has gone there
+// straight rather than to and fro. Pixels are those of the reduced picture. Thread: one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "programs/godwit-eyes/detection/blobs.hpp"
+#include "programs/godwit-eyes/detection/track_filter.hpp"
+
+namespace godwit::eyes {
+
+struct track {
+  std::uint32_t number = 0;
+  track_filter filter;
+  cv::Size2d size;        // smoothed
+  cv::Point2d born;       // its first place, carried along with the ground
+  int age = 0;            // pictures since then
+  int seen = 0;           // of these, with a blob
+  int missed = 0;         // since it was last seen
+  double way_px = 0;      // added up against the ground, from picture to picture
+  int along_parallax = 0; // pictures in which it went as something high and still would go
+  bool is_confirmed = false;
+};
+
+struct tracker_settings {
+  int frames_to_confirm = 5;
+  std::size_t max_tracks = 64;
+};
+
+class tracker {
+public:
+  explicit tracker(const tracker_settings& settings) : settings_(settings) {}
+
+  // Every picture, also one without blobs. GROUND: how it moved since the last one.
+  void step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& ground, const cv::Size& picture);
+  [[nodiscard]] std::vector<track>& tracks() { return tracks_; }
+  [[nodiscard]] const std::vector<track>& tracks() const { return tracks_; }
+  [[nodiscard]] bool is_full() const { return is_full_; } // more things than it can follow
+  void forget() {
+    tracks_.clear();
+    births_ = 0;
+  }
+
+private:
+  void assign(std::span<const blob> blobs, std::vector<bool>& is_taken);
+  void see(track& who, const cv::Rect2d& box);
+  void judge(track& who) const;
+
+  tracker_settings settings_;
+  std::vector<track> tracks_;
+  std::uint32_t last_number_ = 0;
+  double births_ = 0; // new tracks a picture, smoothed: how cluttered the scene is
+  bool is_full_ = false;
+};
+
+[[nodiscard]] cv::Rect2d box_of(const track& who);
+
+} // namespace godwit::eyes

@@ -1,0 +1,128 @@
+#include "programs/godwit-eyes/detection/tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "programs/godwit-sim/camera/random.hpp"
+
+namespace godwit::eyes {
+namespace {
+
+constexpr double step_s = 1.0 / 30;
+const cv::Size picture(640, 360);
+const cv::Matx33d still = cv::Matx33d::eye();
+
+blob blob_at(double x, double y, double size = 10) {
+  return {cv::Rect2d(x - size / 2, y - size / 2, size, size), static_cast<int>(size * size), 50};
+}
+
+int confirmed(const tracker& of) {
+  return static_cast<int>(std::ranges::count_if(of.tracks(), [](const track& each) { return each.is_confirmed; }));
+}
+
+TEST(tracker, what_moves_is_confirmed_and_keeps_its_number) {
+  tracker of({});
+  std::set<std::uint32_t> numbers;
+  for (int n = 0; n < 40; ++n) {
+    of.step(std::vector{blob_at(100 + 2.0 * n, 100)}, step_s, still, picture);
+    for (const auto& each : of.tracks())
+      if (each.is_confirmed)
+        numbers.insert(each.number);
+  }
+  EXPECT_EQ(numbers.size(), 1U);
+  EXPECT_EQ(of.tracks().size(), 1U);
+}
+
+TEST(tracker, it_takes_as_many_pictures_as_the_settings_say) {
+  tracker of({.frames_to_confirm = 9, .max_tracks = 64});
+  for (int n = 0; n < 8; ++n) {
+    of.step(std::vector{blob_at(100 + 4.0 * n, 100)}, step_s, still, picture);
+    EXPECT_EQ(confirmed(of), 0);
+  }
+  of.step(std::vector{blob_at(132, 100)}, step_s, still, picture);
+  EXPECT_EQ(confirmed(of), 1);
+}
+
+TEST(tracker, what_stays_or_goes_to_and_fro_is_never_confirmed) {
+  tracker of({});
+  for (int n = 0; n < 100; ++n) {
+    const std::vector blobs{blob_at(100, 100), blob_at(300 + 1.5 * std::sin(n * 0.5), 200)};
+    of.step(blobs, step_s, still, picture);
+    EXPECT_EQ(confirmed(of), 0);
+  }
+}
+
+TEST(tracker, what_stays_on_the_ground_while_the_camera_moves_is_never_confirmed) {
+  tracker of({});
+  const cv::Matx33d ground(1, 0, 3, 0, 1, 1, 0, 0, 1);
+  for (int n = 0; n < 60; ++n) {
+    of.step(std::vector{blob_at(100 + 3.0 * n, 100 + 1.0 * n)}, step_s, ground, picture);
+    EXPECT_EQ(confirmed(of), 0);
+  }
+}
+
+TEST(tracker, flickers_at_random_places_are_never_confirmed) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    sim::camera::random_source random(seed);
+    tracker of({});
+    for (int n = 0; n < 200; ++n) {
+      std::vector<blob> blobs;
+      for (int k = 0; k < 5; ++k)
+        blobs.push_back(blob_at(random.between(0, 640), random.between(0, 360), 4));
+      of.step(blobs, step_s, still, picture);
+      EXPECT_EQ(confirmed(of), 0) << "seed " << seed;
+    }
+  }
+}
+
+// Two that pass each other at a distance keep their numbers; each blob goes to one track.
+RC_GTEST_PROP(tracker, a_blob_belongs_to_one_track_and_a_number_to_one_thing, ()) {
+  sim::camera::random_source random(*rc::gen::arbitrary<std::uint64_t>());
+  tracker of({});
+  const double speed = random.between(0.8, 3);
+  std::set<std::uint32_t> of_first;
+  std::set<std::uint32_t> of_second;
+  for (int n = 0; n < 60; ++n) {
+    const auto shake = [&] { return random.between(-0.5, 0.5); };
+    const double first = 100 + speed * n;
+    const double second = 400 - speed * n;
+    of.step(std::vector{blob_at(first + shake(), 100 + shake()), blob_at(second + shake(), 150 + shake())}, step_s,
+            still, picture);
+    RC_ASSERT(of.tracks().size() == 2);
+    for (const auto& each : of.tracks())
+      if (each.is_confirmed)
+        (each.filter.place().y < 125 ? of_first : of_second).insert(each.number);
+  }
+  RC_ASSERT(of_first.size() == 1);
+  RC_ASSERT(of_second.size() == 1);
+}
+
+TEST(tracker, more_things_than_it_can_follow_are_said) {
+  tracker of({.frames_to_confirm = 5, .max_tracks = 10});
+  std::vector<blob> blobs;
+  for (int n = 0; n < 11; ++n)
+    blobs.push_back(blob_at(30.0 + 50 * n, 100));
+  of.step(blobs, step_s, still, picture);
+  EXPECT_TRUE(of.is_full());
+  EXPECT_EQ(of.tracks().size(), 10U);
+}
+
+TEST(tracker, a_track_that_is_hidden_for_a_while_goes_on_by_its_speed) {
+  tracker of({});
+  for (int n = 0; n < 20; ++n)
+    of.step(std::vector{blob_at(100 + 3.0 * n, 100)}, step_s, still, picture);
+  ASSERT_EQ(confirmed(of), 1);
+  const auto number = of.tracks()[0].number;
+  for (int n = 20; n < 26; ++n)
+    of.step({}, step_s, still, picture);
+  of.step(std::vector{blob_at(100 + 3.0 * 26, 100)}, step_s, still, picture);
+  ASSERT_EQ(of.tracks().size(), 1U);
+  EXPECT_EQ(of.tracks()[0].number, number);
+}
+
+} // namespace
+} // namespace godwit::eyes

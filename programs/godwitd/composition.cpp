@@ -207,9 +207,7 @@ void composition::add_flight(control::peers& of_desk) {
   if (wanted_.operators) {
     operator_desk_ = host_->actors().add<operator_port::operator_desk>(
         {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight_.bridge, flight_.scan}, api_answers_);
-    view_desk_ = host_->actors().add<operator_port::view_desk>({.name = "view_desk", .policy = runtime::on_crash::lose},
-                                                               replaceable, executor::view_handle(flight_.executor),
-                                                               api_answers_);
+    page_desks_ = add_page_desks(host_->actors(), wanted_, flight_, api_answers_);
   }
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
@@ -388,14 +386,14 @@ void composition::open_operator_port() {
   add(view_api_->routes());
   add(stream_api_->routes());
   add(log_api_->routes());
+  add(tile_routes_of(*wanted_.operators, [this](const std::string& sentence) {
+    announce({sentence, true}, "operator_port");
+  }));
   operator_port::port_guards guards;
   if (keeper_) {
     open_operator_api();
     add(operator_port::routes_of(operator_api_));
-    add(operator_port::view_routes(
-        api_answers_,
-        [way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("view_api")),
-         desk = view_desk_](operator_port::view_request asked) { way_in->tell(desk, std::move(asked)); }));
+    add(page_desk_routes(host_->actors(), page_desks_, api_answers_));
     guards = {[api = operator_api_](const std::string& from) { api->note_other_origin(from); },
               [api = operator_api_](const operator_port::server_request& asked, operator_port::responder answer,
                                     std::function<void(operator_port::responder)> then) {

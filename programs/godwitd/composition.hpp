@@ -28,7 +28,7 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
-#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/page_desks.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/sighting_feed.hpp"
@@ -125,7 +125,7 @@ private:
       std::make_shared<operator_port::waiting_answers>(wanted_.operators && wanted_.operators->uses_tls);
   std::shared_ptr<control::port_view> port_view_ = std::make_shared<control::port_view>();
   std::shared_ptr<operator_port::operator_api> operator_api_; // as the desk
-  operator_port::view_inlet view_desk_;                       // the same
+  page_desks page_desks_;                                     // the same
   std::shared_ptr<operator_port::log_api> log_api_;           // none without the port
 };
 

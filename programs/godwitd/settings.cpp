@@ -198,6 +198,7 @@ checked read_operators(const json& given, const std::string& journal, daemon_set
     return wrong("operator-listen", "operator.hosts: " + hosts.error());
   to.operators = *std::move(listen);
   to.operators->hosts = *std::move(hosts);
+  to.operators->tiles = text(given, "tiles");
   to.operators->uses_tls = !to.operators->is_local || given.at("tls").get<bool>();
   to.operators->certificate_file = text(given, "certificate");
   to.operators->key_file = text(given, "key");

@@ -27,8 +27,8 @@ constexpr std::array rows{
     row{"landing_watch", {wanted, wanted, wanted}, true},
     row{"scan_controller", {away, for_scans, away}},
 };
-// Who shows what there is.
-constexpr std::array<std::string_view, 3> dispensable{"health", "telemetry_stream", "view_desk"};
+// Who shows what there is, and who takes a mission from a page.
+constexpr std::array<std::string_view, 4> dispensable{"health", "telemetry_stream", "view_desk", "mission_desk"};
 
 constexpr row others{"", {wanted, wanted, wanted}};
 

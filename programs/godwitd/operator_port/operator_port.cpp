@@ -33,7 +33,7 @@ std::vector<header> security_headers() {
 }
 
 // Whatever a route asks for.
-constexpr std::size_t max_body_bytes = 64 * 1024;
+constexpr std::size_t max_body_bytes = 1024 * 1024;
 // A browser keeps six connections, and an address has eight places: those that say nothing are free again soon.
 constexpr std::chrono::seconds idle_timeout{5};
 constexpr std::chrono::seconds handshake_timeout{5}; // two ways there and back, of which each may be repeated

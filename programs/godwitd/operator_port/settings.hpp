@@ -22,6 +22,8 @@ struct settings {
   std::string key_file = {};
   std::string identity_file = {}; // made when it is not there
 
+  std::string tiles = {}; // an MBTiles file for the page's map; empty: none
+
   std::size_t max_clients = 32;
   std::size_t max_clients_an_address = 8;
 };

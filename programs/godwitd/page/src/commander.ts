@@ -52,6 +52,7 @@ export class commander {
     this.target = undefined;
     this.altitude_m = Math.max(5, Math.round(this.page.world.get("position")?.altitude_m ?? 30));
     this.refuse("go_to", "");
+    this.refuse("insert", "");
   }
 
   point_at(at: place): void {
@@ -66,9 +67,10 @@ export class commander {
     this.page.draw();
   }
 
-  async go_to(): Promise<void> {
+  // INSERT: a waypoint behind the last item that is done, instead of a flight there now.
+  async go_to(command: "go_to" | "insert"): Promise<void> {
     if (this.target === undefined) return;
-    await this.say("go_to", { place: { ...this.target, altitude_m: this.altitude_m } });
-    if (!this.refusals.has("go_to")) this.end_pointing();
+    await this.say(command, { place: { ...this.target, altitude_m: this.altitude_m } });
+    if (!this.refusals.has(command)) this.end_pointing();
   }
 }

@@ -4,7 +4,7 @@ import { html, render } from "lit";
 import { chart } from "./map/chart.ts";
 import { alarms } from "./model/alarms.ts";
 import { is_place } from "./model/geometry.ts";
-import type { control_view, place, plan_view, stream_text, text, who } from "./model/messages.ts";
+import type { control_view, mission_document, place, plan_view, stream_text, text, tile_view, who } from "./model/messages.ts";
 import { flight_history } from "./model/history.ts";
 import { track } from "./model/track.ts";
 import type { log_line } from "./model/world.ts";
@@ -13,6 +13,7 @@ import { ask } from "./net/api.ts";
 import { stream } from "./net/stream.ts";
 import { commander } from "./commander.ts";
 import { beep } from "./sound.ts";
+import { uploader } from "./uploader.ts";
 import { drawer } from "./views/drawer_state.ts";
 import { page_view } from "./views/page_view.ts";
 import { plots } from "./views/plots.ts";
@@ -27,6 +28,7 @@ export class page {
   readonly history = new flight_history();
   readonly drawer = new drawer(this);
   readonly commander = new commander(this);
+  readonly uploader = new uploader(this);
   me: who | undefined;
   control: control_view | undefined;
   login_refusal = "";
@@ -38,6 +40,7 @@ export class page {
   private readonly plots = new plots();
   private readonly line: stream;
   private is_drawing = false;
+  private is_giving = false; // control, by its holder's word
   private plan_of = ""; // the plan that was fetched last
 
   constructor(private readonly root: HTMLElement) {
@@ -50,6 +53,7 @@ export class page {
     const where = document.getElementById("map");
     if (where !== null) this.map = new chart(where, (at) => this.commander.point_at(at));
     this.line.open();
+    void this.find_tiles();
     setInterval(() => this.look(), look_ms);
     void this.log_in_by_address().then(() => this.find_session());
   }
@@ -116,9 +120,19 @@ export class page {
     this.line.look();
     if (this.me === undefined) return;
     const got = await ask<control_view>("GET", "/api/v1/control");
-    if (got.ok) this.control = got.what;
+    if (got.ok) this.take_control_view(got.what);
     else if (got.why.status === 401) this.lose_session();
     this.draw();
+  }
+
+  // Control that is gone without its holder's word is said.
+  private take_control_view(heard: control_view): void {
+    const is_lost = this.control?.is_yours === true && !heard.is_yours && !this.is_giving;
+    this.control = heard;
+    if (!is_lost) return;
+    const words = heard.holder === "" ? "it is free" : `${heard.holder} has it`;
+    this.alarms.raise("control", `You no longer have control: ${words}.`, this.world.godwit_ms(this.now()));
+    if (!this.is_muted) beep();
   }
 
   private look(): void {
@@ -144,6 +158,16 @@ export class page {
     this.map?.show_plan(got.what);
     this.show_home();
     this.draw();
+  }
+
+  private async find_tiles(): Promise<void> {
+    const got = await ask<tile_view | null>("GET", "/api/v1/tiles");
+    if (got.ok && got.what !== null) this.map?.show_tiles(got.what);
+  }
+
+  // A mission that was not handed over yet; none: it is left.
+  show_preview(mission: mission_document | undefined): void {
+    this.map?.show_preview(mission);
   }
 
   private show_home(): void {
@@ -189,20 +213,25 @@ export class page {
 
   async log_out(): Promise<void> {
     await ask("DELETE", "/api/v1/session");
+    this.control = undefined;
     this.lose_session();
   }
 
   private lose_session(): void {
+    if (this.me !== undefined && this.control?.is_yours === true)
+      this.alarms.raise("session", "Your session is over, and with it your control.", this.world.godwit_ms(this.now()));
     this.me = undefined;
     this.control = undefined;
     this.draw();
   }
 
   async change_control(act: "take" | "take_over" | "give" | "hand_over", to = ""): Promise<void> {
+    this.is_giving = act === "give" || act === "hand_over";
     const got = await ask<{ holder: string }>("POST", "/api/v1/control", to === "" ? { act } : { act, to });
     this.commander.refuse("control", got.ok ? "" : got.why.detail);
     const now = await ask<control_view>("GET", "/api/v1/control");
-    if (now.ok) this.control = now.what;
+    if (now.ok) this.take_control_view(now.what);
+    this.is_giving = false;
     this.draw();
   }
 

@@ -20,6 +20,7 @@
 #include "io/http/server/server.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/accounts/token.hpp"
+#include "programs/godwitd/operator_port/mission_api.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/view_desk.hpp"
@@ -76,10 +77,16 @@ private:
   std::vector<scan_controller::decide_point>* heard_;
 };
 
-// Shows always the same.
-class flight_stand_in final : public runtime::actor_base<executor::view_handle> {
+// The executor as those see it who show a flight and bring missions.
+using flight_mailbox = runtime::combine<executor::view_handle,
+                                        runtime::mailbox<runtime::asks<executor::get_flight, executor::flight_status>,
+                                                         runtime::asks<operators::command, operators::answer>,
+                                                         runtime::tells<mission_client::mission_loaded>>>;
+
+class flight_stand_in final : public runtime::actor_base<flight_mailbox> {
 public:
-  using actor_base::actor_base;
+  flight_stand_in(runtime::spawn_context context, const bool* is_in_flight, std::vector<mission::document>* missions)
+      : actor_base(std::move(context)), is_in_flight_(is_in_flight), missions_(missions) {}
 
 protected:
   behavior_type handlers() override {
@@ -87,15 +94,27 @@ protected:
               executor::plan_view result;
               result.mission.emplace();
               result.mission->mission_id = "m";
-              result.mission->items.emplace_back(mission::waypoint{.id = "w1", .at = {47.4, 8.5, 30}, .speed_mps = {}});
+              result.mission->items.emplace_back(mission::waypoint{"w1", {47.4, 8.5, 30}, 0, 0, {}});
               return result;
             }),
             on<executor::get_preflight>([](const executor::get_preflight&) {
               executor::preflight_view result;
               result.findings = {{"battery", "fail", "Charge it."}};
               return result;
-            })};
+            }),
+            on<executor::get_flight>([this](const executor::get_flight&) {
+              executor::flight_status result;
+              result.in_flight = *is_in_flight_;
+              return result;
+            }),
+            on<operators::command>([](const operators::command&) { return operators::answer{}; }),
+            on<mission_client::mission_loaded>(
+                [this](const mission_client::mission_loaded& m) { missions_->push_back(m.document); })};
   }
+
+private:
+  const bool* is_in_flight_;
+  std::vector<mission::document>* missions_;
 };
 
 struct http_answer {
@@ -109,15 +128,23 @@ class api_world {
 public:
   using headers = std::vector<std::pair<std::string, std::string>>;
 
-  explicit api_world(bool is_secure = false) : world(disk, 1) {
+  struct options {
+    bool is_secure = false;
+    std::string why_no_missions; // empty: they are taken
+  };
+
+  api_world() : api_world(options()) {}
+  explicit api_world(const options& wanted) : world(disk, 1) {
     keeper = *accounts::account_keeper::open(folder.file("operators"));
     const auto executor = world.actors().add<executor_stand_in>({.name = "executor"}, {}, &obeyed);
     bridge = world.actors().add<operator_bridge::actor>({.name = "operator_bridge"}, {}, operator_bridge::settings{},
                                                         operator_bridge::executor_handle(executor));
     points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &decided);
-    answers = std::make_shared<waiting_answers>(is_secure);
+    answers = std::make_shared<waiting_answers>(wanted.is_secure);
     desk = world.actors().add<operator_desk>({.name = "operator_desk"}, {}, desk_peers{bridge, points}, answers);
-    const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {});
+    const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
+    const auto uploads = world.actors().add<mission_desk>(
+        {.name = "mission_desk"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
     const auto views = world.actors().add<view_desk>({.name = "view_desk"}, {}, executor::view_handle(flight), answers);
     world.start();
     world.run_until_idle();
@@ -126,6 +153,9 @@ public:
     auto list = routes_of(api);
     std::ranges::move(view_routes(answers, [this, views](view_request asked) { world.tell(views, asked); }),
                       std::back_inserter(list));
+    std::ranges::move(
+        mission_routes(answers, [this, uploads](mission_upload asked) { world.tell(uploads, std::move(asked)); }),
+        std::back_inserter(list));
     list.push_back({"GET", "/look", 0, [](const server_request&, responder answer) { answer.send({.body = "{}"}); }});
     routes = std::make_unique<router>(std::move(list), std::vector<std::string>{}, false);
     routes->guard([this](const server_request& asked, responder answer, std::function<void(responder)> then) {
@@ -145,13 +175,21 @@ public:
 
   http_answer ask(const std::string& method, const std::string& target, const nlohmann::json& body = nullptr,
                   const headers& more = {}) {
+    return send(method, target, body.is_null() ? std::string() : body.dump(),
+                body.is_null() ? std::string() : "application/json", more);
+  }
+  // A file as a browser sends it.
+  http_answer send_file(const std::string& target, const std::string& file, const std::string& token) {
+    return send("POST", target, file, "application/octet-stream", {{"Cookie", "godwit_session=" + token}});
+  }
+  http_answer send(const std::string& method, const std::string& target, const std::string& text,
+                   const std::string& type, const headers& more) {
     boost::asio::ip::tcp::socket socket(context);
     socket.connect({boost::asio::ip::address_v4::loopback(), server->port()});
-    const auto text = body.is_null() ? std::string() : body.dump();
     std::string head = method + " " + target + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" +
                        "Content-Length: " + std::to_string(text.size()) + "\r\n";
-    if (!body.is_null())
-      head += "Content-Type: application/json\r\n";
+    if (!type.empty())
+      head += "Content-Type: " + type + "\r\n";
     for (const auto& [name, value] : more)
       head += name + ": " + value + "\r\n";
     boost::asio::write(socket, boost::asio::buffer(head + "\r\n" + text));
@@ -205,6 +243,8 @@ public:
   runtime::simulation world;
   std::vector<operators::command> obeyed;
   std::vector<scan_controller::decide_point> decided;
+  std::vector<mission::document> missions; // that were handed over
+  bool is_in_flight = false;
   operator_bridge::own_handle bridge;
   scan_controller::operator_handle points;
   desk_inlet desk;

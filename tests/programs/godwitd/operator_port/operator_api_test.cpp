@@ -164,7 +164,7 @@ TEST(operator_api, a_decision_about_a_point_is_taken_from_who_has_control_and_ea
 }
 
 TEST(operator_api, over_tls_the_cookie_is_for_tls_alone_and_at_the_logout_it_is_taken_back) {
-  api_world world(true);
+  api_world world({.is_secure = true, .why_no_missions = {}});
   (void)world.world.ask(world.bridge, 1s,
                         operator_bridge::make_link{{"desk", role::engineer, std::string(operators::local_session)},
                                                    accounts::hash_of_token("the link")});

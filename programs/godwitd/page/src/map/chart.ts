@@ -2,7 +2,7 @@
 // nothing of it is made anew while the vehicle moves, and no request goes to another host.
 import * as L from "leaflet";
 import { extent_of, is_place, items_of, way_of } from "../model/geometry.ts";
-import type { place, plan_view } from "../model/messages.ts";
+import type { mission_document, place, plan_view, tile_view } from "../model/messages.ts";
 import type { track } from "../model/track.ts";
 import { metre_grid } from "./grid.ts";
 import { fence_style, item_style, mark_icon, style_of } from "./styles.ts";
@@ -21,6 +21,7 @@ export class chart {
   private readonly grid = new metre_grid();
   private readonly plan = L.layerGroup();
   private readonly going = L.layerGroup();
+  private readonly preview = L.layerGroup();
   private readonly way: L.Polyline;
   private readonly way_open: L.Polyline;
   private readonly vehicle: L.Marker;
@@ -45,6 +46,7 @@ export class chart {
     this.way = L.polyline([], style_of("track", { weight: 2 })).addTo(this.map);
     this.way_open = L.polyline([], style_of("track", { weight: 2 })).addTo(this.map);
     this.going.addTo(this.map);
+    this.preview.addTo(this.map);
     this.vehicle = L.marker([0, 0], { icon: mark_icon("vehicle", "vehicle"), interactive: false, keyboard: false,
       zIndexOffset: 1000 });
     this.map.on("click", (event) => on_click({ latitude: event.latlng.lat, longitude: event.latlng.lng }));
@@ -121,6 +123,25 @@ export class chart {
     if (from !== undefined)
       L.polyline([latlng(from), latlng(to)], style_of("going", { weight: 3, dashArray: "2 6" })).addTo(this.going);
     L.circleMarker(latlng(to), style_of("going", { radius: 8, weight: 3, fill: false })).addTo(this.going);
+  }
+
+  // A mission that was not handed over yet, in another colour; none: it is left.
+  show_preview(mission: mission_document | undefined): void {
+    this.preview.clearLayers();
+    if (mission === undefined) return;
+    for (const fence of mission.geofences) L.polygon(fence.vertices.map(latlng), fence_style(fence.kind)).addTo(this.preview);
+    const way = items_of(mission).map((each) => each.at);
+    L.polyline(way.map(latlng), style_of("going", { weight: 3, dashArray: "2 6" })).addTo(this.preview);
+    for (const each of way) L.circleMarker(latlng(each), style_of("going", { radius: 5, weight: 2 })).addTo(this.preview);
+    this.fit(way);
+  }
+
+  // Pictures of the map, out of a file on godwit's computer.
+  show_tiles(of: tile_view): void {
+    // Not below what the file has: a whole world of its smallest tiles would be millions.
+    L.tileLayer("/tiles/{z}/{x}/{y}", { minZoom: of.min_zoom, maxNativeZoom: of.max_zoom, maxZoom: 22, zIndex: 1 }).addTo(this.map);
+    if (of.attribution !== "")
+      L.control.attribution({ prefix: false, position: "bottomright" }).addTo(this.map).addAttribution(plain_text(of.attribution).innerHTML);
   }
 
   // The next click is meant as a place.

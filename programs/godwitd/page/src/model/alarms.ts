@@ -23,12 +23,16 @@ export class alarms {
     let is_new = false;
     for (const [key, words] of holds) {
       if (this.holding.has(key)) continue;
-      this.list = [...this.list.filter((each) => each.key !== key), { key, words, at_ms: all.godwit_ms(now) }]
-        .slice(-max_alarms);
+      this.raise(key, words, all.godwit_ms(now));
       is_new = true;
     }
     this.holding = new Set(holds.keys());
     return is_new;
+  }
+
+  // Something that has happened, and not something that holds.
+  raise(key: string, words: string, at_ms: number): void {
+    this.list = [...this.list.filter((each) => each.key !== key), { key, words, at_ms }].slice(-max_alarms);
   }
 
   see(key: string): void {

@@ -147,6 +147,13 @@ export interface plan_view {
   kept: (place & { above_sea_m: number }) | null;
 }
 
+export interface tile_view {
+  attribution: string;
+  name: string;
+  min_zoom: number;
+  max_zoom: number;
+}
+
 export interface preflight_view {
   phase: string;
   reason: string;

@@ -47,9 +47,12 @@ function go_to_part(all: page): TemplateResult {
       @input=${(event: Event) => { commander.altitude_m = Number((event.target as HTMLInputElement).value); }}> m</label>
     <div class="row">${hold_button({ id: "go-to-confirm", label: "Fly there", hint: "hold to confirm", is_held: true,
         is_disabled: target === undefined || !(commander.altitude_m > 0), is_busy: commander.under_way.has("go_to"),
-        act: () => void commander.go_to() })}
+        act: () => void commander.go_to("go_to") })}
+      ${hold_button({ id: "insert-confirm", label: "Insert", hint: "hold to insert it as the next waypoint of the mission", is_held: true,
+        is_disabled: target === undefined || !(commander.altitude_m > 0), is_busy: commander.under_way.has("insert"),
+        act: () => void commander.go_to("insert") })}
       <button class="act" type="button" @click=${() => commander.end_pointing()}><span>Leave it</span></button></div>
-    ${refusal(all, "go_to")}
+    ${refusal(all, "go_to")}${refusal(all, "insert")}
   </section>`;
 }
 

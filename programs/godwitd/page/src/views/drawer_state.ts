@@ -4,10 +4,11 @@ import type { audit_row, preflight_view, status_report } from "../model/messages
 import { ask } from "../net/api.ts";
 import type { page } from "../page.ts";
 
-export type tab_name = "plan" | "plots" | "preflight" | "actors" | "log" | "audit";
+export type tab_name = "plan" | "upload" | "plots" | "preflight" | "actors" | "log" | "audit";
 
 export const drawer_tabs: readonly { name: tab_name; label: string }[] = [
   { name: "plan", label: "Plan" },
+  { name: "upload", label: "Upload" },
   { name: "plots", label: "Plots" },
   { name: "preflight", label: "Preflight" },
   { name: "actors", label: "Actors" },
@@ -16,6 +17,7 @@ export const drawer_tabs: readonly { name: tab_name; label: string }[] = [
 ];
 
 const refresh_ms = 1_000;
+const report_ms = 260; // a report of godwitd is up to 250 ms old: what has just happened may be in the next one only
 
 export class drawer {
   tab: tab_name | undefined = "plan"; // none: it is closed
@@ -40,7 +42,9 @@ export class drawer {
 
   hear(topic: "health" | "log" | "flight"): void {
     const is_of_tab = this.tab === "actors" || (this.tab === "preflight" && topic === "flight");
-    if (is_of_tab) this.refresh();
+    if (!is_of_tab) return;
+    this.refresh();
+    setTimeout(() => this.refresh(), report_ms);
   }
 
   look(now: number): void {

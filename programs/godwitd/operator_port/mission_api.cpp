@@ -1,0 +1,85 @@
+#include "programs/godwitd/operator_port/mission_api.hpp"
+
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "actors/domain/mission/convert/convert.hpp"
+#include "actors/domain/uuid/uuid.hpp"
+#include "io/fields/json_text.hpp"
+#include "programs/godwitd/accounts/token.hpp"
+#include "programs/godwitd/operator_port/api_answers.hpp"
+#include "programs/godwitd/operator_port/request_body.hpp"
+
+namespace godwit::operator_port {
+namespace {
+
+struct checked_mission {
+  mission::document mission;
+  std::vector<mission::loss> losses;
+  static constexpr auto fields =
+      io::table("operator_port.checked_mission", io::field("mission", &checked_mission::mission),
+                io::field("losses", &checked_mission::losses));
+};
+
+using refused = tl::unexpected<server_response>;
+
+// VALUE of "NAME=VALUE" in the query; empty: it is not there.
+std::string_view of_query(std::string_view target, std::string_view name) {
+  auto rest = target.substr(std::min(target.find('?'), target.size() - 1) + 1);
+  while (!rest.empty()) {
+    const auto end = std::min(rest.find('&'), rest.size());
+    const auto each = rest.substr(0, end);
+    if (each.starts_with(name) && each.substr(name.size()).starts_with('='))
+      return each.substr(name.size() + 1);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
+}
+
+// Another one for each upload: it is the revision of no other mission.
+std::string fresh_id() {
+  constexpr std::uint64_t version = 0x4000;
+  constexpr std::uint64_t variant = 0x8000'0000'0000'0000;
+  std::random_device source;
+  const auto bits = [&source] { return (std::uint64_t{source()} << 32U) | source(); };
+  return ids::text_of({(bits() & ~std::uint64_t{0xf000}) | version, (bits() & ~(std::uint64_t{3} << 62U)) | variant});
+}
+
+tl::expected<checked_mission, server_response> read_mission(const server_request& asked) {
+  if (!asked.find("Content-Type").starts_with("application/octet-stream"))
+    return refused(problem(415, "the body is the file, as application/octet-stream"));
+  const auto format = io::value_of<mission::mission_format>(of_query(asked.target, "format"));
+  if (!format)
+    return refused(problem(400, "a format is missing: json, plan, waypoints or geojson", "format"));
+  auto read =
+      mission::import_mission(asked.body, *format, {of_query(asked.target, "partial") == "yes", fresh_id(), {}});
+  if (read)
+    return checked_mission{std::move(read->mission), std::move(read->losses.all)};
+  const bool is_lossy = read.error().error.code == mission::document_errc::lossy;
+  auto result = problem(422, is_lossy ? "it can not be carried over as a whole:\n" + read.error().losses.message()
+                                      : read.error().message());
+  return refused(std::move(result));
+}
+
+} // namespace
+
+route_list mission_routes(const std::shared_ptr<waiting_answers>& answers,
+                          const std::function<void(mission_upload asked)>& tell) {
+  const auto check = [](const server_request& asked, responder answer) {
+    const auto read = read_mission(asked);
+    answer.send(read ? server_response{.body = io::to_json(*read)} : read.error());
+  };
+  const auto upload = [answers, tell](const server_request& asked, responder answer) {
+    auto read = read_mission(asked);
+    if (!read)
+      return answer.send(read.error());
+    const auto token = token_of(asked);
+    if (const auto ticket = answers->add(std::move(answer)))
+      tell({*ticket, token.empty() ? std::string() : accounts::hash_of_token(token), std::move(read->mission)});
+  };
+  return {{"POST", "/api/v1/missions/check", max_mission_file, check},
+          {"POST", "/api/v1/missions", max_mission_file, upload}};
+}
+
+} // namespace godwit::operator_port

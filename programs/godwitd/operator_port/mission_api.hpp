@@ -1,0 +1,23 @@
+// Missions from a browser: POST /api/v1/missions and /api/v1/missions/check, with the text of the file as the body
+// (application/octet-stream) and ?format=json, plan, waypoints or geojson; &partial=yes takes what can be taken.
+//
+//   check: {"mission": ..., "losses": [{"item", "what", "why", "instead"}]}, or 422 with all that is wrong
+//   else: the same, and then it goes to mission_desk, which says whether it is taken
+//
+// The file is read in the thread of the port. Errors: problem documents. Thread: that of the port.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "programs/godwitd/operator_port/mission_desk.hpp"
+#include "programs/godwitd/operator_port/route.hpp"
+
+namespace godwit::operator_port {
+
+inline constexpr std::size_t max_mission_file = 1024 * 1024; // bytes: some thousand items
+
+[[nodiscard]] route_list mission_routes(const std::shared_ptr<waiting_answers>& answers,
+                                        const std::function<void(mission_upload asked)>& tell);
+
+} // namespace godwit::operator_port

@@ -1,0 +1,188 @@
+// How heavy and how quick the page is, as ./dev bench page prints it:
+//
+//   weight         bytes of the first load, gzip
+//   first position from the opening of the page, with a session, until the vehicle is on the map; also at 1 Mbit/s, 100 ms
+//   latency        from the time that a position has in the stream until the page shows it, 10 a second
+//   crash          of an actor, until its row says so
+//   main thread    share of a core, with 1,000 items and a track of two hours, at 10 positions a second
+//   heap           growth over 72,000 positions, behind a garbage collection
+//
+// The last two feed the page from a WebSocket that is made in the page; the rest is a godwitd with a simulated vehicle.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { flight_world, hold, page_folder, until, wait } from "./flight_world.mjs";
+
+const line = (name, words) => console.log(`${name.padEnd(32)}${words}`);
+const quantile = (sorted, share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+
+function print_weight() {
+  const files = ["icon.svg", "index.html", "page.css", "page.js"];
+  const bytes = files.reduce((sum, each) => sum + gzipSync(readFileSync(join(page_folder, "built", each)), { level: 9 }).length, 0);
+  line("weight", `${(bytes / 1000).toFixed(1)} kB gzip`);
+}
+
+// Milliseconds from the navigation until the vehicle is drawn.
+async function first_position(page) {
+  await page.goto("about:blank");
+  await page.goto(page.address, { waitUntil: "commit" });
+  await page.waitForSelector(".mark-vehicle");
+  return page.evaluate("window.vehicle_seen_at");
+}
+
+async function print_first_position(page) {
+  await page.addInitScript(() => {
+    new MutationObserver((_, all) => {
+      if (document.querySelector(".mark-vehicle") === null) return;
+      window.vehicle_seen_at = performance.now();
+      all.disconnect();
+    }).observe(document, { childList: true, subtree: true });
+  });
+  const times = [];
+  for (let i = 0; i < 7; ++i) times.push(await first_position(page));
+  line("first position, loopback", `${Math.round(quantile(times.sort((a, b) => a - b), 0.5))} ms, median of 7; most ${Math.round(times.at(-1))} ms`);
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send("Network.enable");
+  await devtools.send("Network.setCacheDisabled", { cacheDisabled: true });
+  await devtools.send("Network.emulateNetworkConditions", { offline: false, latency: 100, downloadThroughput: 125_000, uploadThroughput: 125_000 });
+  const slow = [];
+  for (let i = 0; i < 3; ++i) slow.push(await first_position(page));
+  line("first position, 1 Mbit/s 100 ms", `${Math.round(quantile(slow.sort((a, b) => a - b), 0.5))} ms, median of 3, nothing kept by the browser`);
+  await devtools.detach();
+}
+
+async function print_latency(world) {
+  const page = await world.open_browser();
+  await page.close();
+  const context = await world.browser.newContext();
+  const measured = await context.newPage();
+  await measured.addInitScript(() => {
+    window.delays_ms = [];
+    const told = window.WebSocket;
+    let newest;
+    window.WebSocket = class extends told {
+      constructor(...words) {
+        super(...words);
+        this.addEventListener("message", (event) => {
+          const said = JSON.parse(event.data);
+          if (said.topic === "position") newest = said.at_ms;
+        });
+      }
+    };
+    document.addEventListener("DOMContentLoaded", () => new MutationObserver(() => {
+      if (newest === undefined) return;
+      window.delays_ms.push(Date.now() - newest);
+      newest = undefined;
+    }).observe(document.getElementById("page"), { childList: true, subtree: true, characterData: true, attributes: true }));
+  });
+  await measured.goto(page.address);
+  await wait(20_000);
+  const delays = (await measured.evaluate("window.delays_ms")).slice(10).sort((a, b) => a - b);
+  line("latency", `median ${quantile(delays, 0.5)} ms, p99 ${quantile(delays, 0.99)} ms, most ${delays.at(-1)} ms, of ${delays.length} positions in 20 s`);
+  await context.close();
+}
+
+// From the order to crash an actor, given at the control socket, until its row is another one.
+async function print_crash(world) {
+  const page = await world.open_browser();
+  await page.click("#tab-actors");
+  const times = [];
+  for (let i = 2; i < 6; ++i) {
+    await page.waitForSelector('[data-actor="sightings"]');
+    await wait(1_300); // at another moment of the second each time
+    const began = Date.now();
+    world.ctl("crash", "sightings");
+    await page.waitForFunction((wanted) => document.querySelector('[data-actor="sightings"]')?.textContent.includes(wanted), `incarnation ${i}`);
+    times.push(Date.now() - began);
+  }
+  line("crash of an actor", `${times.join(", ")} ms until its row says so`);
+  await page.close();
+}
+
+// A mission of a thousand places, and a stream that the test speaks.
+function fed_by_test() {
+  const place = (i) => ({ latitude: 47.4 + 0.0004 * Math.floor(i / 40), longitude: 8.5 + 0.0004 * (i % 40), altitude_m: 30 });
+  window.plan = { generation: 1, home: null, kept: null, way: [...Array(1000).keys()].map(place), mission: { mission_id: "m", revision: 1, geofences: [],
+    return_point: place(0), items: [...Array(1000).keys()].map((i) => ({ id: `w${i}`, kind: "waypoint", at: place(i) })) } };
+  const asked = window.fetch;
+  window.fetch = (path, more) => String(path).endsWith("/api/v1/plan") ? Promise.resolve(new Response(JSON.stringify(window.plan))) : asked(path, more);
+  window.WebSocket = class {
+    constructor() {
+      window.line = this;
+      setTimeout(() => this.onopen(), 0);
+    }
+    close() {}
+  };
+  let number = 0;
+  let at_ms = 1_795_000_000_000;
+  window.say = (topic, data) => window.line.onmessage({ data: JSON.stringify({ topic, number: ++number, at_ms, data }) });
+  window.fly = (seconds) => {
+    at_ms += 1000 * seconds;
+    const t = number / 80;
+    window.say("position", { latitude_deg: 47.41 + 0.008 * Math.sin(t / 7), longitude_deg: 8.51 + 0.01 * Math.cos(t / 11), altitude_m: 30 + Math.sin(t),
+      altitude_msl_m: 500, ground_speed_mps: 5, climb_mps: 0, heading_deg: (t * 10) % 360 });
+  };
+}
+
+async function print_load(world) {
+  const context = await world.browser.newContext({ viewport: { width: 1280, height: 800 } });
+  const page = await context.newPage();
+  await page.addInitScript(fed_by_test);
+  await page.goto(`http://${world.address}/`);
+  await page.waitForFunction("window.line !== undefined");
+  await wait(300);
+  await page.evaluate(() => {
+    window.line.onmessage({ data: JSON.stringify({ topic: "stream", data: { session: "1" } }) });
+    window.say("flight", { phase: "flying", cause: "none", sentence: "", in_flight: true, is_armed: true, mode: "mission", preflight_report: 0, state: "" });
+    window.say("progress", { mission_id: "m", revision: 1, generation: 1, items: 1000, items_done: 300, reports: 1 });
+    window.say("clock", { beat: 1 });
+    window.fly(0.1);
+  });
+  await wait(1_000);
+  const devtools = await context.newCDPSession(page);
+  await devtools.send("Performance.enable");
+  const heap = async () => {
+    await devtools.send("HeapProfiler.collectGarbage");
+    return (await devtools.send("Runtime.getHeapUsage")).usedSize;
+  };
+  const before = await heap();
+  await page.evaluate(async () => {
+    for (let i = 0; i < 72_000; ++i) {
+      window.fly(0.1);
+      if (i % 10 === 0) window.say("clock", { beat: i });
+      if (i % 50 === 0) await new Promise((then) => requestAnimationFrame(then));
+    }
+  });
+  await wait(1_000);
+  line("heap over 72,000 positions", `${((await heap() - before) / 1e6).toFixed(1)} MB more, of ${(before / 1e6).toFixed(1)} MB`);
+  const busy = async () => (await devtools.send("Performance.getMetrics")).metrics.find((each) => each.name === "TaskDuration").value;
+  const from = await busy();
+  const began = Date.now();
+  await page.evaluate(async () => {
+    for (let i = 0; i < 150; ++i) {
+      window.fly(0.1);
+      if (i % 10 === 0) window.say("clock", { beat: i });
+      await new Promise((then) => setTimeout(then, 100));
+    }
+  });
+  const share = (await busy() - from) / ((Date.now() - began) / 1000);
+  line("main thread", `${(100 * share).toFixed(1)} % of a core, 1,000 items, a track of 72,000 positions, ${Math.round(150 / ((Date.now() - began) / 1000))} positions a second`);
+  await context.close();
+}
+
+print_weight();
+const world = await new flight_world({ speed: 1 }).begin();
+try {
+  const page = await world.open_browser();
+  await world.log_in(page);
+  await until(async () => (await page.textContent("#phase")).includes("ready"), "ready");
+  await page.click("#take-control");
+  await hold(page, "#command-start");
+  await print_first_position(page);
+  await page.close();
+  await print_latency(world);
+  await print_crash(world);
+  await print_load(world);
+} finally {
+  await world.end();
+}

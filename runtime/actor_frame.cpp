@@ -2,6 +2,7 @@
 // actor_frame_end.cpp.
 #include "runtime/frame_parts.hpp"
 
+#include "io/fields/utf8.hpp"
 #include "runtime/incarnation.hpp"
 #include "runtime/internal_messages.hpp"
 
@@ -262,11 +263,9 @@ void actor_frame::record_observed(const message_type& type, const void* value) {
 void actor_frame::record_restored(const std::string& document) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; document.size() <= max_restored_bytes && at < document.size();) {
-    auto end = std::min(at + restored_part_bytes, document.size());
-    while (end < document.size() && (static_cast<unsigned char>(document[end]) & 0xC0U) == 0x80U)
-      --end; // no character is cut
-    parts.push_back(document.substr(at, end - at));
-    at = end;
+    const auto rest = std::string_view(document).substr(at);
+    parts.emplace_back(rest.substr(0, io::whole_characters(rest, restored_part_bytes)));
+    at += parts.back().size();
   }
   restored each{0, static_cast<std::uint32_t>(parts.size()), document.size(), {}};
   do {

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
+#include "io/fields/utf8.hpp"
+
 namespace godwit::mission_client {
 
 std::string cut_error(std::string_view text) {
-  auto most = std::min(text.size(), max_error_text);
-  const auto is_inside_character = [&](std::size_t at) {
-    constexpr unsigned mask = 0xc0;
-    constexpr unsigned continuation = 0x80;
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & mask) == continuation;
-  };
-  while (most > 0 && is_inside_character(most))
-    --most;
-  return std::string(text.substr(0, most));
+  return std::string(text.substr(0, io::whole_characters(text, max_error_text)));
 }
 
 outbox_row* find_row(std::vector<outbox_row>& rows, std::string_view key) {

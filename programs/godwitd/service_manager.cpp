@@ -1,6 +1,5 @@
 #include "programs/godwitd/service_manager.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
@@ -9,6 +8,8 @@
 
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include "io/fields/utf8.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -61,10 +62,8 @@ tl::expected<service_manager, std::string> service_manager::from_environment() {
 }
 
 void service_manager::tell_status(std::string_view sentence) const {
-  auto size = std::min(sentence.size(), max_status);
-  while (size < sentence.size() && size > 0 && (static_cast<unsigned char>(sentence[size]) & 0xC0U) == 0x80U)
-    --size; // half a character of UTF-8 would cost the whole line
-  std::string line = "STATUS=" + std::string(sentence.substr(0, size));
+  // Half a character of UTF-8 would cost the whole line.
+  std::string line = "STATUS=" + std::string(sentence.substr(0, io::whole_characters(sentence, max_status)));
   for (char& each : line)
     if (each == '\n')
       each = ' ';

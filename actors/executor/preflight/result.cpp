@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "io/fields/utf8.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::executor::preflight {
@@ -9,8 +10,6 @@ namespace godwit::executor::preflight {
 namespace {
 
 result result_of(verdict how, std::string sentence) { return {how, cut_text(std::move(sentence), max_sentence)}; }
-
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 } // namespace
 
@@ -20,11 +19,7 @@ result fail(std::string sentence) { return result_of(verdict::fail, std::move(se
 result skipped(std::string sentence) { return result_of(verdict::skipped, std::move(sentence)); }
 
 std::string cut_text(std::string text, std::size_t size) {
-  if (text.size() <= size)
-    return text;
-  while (size > 0 && continues_character(text[size]))
-    --size;
-  text.resize(size);
+  text.resize(io::whole_characters(text, size));
   return text;
 }
 

@@ -48,7 +48,7 @@ struct tell_taken_over {};
 
 // operator_bridge writes it down: what WHO wanted of godwit, and what came of it.
 struct audit_row_to_tell {
-  mavlink::sender who;
+  io::mavlink::sender who;
   std::string what;
   std::string outcome;
   std::string reason;

@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "io/mavlink/enums.hpp"
 #include "messages/operator/principal.hpp"

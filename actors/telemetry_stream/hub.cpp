@@ -98,7 +98,7 @@ std::size_t subscriber::waiting_bytes() const {
 
 // -- hub ------------------------------------------------------------------------------------------
 
-void hub::publish(topic what, const std::string& data, std::int64_t wall_ms, std::int64_t now_ns) {
+text_ptr hub::publish(topic what, const std::string& data, std::int64_t wall_ms, std::int64_t now_ns) {
   const std::lock_guard guard(mutex_);
   std::string text = R"({"topic":")";
   text.append(io::name_of(what)).append(R"(","number":)").append(std::to_string(++number_));
@@ -112,6 +112,7 @@ void hub::publish(topic what, const std::string& data, std::int64_t wall_ms, std
       who->on_ready_();
     return !who;
   });
+  return made.text;
 }
 
 tl::expected<std::shared_ptr<subscriber>, std::string>

@@ -114,8 +114,8 @@ public:
   // SESSION: another one for each process, so that a client sees that it has to forget what it has heard.
   explicit hub(std::uint64_t session = 0) : session_(session) {}
 
-  // DATA: a JSON value. NOW_NS: monotonic.
-  void publish(topic what, const std::string& data, std::int64_t wall_ms, std::int64_t now_ns);
+  // DATA: a JSON value. NOW_NS: monotonic. Returns the text.
+  text_ptr publish(topic what, const std::string& data, std::int64_t wall_ms, std::int64_t now_ns);
 
   // The error is a sentence. It stays until it is let go of.
   [[nodiscard]] tl::expected<std::shared_ptr<subscriber>, std::string>

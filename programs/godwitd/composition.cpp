@@ -169,8 +169,10 @@ void composition::add_actors() {
     add_flight(of_desk);
   else
     add_ground_run(of_desk);
-  if (wanted_.operators)
+  if (wanted_.operators) {
+    log_api_ = std::make_shared<operator_port::log_api>();
     views_outside_.stream = std::make_shared<telemetry_stream::hub>(outside_.seed);
+  }
   views_outside_.read_host = [this] { return read_host(); };
   views_ = add_views(actors, views_outside_, base_, flight_);
   of_desk.health = views_.health;
@@ -379,8 +381,6 @@ void composition::open_operator_port() {
                                                           &host_->time()});
   view_api_->open();
   stream_api_ = std::make_shared<operator_port::stream_api>(operator_port_.context(), views_outside_.stream);
-  log_api_ = std::make_shared<operator_port::log_api>(operator_port_.context());
-  log_api_->open(*views_outside_.stream);
   auto routes = operator_port::page_routes();
   const auto add = [&routes](operator_port::route_list more) { std::ranges::move(more, std::back_inserter(routes)); };
   add(view_api_->routes());
@@ -459,11 +459,12 @@ ground_run::run_world composition::world_of_run() {
 
 void composition::announce(const ground_run::announce& said, std::string_view part) {
   log_.say(said.is_warning ? log_level::warning : log_level::info, part, said.sentence);
-  if (views_outside_.stream)
-    views_outside_.stream->publish(
-        telemetry_stream::topic::log,
-        telemetry_stream::json_of(telemetry_stream::log_update{said.is_warning, std::string(part), said.sentence}),
-        host_->time().wall_ns() / 1'000'000, host_->time().monotonic_ns());
+  if (!views_outside_.stream)
+    return;
+  log_api_->add(views_outside_.stream->publish(
+      telemetry_stream::topic::log,
+      telemetry_stream::json_of(telemetry_stream::log_update{said.is_warning, std::string(part), said.sentence}),
+      host_->time().wall_ns() / 1'000'000, host_->time().monotonic_ns()));
 }
 
 int composition::close(runtime::exit_code code) {
@@ -472,7 +473,6 @@ int composition::close(runtime::exit_code code) {
   operator_port_.close([this] {
     view_api_->close();
     stream_api_->close();
-    log_api_->close();
   });
   control_.reset();
   if (feed_)

@@ -1,14 +1,14 @@
 // What godwitd has logged of late, for who opens the page later: GET /api/v1/log.
 //
-//   hub ──topic log──> the newest max_lines ──> {"lines": [...]}, the oldest first, each as the stream has it
+//   log ──publish──> hub ──text──> add: the newest max_lines ──> {"lines": [...]}, the oldest first, as the stream has
+//   them
 //
-// A subscriber of the stream like any other. Thread: that of the context.
+// Thread: add by any; the route in that of the port.
 #pragma once
 
 #include <deque>
 #include <memory>
-
-#include <boost/asio/io_context.hpp>
+#include <mutex>
 
 #include "actors/telemetry_stream/hub.hpp"
 #include "programs/godwitd/operator_port/route.hpp"
@@ -19,16 +19,12 @@ class log_api : public std::enable_shared_from_this<log_api> {
 public:
   static constexpr std::size_t max_lines = 500; // the oldest goes
 
-  explicit log_api(boost::asio::io_context& io) : io_(io) {}
-  void open(telemetry_stream::hub& from);
-  void close();
+  // LINE: as it was published.
+  void add(telemetry_stream::text_ptr line);
   [[nodiscard]] route_list routes();
 
 private:
-  void hear();
-
-  boost::asio::io_context& io_;
-  std::shared_ptr<telemetry_stream::subscriber> place_;
+  std::mutex mutex_; // over all that follows
   std::deque<telemetry_stream::text_ptr> lines_;
 };
 

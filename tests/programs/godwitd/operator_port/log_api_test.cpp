@@ -18,13 +18,9 @@ using nlohmann::json;
 
 class logged : public testing::Test {
 protected:
-  logged() { api->open(all); }
-  ~logged() override { api->close(); }
-
   void say(const std::string& sentence) {
-    all.publish(telemetry_stream::topic::log, telemetry_stream::json_of({true, "executor", sentence}), 5, ++now_ns);
-    io.restart();
-    io.poll();
+    api->add(all.publish(telemetry_stream::topic::log, telemetry_stream::json_of({true, "executor", sentence}), 5,
+                         ++now_ns));
   }
   json lines() {
     const auto routes = api->routes();
@@ -36,9 +32,8 @@ protected:
   }
 
   std::int64_t now_ns = 1;
-  boost::asio::io_context io;
   telemetry_stream::hub all{42};
-  std::shared_ptr<log_api> api = std::make_shared<log_api>(io);
+  std::shared_ptr<log_api> api = std::make_shared<log_api>();
 };
 
 TEST_F(logged, lines_stand_there_as_the_stream_said_them_the_oldest_first) {

@@ -19,6 +19,10 @@ const latlng = (at: place): L.LatLngTuple => [at.latitude, at.longitude];
 export class chart {
   readonly map: L.Map;
   private readonly grid = new metre_grid();
+  // What moves has a canvas of its own, and so has the track: neither it nor the plan, which may be a thousand places, is
+  // drawn again with the vehicle.
+  private readonly moving = L.canvas({ padding: 0.3, pane: "moving" });
+  private readonly behind = L.canvas({ padding: 0.3, pane: "moving" });
   private readonly plan = L.layerGroup();
   private readonly going = L.layerGroup();
   private readonly preview = L.layerGroup();
@@ -39,12 +43,13 @@ export class chart {
       markerZoomAnimation: false, keyboard: true }).setView([0, 0], 3);
     const pane = this.map.createPane("grid");
     pane.style.zIndex = "250";
+    this.map.createPane("moving").style.zIndex = "450";
     this.grid.addTo(this.map);
     L.control.zoom({ position: "topleft" }).addTo(this.map);
     L.control.scale({ imperial: false, maxWidth: 140, position: "bottomright" }).addTo(this.map);
     this.plan.addTo(this.map);
-    this.way = L.polyline([], style_of("track", { weight: 2 })).addTo(this.map);
-    this.way_open = L.polyline([], style_of("track", { weight: 2 })).addTo(this.map);
+    this.way = L.polyline([], style_of("track", { weight: 2, renderer: this.behind })).addTo(this.map);
+    this.way_open = L.polyline([], style_of("track", { weight: 2, renderer: this.moving })).addTo(this.map);
     this.going.addTo(this.map);
     this.preview.addTo(this.map);
     this.vehicle = L.marker([0, 0], { icon: mark_icon("vehicle", "vehicle"), interactive: false, keyboard: false,
@@ -121,8 +126,8 @@ export class chart {
     this.going.clearLayers();
     if (to === undefined) return;
     if (from !== undefined)
-      L.polyline([latlng(from), latlng(to)], style_of("going", { weight: 3, dashArray: "2 6" })).addTo(this.going);
-    L.circleMarker(latlng(to), style_of("going", { radius: 8, weight: 3, fill: false })).addTo(this.going);
+      L.polyline([latlng(from), latlng(to)], style_of("going", { weight: 3, dashArray: "2 6", renderer: this.moving })).addTo(this.going);
+    L.circleMarker(latlng(to), style_of("going", { radius: 8, weight: 3, fill: false, renderer: this.moving })).addTo(this.going);
   }
 
   // A mission that was not handed over yet, in another colour; none: it is left.

@@ -1,5 +1,6 @@
 // Below the map: plan, upload, plots, preflight report, actors, log, audit.
 import { html, nothing } from "lit";
+import { guard } from "lit/directives/guard.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { TemplateResult } from "lit";
 import { plain, time_words } from "../model/words.ts";
@@ -15,10 +16,10 @@ function plan_part(all: page): TemplateResult {
   const done = all.world.get("progress")?.items_done ?? 0;
   return html`<table class="rows"><caption>Mission ${mission.mission_id}, revision ${mission.revision}: ${done} of ${mission.items.length} items done</caption>
     <thead><tr><th>#</th><th>item</th><th>kind</th><th>altitude</th><th></th></tr></thead>
-    <tbody>${mission.items.map((item, index) => html`<tr class=${index < done ? "done" : index === done ? "next" : ""}>
+    ${guard([mission, done], () => html`<tbody>${mission.items.map((item, index) => html`<tr class=${index < done ? "done" : index === done ? "next" : ""}>
       <td>${index + 1}</td><td>${item.id}</td><td>${plain(item.kind)}</td>
       <td>${item.at?.altitude_m ?? item.altitude_m ?? "–"}${(item.at?.altitude_m ?? item.altitude_m) === undefined ? "" : " m"}</td>
-      <td>${index < done ? "done" : index === done ? "next" : ""}</td></tr>`)}</tbody></table>`;
+      <td>${index < done ? "done" : index === done ? "next" : ""}</td></tr>`)}</tbody>`)}</table>`;
 }
 
 function filter_part(all: page, with_warnings: boolean): TemplateResult {
@@ -33,11 +34,11 @@ const shown_rows = 300;
 
 function log_part(all: page): TemplateResult {
   const { filter, only_warnings } = all.drawer;
-  const lines = all.world.log.filter((each) => (!only_warnings || each.is_warning) && has(`${each.part} ${each.sentence}`, filter))
+  const lines = () => all.world.log.filter((each) => (!only_warnings || each.is_warning) && has(`${each.part} ${each.sentence}`, filter))
     .slice(-shown_rows).reverse();
   return html`${filter_part(all, true)}<table class="rows log"><caption class="hidden">The log, the newest first</caption><tbody>
-    ${repeat(lines, (each) => each.number, (each) => html`<tr class=${each.is_warning ? "warning" : ""}>
-      <td class="time">${time_words(each.at_ms)}</td><td>${each.part}</td><td>${each.sentence}</td></tr>`)}</tbody></table>`;
+    ${guard([all.world.log, filter, only_warnings], () => repeat(lines(), (each) => each.number, (each) => html`<tr class=${each.is_warning ? "warning" : ""}>
+      <td class="time">${time_words(each.at_ms)}</td><td>${each.part}</td><td>${each.sentence}</td></tr>`))}</tbody></table>`;
 }
 
 function audit_part(all: page): TemplateResult {

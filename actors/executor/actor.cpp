@@ -240,7 +240,7 @@ void actor::greet_returned() {
       carry_out(core_->on_client_back());
     else if (name == "ground_port")
       core_->on_port_back();
-    else if (name == "scan_controller")
+    else if (name == "scan_controller" || name == "movement_detector")
       told_survey_.reset();
   }
 }
@@ -253,6 +253,8 @@ void actor::tell_survey() {
   if (!seen || (told_survey_ && io::equal(*told_survey_, *seen)))
     return;
   tell(others_->scan, *seen);
+  if (others_->eyes)
+    tell(others_->eyes, *seen);
   told_survey_ = std::move(seen);
 }
 

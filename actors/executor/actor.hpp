@@ -36,6 +36,7 @@ struct peers {
   std::optional<mission_client::flight_handle> client; // none without a service
   std::optional<ground_port::handle> port;             // none without ground stations
   scan_controller::flight_handle scan;
+  scan_controller::flight_handle eyes; // none without a camera
   runtime::guardian_handle guardian;
   std::vector<flight_watcher> watchers;
 };

@@ -4,8 +4,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "actors/scan_controller/pass_watch.hpp"
-
 namespace godwit::scan_controller {
 
 using mapobjects_store::map_failure;
@@ -28,6 +26,10 @@ actor::behavior_type actor::handlers() {
                 [this, request_id, seen = core::view_of(current_state(), now())] { answer_later(request_id, seen); });
           }),
           on<survey_progress>([this](const survey_progress& seen) { take(seen); }),
+          on<view>([this](const view& said) {
+            view_.on_view(said, now().monotonic_ns);
+            turn();
+          }),
           on<io::mavlink::global_position_int>([this](const io::mavlink::global_position_int& m) {
             constexpr double units_a_degree = 1e7;
             const geo::point here{m.lat / units_a_degree, m.lon / units_a_degree};
@@ -39,6 +41,7 @@ actor::behavior_type actor::handlers() {
 void actor::started() {
   if (const auto restarted = core::on_start(current_state(), now()))
     commit(*restarted);
+  view_.on_view({true, {}}, now().monotonic_ns); // who looks says it soon
   turn();
 }
 
@@ -60,17 +63,32 @@ void actor::take(const decide_point& said, std::uint64_t request_id) {
 }
 
 void actor::take(const survey_progress& seen) {
+  look_at_view(); // as it was until now
+  view_.is_on_lines = seen.is_flying && !seen.is_at_beginning;
   while (const auto next = on_survey(current_state(), settings_, seen, process_, now())) {
     commit(*next);
     if (const auto* lost = std::get_if<pass_lost>(&*next))
-      at_end([this, why = lost->why] {
-        others_->say("a survey is no whole pass, and nothing of it is said to be gone: " + why, false);
-      });
+      lose_pass(*lost);
   }
   turn();
 }
 
+void actor::look_at_view() {
+  const auto lost = on_view(current_state(), settings_, view_, now().monotonic_ns);
+  if (!lost)
+    return;
+  commit(*lost);
+  lose_pass(std::get<pass_lost>(*lost));
+}
+
+void actor::lose_pass(const pass_lost& how) {
+  at_end([this, why = how.why] {
+    others_->say("a survey is no whole pass, and nothing of it is said to be gone: " + why, false);
+  });
+}
+
 void actor::turn() {
+  look_at_view();
   while (const auto due = core_.next_due(current_state(), now()))
     commit(*due);
   deliver();
@@ -81,6 +99,8 @@ void actor::turn() {
     next_ns = std::min(next_ns, ask_map_from_ns_);
   if (!is_asking_map_ && !s.owed_passes.empty())
     next_ns = std::min(next_ns, std::max(ask_map_from_ns_, s.owed_passes.front().due_ns));
+  if (settings_.watches_view && s.pass && !s.pass->is_over && view_.is_on_lines)
+    next_ns = std::min(next_ns, view_.seen_until_ns);
   wake_at(next_ns);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "actors/scan_controller/core.hpp"
+#include "actors/scan_controller/pass_watch.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "runtime/durable_actor.hpp"
@@ -55,6 +56,8 @@ private:
   void take(const candidate& seen, std::uint64_t request_id);
   void take(const decide_point& said, std::uint64_t request_id);
   void take(const survey_progress& seen);
+  void look_at_view();
+  void lose_pass(const pass_lost& how);
   void turn();
   void deliver();
   template <class Owed, class Answer, class Delivered>
@@ -65,6 +68,7 @@ private:
   std::shared_ptr<const peers> others_;
   std::uint64_t process_;
   core core_;
+  view_watch view_;
   bool is_asking_map_ = false;
   std::int64_t ask_map_from_ns_ = 0; // not before
   std::string map_error_;            // of the last time; empty: it took it

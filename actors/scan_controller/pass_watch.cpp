@@ -69,6 +69,18 @@ std::optional<fact> go_on(const state& s, const settings& configured, const surv
 
 } // namespace
 
+void view_watch::on_view(const view& said, std::int64_t now_ns) {
+  reason = said.reason;
+  seen_until_ns = said.is_seeing ? now_ns + view_lasts_ns : 0;
+}
+
+std::optional<fact> on_view(const state& s, const settings& configured, const view_watch& watch, std::int64_t now_ns) {
+  const bool is_needed = configured.watches_view && s.pass && !s.pass->is_over && watch.is_on_lines;
+  if (!is_needed || now_ns < watch.seen_until_ns)
+    return {};
+  return pass_lost{"the camera has not seen all of it" + (watch.reason.empty() ? "" : ": " + watch.reason)};
+}
+
 std::optional<fact> on_survey(const state& s, const settings& configured, const survey_progress& now_at,
                               std::uint64_t process, instant now) {
   if (configured.looks_for.empty())

@@ -23,6 +23,8 @@ struct settings {
   // map.
   std::vector<std::string> looks_for = {};
   double pass_confidence = 0.8; // that what was there would have been seen
+  // There is a camera: a pass counts only while somebody says that it sees the ground.
+  bool watches_view = false;
 };
 
 // A sentence about what can not be; nothing: it can be used.

@@ -1,5 +1,6 @@
 #include "io/video/picture_watch.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace godwit::io::video {
@@ -14,7 +15,7 @@ picture_fault picture_watch::look(const frame& picture) {
     }
   const auto mean = std::accumulate(now.begin(), now.end(), std::uint32_t{0}) / static_cast<std::uint32_t>(now.size());
   const auto at = picture.captured_ns;
-  if (!has_last_ || mean >= black_below)
+  if (!has_last_ || mean >= black_below || std::ranges::max(now) >= light_from)
     sound_ns_ = at;
   if (!has_last_ || now != last_)
     changed_ns_ = at;

@@ -17,6 +17,7 @@ class picture_watch {
 public:
   static constexpr std::int64_t patience_ns = 1'000'000'000;
   static constexpr std::uint32_t black_below = 24; // mean brightness; video black is 16
+  static constexpr std::uint8_t light_from = 64;   // a pixel of that is a lamp: it is night, and the lens is open
 
   [[nodiscard]] picture_fault look(const frame& picture);
 

@@ -125,6 +125,8 @@ std::string sentence_of(const GError& error) {
     return "the camera is in use by another program: " + text;
   if (error.domain == GST_RESOURCE_ERROR && error.code == GST_RESOURCE_ERROR_NOT_AUTHORIZED)
     return "the camera wants another name or password: " + text;
+  if (error.domain == GST_RESOURCE_ERROR)
+    return "the camera can not be reached: is it on, and in this network? GStreamer says: " + text;
   if (error.domain == GST_CORE_ERROR && error.code == GST_CORE_ERROR_MISSING_PLUGIN)
     return "GStreamer has no decoder for these pictures (H.264 and H.265 need the package gstreamer1.0-libav): " + text;
   if (error.domain == GST_STREAM_ERROR && error.code == GST_STREAM_ERROR_CODEC_NOT_FOUND)

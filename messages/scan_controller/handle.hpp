@@ -16,8 +16,11 @@ using operator_handle = runtime::mailbox<runtime::asks<get_points, points>, runt
 // Who flies.
 using flight_handle = runtime::mailbox<runtime::tells<survey_progress>>;
 
+// Who looks at the ground.
+using view_handle = runtime::mailbox<runtime::tells<view>>;
+
 // All of it; where the vehicle is comes from vehicle_link.
-using own_handle = runtime::combine<candidate_handle, operator_handle, flight_handle,
+using own_handle = runtime::combine<candidate_handle, operator_handle, flight_handle, view_handle,
                                     runtime::mailbox<runtime::tells<io::mavlink::global_position_int>>>;
 
 // Who wants to know which points are shown. Both are durable effects: once in effect for each.

@@ -11,3 +11,4 @@ GODWIT_DEFINE_MESSAGE(godwit::scan_controller::point_closed);
 GODWIT_DEFINE_MESSAGE(godwit::scan_controller::point_shown);
 GODWIT_DEFINE_MESSAGE(godwit::scan_controller::points);
 GODWIT_DEFINE_MESSAGE(godwit::scan_controller::survey_progress);
+GODWIT_DEFINE_MESSAGE(godwit::scan_controller::view);

@@ -5,3 +5,4 @@
 #include "messages/scan_controller/decision.hpp"
 #include "messages/scan_controller/point.hpp"
 #include "messages/scan_controller/survey_progress.hpp"
+#include "messages/scan_controller/view.hpp"

@@ -13,6 +13,9 @@
 #include "programs/godwit-sim/connection_hints.hpp"
 #include "programs/godwit-sim/console.hpp"
 #include "programs/godwit-sim/vehicle_options.hpp"
+#ifdef GODWIT_HAS_EYES
+#include "programs/godwit-sim/camera_server/vehicle_camera.hpp"
+#endif
 
 namespace godwit::sim {
 namespace {
@@ -71,6 +74,31 @@ void introduce(vehicle_host& host, const host_settings& settings, programs::line
   to.push("Ctrl-C ends it");
 }
 
+#ifdef GODWIT_HAS_EYES
+using camera_handle = std::unique_ptr<vehicle_camera>;
+
+// None, when none was asked for.
+tl::expected<camera_handle, std::string> open_camera(vehicle_host& host, const host_settings& settings) {
+  if (!settings.camera)
+    return camera_handle();
+  auto opened =
+      vehicle_camera::open(*settings.camera, settings.vehicles.front().vehicle.home, settings.camera_truth, [&host] {
+        vehicle_picture now;
+        host.inside([&] { now = host.at(0).describe(); });
+        return now;
+      });
+  if (opened)
+    host.inside([&] { host.set_camera([to = opened->get()](bool is_cut) { to->set_cut(is_cut); }); });
+  return opened;
+}
+#else
+tl::expected<bool, std::string> open_camera(vehicle_host&, const host_settings& settings) {
+  if (settings.camera)
+    return tl::make_unexpected("--camera: this godwit-sim was built without eyes (GODWIT_EYES=OFF)");
+  return false;
+}
+#endif
+
 exit_code run(const vehicle_arguments& given) {
   auto settings = read(given);
   if (!settings) {
@@ -85,8 +113,14 @@ exit_code run(const vehicle_arguments& given) {
     say(host.error());
     return exit_code::failed;
   }
+  const auto camera = open_camera(**host, *settings);
+  if (!camera) {
+    say(camera.error());
+    return exit_code::failed;
+  }
   introduce(**host, *settings, printer);
   (*host)->wait();
+  (*host)->inside([&host] { (*host)->set_camera({}); });
   return exit_code::ok;
 }
 
@@ -142,6 +176,12 @@ command add_vehicle_command(CLI::App& to) {
   const auto given = std::make_shared<vehicle_arguments>();
   add_vehicle_options(*app, *given);
   add_fault_options(*app, *given);
+  app->add_option("--camera", given->camera,
+                  "Serves what a camera below it sees, such as rtsp://127.0.0.1:8554/camera?movers=4")
+      ->type_name("URI");
+  app->add_option("--camera-truth", given->camera_truth,
+                  "Writes what is really to be seen into this file, as JSON lines")
+      ->type_name("FILE");
   app->add_option("--tlog", given->tlog, "Records what goes over the links into this file")->type_name("FILE");
   app->add_flag("--quiet", given->quiet, "Prints no events");
   app->footer(examples);

@@ -130,6 +130,13 @@ tl::expected<host_settings, std::string> read(const vehicle_arguments& given) {
       return tl::make_unexpected(in_option("--control", where.error()));
     result.control = *std::move(where);
   }
+  if (!given.camera.empty()) {
+    auto camera = parse_camera_place(given.camera);
+    if (!camera)
+      return tl::make_unexpected(in_option("--camera", camera.error()));
+    result.camera = *std::move(camera);
+  }
+  result.camera_truth = given.camera_truth;
   result.tlog = given.tlog;
   result.is_quiet = given.quiet;
   return result;

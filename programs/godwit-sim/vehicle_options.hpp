@@ -36,6 +36,8 @@ struct vehicle_arguments {
   std::vector<std::string> fault_at;
   std::vector<std::string> refuse;
   std::string control;
+  std::string camera;
+  std::string camera_truth;
   bool arm_on_start = false;
   std::string tlog;
   bool quiet = false;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <future>
 #include <iterator>
 #include <mutex>
 #include <random>
+#include <system_error>
 #include <utility>
 
 #include <sys/eventfd.h>
@@ -36,6 +38,12 @@ using checked = tl::expected<void, std::string>;
 std::uint64_t fresh_seed() {
   std::random_device source;
   return (std::uint64_t{source()} << 32U) | source();
+}
+
+// Two programs of one build lie in one folder.
+std::string beside_this_program(const char* name) {
+  std::error_code failed;
+  return (std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / name).string();
 }
 
 } // namespace
@@ -83,6 +91,8 @@ checked composition::open_files() {
       return tl::make_unexpected(std::move(feed.error()));
     feed_ = *std::move(feed);
   }
+  if (auto eyes = make_eyes(); !eyes)
+    return eyes;
   if (wanted_.flies) {
     auto keeper = accounts::account_keeper::open(wanted_.accounts_file);
     if (!keeper)
@@ -118,6 +128,21 @@ checked composition::check_operators() {
   return {};
 }
 
+// What it sees flows into the map as sightings do.
+checked composition::make_eyes() {
+  if (!wanted_.camera || !wanted_.flies)
+    return {};
+  const auto program = wanted_.eyes_program.empty() ? beside_this_program("godwit-eyes") : wanted_.eyes_program;
+  auto made = io::eyes::helper::make({program, "session"});
+  if (!made)
+    return tl::make_unexpected(std::move(made.error()));
+  eyes_ = *std::move(made);
+  eyes_port_ = std::make_shared<movement_detector::eyes_process>(eyes_);
+  if (!feed_)
+    feed_ = sighting_feed::without_file();
+  return {};
+}
+
 checked composition::load_mission() {
   if (wanted_.mission_file.empty())
     return {};
@@ -147,6 +172,7 @@ void composition::surround_actors() {
   if (wanted_.ground)
     outside_.ground = ground_line_;
   outside_.sightings = feed_;
+  outside_.eyes = eyes_port_;
   outside_.seed = fresh_seed();
   outside_.journal = &host_->journal();
   outside_.host = facts_.get();
@@ -217,6 +243,8 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.failsafe_status = base_.failsafe;
   of_desk.sightings = flight_.feeder;
   of_desk.points = flight_.scan;
+  if (flight_.eyes)
+    of_desk.eyes = flight_.eyes;
 }
 
 bool composition::is_in_flight() {
@@ -244,6 +272,8 @@ checked composition::open() {
   if (wanted_.flies)
     begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
   tell_open_lines();
+  if (eyes_port_)
+    eyes_port_->open(host_->actors().make_gateway("eyes_port"), flight_.eyes);
   open_link_log();
   host_->actors().start();
   open_vehicle();
@@ -311,7 +341,7 @@ void composition::open_vehicle() {
 }
 
 void composition::open_feed() {
-  if (!feed_)
+  if (wanted_.sightings_file.empty())
     return;
   const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("sighting_feed"));
   feed_->start(
@@ -364,6 +394,18 @@ void composition::open_operator_api() {
       });
 }
 
+// Pictures come by no actor: they are large, and only the newest counts. Without a camera the route says so.
+operator_port::route_list composition::camera_routes() {
+  const auto api = std::make_shared<operator_port::camera_api>(operator_port::camera_parts{
+      [eyes = eyes_](std::uint64_t after) { return eyes ? eyes->slot().read(after) : std::nullopt; },
+      [eyes = eyes_](std::int64_t until_ns) {
+        if (eyes)
+          static_cast<void>(eyes->send(io::eyes::want_picture{until_ns, operator_port::camera_api::picture_gap_ms}));
+      },
+      &host_->time()});
+  return api->routes();
+}
+
 // A port that is taken is no reason not to fly.
 void composition::open_operator_port() {
   if (!wanted_.operators)
@@ -386,6 +428,7 @@ void composition::open_operator_port() {
   add(view_api_->routes());
   add(stream_api_->routes());
   add(log_api_->routes());
+  add(camera_routes());
   add(tile_routes_of(*wanted_.operators, [this](const std::string& sentence) {
     announce({sentence, true}, "operator_port");
   }));
@@ -477,6 +520,8 @@ int composition::close(runtime::exit_code code) {
   control_.reset();
   if (feed_)
     feed_->stop();
+  if (eyes_)
+    eyes_->close();
   vehicle_port_->close();
   ground_line_->close();
   if (link_log_)

@@ -12,6 +12,7 @@
 #include "actors/ground_port/link_port.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/http_service.hpp"
+#include "actors/movement_detector/eyes_process.hpp"
 #include "actors/vehicle_link/link_port.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
@@ -23,6 +24,7 @@
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
+#include "programs/godwitd/operator_port/camera_api.hpp"
 #include "programs/godwitd/operator_port/log_api.hpp"
 #include "programs/godwitd/operator_port/operator_api.hpp"
 #include "programs/godwitd/operator_port/operator_port.hpp"
@@ -78,8 +80,10 @@ private:
   void open_operator_api();
   [[nodiscard]] tl::expected<void, std::string> check_operators();
   void tell_operator_port();
+  [[nodiscard]] operator_port::route_list camera_routes();
   [[nodiscard]] health::host_figures read_host() const;
   void open_feed();
+  [[nodiscard]] tl::expected<void, std::string> make_eyes();
   void open_accounts();
   void hand_over_mission();
   [[nodiscard]] tl::expected<void, std::string> open_map();
@@ -97,8 +101,10 @@ private:
   run_end end_;
   std::optional<mission::document> file_mission_; // none with a service
 
-  std::shared_ptr<sighting_feed> feed_;                   // none without sightings
-  std::shared_ptr<mission_client::http_service> service_; // none without a service
+  std::shared_ptr<sighting_feed> feed_;                        // none without sightings
+  std::shared_ptr<mission_client::http_service> service_;      // none without a service
+  std::shared_ptr<io::eyes::helper> eyes_;                     // none without a camera
+  std::shared_ptr<movement_detector::eyes_process> eyes_port_; // the same
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();

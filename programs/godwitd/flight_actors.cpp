@@ -8,6 +8,7 @@
 #include "actors/ground_port/actor.hpp"
 #include "actors/mapobjects_store/actor.hpp"
 #include "actors/mission_client/actor.hpp"
+#include "actors/movement_detector/actor.hpp"
 #include "actors/operator_bridge/actor.hpp"
 #include "actors/scan_controller/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
@@ -24,6 +25,7 @@ constexpr const char* executor_name = "executor";
 constexpr const char* failsafe_name = "failsafe";
 constexpr const char* scan_name = "scan_controller";
 constexpr const char* feeder_name = "sightings";
+constexpr const char* eyes_name = "movement_detector";
 
 executor::host_status read_host_status(const actor_surroundings& outside, const operator_bridge::presence& operators) {
   executor::host_status result;
@@ -85,6 +87,20 @@ void add_scan(runtime::system& actors, const daemon_settings& settings, const ac
       {.name = feeder_name}, replaceable, sightings::feeder_settings{settings.mission_id, outside.service == nullptr},
       sightings::store_handle(base.store), scan_controller::candidate_handle(made.scan), outside.sightings,
       [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
+}
+
+void add_eyes(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,
+              const base_actors& base, flight_actors& made) {
+  const auto of_eyes = std::make_shared<movement_detector::peers>();
+  made.eyes = actors.add<movement_detector::actor>(
+      {.name = eyes_name, .policy = runtime::on_crash::lose}, replaceable, *settings.camera,
+      std::shared_ptr<const movement_detector::peers>(of_eyes), outside.eyes, outside.seed);
+  of_eyes->sightings = made.feeder;
+  of_eyes->scan = made.scan;
+  of_eyes->say = [&outside](const std::string& sentence, bool is_warning) {
+    outside.say(eyes_name, sentence, is_warning);
+  };
+  base.of_vehicle->add(made.eyes);
 }
 
 } // namespace
@@ -160,6 +176,10 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     of_executor->client = base.client;
   add_scan(actors, settings, outside, base, made);
   of_executor->scan = made.scan;
+  if (settings.camera && outside.eyes) {
+    add_eyes(actors, settings, outside, base, made);
+    of_executor->eyes = made.eyes;
+  }
   base.of_failsafe->ears.emplace_back(made.executor);
   base.of_failsafe->log = [&outside](const failsafe::warning& said) {
     outside.say(failsafe_name, said.text, said.severity <= io::mavlink::mav_severity::warning);

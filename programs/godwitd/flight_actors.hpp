@@ -4,6 +4,7 @@
 //   missions service ── service_port ── mission_client ──> executor
 //   file of the map ── map_port ── mapobjects_store
 //   operators ── operator_bridge ──> executor
+//   godwit-eyes ── eyes_port ── movement_detector ──> sightings, scan_controller
 //   sighting_feed ── sightings ──> mapobjects_store, scan_controller ──> executor (what people are told)
 //
 // Whoever calls it owns what may block and what differs: ports, clock, journal, seed, facts about the host, the log. A
@@ -26,6 +27,7 @@
 #include "actors/executor/supervision/table.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/service_port.hpp"
+#include "actors/movement_detector/eyes_port.hpp"
 #include "actors/vehicle_link/listeners.hpp"
 #include "io/link/wire.hpp"
 #include "io/mavlink/signing/channel.hpp"
@@ -34,6 +36,7 @@
 #include "messages/ground_port/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
+#include "messages/movement_detector/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
@@ -72,7 +75,8 @@ struct actor_surroundings {
   std::shared_ptr<mission_client::service_port> service; // none: the mission comes from elsewhere
   std::shared_ptr<io::link::wire> ground;                // none: no ground station is spoken to
   io::mavlink::signing_settings ground_signing;
-  std::shared_ptr<sighting_feed> sightings; // none: nobody sees anything
+  std::shared_ptr<sighting_feed> sightings;           // none: nobody sees anything
+  std::shared_ptr<movement_detector::eyes_port> eyes; // with SETTINGS.camera, and with sightings; else none
 
   // Of this process, and of no other one: what is delivered has keys that are made with it.
   std::uint64_t seed = 0;
@@ -105,6 +109,7 @@ struct flight_actors {
   operator_bridge::own_handle bridge;
   scan_controller::own_handle scan;
   sightings::feeder_handle feeder;
+  movement_detector::own_handle eyes; // none without a camera
   // Whom it speaks with; filled in before the actors start.
   std::shared_ptr<executor::peers> of_executor;
   std::shared_ptr<scan_controller::peers> of_scan;

@@ -62,6 +62,8 @@ inline constexpr std::array option_rows{
                "Signs on that line with this key, and believes only what is signed with it; mode 0600"},
     option_row{"accounts", "/operator/accounts", option_kind::text, "FILE",
                "The accounts of operators, as `godwitd operator` writes them (beside the journal)"},
+    option_row{"camera", "/camera/uri", option_kind::text, "URI",
+               "Looks for what moves with this camera: v4l2:///dev/video0, rtsp://..., file:///..., test://ball"},
     option_row{"sightings", "/sightings/file", option_kind::text, "FILE",
                "Takes sightings from this file of JSON lines; - is standard input"},
     option_row{"once", "/sightings/once", option_kind::flag, "",

@@ -1,5 +1,6 @@
 #include "programs/godwitd/settings.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <sstream>
@@ -9,6 +10,8 @@
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/ground_port/passing/table.hpp"
 #include "io/fields/field_table.hpp"
+#include "io/mavlink/messages/position.hpp"
+#include "io/video/camera_uri.hpp"
 #include "programs/common/redaction.hpp"
 #include "programs/godwitd/option_table.hpp"
 
@@ -17,6 +20,12 @@ namespace {
 
 using json = nlohmann::json;
 using checked = tl::expected<void, std::string>;
+
+#ifdef GODWIT_HAS_EYES
+constexpr bool has_eyes = true;
+#else
+constexpr bool has_eyes = false;
+#endif
 
 std::string text(const json& section, const char* key) { return section.at(key).get<std::string>(); }
 
@@ -240,6 +249,44 @@ checked read_scan(const json& scan, daemon_settings& to) {
   return objection ? tl::make_unexpected("scan.looks_for: " + *objection) : checked();
 }
 
+checked read_camera(const json& camera, daemon_settings& to) {
+  movement_detector::settings result;
+  result.uri = text(camera, "uri");
+  if (result.uri.empty())
+    return {};
+  if constexpr (!has_eyes)
+    return wrong("camera",
+                 "this godwitd was built without eyes (GODWIT_EYES=OFF); leave it out, or build it with them");
+  if (const auto known = io::video::parse_camera_uri(result.uri); !known)
+    return wrong("camera", known.error());
+  result.width_px = camera.at("width_px").get<std::int32_t>();
+  result.height_px = camera.at("height_px").get<std::int32_t>();
+  result.focal_px = camera.at("focal_px").get<double>();
+  result.k1 = camera.at("k1").get<double>();
+  result.k2 = camera.at("k2").get<double>();
+  result.mount_yaw_deg = camera.at("mount_yaw_deg").get<double>();
+  result.mount_pitch_deg = camera.at("mount_pitch_deg").get<double>();
+  result.mount_roll_deg = camera.at("mount_roll_deg").get<double>();
+  result.attitude_sd_deg = camera.at("attitude_sd_deg").get<double>();
+  result.min_height_m = camera.at("min_height_m").get<double>();
+  result.max_off_nadir_deg = camera.at("max_off_nadir_deg").get<double>();
+  result.class_group = text(camera, "class_group");
+  result.min_confidence = camera.at("min_confidence").get<double>();
+  result.record_folder = text(camera, "record_folder");
+  result.record_max_mb = camera.at("record_max_mb").get<std::int64_t>();
+  if (const auto objection = movement_detector::objection_to(result))
+    return tl::make_unexpected("camera." + *objection);
+  to.eyes_program = text(camera, "program");
+  // A pose is of use when it is near to its picture in time.
+  constexpr std::int32_t attitude_interval_ms = 100;
+  for (auto& each : to.link.streams)
+    if (each.message == io::mavlink::attitude::message_id)
+      each.interval_ms = std::min(each.interval_ms, attitude_interval_ms);
+  to.scan.watches_view = true;
+  to.camera = std::move(result);
+  return {};
+}
+
 log_settings log_from(const json& log) {
   log_settings result;
   result.file = text(log, "file");
@@ -290,6 +337,8 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
   read_accounts(configuration, result);
   if (auto scan = read_scan(configuration.at("scan"), result); !scan)
     return tl::make_unexpected(std::move(scan.error()));
+  if (auto camera = read_camera(configuration.at("camera"), result); !camera)
+    return tl::make_unexpected(std::move(camera.error()));
   read_delivery(configuration, result);
   if (const auto objection = mission_client::objection_to(result.client))
     return tl::make_unexpected(*objection);

@@ -14,6 +14,7 @@
 #include "actors/failsafe/settings.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mission_client/settings.hpp"
+#include "actors/movement_detector/settings.hpp"
 #include "actors/operator_bridge/settings.hpp"
 #include "actors/scan_controller/settings.hpp"
 #include "actors/vehicle_link/settings.hpp"
@@ -52,6 +53,8 @@ struct daemon_settings {
   std::vector<std::string> ground_also_passes;
   mapobjects_store::map_writer_options map;
   scan_controller::settings scan;
+  std::optional<movement_detector::settings> camera; // none: nobody looks
+  std::string eyes_program;                          // with a camera; empty: godwit-eyes beside godwitd
   std::string control_path;
   std::optional<operator_port::settings> operators; // none: there is no port for them
   std::string accounts_file;                        // of operators; need not be there

@@ -162,6 +162,19 @@ std::string points_line(const json& points) {
          number(counts, "declined") + " declined, " + number(counts, "passed_over") + " passed over";
 }
 
+// "sees: 1280 x 720, 30 pictures a second, 0 dropped; 12 candidates, 3 sightings; started once"
+std::string eyes_line(const json& eyes) {
+  if (eyes.value("is_closed", false))
+    return "closed: no mission with scanning is flown";
+  const auto starts = eyes.value("starts", std::uint64_t{0});
+  return (eyes.value("is_seeing", false) ? "sees: " : "does NOT see" + in_brackets(text(eyes, "sentence")) + ": ") +
+         number(eyes, "width_px") + " x " + number(eyes, "height_px") + ", " +
+         std::to_string(std::lround(eyes.value("frames_per_s", 0.0))) + " pictures a second, " +
+         number(eyes, "dropped") + " dropped; " + number(eyes, "candidates") + " candidates, " +
+         number(eyes, "sightings") + " sightings; godwit-eyes was started " +
+         (starts == 1 ? "once" : std::to_string(starts) + " times");
+}
+
 struct part_row {
   const char* key;
   std::string (*line)(const json& part);
@@ -170,8 +183,8 @@ struct part_row {
 constexpr part_row parts[] = {
     {"health", health_line},       {"run", run_line},       {"flight", flight_line},   {"failsafe", failsafe_line},
     {"operators", operators_line}, {"port", port_line},     {"service", service_line}, {"map", map_line},
-    {"sightings", sightings_line}, {"points", points_line}, {"vehicle", vehicle_line}, {"ground", ground_line},
-    {"actors", actor_lines}};
+    {"sightings", sightings_line}, {"points", points_line}, {"eyes", eyes_line},       {"vehicle", vehicle_line},
+    {"ground", ground_line},       {"actors", actor_lines}};
 
 } // namespace
 

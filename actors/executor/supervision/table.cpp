@@ -26,6 +26,7 @@ constexpr std::array rows{
     row{"operator_bridge", {wanted, wanted, wanted}, true},
     row{"landing_watch", {wanted, wanted, wanted}, true},
     row{"scan_controller", {away, for_scans, away}},
+    row{"movement_detector", {away, for_scans, away}},
 };
 // Who shows what there is, and who takes a mission from a page.
 constexpr std::array<std::string_view, 4> dispensable{"health", "telemetry_stream", "view_desk", "mission_desk"};

@@ -8,6 +8,7 @@
 //   landing_watch            wanted      wanted      wanted: it ends a process whose executor is given up
 //   mission_client           wanted      wanted *    essential: it delivers what is owed
 //   scan_controller          -           scans *     -            only while a mission with scanning is flown
+//   movement_detector        -           scans *     -            the same
 //   others                   wanted      wanted *    wanted       * not in a reduced process
 //   health, telemetry_stream the same; no flight waits for them: they only show
 //

@@ -18,8 +18,9 @@ const std::int64_t daemon_process::wall_began_ns = runtime::simulated_time::star
 
 struct daemon_process::parts {
   parts(process_surroundings& around, std::int64_t now_ns, std::uint64_t seed)
-      : outside(around), map(std::make_shared<stepped_map>(around.map_file)),
-        world(around.journal, seed, around.record), facts([&around] { return around.free_disk_bytes; }, world.time()) {
+      : outside(around), eyes(std::make_shared<simulated_eyes>(around.eyes)),
+        map(std::make_shared<stepped_map>(around.map_file)), world(around.journal, seed, around.record),
+        facts([&around] { return around.free_disk_bytes; }, world.time()) {
     if (around.record != nullptr)
       around.record->begin_process(world.names(), world.time());
     world.pass_time_until(now_ns);
@@ -43,6 +44,7 @@ struct daemon_process::parts {
     meets.service = service_port;
     meets.ground = ground_wire;
     meets.sightings = feed;
+    meets.eyes = eyes;
     for (const auto& each : outside.seen)
       add(each);
     meets.seed = seed;
@@ -74,6 +76,7 @@ struct daemon_process::parts {
   std::shared_ptr<simulated_wire> ground_wire = std::make_shared<simulated_wire>();
   std::shared_ptr<simulated_service_port> service_port = std::make_shared<simulated_service_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port = std::make_shared<mapobjects_store::map_port>();
+  std::shared_ptr<simulated_eyes> eyes;
   std::shared_ptr<stepped_map> map;
   daemon::actor_surroundings meets;
   std::shared_ptr<telemetry_stream::hub> stream = std::make_shared<telemetry_stream::hub>();
@@ -90,9 +93,15 @@ daemon_process::daemon_process(process_surroundings& outside, std::int64_t now_n
 
 daemon_process::~daemon_process() = default;
 
-std::int64_t daemon_process::next_timer_ns() const { return parts_->world.next_timer_ns(); }
+std::int64_t daemon_process::next_timer_ns() const {
+  return std::min(parts_->world.next_timer_ns(), parts_->eyes->next_deadline_ns());
+}
 
-void daemon_process::pass_time_until(std::int64_t now_ns) { parts_->world.pass_time_until(now_ns); }
+void daemon_process::pass_time_until(std::int64_t now_ns) {
+  parts_->world.pass_time_until(now_ns);
+  for (auto& each : parts_->eyes->on_time(now_ns))
+    std::visit([this](auto& said) { parts_->world.tell(parts_->flight.eyes, std::move(said)); }, each);
+}
 
 bool daemon_process::step(std::uint64_t choice) {
   constexpr std::uint64_t map_share = 8; // of the steps one in so many is the map's, when it has something to do
@@ -146,6 +155,14 @@ std::optional<scan_controller::points> daemon_process::points() {
   run_until_idle();
   return asked->answers == 1 ? std::optional(asked->answer) : std::nullopt;
 }
+
+std::optional<movement_detector::eyes_view> daemon_process::view_of_eyes() {
+  const auto asked = parts_->world.ask(parts_->flight.eyes, std::chrono::seconds(1), movement_detector::get_eyes{});
+  run_until_idle();
+  return asked->answers == 1 ? std::optional(asked->answer) : std::nullopt;
+}
+
+simulated_eyes& daemon_process::eyes() { return *parts_->eyes; }
 
 void daemon_process::crash_at(const std::string& actor, runtime::crash_point point) {
   parts_->world.forget_planned_crashes();

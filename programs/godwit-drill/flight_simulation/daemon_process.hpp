@@ -21,6 +21,7 @@
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
 #include "messages/scan_controller/types.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_eyes.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -41,6 +42,7 @@ struct process_surroundings {
   std::optional<std::uint64_t> free_disk_bytes = 10ULL << 30U;
   std::int64_t wall_ahead_ns = 0;               // of the wall clock, before the true time
   std::vector<mapobjects_store::sighting> seen; // the file of sightings, which each process reads from its beginning
+  eyes_faults eyes;                             // with settings.camera
   std::function<void(std::string_view part, const std::string& sentence)> say;
   std::function<void(const executor::phase_status& now)> on_phase_status;
   flight_record* record = nullptr; // null: its deliveries are not looked at
@@ -78,9 +80,11 @@ public:
   [[nodiscard]] answer command(const operator_bridge::operator_command& what);
   void change_control(const operator_bridge::change_control& what);
   void see(const mapobjects_store::sighting& what);
+  [[nodiscard]] simulated_eyes& eyes();
   // At the control socket; the answer is there when what can happen now has happened.
   [[nodiscard]] scan_controller::decide_answer decide(const scan_controller::decide_point& what);
-  [[nodiscard]] std::optional<scan_controller::points> points(); // none: nobody looks for them
+  [[nodiscard]] std::optional<scan_controller::points> points();            // none: nobody looks for them
+  [[nodiscard]] std::optional<movement_detector::eyes_view> view_of_eyes(); // none: they are closed
 
   // -- faults
   // The next time that ACTOR passes POINT it throws. In place of what was planned before: a third throw on one message

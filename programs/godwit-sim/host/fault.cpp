@@ -17,7 +17,8 @@ constexpr std::uint64_t most_refusals = 1'000'000;
 
 constexpr std::string_view forms =
     "; one of: faults loss=0.1,delay=15ms | cut | cut 5s | restore | reboot | gps lost | "
-    "gps back | way blocked | way free | battery 20 | refuse COMMAND=RESULT TIMES | accept COMMAND";
+    "gps back | way blocked | way free | battery 20 | camera cut | camera back | refuse COMMAND=RESULT TIMES | accept "
+    "COMMAND";
 
 using parsed = tl::expected<fault::any, std::string>;
 
@@ -73,6 +74,12 @@ parsed read_battery(std::string_view rest) {
   return mistake(rest, "is not a charge of a battery: 0 to 100 percent");
 }
 
+parsed read_camera(std::string_view rest) {
+  if (rest == "cut" || rest == "back")
+    return fault::camera{rest == "cut"};
+  return mistake(rest, "does not say what becomes of the camera: cut or back");
+}
+
 parsed read_accept(std::string_view rest) {
   return read_command(rest).map([](std::uint16_t command) { return fault::any(fault::refuse{command, 0, 0}); });
 }
@@ -90,6 +97,7 @@ constexpr word words[] = {{"faults",
                           {"gps", read_gps},
                           {"way", read_way},
                           {"battery", read_battery},
+                          {"camera", read_camera},
                           {"refuse",
                            [](std::string_view rest) -> parsed {
                              return parse_refusal(rest).map(
@@ -111,6 +119,9 @@ struct for_people {
   }
   std::string operator()(const fault::battery& it) const {
     return "the battery is set to " + shortest(it.percent) + " %";
+  }
+  std::string operator()(const fault::camera& it) const {
+    return it.is_cut ? "the camera sends nothing" : "the camera is back";
   }
   std::string operator()(const fault::refuse& it) const {
     const auto command = "the command " + std::to_string(it.command);

@@ -106,6 +106,10 @@ struct hosted_vehicle::apply_to {
   void operator()(const fault::gps& it) const { self.vehicle_.lose_position(it.is_lost, now_ns); }
   void operator()(const fault::way& it) const { self.vehicle_.block(it.is_blocked, now_ns); }
   void operator()(const fault::battery& it) const { self.vehicle_.set_battery(it.percent, now_ns); }
+  void operator()(const fault::camera& it) const {
+    if (self.around_.cut_camera)
+      self.around_.cut_camera(it.is_cut);
+  }
   void operator()(const fault::refuse& it) const { self.vehicle_.refuse_command(it.command, it.result, it.times); }
 };
 

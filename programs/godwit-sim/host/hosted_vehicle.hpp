@@ -42,6 +42,7 @@ public:
     std::function<std::int64_t()> now_ns;
     std::function<void(const hosted_vehicle& who, std::string sentence)> tell; // empty: nobody listens
     std::function<void(const io::mavlink::frame_view& frame)> record;          // empty: nothing is recorded
+    std::function<void(bool is_cut)> cut_camera;                               // empty: there is none
     std::function<void(const hosted_vehicle& who)> moved;                      // its deadline has
     std::function<void(const hosted_vehicle& who, const io::link::link_status& now)> changed; // its link has
   };

@@ -25,6 +25,7 @@
 
 #include "io/link/io_thread.hpp"
 #include "io/mavlink/tlog/tlog_writer.hpp"
+#include "programs/godwit-sim/camera_server/camera_place.hpp"
 #include "programs/godwit-sim/host/control_port.hpp"
 #include "programs/godwit-sim/host/deadline_heap.hpp"
 #include "programs/godwit-sim/host/host_clock.hpp"
@@ -36,6 +37,8 @@ struct host_settings {
   std::vector<hosted_settings> vehicles; // at least one
   std::vector<timed_fault> faults;       // of all vehicles
   std::optional<io::link::uri> control;  // tcp_in, on a loopback address
+  std::optional<camera_place> camera;    // of the first vehicle
+  std::string camera_truth;              // what is to be seen goes into this file if not empty
   std::string tlog;                      // records into this file if not empty
   bool ends_on_signals = false;          // SIGINT and SIGTERM
   bool is_quiet = false;                 // tells nothing but failures
@@ -68,6 +71,7 @@ public:
   void end();
   [[nodiscard]] std::size_t size() const { return vehicles_.size(); }
   [[nodiscard]] const hosted_vehicle& at(std::size_t number) const { return *vehicles_[number]; }
+  void set_camera(std::function<void(bool is_cut)> cut) { around_.cut_camera = std::move(cut); }
   // To the vehicle with this number, or to all.
   void apply(const fault::any& what, std::optional<std::size_t> number);
 

@@ -40,6 +40,8 @@ struct vehicle_settings {
 struct vehicle_picture {
   position where;
   double heading_deg = 0;
+  double roll_rad = 0;
+  double pitch_rad = 0;
   double ground_speed_mps = 0;
   std::string mode;
   bool armed = false;

@@ -221,6 +221,8 @@ vehicle_picture vehicle::parts::describe() const {
   const auto progress = pilot_->progress();
   return {.where = body.where,
           .heading_deg = body.heading_deg,
+          .roll_rad = body.roll_rad,
+          .pitch_rad = body.pitch_rad,
           .ground_speed_mps = body.ground_speed_mps,
           .mode = std::string(state_.mode->name),
           .armed = state_.is_armed,

@@ -97,8 +97,9 @@ void request_handler::take(const control_request& asked) {
 void request_handler::collect_status(std::uint64_t ticket) {
   auto& half = collecting_[ticket] = {{{"ok", true}}, 3};
   half.missing += (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.ground ? 1 : 0) +
-                  (others_.sightings ? 1 : 0) + (others_.client ? 1 : 0) + (others_.failsafe_status ? 1 : 0) +
-                  (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0) + (others_.points ? 1 : 0);
+                  (others_.sightings ? 1 : 0) + (others_.eyes ? 1 : 0) + (others_.client ? 1 : 0) +
+                  (others_.failsafe_status ? 1 : 0) + (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0) +
+                  (others_.points ? 1 : 0);
   if (others_.port)
     half.document["port"] = others_.port->json();
   if (others_.run)
@@ -117,6 +118,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
     collect(ticket, "sightings", *others_.sightings, sightings::get_sightings{});
   if (others_.points)
     collect_points(ticket);
+  if (others_.eyes)
+    collect_eyes(ticket);
   collect(ticket, "actors", others_.guardian, runtime::get_children{});
   collect(ticket, "map", others_.store, mapobjects_store::get_map{});
   collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});
@@ -141,6 +144,18 @@ void request_handler::collect_points(std::uint64_t ticket) {
       [this, ticket](const scan_controller::points& seen) { put(ticket, "points", json::parse(io::to_json(seen))); },
       [this, ticket](const ask_error& why) {
         put(ticket, "points", why.code == runtime::ask_errc::not_taken ? json() : no_points(why));
+      });
+}
+
+// They are closed while nobody looks for anything.
+void request_handler::collect_eyes(std::uint64_t ticket) {
+  ask(
+      *others_.eyes, answer_timeout, movement_detector::get_eyes{},
+      [this, ticket](const movement_detector::eyes_view& seen) { put(ticket, "eyes", json::parse(io::to_json(seen))); },
+      [this, ticket](const ask_error& why) {
+        put(ticket, "eyes",
+            why.code == runtime::ask_errc::not_taken ? json{{"is_closed", true}}
+                                                     : json{{"error", "there is no answer: " + why.what}});
       });
 }
 

@@ -25,6 +25,7 @@
 #include "messages/health/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
 #include "messages/mission_client/handle.hpp"
+#include "messages/movement_detector/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
@@ -58,8 +59,9 @@ struct peers {
   std::optional<failsafe_status_handle> failsafe_status;  // with a flight
   std::optional<scan_controller::operator_handle> points; // with a flight
   std::optional<health::status_handle> health;
-  std::optional<sightings::status_handle> sightings; // with a flight
-  std::shared_ptr<const port_view> port;             // null: nobody shows it
+  std::optional<sightings::status_handle> sightings;    // with a flight
+  std::optional<movement_detector::status_handle> eyes; // with a camera
+  std::shared_ptr<const port_view> port;                // null: nobody shows it
   runtime::guardian_handle guardian;
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
   using rescued = std::function<void(tl::expected<std::string, std::string>)>; // the new file, or why not
@@ -95,6 +97,7 @@ private:
   void make_link(const control_request& asked);
   void note(const control_request& asked, const std::string& what, bool is_done, const std::string& reason);
   void collect_points(std::uint64_t ticket);
+  void collect_eyes(std::uint64_t ticket);
   void list_points(std::uint64_t ticket);
   void decide_point(const control_request& asked);
   void pass_decision_on(const control_request& asked);

@@ -49,12 +49,24 @@ feeder::behavior_type feeder::handlers() {
             offer_again();
             tell_after(tick_period, me(), tick{});
           }),
+          on<mapobjects_store::sighting>([this](const mapobjects_store::sighting& seen) { take(seen); }),
           on<get_sightings>([this](const get_sightings&) { return flow_->counts(); })};
 }
 
 void feeder::started() {
   flow_.emplace(feed_, ways_of_flow());
   tell(me(), tick{});
+}
+
+// Of the camera. What finds no room is counted as refused; the file is read more slowly instead.
+void feeder::take(const mapobjects_store::sighting& seen) {
+  if (!feed_)
+    return;
+  if (settings_.chooses_mission && settings_.mission_id.empty())
+    settings_.mission_id = seen.mission_id; // brought by a station
+  if (!feed_->add(seen))
+    feed_->count_without_room();
+  look();
 }
 
 // What comes after the gate was closed again may wait for the next flight.

@@ -52,6 +52,7 @@ protected:
 
 private:
   [[nodiscard]] daemon::sighting_flow::ways ways_of_flow();
+  void take(const mapobjects_store::sighting& seen);
   void look();
   void choose();
   void offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then);

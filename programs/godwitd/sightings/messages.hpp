@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/fields/field_table.hpp"
+#include "messages/mapobjects_store/observation.hpp"
 #include "programs/godwitd/sightings/sighting_counts.hpp"
 #include "runtime/seam.hpp"
 
@@ -22,7 +23,9 @@ struct get_sightings {
 
 using waking_handle = runtime::mailbox<runtime::tells<woken>>;
 using status_handle = runtime::mailbox<runtime::asks<get_sightings, daemon::sighting_counts>>;
-using feeder_handle = runtime::mailbox<runtime::tells<woken>, runtime::tells<tick>,
-                                       runtime::asks<get_sightings, daemon::sighting_counts>>;
+// A sighting says itself.
+using feeder_handle =
+    runtime::mailbox<runtime::tells<woken>, runtime::tells<tick>, runtime::tells<mapobjects_store::sighting>,
+                     runtime::asks<get_sightings, daemon::sighting_counts>>;
 
 } // namespace godwit::sightings

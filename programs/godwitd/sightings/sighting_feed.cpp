@@ -99,6 +99,11 @@ void sighting_feed::count_not_offered() {
   ++counts_.not_offered;
 }
 
+void sighting_feed::count_without_room() {
+  const std::lock_guard guard(mutex_);
+  ++counts_.refused;
+}
+
 bool sighting_feed::add(mapobjects_store::sighting seen) {
   const std::lock_guard guard(mutex_);
   if (waiting_.size() >= max_waiting)

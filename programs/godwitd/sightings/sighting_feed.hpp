@@ -66,6 +66,7 @@ public:
   void resolve(std::uint64_t number, bool is_recorded);
   void take_back(std::uint64_t number);
   void count_not_offered();
+  void count_without_room();
   void take_back_all();
 
   // Nothing is left, and nothing will come.

@@ -136,4 +136,45 @@ TEST(pass_watch, an_area_that_the_map_would_refuse_is_not_told) {
   EXPECT_NE(w.lost.find("corners"), std::string::npos);
 }
 
+// A pass that is open, with a camera, and what is said of the view.
+struct watched_world : survey_world {
+  watched_world() {
+    configured.watches_view = true;
+    see();
+    at.is_at_beginning = false;
+    see();
+  }
+  bool is_lost() { return on_view(state, configured, watch, now.monotonic_ns).has_value(); }
+  view_watch watch;
+};
+
+TEST(pass_watch, a_pass_of_which_a_part_was_not_seen_is_lost_and_who_says_nothing_does_not_see) {
+  watched_world w;
+  w.watch.on_view({true, {}}, w.now.monotonic_ns);
+  EXPECT_FALSE(w.is_lost());
+  w.now.monotonic_ns += view_lasts_ns - 1;
+  EXPECT_FALSE(w.is_lost());
+  w.now.monotonic_ns += 1;
+  EXPECT_TRUE(w.is_lost());
+  w.watch.on_view({true, {}}, w.now.monotonic_ns);
+  EXPECT_FALSE(w.is_lost());
+  w.watch.on_view({false, "the lens is covered"}, w.now.monotonic_ns);
+  const auto lost = on_view(w.state, w.configured, w.watch, w.now.monotonic_ns);
+  ASSERT_TRUE(lost);
+  EXPECT_EQ(std::get<pass_lost>(*lost).why, "the camera has not seen all of it: the lens is covered");
+}
+
+TEST(pass_watch, nobody_has_to_see_without_a_camera_before_the_first_line_or_behind_the_last) {
+  watched_world w;
+  ASSERT_TRUE(w.is_lost());
+  w.watch.is_on_lines = false;
+  EXPECT_FALSE(w.is_lost());
+  w.watch.is_on_lines = true;
+  w.configured.watches_view = false;
+  EXPECT_FALSE(w.is_lost());
+  w.configured.watches_view = true;
+  (void)durable_core::apply(w.state, pass_lost{"held"}, w.now.wall_ns);
+  EXPECT_FALSE(w.is_lost()) << "it is over";
+}
+
 } // namespace

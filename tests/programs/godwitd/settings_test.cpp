@@ -163,4 +163,26 @@ TEST(daemon_settings, the_line_for_ground_stations_is_a_link) {
   expect_blames("ground", {{"ground", "udp:14555"}});
 }
 
+TEST(daemon_settings, a_camera_with_parameters_that_are_missing_or_impossible_is_refused_with_the_place) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  EXPECT_FALSE(settings_from(configuration)->camera) << "there is none";
+  EXPECT_FALSE(settings_from(configuration)->scan.watches_view);
+  configuration["camera"]["uri"] = "rtsp://127.0.0.1:8554/camera";
+#ifdef GODWIT_HAS_EYES
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("camera.width_px is 0")) << "which is not known";
+  configuration["camera"]["width_px"] = 640;
+  configuration["camera"]["height_px"] = 360;
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("camera.focal_px is 0"));
+  configuration["camera"]["focal_px"] = 550;
+  const auto known = settings_from(configuration);
+  ASSERT_TRUE(known) << known.error();
+  EXPECT_EQ(known->camera->mount_pitch_deg, -90) << "it looks down";
+  EXPECT_TRUE(known->scan.watches_view);
+  configuration["camera"]["uri"] = "/dev/video0";
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("--camera (")) << settings_from(configuration).error();
+#else
+  EXPECT_NE(settings_from(configuration).error().find("was built without eyes"), std::string::npos);
+#endif
+}
+
 } // namespace

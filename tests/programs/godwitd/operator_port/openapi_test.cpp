@@ -11,6 +11,7 @@
 #include "actors/health/report.hpp"
 #include "io/fields/json_schema.hpp"
 #include "io/json_schema/compiled_schema.hpp"
+#include "programs/godwitd/operator_port/camera_api.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
@@ -33,7 +34,8 @@ std::set<std::string> served() {
       std::make_shared<view_api>(io, view_parts{std::make_shared<health::report_port>(), {}, {}, nullptr});
   const auto stream = std::make_shared<stream_api>(io, std::make_shared<telemetry_stream::hub>());
   std::set<std::string> result;
-  for (const auto& routes : {view->routes(), stream->routes(), routes_of(nullptr)})
+  const auto camera = std::make_shared<camera_api>(camera_parts{});
+  for (const auto& routes : {view->routes(), camera->routes(), stream->routes(), routes_of(nullptr)})
     for (const auto& each : routes)
       result.insert(std::string(each.method) + " " + std::string(each.path));
   return result;

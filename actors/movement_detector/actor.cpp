@@ -1,0 +1,57 @@
+#include "actors/movement_detector/actor.hpp"
+
+#include <utility>
+
+namespace godwit::movement_detector {
+namespace {
+
+template <class... Fs>
+struct overloaded : Fs... {
+  using Fs::operator()...;
+};
+
+} // namespace
+
+actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<const peers> others,
+             std::shared_ptr<eyes_port> port, std::uint64_t seed)
+    : actor_base(std::move(context)), others_(std::move(others)), port_(std::move(port)),
+      core_(std::move(configured), seed, incarnation_number()) {}
+
+actor::~actor() { port_->end(core_.run()); }
+
+actor::behavior_type actor::handlers() {
+  return {
+      on<helper_status>([this](const helper_status& m) { carry_out(core_.on_status(m, now())); }),
+      on<helper_candidates>([this](const helper_candidates& m) { carry_out(core_.on_candidates(m, now())); }),
+      on<helper_ended>([this](const helper_ended& m) { carry_out(core_.on_ended(m, now())); }),
+      on<get_eyes>([this](const get_eyes&) { return core_.view_of(now()); }),
+      on<scan_controller::survey_progress>([this](const scan_controller::survey_progress& m) { core_.on_survey(m); }),
+      on<io::mavlink::global_position_int>(
+          [this](const io::mavlink::global_position_int& m) { core_.on_position(m, now()); }),
+      on<io::mavlink::attitude>([this](const io::mavlink::attitude& m) { carry_out(core_.on_attitude(m, now())); })};
+}
+
+void actor::started() { wake_at(core_.next_due_ns()); }
+
+void actor::on_deadline() { carry_out(core_.on_time(now())); }
+
+void actor::carry_out(effects all) {
+  for (auto& each : all)
+    std::visit(overloaded{[this](start_helper& what) {
+                            at_end([port = port_, what = std::move(what)] { port->start(what.run, what.how); });
+                          },
+                          [this](end_helper& which) { at_end([port = port_, which] { port->end(which.upto); }); },
+                          [this](io::eyes::pose& where) { at_end([port = port_, where] { port->tell(where); }); },
+                          [this](mapobjects_store::sighting& seen) { tell(others_->sightings, std::move(seen)); },
+                          [this](scan_controller::view& how) { tell(others_->scan, std::move(how)); },
+                          [this](announce& said) {
+                            at_end([others = others_, said = std::move(said)] {
+                              others->say(said.sentence, said.is_warning);
+                            });
+                          }},
+               each);
+  show_health(core_.health(now()));
+  wake_at(core_.next_due_ns());
+}
+
+} // namespace godwit::movement_detector

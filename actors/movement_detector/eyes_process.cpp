@@ -1,0 +1,21 @@
+#include "actors/movement_detector/eyes_process.hpp"
+
+#include <string>
+
+namespace godwit::movement_detector {
+
+void eyes_process::open(runtime::gateway gateway, port_handle actor) {
+  // Both callbacks come in the one thread of the helper, and so share one gateway.
+  const auto way_in = std::make_shared<runtime::gateway>(std::move(gateway));
+  process_->attach({[way_in, actor](std::uint32_t run, io::eyes::message said) {
+                      if (auto* status = std::get_if<io::eyes::status>(&said))
+                        way_in->tell(actor, helper_status{run, std::move(*status)});
+                      else if (auto* seen = std::get_if<io::eyes::candidates>(&said))
+                        way_in->tell(actor, helper_candidates{run, std::move(*seen)});
+                    },
+                    [way_in, actor](std::uint32_t run, std::string why) {
+                      way_in->tell(actor, helper_ended{run, std::move(why)});
+                    }});
+}
+
+} // namespace godwit::movement_detector

@@ -1,0 +1,60 @@
+#include "programs/godwitd/operator_port/camera_api.hpp"
+
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/http/server/response_head.hpp"
+
+namespace godwit::operator_port {
+namespace {
+
+constexpr std::int64_t ns_in_ms = 1'000'000;
+constexpr std::string_view picture_path = "/api/v1/camera/picture";
+
+// Of "?after=N"; nothing: the query is another one.
+std::optional<std::uint64_t> read_after(std::string_view target) {
+  const auto question = target.find('?');
+  if (question == std::string_view::npos)
+    return 0;
+  constexpr std::string_view name = "after=";
+  const auto query = target.substr(question + 1);
+  if (!query.starts_with(name))
+    return std::nullopt;
+  std::uint64_t value = 0;
+  const auto* const end = query.data() + query.size();
+  const auto read = std::from_chars(query.data() + name.size(), end, value);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
+} // namespace
+
+route_list camera_api::routes() {
+  return {{"GET", picture_path, 0, [self = shared_from_this()](const server_request& asked, responder answer) {
+             answer.send(self->picture_for(asked));
+           }}};
+}
+
+server_response camera_api::picture_for(const server_request& asked) const {
+  const auto after = read_after(asked.target);
+  if (!after)
+    return io::http::problem_response(400, "Ask with ?after=N, the number of the picture that you have, or without.");
+  const auto now_ns = parts_.time->monotonic_ns();
+  parts_.want(now_ns + wanted_for_ns);
+  auto newest = parts_.newest(0);
+  if (!newest || newest->captured_ns > now_ns || now_ns - newest->captured_ns > counts_for_ns)
+    return io::http::problem_response(503, "The camera shows nothing now; godwitd ctl status says why. When nobody has "
+                                           "asked for a while the first picture needs half a second: ask again.");
+  if (newest->number <= *after)
+    return {.status = 204, .content_type = {}};
+  const auto age_ns = now_ns - newest->captured_ns;
+  server_response result{.content_type = "image/jpeg"};
+  result.body.assign(reinterpret_cast<const char*>(newest->jpeg.data()), newest->jpeg.size()); // bytes as characters
+  result.headers = {{"Godwit-Picture", std::to_string(newest->number)},
+                    {"Godwit-Captured-Ms", std::to_string((parts_.time->wall_ns() - age_ns) / ns_in_ms)},
+                    {"Godwit-Age-Ms", std::to_string(age_ns / ns_in_ms)}};
+  return result;
+}
+
+} // namespace godwit::operator_port

@@ -8,15 +8,15 @@ from demo_lib.status import ANSWER_S, ask
 
 
 class Daemon:
-    def __init__(self, programs, folder, config, service, vehicle_uri, sightings, more=()):
+    def __init__(self, programs, folder, config, service, vehicle_uri, options):
         self.program = programs / "godwitd"
         self.socket = folder / "godwit.control"
         self.child = Child(
             "godwitd",
             [self.program, "--config", config, "--allow-crash", "--vehicle", vehicle_uri]
             + ["--service", service.url, "--token-file", service.token, "--mission-id", service.mission_id]
-            + ["--sightings", sightings, "--journal", folder / "godwit.db", "--trace", folder / "trace"]
-            + ["--control", self.socket, *more],
+            + [*options, "--journal", folder / "godwit.db", "--trace", folder / "trace"]
+            + ["--control", self.socket],
             folder,
         )
         self.kills = 0

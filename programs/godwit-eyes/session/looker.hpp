@@ -1,0 +1,50 @@
+// Looks for movement in the newest picture, in a thread of its own, and says what it has found.
+//
+//   source ──newest frame──> looker ──candidates──> teller
+//                               └──the same frame──> picture_maker
+//
+// The detector is made for the size of the pictures, and anew when that changes. Errors: what a picture can have wrong
+// is a reason in the report. Thread: any; `tell` is called in the looker's.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "io/eyes/messages.hpp"
+#include "io/video/frame.hpp"
+
+namespace godwit::eyes {
+
+struct look_report {
+  std::uint64_t looked = 0;
+  std::uint64_t usable = 0;
+  std::int64_t usable_at_ns = 0;
+  std::string unusable; // why the newest picture says nothing; empty: it does
+  double look_ms = 0;
+};
+
+class looker {
+public:
+  using teller = std::function<void(const io::eyes::candidates& seen)>;
+
+  // TAKE gives the newest frame that nobody has taken; PASS_ON is called with each frame that was looked at.
+  looker(io::eyes::begin wanted, std::function<std::optional<io::video::frame>()> take,
+         std::function<void(const io::video::frame&)> pass_on, teller tell);
+  ~looker();
+  looker(const looker&) = delete;
+  looker& operator=(const looker&) = delete;
+
+  void wake(); // there is a frame
+  void end();  // looks at nothing more
+  void add(const io::eyes::pose& said);
+  [[nodiscard]] look_report report() const;
+
+private:
+  struct parts;
+  std::unique_ptr<parts> parts_;
+};
+
+} // namespace godwit::eyes

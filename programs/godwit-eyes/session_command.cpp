@@ -1,0 +1,43 @@
+// The command `session`: what godwitd starts. The socket is descriptor 3, the memory for pictures descriptor 4.
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "programs/godwit-eyes/commands.hpp"
+#include "programs/godwit-eyes/console.hpp"
+#include "programs/godwit-eyes/session/session.hpp"
+
+namespace godwit::eyes {
+namespace {
+
+constexpr int socket_number = 3;
+constexpr int slot_number = 4;
+constexpr int less_urgent = 5; // than the daemon, which flies
+
+exit_code run() {
+  auto slot = io::eyes::picture_slot::attach(io::link::descriptor(slot_number));
+  if (!slot) {
+    say("is started by godwitd: " + slot.error());
+    return exit_code::usage;
+  }
+  static_cast<void>(::setpriority(PRIO_PROCESS, 0, less_urgent));
+  io::eyes::channel to_daemon{io::link::descriptor(socket_number)};
+  switch (run_session(to_daemon, *slot)) {
+  case session_end::closed:
+    ::_exit(static_cast<int>(exit_code::ok)); // a driver may hang in what threads do at an end
+  case session_end::garbage:
+    say("what came from godwitd is no message: the two programs are of different builds");
+    break;
+  case session_end::stuck:
+    say("the driver of the camera does not come back");
+    break;
+  }
+  ::_exit(static_cast<int>(exit_code::failed));
+}
+
+} // namespace
+
+command add_session_command(CLI::App& to) {
+  return {to.add_subcommand("session", "What godwitd starts; nothing for people"), run};
+}
+
+} // namespace godwit::eyes

@@ -1,0 +1,107 @@
+"""The camera in the demo: what goes wrong with it and with godwit-eyes, and a scripted operator who decides."""
+
+import json
+import os
+import signal
+import socket
+import time
+from pathlib import Path
+
+from demo_lib.children import Trouble
+
+CUT_S = 10
+SETTLES_S = 6  # from the start of the survey, and between two troubles
+
+
+def free_tcp_port():
+    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Camera:
+    """Where the vehicle serves it, and the control port of the vehicle, which can cut it."""
+
+    def __init__(self):
+        self.control = free_tcp_port()
+        self.uri = f"rtsp://127.0.0.1:{free_tcp_port()}/camera"
+        self.kills = 0
+
+    def vehicle_options(self):
+        # The meadow of missions/search.json lies 30 to 90 m north and 0 to 80 m east of home.
+        scene = "?width=640&height=360&fps=10&seed=7&movers=6&north=60&east=40&spread=26"
+        return ["--camera", self.uri + scene, "--control", f"127.0.0.1:{self.control}"]
+
+    def do(self, words):
+        with socket.create_connection(("127.0.0.1", self.control), timeout=5) as connection:
+            connection.sendall(json.dumps({"do": words}).encode() + b"\n")
+            answer = json.loads(connection.makefile().readline())
+        if not answer.get("ok"):
+            raise Trouble(f"the vehicle refuses '{words}': {answer}")
+
+    def kill_eyes(self, parent):
+        """The helper process of the process PARENT. It may be away just then, and is waited for."""
+        until = time.monotonic() + 10
+        while time.monotonic() < until:
+            for each in Path("/proc").glob("[0-9]*/stat"):
+                try:
+                    number, rest = each.read_text(encoding="utf-8", errors="replace").split(" (godwit-eyes) ", 1)
+                except (OSError, ValueError):
+                    continue
+                if int(rest.split()[1]) == parent and rest[0] != "Z":
+                    os.kill(int(number), signal.SIGKILL)
+                    self.kills += 1
+                    return
+            time.sleep(0.1)
+        raise Trouble("there is no godwit-eyes that could be killed")
+
+
+class Operator:
+    """Confirms the first thing that is shown, and declines the second; the third is passed over."""
+
+    def __init__(self, daemon, line):
+        self.daemon = daemon
+        self.line = line
+        self.decided = {}
+
+    def look(self):
+        points = self.daemon.status().get("points") or {}
+        for point in points.get("shown", []):
+            number = point["number"]
+            if number in self.decided or len(self.decided) >= 2:
+                continue
+            word = "decline" if self.decided else "confirm"
+            self.daemon.ctl(word, str(number))
+            self.decided[number] = word
+            self.line.tell(f"operator: {word} {number}, {point['class_group']} seen by the camera")
+
+
+def trouble(watch, camera, operator, seconds):
+    """While the survey is flown: godwit-eyes is killed twice, and the camera is cut."""
+
+    def flown_for(wanted_s):
+        began = time.monotonic()
+
+        def is_over(_):
+            operator.look()
+            return time.monotonic() - began >= wanted_s
+
+        return is_over
+
+    def is_survey(flight):
+        operator.look()
+        eyes = watch.daemon.status().get("eyes") or {}
+        return flight["phase"] == "flying" and eyes.get("is_seeing", False)
+
+    watch.wait_for("the eyes", is_survey, seconds)
+    watch.line.tell("the eyes see the ground")
+    for number in (1, 2):
+        watch.wait_for("some of the survey", flown_for(SETTLES_S), seconds)
+        camera.kill_eyes(watch.daemon.child.process.pid)
+        watch.line.tell(f"fault: godwit-eyes is killed, for the {('first', 'second')[number - 1]} time")
+    watch.wait_for("some of the survey", flown_for(SETTLES_S), seconds)
+    camera.do("camera cut")
+    watch.line.tell(f"fault: the camera is cut for {CUT_S} s")
+    watch.wait_for("the end of the cut", flown_for(CUT_S), seconds)
+    camera.do("camera back")
+    watch.line.tell("the camera is back")

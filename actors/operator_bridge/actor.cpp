@@ -21,8 +21,7 @@ auto actor::decides(std::pair<effects, R> (core::*judge)(const Q&, instant)) {
 actor::behavior_type actor::handlers() {
   return {on_deferred<operator_command, command_answer>(
               [this](const operator_command& m, std::uint64_t request_id) { take(m, request_id); }),
-          decides(&core::on_control),
-          on<get_operators>([this](const get_operators&) { return core_->describe(now()); }),
+          decides(&core::on_control), on<get_operators>([this](const get_operators&) { return core_->describe(); }),
           decides(&core::on_get_audit),
           on<audit_note>([this](const audit_note& m) { carry_out(core_->on_note(m, now())); }), decides(&core::on_link),
           decides<open_session, session_answer>(&core::on_open), decides<use_link, session_answer>(&core::on_open),
@@ -38,7 +37,7 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, current_state(), now());
-  carry_out(core_->on_start(now()));
+  carry_out(core_->on_start());
 }
 
 // What the journal does not take any more is not promised either.

@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/fields/utf8.hpp"
+
 namespace godwit::operator_bridge {
-namespace {
-
-// Not in the middle of a character.
-void cut(std::string& text, std::size_t bytes) {
-  if (text.size() <= bytes)
-    return;
-  while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U)
-    --bytes;
-  text.resize(bytes);
-}
-
-} // namespace
-
-void audit::add(effects& out, audit_row row, instant) {
-  cut(row.what, max_reason);
-  cut(row.id, max_command_id);
-  cut(row.reason, max_reason);
+void audit::add(effects& out, audit_row row) {
+  row.what.resize(io::whole_characters(row.what, max_reason));
+  row.id.resize(io::whole_characters(row.id, max_command_id));
+  row.reason.resize(io::whole_characters(row.reason, max_reason));
   out.emplace_back(note{audited{std::move(row)}});
 }
 
@@ -34,11 +23,11 @@ void audit::add_stranger(effects& out, std::string name, audit_row row, instant 
     return;
   }
   left_ -= 1;
-  cut(name, max_name);
+  name.resize(io::whole_characters(name, max_name));
   row.who = {std::move(name), operators::role::viewer, {}};
   row.id.clear();
   row.count = 1 + std::exchange(unwritten_, 0);
-  add(out, std::move(row), now);
+  add(out, std::move(row));
 }
 
 } // namespace godwit::operator_bridge

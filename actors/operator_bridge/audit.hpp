@@ -18,7 +18,7 @@ public:
   static constexpr double rows_at_once = 10;
   static constexpr double rows_per_s = 1;
 
-  void add(effects& out, audit_row row, instant now);
+  void add(effects& out, audit_row row);
   // Under a name that nobody has proved.
   void add_stranger(effects& out, std::string name, audit_row row, instant now);
 

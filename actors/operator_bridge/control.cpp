@@ -65,14 +65,14 @@ control_answer control::change(effects& out, const change_control& m, const std:
 void control::free_silent(effects& out, instant now) {
   if (!s_.control || !is_silent(now))
     return;
-  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "silent"}, now);
+  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "silent"});
   out.emplace_back(note{control_changed{}});
 }
 
-void control::free_session(effects& out, const std::string& session, instant now) {
+void control::free_session(effects& out, const std::string& session) {
   if (!s_.control || s_.control->who.session != session)
     return;
-  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "logged_out"}, now);
+  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "logged_out"});
   out.emplace_back(note{control_changed{}});
 }
 
@@ -80,14 +80,14 @@ std::int64_t control::silent_at_ns(std::int64_t never) const { return s_.control
 
 void control::give_to(effects& out, const change_control& m, std::optional<principal> to, const std::string& what,
                       instant now) {
-  audit_.add(out, {.who = m.by, .what = what, .outcome = "done"}, now);
+  audit_.add(out, {.who = m.by, .what = what, .outcome = "done"});
   heard_ns_ = now.monotonic_ns;
   out.emplace_back(note{control_changed{std::move(to)}});
 }
 
 control_answer control::refuse(effects& out, const change_control& m, const std::string& what, std::string reason,
                                instant now) {
-  audit_.add(out, {.who = m.by, .what = what, .outcome = "refused", .reason = reason}, now);
+  audit_.add(out, {.who = m.by, .what = what, .outcome = "refused", .reason = reason});
   const auto* has = holder(now);
   return {false, std::move(reason), has == nullptr ? std::string() : has->name};
 }

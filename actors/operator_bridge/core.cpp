@@ -38,19 +38,17 @@ core::core(const settings& set, const state& durable, instant now)
     : set_(set), s_(durable), control_(durable, audit_, now), sessions_(set_, durable, audit_, control_),
       last_number_(durable.last_command), swept_ns_(now.monotonic_ns) {}
 
-effects core::on_start(instant now) {
+effects core::on_start() {
   effects out;
   for (const auto& each : s_.commands) {
     if (each.answer)
       continue;
     const command_answer answer{verdict::unknown, "godwit was restarted while it was under way; look at the status"};
-    audit_.add(out,
-               {.who = each.by,
-                .what = "a command before the restart",
-                .id = each.id,
-                .outcome = std::string(io::name_of(answer.verdict)),
-                .reason = answer.reason},
-               now);
+    audit_.add(out, {.who = each.by,
+                     .what = "a command before the restart",
+                     .id = each.id,
+                     .outcome = std::string(io::name_of(answer.verdict)),
+                     .reason = answer.reason});
     out.emplace_back(note{command_ended{each.number, answer}});
   }
   return out;
@@ -135,7 +133,7 @@ bool core::repeat(effects& out, const operator_command& m, std::uint64_t request
     refuse(out, m, request, {verdict::id_used, "the id was used for another command; nothing was done"}, now);
     return true;
   }
-  audit_.add(out, {.who = m.by, .what = words_of(m.what), .id = m.id, .outcome = "repeated"}, now);
+  audit_.add(out, {.who = m.by, .what = words_of(m.what), .id = m.id, .outcome = "repeated"});
   if (is_stop(m.what.kind)) // what waits was said before this one was heard
     supersede_waiting(out, m.by, now);
   if (kept != nullptr && kept->answer)
@@ -169,7 +167,7 @@ command_answer core::objection_to(const operator_command& m, instant now) const 
 
 void core::refuse(effects& out, const operator_command& m, std::uint64_t request, command_answer answer, instant now) {
   ++refused_;
-  put_row(out, m.by, m.what, m.id, answer, now);
+  put_row(out, m.by, m.what, m.id, answer);
   if (!m.id.empty() && is_kept(answer.verdict) && has_room(s_, m.by, now.wall_ns)) {
     const auto until_ns = m.valid_until_ns == 0 ? now.wall_ns + usual_validity_ns : m.valid_until_ns;
     out.emplace_back(note{command_kept{{++last_number_, m.by, m.id, text_of(m.what), until_ns, answer}}});
@@ -187,7 +185,7 @@ void core::admit(effects& out, const operator_command& m, std::uint64_t request,
       if (newest.askers.size() == max_askers)
         return refuse(out, m, request, {verdict::busy, "many have said the same, and it is under way"}, now);
       newest.askers.push_back(request);
-      return put_row(out, m.by, m.what, m.id, {verdict::taken, "with another one that is under way"}, now);
+      return put_row(out, m.by, m.what, m.id, {verdict::taken, "with another one that is under way"});
     }
   }
   const auto until_ns = m.valid_until_ns == 0 ? now.wall_ns + usual_validity_ns : m.valid_until_ns;
@@ -249,7 +247,7 @@ void core::end(effects& out, std::uint64_t number, command_answer answer, instan
     return;
   const auto& each = done.mapped();
   refused_ += answer.verdict == verdict::taken ? 0 : 1;
-  put_row(out, each.as.by, each.what, each.as.id, answer, now);
+  put_row(out, each.as.by, each.what, each.as.id, answer);
   // A stop that was not taken is handed over again when it is said again.
   if (!each.is_stop) {
     out.emplace_back(note{command_ended{number, answer}});
@@ -263,14 +261,12 @@ void core::end(effects& out, std::uint64_t number, command_answer answer, instan
 }
 
 void core::put_row(effects& out, const principal& by, const operators::command& what, const std::string& id,
-                   const command_answer& answer, instant now) {
-  audit_.add(out,
-             {.who = by,
-              .what = words_of(what),
-              .id = id,
-              .outcome = std::string(io::name_of(answer.verdict)),
-              .reason = answer.reason},
-             now);
+                   const command_answer& answer) {
+  audit_.add(out, {.who = by,
+                   .what = words_of(what),
+                   .id = id,
+                   .outcome = std::string(io::name_of(answer.verdict)),
+                   .reason = answer.reason});
 }
 
 // -- control, sessions, audit -----------------------------------------------------------------------
@@ -288,8 +284,7 @@ std::pair<effects, leave> core::on_leave(const ask_leave& m, instant now) {
   if (answer.verdict != verdict::taken)
     audit_.add(
         out,
-        {.who = m.by, .what = m.what, .outcome = std::string(io::name_of(answer.verdict)), .reason = answer.reason},
-        now);
+        {.who = m.by, .what = m.what, .outcome = std::string(io::name_of(answer.verdict)), .reason = answer.reason});
   return {std::move(out), std::move(answer)};
 }
 
@@ -299,7 +294,7 @@ std::pair<effects, control_answer> core::on_control(const change_control& m, ins
   if (!is_known(out, m.by, "change control", now))
     return {std::move(out), {false, log_in_first, {}}};
   if (m.by.role < role::operator_) {
-    audit_.add(out, {.who = m.by, .what = "change control", .outcome = "wrong_role"}, now);
+    audit_.add(out, {.who = m.by, .what = "change control", .outcome = "wrong_role"});
     return {std::move(out), {false, "a viewer can not have control", {}}};
   }
   auto answer = control_.change(out, m, sessions_.named(m.to, now), now);
@@ -326,9 +321,9 @@ std::pair<effects, link_answer> core::on_link(const make_link& m, instant now) {
   return {std::move(out), std::move(answer)};
 }
 
-std::pair<effects, session_ended> core::on_end(const end_session& m, instant now) {
+std::pair<effects, session_ended> core::on_end(const end_session& m, instant) {
   effects out;
-  const auto answer = sessions_.close(out, m, now);
+  const auto answer = sessions_.close(out, m);
   return {std::move(out), answer};
 }
 
@@ -352,7 +347,7 @@ effects core::on_note(const audit_note& m, instant now) {
   if (m.who.session.empty())
     audit_.add_stranger(out, m.who.name, std::move(row), now);
   else
-    audit_.add(out, std::move(row), now);
+    audit_.add(out, std::move(row));
   return out;
 }
 
@@ -371,7 +366,7 @@ std::pair<effects, audit_list> core::on_get_audit(const get_audit& m, instant no
   return {std::move(out), std::move(result)};
 }
 
-operators_view core::describe(instant) const {
+operators_view core::describe() const {
   operators_view result;
   result.control = s_.control;
   for (const auto& each : s_.sessions)

@@ -6,7 +6,6 @@
 namespace godwit::operator_bridge {
 
 using operators::principal;
-using operators::role;
 
 namespace {
 
@@ -53,29 +52,29 @@ session_answer sessions::open(effects& out, const use_link& m, instant now) {
 link_answer sessions::make(effects& out, const make_link& m, instant now) {
   const auto until_ns = now.wall_ns + link_ns;
   out.emplace_back(note{link_made{{m.link_hash, m.by, until_ns}}});
-  audit_.add(out, {.who = m.by, .what = "make a link to log in", .outcome = "done"}, now);
+  audit_.add(out, {.who = m.by, .what = "make a link to log in", .outcome = "done"});
   return {true, {}, until_ns};
 }
 
-session_ended sessions::close(effects& out, const end_session& m, instant now) {
+session_ended sessions::close(effects& out, const end_session& m) {
   const auto found = std::ranges::find(s_.sessions, m.by.session, &session::id);
   if (found == s_.sessions.end())
     return {false};
-  end(out, *found, "log out", now);
+  end(out, *found, "log out");
   return {true};
 }
 
 session_answer sessions::put(effects& out, account who, std::string token_hash, std::string from, instant now) {
-  make_room(out, who.name, now);
+  make_room(out, who.name);
   session made{"s" + std::to_string(s_.last_session + 1), std::move(who), std::move(token_hash), std::move(from), 0, 0};
   made.who.token_hash.clear();
   auto as = principal_of(made);
-  audit_.add(out, {.who = as, .what = "log in from " + made.from, .outcome = "done"}, now);
+  audit_.add(out, {.who = as, .what = "log in from " + made.from, .outcome = "done"});
   out.emplace_back(note{session_opened{std::move(made)}});
   return {true, {}, std::move(as), now.wall_ns + set_.session_most_s * ns_per_s};
 }
 
-void sessions::make_room(effects& out, const std::string& name, instant now) {
+void sessions::make_room(effects& out, const std::string& name) {
   const auto of_one = std::ranges::count_if(s_.sessions, [&](const auto& each) { return each.who.name == name; });
   const bool is_one_full = static_cast<std::size_t>(of_one) >= max_sessions_of_one;
   if (!is_one_full && s_.sessions.size() < max_sessions)
@@ -85,12 +84,12 @@ void sessions::make_room(effects& out, const std::string& name, instant now) {
     if ((!is_one_full || each.who.name == name) && (longest == nullptr || used_ns(each) < used_ns(*longest)))
       longest = &each;
   if (longest != nullptr)
-    end(out, *longest, "log out, because others logged in", now);
+    end(out, *longest, "log out, because others logged in");
 }
 
-void sessions::end(effects& out, const session& each, const std::string& why, instant now) {
-  audit_.add(out, {.who = principal_of(each), .what = why, .outcome = "done"}, now);
-  control_.free_session(out, each.id, now);
+void sessions::end(effects& out, const session& each, const std::string& why) {
+  audit_.add(out, {.who = principal_of(each), .what = why, .outcome = "done"});
+  control_.free_session(out, each.id);
   used_ns_.erase(each.id);
   out.emplace_back(note{session_closed{each.id}});
 }
@@ -137,11 +136,6 @@ std::optional<principal> sessions::named(const std::string& name, instant now) c
   return std::nullopt;
 }
 
-bool sessions::is_operator_here(instant now) const {
-  return std::ranges::any_of(s_.sessions,
-                             [&](const auto& each) { return each.who.role >= role::operator_ && !is_over(each, now); });
-}
-
 void sessions::on_accounts(effects& out, const accounts_read& m, instant now) {
   accounts_ = m.list;
   for (const auto& each : s_.sessions) {
@@ -149,16 +143,16 @@ void sessions::on_accounts(effects& out, const accounts_read& m, instant now) {
       continue;
     const auto* const as = find_account(accounts_, each.who.name);
     if (as == nullptr || as->stamp != each.who.stamp || as->role != each.who.role)
-      end(out, each, "log out, because the account has changed", now);
+      end(out, each, "log out, because the account has changed");
   }
   if (s_.control && s_.control->who.session.starts_with("token:") && !is_alive(s_.control->who, now))
-    control_.free_session(out, s_.control->who.session, now);
+    control_.free_session(out, s_.control->who.session);
 }
 
 void sessions::sweep(effects& out, instant now) {
   for (const auto& each : s_.sessions)
     if (is_over(each, now))
-      end(out, each, "log out, because the session is over", now);
+      end(out, each, "log out, because the session is over");
   for (const auto& each : s_.links)
     if (each.until_ns <= now.wall_ns)
       out.emplace_back(note{link_dropped{each.hash}});

@@ -32,7 +32,7 @@ public:
   [[nodiscard]] session_answer open(effects& out, const open_session& m, instant now);
   [[nodiscard]] session_answer open(effects& out, const use_link& m, instant now);
   [[nodiscard]] link_answer make(effects& out, const make_link& m, instant now);
-  [[nodiscard]] session_ended close(effects& out, const end_session& m, instant now);
+  [[nodiscard]] session_ended close(effects& out, const end_session& m);
 
   // -- who it is
   [[nodiscard]] identity find(effects& out, const identify& m, instant now);
@@ -42,8 +42,6 @@ public:
   [[nodiscard]] bool is_alive(const operators::principal& by, instant now) const;
   // The newest session of that name.
   [[nodiscard]] std::optional<operators::principal> named(const std::string& name, instant now) const;
-  // Somebody who may fly, or a program of such an account.
-  [[nodiscard]] bool is_operator_here(instant now) const;
 
   void on_accounts(effects& out, const accounts_read& m, instant now);
   void sweep(effects& out, instant now);
@@ -52,8 +50,8 @@ private:
   [[nodiscard]] bool is_over(const session& each, instant now) const;
   [[nodiscard]] std::int64_t used_ns(const session& each) const;
   [[nodiscard]] session_answer put(effects& out, account who, std::string token_hash, std::string from, instant now);
-  void end(effects& out, const session& each, const std::string& why, instant now);
-  void make_room(effects& out, const std::string& name, instant now);
+  void end(effects& out, const session& each, const std::string& why);
+  void make_room(effects& out, const std::string& name);
 
   const settings& set_;
   const state& s_;

@@ -13,13 +13,13 @@
 #include "messages/operator_bridge/audit.hpp"
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
+#include "messages/operator_bridge/rules.hpp"
 #include "messages/operator_bridge/session.hpp"
 
 namespace godwit::operator_bridge {
 
 inline constexpr std::size_t max_kept_commands = 256; // ids whose repetition is known
 inline constexpr std::size_t max_kept_of_one = 64;    // of one person or program
-inline constexpr std::size_t max_audit_rows = 200;    // of people who are known; the journal's table has more
 inline constexpr std::size_t max_stranger_rows = 50;  // of others, so that they displace nobody
 inline constexpr std::size_t max_sessions = 64;       // of all; one more ends the one that was silent for longest
 inline constexpr std::size_t max_sessions_of_one = 8; // of one name

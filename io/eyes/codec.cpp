@@ -9,6 +9,7 @@
 
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
+#include "io/fields/utf8.hpp"
 
 namespace godwit::io::eyes {
 namespace {
@@ -130,12 +131,7 @@ std::string problem_of(const message& said) {
 }
 
 std::string clipped(std::string text) {
-  if (text.size() <= max_text_bytes)
-    return text;
-  auto end = max_text_bytes;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) // in the middle of a character
-    --end;
-  text.resize(end);
+  text.resize(whole_characters(text, max_text_bytes));
   return text;
 }
 

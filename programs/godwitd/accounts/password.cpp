@@ -23,12 +23,7 @@ std::string scrypt(std::string_view password, const password_hash& how) {
       EVP_PBE_scrypt(password.data(), password.size(), reinterpret_cast<const unsigned char*>(how.salt.data()),
                      how.salt.size(), how.n, how.r, how.p, max_memory * 2, out.data(), out.size()) == 1;
   GODWIT_ASSERT(is_done, "a sane cost is one that scrypt takes");
-  std::string result;
-  constexpr std::string_view digits = "0123456789abcdef";
-  for (const auto each : out) {
-    result += digits[each >> 4U];
-    result += digits[each & 15U];
-  }
+  auto result = hex_of(out);
   OPENSSL_cleanse(out.data(), out.size());
   return result;
 }

@@ -16,7 +16,9 @@ void fill(std::span<unsigned char> to) {
   GODWIT_ASSERT(RAND_bytes(to.data(), static_cast<int>(to.size())) == 1, "the system has randomness");
 }
 
-std::string hex(std::span<const unsigned char> bytes) {
+} // namespace
+
+std::string hex_of(std::span<const unsigned char> bytes) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string result;
   for (const auto each : bytes) {
@@ -25,8 +27,6 @@ std::string hex(std::span<const unsigned char> bytes) {
   }
   return result;
 }
-
-} // namespace
 
 io::http::secret_text new_token() {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -45,13 +45,13 @@ std::string hash_of_token(std::string_view token) {
   GODWIT_ASSERT(EVP_Digest(token.data(), token.size(), digest.data(), &size, EVP_sha256(), nullptr) == 1 &&
                     size == digest.size(),
                 "SHA-256 is there");
-  return hex(digest);
+  return hex_of(digest);
 }
 
 std::string random_hex(std::size_t bytes) {
   std::vector<unsigned char> result(bytes);
   fill(result);
-  return hex(result);
+  return hex_of(result);
 }
 
 } // namespace godwit::accounts

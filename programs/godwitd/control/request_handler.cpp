@@ -27,6 +27,13 @@ json no_bridge(const ask_error& why) {
   return {{"ok", false}, {"error", "operator_bridge does not answer: " + why.what}};
 }
 
+// WHY: empty where there is nothing to complain of.
+json with_error(json document, const std::string& why) {
+  if (!document.at("ok").get<bool>())
+    document["error"] = why;
+  return document;
+}
+
 json on_the_ground() { return {{"ok", false}, {"error", "this godwitd runs on the ground: it flies nothing"}}; }
 
 constexpr std::size_t max_name = 64; // bytes
@@ -95,11 +102,7 @@ void request_handler::take(const control_request& asked) {
 }
 
 void request_handler::collect_status(std::uint64_t ticket) {
-  auto& half = collecting_[ticket] = {{{"ok", true}}, 3};
-  half.missing += (others_.run ? 1 : 0) + (others_.flight ? 1 : 0) + (others_.ground ? 1 : 0) +
-                  (others_.sightings ? 1 : 0) + (others_.eyes ? 1 : 0) + (others_.client ? 1 : 0) +
-                  (others_.failsafe_status ? 1 : 0) + (others_.health ? 1 : 0) + (others_.bridge ? 1 : 0) +
-                  (others_.points ? 1 : 0);
+  auto& half = collecting_[ticket] = {{{"ok", true}}, 0};
   if (others_.port)
     half.document["port"] = others_.port->json();
   if (others_.run)
@@ -117,9 +120,9 @@ void request_handler::collect_status(std::uint64_t ticket) {
   if (others_.sightings)
     collect(ticket, "sightings", *others_.sightings, sightings::get_sightings{});
   if (others_.points)
-    collect_points(ticket);
+    collect_wanted(ticket, "points", *others_.points, scan_controller::get_points{}, "null");
   if (others_.eyes)
-    collect_eyes(ticket);
+    collect_wanted(ticket, "eyes", *others_.eyes, movement_detector::get_eyes{}, R"({"is_closed": true})");
   collect(ticket, "actors", others_.guardian, runtime::get_children{});
   collect(ticket, "map", others_.store, mapobjects_store::get_map{});
   collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});
@@ -129,6 +132,7 @@ void request_handler::collect_status(std::uint64_t ticket) {
 
 template <class Handle, class Question>
 void request_handler::collect(std::uint64_t ticket, const char* part, const Handle& who, Question question) {
+  ++collecting_[ticket].missing;
   ask(
       who, answer_timeout, question,
       [this, ticket, part](const auto& answer) { put(ticket, part, json::parse(io::to_json(answer))); },
@@ -137,24 +141,17 @@ void request_handler::collect(std::uint64_t ticket, const char* part, const Hand
       });
 }
 
-// Nothing while nobody looks for them: that is no error.
-void request_handler::collect_points(std::uint64_t ticket) {
+// That an actor is not wanted now is no error: then the part is RESTING.
+template <class Handle, class Question>
+void request_handler::collect_wanted(std::uint64_t ticket, const char* part, const Handle& who, Question question,
+                                     const char* resting) {
+  ++collecting_[ticket].missing;
   ask(
-      *others_.points, answer_timeout, scan_controller::get_points{},
-      [this, ticket](const scan_controller::points& seen) { put(ticket, "points", json::parse(io::to_json(seen))); },
-      [this, ticket](const ask_error& why) {
-        put(ticket, "points", why.code == runtime::ask_errc::not_taken ? json() : no_points(why));
-      });
-}
-
-// They are closed while nobody looks for anything.
-void request_handler::collect_eyes(std::uint64_t ticket) {
-  ask(
-      *others_.eyes, answer_timeout, movement_detector::get_eyes{},
-      [this, ticket](const movement_detector::eyes_view& seen) { put(ticket, "eyes", json::parse(io::to_json(seen))); },
-      [this, ticket](const ask_error& why) {
-        put(ticket, "eyes",
-            why.code == runtime::ask_errc::not_taken ? json{{"is_closed", true}}
+      who, answer_timeout, question,
+      [this, ticket, part](const auto& answer) { put(ticket, part, json::parse(io::to_json(answer))); },
+      [this, ticket, part, resting](const ask_error& why) {
+        put(ticket, part,
+            why.code == runtime::ask_errc::not_taken ? json::parse(resting)
                                                      : json{{"error", "there is no answer: " + why.what}});
       });
 }
@@ -321,45 +318,38 @@ void request_handler::note(const control_request& asked, const std::string& what
     tell(*others_.bridge, operator_bridge::audit_note{speaker(asked), what, is_done ? "taken" : "refused", reason});
 }
 
-void request_handler::change_control(const control_request& asked) {
+// JSON_OF: of the answer.
+template <class Answer, class Question, class Writer>
+void request_handler::ask_bridge(const control_request& asked, const Question& question, Writer json_of) {
   if (!others_.bridge)
     return answer_with(asked.ticket, on_the_ground());
   ask(
-      *others_.bridge, answer_timeout, operator_bridge::change_control{speaker(asked), asked.act, asked.to},
-      [this, ticket = asked.ticket](const operator_bridge::control_answer& answer) {
-        json document{{"ok", answer.is_done}, {"holder", answer.holder}};
-        if (!answer.is_done)
-          document["error"] = answer.reason;
-        answer_with(ticket, document);
-      },
+      *others_.bridge, answer_timeout, question,
+      [this, ticket = asked.ticket, json_of](const Answer& answer) { answer_with(ticket, json_of(answer)); },
       [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
+}
+
+void request_handler::change_control(const control_request& asked) {
+  ask_bridge<operator_bridge::control_answer>(
+      asked, operator_bridge::change_control{speaker(asked), asked.act, asked.to}, [](const auto& answer) {
+        return with_error({{"ok", answer.is_done}, {"holder", answer.holder}}, answer.reason);
+      });
 }
 
 void request_handler::make_link(const control_request& asked) {
-  if (!others_.bridge)
-    return answer_with(asked.ticket, on_the_ground());
-  ask(
-      *others_.bridge, answer_timeout, operator_bridge::make_link{speaker(asked), asked.key},
-      [this, ticket = asked.ticket](const operator_bridge::link_answer& answer) {
-        json document{{"ok", answer.is_made}, {"valid_until_ns", answer.valid_until_ns}};
-        if (!answer.is_made)
-          document["error"] = answer.reason;
-        answer_with(ticket, document);
-      },
-      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
+  ask_bridge<operator_bridge::link_answer>(
+      asked, operator_bridge::make_link{speaker(asked), asked.key}, [](const auto& answer) {
+        return with_error({{"ok", answer.is_made}, {"valid_until_ns", answer.valid_until_ns}}, answer.reason);
+      });
 }
 
 void request_handler::list_audit(const control_request& asked) {
-  if (!others_.bridge)
-    return answer_with(asked.ticket, on_the_ground());
-  ask(
-      *others_.bridge, answer_timeout, operator_bridge::get_audit{speaker(asked), asked.rows},
-      [this, ticket = asked.ticket](const operator_bridge::audit_list& list) {
-        auto document = json::parse(io::to_json(list));
-        document["ok"] = list.refusal.empty();
-        answer_with(ticket, document);
-      },
-      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
+  ask_bridge<operator_bridge::audit_list>(asked, operator_bridge::get_audit{speaker(asked), asked.rows},
+                                          [](const auto& list) {
+                                            auto document = json::parse(io::to_json(list));
+                                            document["ok"] = list.refusal.empty();
+                                            return document;
+                                          });
 }
 
 void request_handler::crash(const control_request& asked) {

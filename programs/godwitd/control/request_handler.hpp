@@ -92,12 +92,12 @@ private:
   void retry(const control_request& asked);
   void say(const control_request& asked);
   void say_directly(const control_request& asked);
+  template <class Answer, class Question, class Writer>
+  void ask_bridge(const control_request& asked, const Question& question, Writer json_of);
   void change_control(const control_request& asked);
   void list_audit(const control_request& asked);
   void make_link(const control_request& asked);
   void note(const control_request& asked, const std::string& what, bool is_done, const std::string& reason);
-  void collect_points(std::uint64_t ticket);
-  void collect_eyes(std::uint64_t ticket);
   void list_points(std::uint64_t ticket);
   void decide_point(const control_request& asked);
   void pass_decision_on(const control_request& asked);
@@ -112,6 +112,9 @@ private:
                Reader taken_and_why);
   template <class Handle, class Question>
   void collect(std::uint64_t ticket, const char* part, const Handle& who, Question question);
+  template <class Handle, class Question>
+  void collect_wanted(std::uint64_t ticket, const char* part, const Handle& who, Question question,
+                      const char* resting);
   void put(std::uint64_t ticket, const char* part, nlohmann::json what);
   void answer_with(std::uint64_t ticket, const nlohmann::json& document);
 

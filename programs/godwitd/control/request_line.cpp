@@ -8,6 +8,7 @@
 
 #include "io/fields/json_value.hpp"
 #include "messages/mission/item_fields.hpp"
+#include "messages/operator_bridge/rules.hpp"
 
 namespace godwit::control {
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::int64_t max_override_s = 3'600; // as long as the failsafe lets one last
 constexpr std::uint64_t max_time_ns = std::numeric_limits<std::int64_t>::max();
-constexpr std::uint64_t max_rows = 200; // of the audit: as many as operator_bridge keeps of those who are known
 
 std::string text_of(const json& document, const char* key) {
   const auto found = document.find(key);
@@ -124,10 +124,9 @@ tl::expected<control_request, std::string> read_control(const json& document) {
   auto result = request_of(document, request_kind::control);
   result.act = *act;
   result.to = text_of(document, "to");
-  if (*act == operator_bridge::control_act::hand_over && result.to.empty())
-    return tl::make_unexpected(std::string("hand_over says to whom, such as \"to\": \"bob\""));
-  if (*act != operator_bridge::control_act::hand_over && !result.to.empty())
-    return tl::make_unexpected(std::string("only hand_over says to whom"));
+  if (!operator_bridge::names_whom_it_needs(*act, result.to))
+    return tl::make_unexpected(std::string(result.to.empty() ? "hand_over says to whom, such as \"to\": \"bob\""
+                                                             : "only hand_over says to whom"));
   return result;
 }
 
@@ -136,8 +135,9 @@ tl::expected<control_request, std::string> read_audit(const json& document) {
   const auto rows = document.find("rows");
   if (rows == document.end())
     return result;
-  if (!rows->is_number_unsigned() || rows->get<std::uint64_t>() == 0 || rows->get<std::uint64_t>() > max_rows)
-    return tl::make_unexpected("\"rows\" is 1 to " + std::to_string(max_rows));
+  if (!rows->is_number_unsigned() || rows->get<std::uint64_t>() == 0 ||
+      rows->get<std::uint64_t>() > operator_bridge::max_audit_rows)
+    return tl::make_unexpected("\"rows\" is 1 to " + std::to_string(operator_bridge::max_audit_rows));
   result.rows = rows->get<std::uint32_t>();
   return result;
 }

@@ -11,6 +11,7 @@
 #include "actors/domain/mission/utc_text.hpp"
 #include "io/fields/json_value.hpp"
 #include "messages/mission/item_fields.hpp"
+#include "messages/operator_bridge/rules.hpp"
 
 namespace godwit::operator_port {
 namespace {
@@ -18,7 +19,6 @@ namespace {
 using nlohmann::json;
 using operators::command_kind;
 
-constexpr std::uint32_t max_rows = 200;
 constexpr std::uint32_t usual_rows = 50;
 
 // As it stands in the body.
@@ -137,11 +137,8 @@ tl::expected<control_body, body_problem> read_control(std::string_view text) {
     return tl::make_unexpected(std::move(body.error()));
   if (!body->act)
     return wrong("act", "take, take_over, give or hand_over is missing");
-  const bool hands_over = *body->act == operator_bridge::control_act::hand_over;
-  if (hands_over && body->to.empty())
-    return wrong("to", "to whom is missing");
-  if (!hands_over && !body->to.empty())
-    return wrong("to", "only hand_over says to whom");
+  if (!operator_bridge::names_whom_it_needs(*body->act, body->to))
+    return wrong("to", body->to.empty() ? "to whom is missing" : "only hand_over says to whom");
   return control_body{*body->act, std::move(body->to)};
 }
 
@@ -208,8 +205,9 @@ tl::expected<std::uint32_t, body_problem> read_rows(std::string_view target) {
   std::uint32_t result = 0;
   const auto number = said.starts_with(name) ? said.substr(name.size()) : std::string_view();
   const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), result);
-  if (failed != std::errc() || end != number.data() + number.size() || result == 0 || result > max_rows)
-    return wrong("rows", "the query is rows=1 to rows=200");
+  if (failed != std::errc() || end != number.data() + number.size() || result == 0 ||
+      result > operator_bridge::max_audit_rows)
+    return wrong("rows", "the query is rows=1 to rows=" + std::to_string(operator_bridge::max_audit_rows));
   return result;
 }
 

@@ -83,7 +83,7 @@ public:
     waiting.clear();
     with_executor.clear();
     core_.emplace(set, durable, now);
-    carry_out(core_->on_start(now));
+    carry_out(core_->on_start());
   }
   core& decides() { return *core_; }
   void carry_out(const effects& wanted) {

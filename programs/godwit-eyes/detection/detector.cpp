@@ -22,6 +22,7 @@ namespace godwit::eyes {
 
 namespace {
 
+constexpr double even_brightness = 115;
 constexpr int pictures_to_start = 6; // the background is young before
 constexpr double longest_gap_s = 0.5;
 constexpr int most_coasting = 3; // a track that was not seen for longer is not said
@@ -174,6 +175,8 @@ void detector::parts::mark_parallax() {
 unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
   cv::Mat smooth;
   cv::GaussianBlur(now, smooth, cv::Size(3, 3), 0.7);
+  // Automatic exposure is a factor, and optical flow takes the ground for equally bright in both pictures.
+  smooth.convertTo(smooth, CV_8U, std::clamp(even_brightness / std::max(said.figures.brightness, 1.0), 0.5, 4.0));
   std::optional<cv::Matx33d> guess;
   if (sights.size() >= 2)
     guess = scaled_down(ground_homography(sights[sights.size() - 2], sights.back()), reduction);

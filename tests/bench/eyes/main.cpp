@@ -1,0 +1,128 @@
+// bench_eyes: the figures of the detector, as docs/performance.md has them. `./dev bench eyes`.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "programs/godwit-eyes/detection/detector.hpp"
+#include "tests/bench/eyes/measure.hpp"
+
+namespace {
+
+using namespace godwit::eyes::test;
+using godwit::sim::camera::tier;
+
+struct options {
+  bool is_tuning = false;
+  int seeds = 20;
+  int frames = 90;
+  int width = 1280;
+  std::vector<std::string> tiers{"a", "b"};
+  std::vector<std::string> parts{"scores", "quiet", "pan"};
+};
+
+std::uint64_t seed_of(const options& chosen, int n) {
+  const auto at = static_cast<std::uint64_t>(n);
+  return chosen.is_tuning ? godwit::sim::camera::tuning_seed(at) : godwit::sim::camera::held_back_seed(at);
+}
+
+const char* name_of_tier(tier which) { return which == tier::a ? "A" : "B"; }
+
+measure_options scene_of(const options& chosen) {
+  measure_options made;
+  made.scene.width = chosen.width;
+  made.scene.height = chosen.width * 9 / 16;
+  made.frames = chosen.frames;
+  return made;
+}
+
+void print_reasons(const measured& sum) {
+  std::printf("| pictures by reason |");
+  for (const auto& [name, count] : sum.reasons)
+    std::printf(" %s %d", name.c_str(), count);
+  std::printf(" |\n");
+}
+
+void print_scores(const options& chosen, tier which) {
+  measured sum;
+  for (int n = 0; n < chosen.seeds; ++n)
+    measure(seed_of(chosen, n), which, scene_of(chosen), sum);
+  std::printf("\n| tier %s, %d seeds, %d pictures of %d x %d | |\n|---|---|\n", name_of_tier(which), chosen.seeds,
+              sum.frames, chosen.width, chosen.width * 9 / 16);
+  const auto line = [](const char* name, const score& half, const score& quarter) {
+    std::printf("| %s: F1 at 0.5 / 0.25; precision, recall at 0.25 | %.3f / %.3f; %.2f, %.2f |\n", name, half.f1(),
+                quarter.f1(), quarter.precision(), quarter.recall());
+  };
+  line("detector", sum.at_half, sum.at_quarter);
+  line("naive, tuned", sum.tuned_half, sum.tuned_quarter);
+  line("naive, as first written", sum.naive_half, sum.naive_quarter);
+  std::printf("| processor time a picture, p50 / p99; naive p50 | %.1f / %.1f ms; %.1f ms |\n",
+              quantile(sum.milliseconds, 0.5), quantile(sum.milliseconds, 0.99), quantile(sum.naive_milliseconds, 0.5));
+  std::printf("| corner error of the homography, median / p99 | %.2f / %.2f px |\n",
+              quantile(sum.corner_errors_px, 0.5), quantile(sum.corner_errors_px, 0.99));
+  print_reasons(sum);
+  std::fflush(stdout);
+}
+
+// Without movers, for so many pictures that a minute has a meaning.
+void print_quiet(const options& chosen, tier which) {
+  measured sum;
+  auto scene = scene_of(chosen);
+  scene.scene.has_movers = false;
+  scene.has_naive = false;
+  for (int n = 0; n < chosen.seeds; ++n)
+    measure(seed_of(chosen, n), which, scene, sum);
+  const double minutes = sum.frames / (30.0 * 60);
+  std::printf("\n| tier %s without movers, %d pictures of %d x %d | |\n|---|---|\n", name_of_tier(which), sum.frames,
+              chosen.width, chosen.width * 9 / 16);
+  std::printf("| false tracks; a minute at 30 a second | %d; %.1f |\n", sum.tracks, sum.tracks / minutes);
+  print_reasons(sum);
+  std::fflush(stdout);
+}
+
+void print_pan(const options& chosen) {
+  measured still;
+  measured panned;
+  auto scene = scene_of(chosen);
+  scene.has_naive = false;
+  for (int n = 0; n < chosen.seeds; ++n) {
+    scene.scene.pan_deg_s = 0;
+    measure(seed_of(chosen, n), tier::a, scene, still);
+    scene.scene.pan_deg_s = 60;
+    measure(seed_of(chosen, n), tier::a, scene, panned);
+  }
+  std::printf("\n| tier A, pan of 60 degrees a second, pose known, %d pictures | |\n|---|---|\n", panned.frames);
+  std::printf("| F1 at 0.5 / 0.25 without the pan | %.3f / %.3f |\n", still.at_half.f1(), still.at_quarter.f1());
+  std::printf("| with it | %.3f / %.3f |\n", panned.at_half.f1(), panned.at_quarter.f1());
+  print_reasons(panned);
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  options chosen;
+  CLI::App app{"Measures the detector of godwit-eyes on generated scenes.", "bench_eyes"};
+  app.add_flag("--tuning", chosen.is_tuning, "seeds for tuning; else those that are held back");
+  app.add_option("--seeds", chosen.seeds, "flights for each table")->check(CLI::Range(1, 1000));
+  app.add_option("--frames", chosen.frames, "pictures of each flight")->check(CLI::Range(31, 1800));
+  app.add_option("--width", chosen.width, "of the pictures; they are 16:9")->check(CLI::Range(320, 1920));
+  app.add_option("--tier", chosen.tiers, "a: planes; b: what stands on them, too; both if not said")
+      ->check(CLI::IsMember({"a", "b"}));
+  app.add_option("parts", chosen.parts, "what to measure: scores, quiet, pan")
+      ->check(CLI::IsMember({"scores", "quiet", "pan"}));
+  CLI11_PARSE(app, argc, argv);
+  godwit::eyes::use_one_thread();
+  std::printf("seeds: %s\n", chosen.is_tuning ? "for tuning" : "held back");
+  for (const auto& part : chosen.parts) {
+    if (part == "pan")
+      print_pan(chosen);
+    for (const auto& name : chosen.tiers)
+      if (part == "scores")
+        print_scores(chosen, name == "a" ? tier::a : tier::b);
+      else if (part == "quiet")
+        print_quiet(chosen, name == "a" ? tier::a : tier::b);
+  }
+  return 0;
+}

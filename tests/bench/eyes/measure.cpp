@@ -1,0 +1,115 @@
+#include "tests/bench/eyes/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <optional>
+#include <set>
+
+#include "programs/godwit-eyes/detection/detector.hpp"
+#include "programs/godwit-sim/camera/ground_painter.hpp"
+#include "tests/support/eyes/naive_detector.hpp"
+#include "tests/support/eyes/pose_of_view.hpp"
+
+namespace godwit::eyes::test {
+
+namespace {
+
+using sim::camera::suite_case;
+
+constexpr int not_scored = 30;
+constexpr sim::camera::vector3 attitude_error{0.010, -0.008, 0.006};
+
+double thread_ms() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+void add_scores(const sim::camera::truth& real, const std::vector<pixel_box>& boxes, score_rules rules, score& half,
+                score& quarter) {
+  rules.overlap = 0.5;
+  half += score_of(real, boxes, rules);
+  rules.overlap = 0.25;
+  quarter += score_of(real, boxes, rules);
+}
+
+// Where the corners really go, against where the homography says.
+void add_corner_errors(const suite_case& flight, int frame, const std::array<double, 9>& h, std::vector<double>& to) {
+  const auto& glass = flight.maker().glass();
+  const sim::camera::row_views before(glass, flight.view_at((frame - 1) * suite_case::frame_s));
+  const sim::camera::row_views now(glass, flight.view_at(frame * suite_case::frame_s));
+  for (const double x : {0.0, glass.width - 1.0})
+    for (const double y : {0.0, glass.height - 1.0}) {
+      const auto place = ground_at(flight.maker().world(), before, x, y);
+      const auto there = place ? now.project(*place) : std::nullopt;
+      if (!there)
+        continue;
+      const double w = h[6] * x + h[7] * y + h[8];
+      to.push_back(
+          std::hypot((h[0] * x + h[1] * y + h[2]) / w - there->x, (h[3] * x + h[4] * y + h[5]) / w - there->y));
+    }
+}
+
+struct naive_pair {
+  naive_detector first;
+  naive_detector tuned{tuned_naive};
+};
+
+} // namespace
+
+void measure(std::uint64_t seed, sim::camera::tier which, const measure_options& options, measured& sum) {
+  const suite_case flight(seed, which, options.scene);
+  detector_settings settings;
+  if (options.has_pose)
+    settings.camera = parameters_of(flight.maker().glass());
+  detector eyes(settings);
+  naive_pair naive;
+  score_rules rules;
+  rules.width = options.scene.width;
+  rules.height = options.scene.height;
+  std::set<std::uint32_t> numbers;
+  for (int n = 0; n < options.frames; ++n) {
+    const auto taken = flight.frame(n);
+    const frame_view frame{taken.seen.grey.data(), taken.seen.width, taken.seen.height,
+                           static_cast<std::size_t>(taken.seen.width), (n + 1) * 33'333'333LL};
+    std::optional<camera_pose> pose;
+    if (options.has_pose)
+      pose = pose_of(taken.real.view, frame.captured_ns, attitude_error);
+    const auto said = eyes.look(frame, pose);
+    sum.milliseconds.push_back(static_cast<double>(said.figures.microseconds) * 1e-3);
+    ++sum.reasons[std::string(name_of(said.why))];
+    ++sum.frames;
+    std::vector<pixel_box> boxes;
+    for (const auto& each : said.confirmed) {
+      boxes.push_back(each.box);
+      numbers.insert(each.track);
+    }
+    if (n > 0 && said.figures.homography)
+      add_corner_errors(flight, n, *said.figures.homography, sum.corner_errors_px);
+    if (n >= not_scored)
+      add_scores(taken.real, boxes, rules, sum.at_half, sum.at_quarter);
+    if (!options.has_naive || n < not_scored - 1)
+      continue;
+    const double begin = thread_ms();
+    const auto first = naive.first.look(frame);
+    sum.naive_milliseconds.push_back(thread_ms() - begin);
+    const auto tuned = naive.tuned.look(frame);
+    if (n >= not_scored) {
+      add_scores(taken.real, first, rules, sum.naive_half, sum.naive_quarter);
+      add_scores(taken.real, tuned, rules, sum.tuned_half, sum.tuned_quarter);
+    }
+  }
+  sum.tracks += static_cast<int>(numbers.size());
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty())
+    return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+} // namespace godwit::eyes::test

@@ -19,7 +19,7 @@ INSTALLED = "/usr/bin/godwitd"
 KNOWN = {
     "Unit": "Description Documentation After StartLimitIntervalSec StartLimitBurst",
     "Service": """Type NotifyAccess ExecStart ExecReload WatchdogSec TimeoutStartSec TimeoutStopSec Restart RestartSec
-        RestartPreventExitStatus User Group SupplementaryGroups StateDirectory StateDirectoryMode WorkingDirectory
+        RestartPreventExitStatus User Group SupplementaryGroups StateDirectory StateDirectoryMode WorkingDirectory Environment
         LogsDirectory ConfigurationDirectory UMask CapabilityBoundingSet NoNewPrivileges ProtectSystem ProtectHome
         PrivateTmp ProtectControlGroups ProtectKernelLogs ProtectKernelModules ProtectKernelTunables ProtectClock
         ProtectHostname DevicePolicy DeviceAllow RestrictAddressFamilies RestrictNamespaces RestrictRealtime

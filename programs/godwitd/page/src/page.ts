@@ -48,11 +48,11 @@ export class page {
   }
 
   begin(): void {
+    this.line.open(); // it is on its way while the map is made
     document.documentElement.dataset["theme"] = this.theme;
     this.draw_now();
     const where = document.getElementById("map");
     if (where !== null) this.map = new chart(where, (at) => this.commander.point_at(at));
-    this.line.open();
     void this.find_tiles();
     setInterval(() => this.look(), look_ms);
     void this.log_in_by_address().then(() => this.find_session());

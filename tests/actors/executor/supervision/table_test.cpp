@@ -85,16 +85,18 @@ TEST(supervision_table, a_reduced_process_runs_in_flight_only_what_flies_who_bri
   }
 }
 
-TEST(supervision_table, the_scan_controller_is_wanted_only_in_a_flight_with_scanning_and_never_essential) {
-  const auto entry = [](part now, bool scans, bool is_reduced) {
-    return table_of(now, {.is_reduced = is_reduced}, {"scan_controller"}, scans).front();
-  };
-  for (const auto now : parts)
-    for (const bool scans : {false, true}) {
-      EXPECT_EQ(entry(now, scans, false).wanted, now == part::flight && scans);
-      EXPECT_FALSE(entry(now, scans, true).wanted);
-      EXPECT_FALSE(entry(now, scans, false).policy.essential);
-    }
+TEST(supervision_table, who_looks_for_things_is_wanted_only_in_a_flight_with_scanning_and_never_essential) {
+  for (const auto* who : {"scan_controller", "movement_detector"}) {
+    const auto entry = [who](part now, bool scans, bool is_reduced) {
+      return table_of(now, {.is_reduced = is_reduced}, {who}, scans).front();
+    };
+    for (const auto now : parts)
+      for (const bool scans : {false, true}) {
+        EXPECT_EQ(entry(now, scans, false).wanted, now == part::flight && scans) << who;
+        EXPECT_FALSE(entry(now, scans, true).wanted) << who;
+        EXPECT_FALSE(entry(now, scans, false).policy.essential) << who;
+      }
+  }
 }
 
 TEST(supervision_table, the_floor_is_what_flies) {

@@ -92,8 +92,8 @@ struct process {
     auto& actors = world.actors();
     const auto store = actors.add<store_stand_in>({.name = "store"}, {}, &log);
     const auto scan = actors.add<scan_stand_in>({.name = "scan"}, {}, &offers);
-    actors.add<sightings::feeder>({.name = "sightings"}, {}, sightings::feeder_settings{this_mission, chooses}, store,
-                                  scan, feed, [](const std::string&) {});
+    who = actors.add<sightings::feeder>({.name = "sightings"}, {}, sightings::feeder_settings{this_mission, chooses},
+                                        store, scan, feed, [](const std::string&) {});
     world.start();
     world.advance(2s);
   }
@@ -104,6 +104,7 @@ struct process {
     (void)world.ask(world.actors().guardian(), 1s, table);
     world.advance(1s);
   }
+  sightings::feeder_handle who;
   std::uint64_t epoch = 0;
   test::scratch folder;
   store_log log;
@@ -121,6 +122,28 @@ TEST(feeder, nothing_flows_before_the_gate_is_open_and_then_all_does) {
   p.world.advance(2s);
   EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
   EXPECT_EQ(p.log.chosen, 0) << "mission_client tells the map which mission it is";
+}
+
+TEST(feeder, what_the_camera_sees_flows_with_the_rest_and_what_finds_no_room_is_counted) {
+  process p(false);
+  p.feed->set_gate(true);
+  p.world.advance(2s);
+  const auto seen = [](int number) {
+    mapobjects_store::sighting result;
+    result.id = "of the camera " + std::to_string(number);
+    result.mission_id = this_mission;
+    return result;
+  };
+  p.world.tell(p.who, seen(0));
+  p.world.advance(2s);
+  EXPECT_TRUE(p.log.seen.contains("of the camera 0"));
+  EXPECT_EQ(p.feed->counts().refused, 0U);
+  p.feed->set_gate(false);
+  constexpr int more = 10;
+  for (int i = 1; i <= static_cast<int>(daemon::sighting_feed::max_waiting) + more; ++i)
+    p.world.tell(p.who, seen(i));
+  p.world.advance(2s);
+  EXPECT_EQ(p.feed->counts().refused, static_cast<std::uint64_t>(more));
 }
 
 TEST(feeder, a_store_that_is_busy_is_asked_again) {

@@ -169,7 +169,7 @@ effects take(state& s, const mission_arrived& happened, std::int64_t) {
 
 effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
   if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
-    s.awaits_word = progress::has_reports(s.progress, happened.mission.mission_id);
+    s.awaits_word = progress::is_begun(s.progress, happened.mission.mission_id);
     s.home.reset();
     s.supervision.has_landed = false;
   }

@@ -46,9 +46,13 @@ bool has_ended(const state& s, std::string_view mission_id, std::int32_t revisio
   return (s.mission && is_ended(*s.mission)) || std::ranges::any_of(s.past_missions, is_ended);
 }
 
-bool has_reports(const state& s, std::string_view mission_id) {
-  const auto has = [&](const mission_record& each) { return each.mission_id == mission_id && each.report_no != 0; };
-  return (s.mission && has(*s.mission)) || std::ranges::any_of(s.past_missions, has);
+bool is_begun(const state& s, std::string_view mission_id) {
+  const auto is_open = [&](const mission_record& each) {
+    const auto& last = each.last_report;
+    return each.mission_id == mission_id && each.report_no != 0 &&
+           (!last || (last->kind != mission::progress_kind::complete && last->kind != mission::progress_kind::aborted));
+  };
+  return (s.mission && is_open(*s.mission)) || std::ranges::any_of(s.past_missions, is_open);
 }
 
 std::optional<mission::progress_report> last_progress(const state& s) {

@@ -38,8 +38,9 @@ namespace godwit::executor::progress {
 // opened (of the last max_past_missions).
 [[nodiscard]] bool has_ended(const state& s, std::string_view mission_id, std::int32_t revision);
 
-// Something of this mission was told, now or before another was opened: it was begun once.
-[[nodiscard]] bool has_reports(const state& s, std::string_view mission_id);
+// Of this mission something was told, now or before another was opened, and neither its end nor that it was called off:
+// some flight is in the middle of it.
+[[nodiscard]] bool is_begun(const state& s, std::string_view mission_id);
 
 // Of the open mission.
 [[nodiscard]] std::optional<mission::progress_report> last_progress(const state& s);

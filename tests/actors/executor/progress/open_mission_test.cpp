@@ -72,7 +72,7 @@ TEST(open_mission, behind_a_lost_journal_numbers_and_generations_go_on_behind_th
   progress_fixture d;
   d.take(earlier_reports_told{"lost", 12, report_of_before(mission::progress_kind::reached)});
   d.take(earlier_reports_told{"lost", 3, {}}); // an older answer
-  EXPECT_TRUE(has_reports(d.s, "lost"));
+  EXPECT_TRUE(is_begun(d.s, "lost"));
   EXPECT_FALSE(has_ended(d.s, "lost", 1));
   d.take(mission_opened{"lost", 1});
   d.fly({"A"});
@@ -86,6 +86,7 @@ TEST(open_mission, one_that_the_service_was_told_is_complete_has_ended) {
   d.take(earlier_reports_told{"lost", 12, report_of_before(mission::progress_kind::complete)});
   EXPECT_TRUE(has_ended(d.s, "lost", 1));
   EXPECT_FALSE(has_ended(d.s, "lost", 2));
+  EXPECT_FALSE(is_begun(d.s, "lost")) << "a newer revision is flown like a new mission";
 }
 
 TEST(open_mission, an_abort_is_reported_once_and_nothing_counts_after_it) {

@@ -79,7 +79,7 @@ struct helper::parts {
     static_cast<void>(!::write(woken.number(), &one, sizeof one));
   }
   void run();
-  void obey();
+  bool obey(); // false: all is over
   void launch(std::uint32_t number, const begin& wanted);
   void read_all();
   void stop(const std::string& why); // empty: it was told to, and nobody hears of it
@@ -110,9 +110,7 @@ void helper::parts::run() {
     if (watched[0].revents != 0) {
       std::uint64_t count = 0;
       static_cast<void>(!::read(woken.number(), &count, sizeof count));
-      obey();
-      const std::lock_guard guard(mutex);
-      if (is_over)
+      if (!obey())
         return;
     } else if (now && watched[1].revents != 0) {
       read_all();
@@ -120,19 +118,22 @@ void helper::parts::run() {
   }
 }
 
-void helper::parts::obey() {
+bool helper::parts::obey() {
   std::optional<std::pair<std::uint32_t, begin>> next;
+  bool goes_on = true;
   bool ends = false;
   {
     const std::lock_guard guard(mutex);
     next = std::exchange(to_start, std::nullopt);
     const auto upto = std::exchange(end_upto, 0);
+    goes_on = !is_over;
     ends = next || is_over || (now && now->run <= upto);
   }
   if (ends)
     stop({});
-  if (next)
+  if (next && goes_on)
     launch(next->first, next->second);
+  return goes_on;
 }
 
 void helper::parts::launch(std::uint32_t number, const begin& wanted) {
@@ -174,12 +175,14 @@ void helper::parts::stop(const std::string& why) {
     const std::lock_guard guard(mutex);
     way.reset();
   }
-  const auto by_itself = [&] {
-    int status = 0;
-    return ::waitpid(ended.process, &status, WNOHANG) == ended.process ? std::optional(status) : std::nullopt;
-  }();
-  ::kill(ended.process, SIGKILL); // one that is gone and not waited for keeps its number
-  const auto status = by_itself ? by_itself : reap(ended.process);
+  int code = 0;
+  std::optional<int> status;
+  if (::waitpid(ended.process, &code, WNOHANG) == ended.process) {
+    status = code; // its number may be somebody else's now
+  } else {
+    ::kill(ended.process, SIGKILL);
+    status = reap(ended.process);
+  }
   if (why.empty())
     return;
   listener.on_end(ended.run, why + (status ? ": " + how_it_ended(*status) : ", and it does not die"));

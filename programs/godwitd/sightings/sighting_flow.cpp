@@ -1,11 +1,14 @@
 #include "programs/godwitd/sightings/sighting_flow.hpp"
 
+#include <utility>
+
 namespace godwit::daemon {
 
 using mapobjects_store::map_failure;
 
 void sighting_flow::begin() {
   is_flowing_ = feed_ != nullptr;
+  is_over_told_ = false;
   go_on();
 }
 
@@ -23,10 +26,8 @@ void sighting_flow::go_on() {
       break;
     record(*each);
   }
-  if (!feed_->is_over())
-    return;
-  is_flowing_ = false;
-  ways_.over();
+  if (feed_->is_over() && !std::exchange(is_over_told_, true))
+    ways_.over();
 }
 
 void sighting_flow::record(const sighting_feed::numbered& each) {

@@ -34,7 +34,7 @@ public:
     // The last one is called instead of the second when nothing came back.
     std::function<void(const mapobjects_store::sighting& seen, taker then, std::function<void()> failed)> ask_store;
     std::function<void(std::string sentence)> complain;
-    std::function<void()> over;                           // nothing is left, and nothing will come; once
+    std::function<void()> over;                           // of the file nothing is left, and nothing will come; once
     std::function<void(const std::string& error)> broken; // the map can not be used; the flow has ended
     // What the store has made of a sighting. Empty: it is offered to nobody.
     std::function<void(const mapobjects_store::observed& seen, offered then)> offer = {};
@@ -60,6 +60,7 @@ private:
   ways ways_;
   std::size_t under_way_ = 0;
   bool is_flowing_ = false;
+  bool is_over_told_ = false;
   bool is_resting_ = false; // the store was busy: until look_again
 };
 

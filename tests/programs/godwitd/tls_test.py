@@ -15,7 +15,7 @@ import unittest
 
 from operator_test import FAILED, MISSION, PASSWORD, PATIENCE_S, PROGRAM, USAGE, World
 
-PATTERN = re.compile(r"what there is to see: (https?)://([^/]+):(\d+)/status")
+PATTERN = re.compile(r"what there is to see: (https?)://([^/]+):(\d+)/\s")
 
 
 def address_of_this_computer():

@@ -134,7 +134,7 @@ TEST(feeder, what_the_camera_sees_flows_with_the_rest_and_what_finds_no_room_is_
     result.mission_id = this_mission;
     return result;
   };
-  p.world.tell(p.who, seen(0));
+  p.world.tell(p.who, seen(0)); // the file is at its end
   p.world.advance(2s);
   EXPECT_TRUE(p.log.seen.contains("of the camera 0"));
   EXPECT_EQ(p.feed->counts().refused, 0U);

@@ -100,6 +100,23 @@ parsed parse_camera_uri(std::string_view text) {
   return wrong("it is none of v4l2:///dev/video0, rtsp://host:port/path, file:///path/to/recording and test://ball");
 }
 
+camera_uri recording_at(std::string_view path) {
+  constexpr std::string_view as_they_are = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/-._~";
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string uri = "file://";
+  for (const char each : path) {
+    if (as_they_are.find(each) != std::string_view::npos) {
+      uri += each;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(each);
+    uri += '%';
+    uri += digits[byte / 16U];
+    uri += digits[byte % 16U];
+  }
+  return {camera_kind::file, std::move(uri)};
+}
+
 std::string without_password(std::string_view text) {
   const auto begin = text.find("://");
   const auto at = text.find('@', begin == std::string_view::npos ? 0 : begin);

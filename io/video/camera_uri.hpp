@@ -33,6 +33,9 @@ struct camera_uri {
 
 [[nodiscard]] tl::expected<camera_uri, std::string> parse_camera_uri(std::string_view text);
 
+// Of a file with any name, which may hold what a URI may not. PATH is absolute.
+[[nodiscard]] camera_uri recording_at(std::string_view path);
+
 // TEXT without a password, for people.
 [[nodiscard]] std::string without_password(std::string_view text);
 

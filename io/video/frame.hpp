@@ -18,6 +18,7 @@ struct plane {
 
 struct frame {
   std::int64_t captured_ns = 0; // monotonic, when it came out of the decoder; above that of the frame before
+  std::int64_t stream_ns = -1;  // where it stands in its recording; -1: the stream does not say
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::array<plane, 3> planes; // brightness, blue difference, red difference

@@ -55,11 +55,14 @@ std::optional<frame> frame_of(owned<GstSample> sample) {
   if (caps == nullptr || gst_video_info_from_caps(&info, caps) == FALSE ||
       GST_VIDEO_INFO_FORMAT(&info) != GST_VIDEO_FORMAT_I420)
     return std::nullopt;
+  const auto stream_time = GST_BUFFER_PTS(gst_sample_get_buffer(sample.get()));
   const auto mapped = std::make_shared<mapped_picture>(std::move(sample), &info);
   if (!mapped->is_mapped)
     return std::nullopt;
   frame result;
   result.captured_ns = monotonic_ns();
+  if (stream_time != GST_CLOCK_TIME_NONE)
+    result.stream_ns = static_cast<std::int64_t>(stream_time);
   result.width = GST_VIDEO_FRAME_WIDTH(&mapped->video);
   result.height = GST_VIDEO_FRAME_HEIGHT(&mapped->video);
   for (std::size_t i = 0; i < result.planes.size(); ++i) {
@@ -115,7 +118,10 @@ std::string why_no_device(const std::string& path) {
 }
 
 std::string why_no_file(const std::string& uri) {
-  const auto path = uri.substr(std::strlen("file://"));
+  const std::unique_ptr<gchar, decltype(&g_free)> decoded(g_filename_from_uri(uri.c_str(), nullptr, nullptr), g_free);
+  if (!decoded)
+    return uri + " is no address of a file of this computer";
+  const std::string path = decoded.get();
   return ::access(path.c_str(), R_OK) == 0 ? std::string() : path + " can not be read: " + std::strerror(errno);
 }
 

@@ -19,8 +19,9 @@ struct command {
 using add_command = command (*)(CLI::App& to);
 
 [[nodiscard]] command add_probe_command(CLI::App& to);
+[[nodiscard]] command add_look_command(CLI::App& to);
 [[nodiscard]] command add_session_command(CLI::App& to);
 
-inline constexpr add_command all_commands[] = {add_probe_command, add_session_command};
+inline constexpr add_command all_commands[] = {add_probe_command, add_look_command, add_session_command};
 
 } // namespace godwit::eyes

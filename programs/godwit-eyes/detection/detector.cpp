@@ -71,6 +71,7 @@ struct detector::parts {
   [[nodiscard]] unusable take_pose(const std::optional<camera_pose>& pose, std::int64_t at_ns);
   [[nodiscard]] Eigen::Vector3d camera_velocity() const;
   void mark_parallax();
+  [[nodiscard]] std::optional<unsaid_reason> why_unsaid(const track& who, const pixel_box& box) const;
   void say(verdict& said) const;
 
   detector_settings settings;
@@ -211,16 +212,30 @@ unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
   return unusable::none;
 }
 
+std::optional<unsaid_reason> detector::parts::why_unsaid(const track& who, const pixel_box& box) const {
+  if (!who.is_confirmed)
+    return unsaid_reason::young;
+  if (who.missed > most_coasting)
+    return unsaid_reason::lost;
+  if (is_parallax(who))
+    return unsaid_reason::high;
+  if (std::max(box.width_px, box.height_px) < settings.min_size_px)
+    return unsaid_reason::small;
+  return std::nullopt;
+}
+
 void detector::parts::say(verdict& said) const {
   for (const auto& each : tracks.tracks()) {
-    if (!each.is_confirmed || each.missed > most_coasting || is_parallax(each))
+    const cv::Rect2d reduced_box = box_of(each);
+    const pixel_box box{reduced_box.x * reduction, reduced_box.y * reduction, reduced_box.width * reduction,
+                        reduced_box.height * reduction};
+    if (const auto why = why_unsaid(each, box)) {
+      said.figures.unsaid.push_back({each.number, box, *why});
       continue;
-    const cv::Rect2d box = box_of(each);
+    }
     candidate made;
     made.track = each.number;
-    made.box = {box.x * reduction, box.y * reduction, box.width * reduction, box.height * reduction};
-    if (std::max(made.box.width_px, made.box.height_px) < settings.min_size_px)
-      continue;
+    made.box = box;
     made.speed_px_s = cv::norm(each.filter.velocity()) * reduction;
     made.confidence = static_cast<double>(each.seen) / (each.age + 2);
     made.frames_seen = each.seen;

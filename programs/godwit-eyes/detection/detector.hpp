@@ -88,6 +88,20 @@ inline constexpr int unusable_count = static_cast<int>(unusable::no_homography) 
 [[nodiscard]] std::string_view name_of(unusable why); // "too_low"
 [[nodiscard]] std::string_view sentence_of(unusable why);
 
+// Why a track is not said.
+enum class unsaid_reason {
+  young, // not seen often enough, or it has not gone far and straight enough
+  lost,  // not seen for some pictures
+  high,  // it goes as something high and still would when the camera passes it
+  small
+};
+
+struct unsaid_track {
+  std::uint32_t track = 0;
+  pixel_box box;
+  unsaid_reason why = unsaid_reason::young;
+};
+
 // What the detector went by; for health, `look` and the bench.
 struct look_figures {
   int features = 0;              // tracked from the picture before
@@ -101,6 +115,7 @@ struct look_figures {
   std::int64_t microseconds = 0; // processor time of this thread
   // From a pixel of the picture before to one of this picture, row by row; only where the motion was found.
   std::optional<std::array<double, 9>> homography;
+  std::vector<unsaid_track> unsaid; // those that are followed, and not in `confirmed`
 };
 
 struct verdict {

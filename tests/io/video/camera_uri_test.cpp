@@ -39,4 +39,11 @@ TEST(camera_uri, a_password_is_not_shown) {
   EXPECT_EQ(without_password("test://ball"), "test://ball");
 }
 
+TEST(camera_uri, a_file_of_any_name_has_an_address) {
+  EXPECT_EQ(recording_at("/films/a.mkv").where, "file:///films/a.mkv");
+  const auto odd = recording_at("/films/50% of \xC3\xA4?.mkv");
+  EXPECT_EQ(odd.kind, camera_kind::file);
+  EXPECT_EQ(odd.where, "file:///films/50%25%20of%20%C3%A4%3F.mkv");
+}
+
 } // namespace

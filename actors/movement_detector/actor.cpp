@@ -42,6 +42,11 @@ void actor::carry_out(effects all) {
                           },
                           [this](end_helper& which) { at_end([port = port_, which] { port->end(which.upto); }); },
                           [this](io::eyes::pose& where) { at_end([port = port_, where] { port->tell(where); }); },
+                          [this](keep_picture& which) {
+                            at_end([port = port_, which = std::move(which)] {
+                              port->keep_picture(which.track, which.captured_ns, which.sighting_id);
+                            });
+                          },
                           [this](mapobjects_store::sighting& seen) { tell(others_->sightings, std::move(seen)); },
                           [this](scan_controller::view& how) { tell(others_->scan, std::move(how)); },
                           [this](announce& said) {

@@ -178,8 +178,10 @@ effects core::on_candidates(const helper_candidates& m, instant now) {
   effects result;
   candidates_ += m.what.seen.size();
   for (const auto& each : m.what.seen)
-    if (auto seen = sighting_of(each, m.what.captured_ns, now))
+    if (auto seen = sighting_of(each, m.what.captured_ns, now)) {
+      result.emplace_back(keep_picture{each.track, m.what.captured_ns, seen->id});
       result.emplace_back(*std::move(seen));
+    }
   return result;
 }
 

@@ -39,13 +39,18 @@ struct start_helper {
 struct end_helper {
   std::uint32_t upto = 0; // the number of its run
 };
+struct keep_picture {
+  std::uint32_t track = 0;
+  std::int64_t captured_ns = 0;
+  std::string sighting_id;
+};
 struct announce {
   std::string sentence;
   bool is_warning = false;
 };
 
-using effect =
-    std::variant<start_helper, end_helper, io::eyes::pose, mapobjects_store::sighting, scan_controller::view, announce>;
+using effect = std::variant<start_helper, end_helper, io::eyes::pose, keep_picture, mapobjects_store::sighting,
+                            scan_controller::view, announce>;
 using effects = std::vector<effect>;
 
 class core {

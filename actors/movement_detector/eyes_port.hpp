@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "io/eyes/messages.hpp"
 
@@ -22,6 +23,8 @@ public:
   // What runs, if its number is not above UPTO.
   virtual void end(std::uint32_t upto) = 0;
   virtual void tell(const io::eyes::pose& where) = 0;
+  // The cut-out of a candidate that was seen then, for people; ID: of the sighting that has come of it.
+  virtual void keep_picture(std::uint32_t track, std::int64_t captured_ns, const std::string& id) = 0;
 };
 
 } // namespace godwit::movement_detector

@@ -18,4 +18,10 @@ void eyes_process::open(runtime::gateway gateway, port_handle actor) {
                     }});
 }
 
+void eyes_process::keep_picture(std::uint32_t track, std::int64_t captured_ns, const std::string& id) {
+  auto seen = process_->slot().read_cutout(track);
+  if (seen && seen->captured_ns <= captured_ns && captured_ns - seen->captured_ns <= cutout_lasts_ns)
+    pictures_(id, *std::move(seen));
+}
+
 } // namespace godwit::movement_detector

@@ -14,7 +14,7 @@
 namespace godwit::io::eyes {
 namespace {
 
-constexpr std::uint64_t magic = 0x31746f6c53657947; // "GyeSlot1"
+constexpr std::uint64_t magic = 0x32746f6c53657947; // "GyeSlot2"
 constexpr std::size_t buffers = 3;
 constexpr int max_looks = 4; // a writer that outruns a reader so often is no writer of pictures
 
@@ -27,12 +27,22 @@ struct buffer {
   std::array<std::byte, max_picture_bytes> bytes;
 };
 
+struct small_buffer {
+  std::atomic<std::int64_t> captured_ns; // 0: it is being written, or there is none
+  std::uint32_t track;
+  std::int32_t width_px;
+  std::int32_t height_px;
+  std::uint64_t size;
+  std::array<std::byte, max_cutout_bytes> bytes;
+};
+
 } // namespace
 
 struct picture_slot::layout {
   std::uint64_t magic;
   std::atomic<std::uint64_t> newest; // 0: none
   std::array<buffer, buffers> all;
+  std::array<small_buffer, max_cutouts> cutouts;
 };
 
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "a lock would be of one process alone");
@@ -115,9 +125,43 @@ std::optional<picture> picture_slot::read(std::uint64_t after) const {
   return std::nullopt;
 }
 
+bool picture_slot::publish_cutout(std::uint32_t track, std::span<const std::byte> jpeg, std::int64_t captured_ns,
+                                  std::int32_t width_px, std::int32_t height_px) {
+  if (jpeg.size() > max_cutout_bytes || captured_ns <= 0)
+    return false;
+  auto& to = mapped_->cutouts[track % max_cutouts];
+  to.captured_ns.store(0, std::memory_order_relaxed); // it is being written
+  std::atomic_thread_fence(std::memory_order_release);
+  to.track = track;
+  to.width_px = width_px;
+  to.height_px = height_px;
+  to.size = jpeg.size();
+  std::memcpy(to.bytes.data(), jpeg.data(), jpeg.size());
+  to.captured_ns.store(captured_ns, std::memory_order_release);
+  return true;
+}
+
+std::optional<cutout> picture_slot::read_cutout(std::uint32_t track) const {
+  const auto& from = mapped_->cutouts[track % max_cutouts];
+  for (int looks = 0; looks < max_looks; ++looks) {
+    const auto captured_ns = from.captured_ns.load(std::memory_order_acquire);
+    const std::uint64_t size = from.size; // read once: the other side may change it
+    if (captured_ns <= 0 || from.track != track || size > max_cutout_bytes)
+      continue;
+    cutout result{track, captured_ns, from.width_px, from.height_px, {}};
+    result.jpeg.assign(from.bytes.begin(), from.bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    std::atomic_thread_fence(std::memory_order_acquire);
+    if (from.captured_ns.load(std::memory_order_relaxed) == captured_ns)
+      return result;
+  }
+  return std::nullopt;
+}
+
 void picture_slot::clear() {
   for (auto& each : mapped_->all)
     each.number.store(0);
+  for (auto& each : mapped_->cutouts)
+    each.captured_ns.store(0);
   mapped_->newest.store(0);
 }
 

@@ -137,7 +137,11 @@ checked composition::make_eyes() {
   if (!made)
     return tl::make_unexpected(std::move(made.error()));
   eyes_ = *std::move(made);
-  eyes_port_ = std::make_shared<movement_detector::eyes_process>(eyes_);
+  point_pictures_ = std::make_shared<point_pictures>();
+  eyes_port_ = std::make_shared<movement_detector::eyes_process>(
+      eyes_, [to = point_pictures_](const std::string& sighting_id, io::eyes::cutout what) {
+        to->add(sighting_id, std::move(what));
+      });
   if (!feed_)
     feed_ = sighting_feed::without_file();
   return {};
@@ -173,6 +177,7 @@ void composition::surround_actors() {
     outside_.ground = ground_line_;
   outside_.sightings = feed_;
   outside_.eyes = eyes_port_;
+  outside_.point_pictures = point_pictures_;
   outside_.seed = fresh_seed();
   outside_.journal = &host_->journal();
   outside_.host = facts_.get();
@@ -402,6 +407,7 @@ operator_port::route_list composition::camera_routes() {
         if (eyes)
           static_cast<void>(eyes->send(io::eyes::want_picture{until_ns, operator_port::camera_api::picture_gap_ms}));
       },
+      [pictures = point_pictures_](std::uint64_t point) { return pictures ? pictures->of(point) : std::nullopt; },
       &host_->time()});
   return api->routes();
 }

@@ -33,6 +33,7 @@
 #include "programs/godwitd/page_desks.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
+#include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/sightings/sighting_feed.hpp"
 #include "programs/godwitd/view_actors.hpp"
 
@@ -105,6 +106,7 @@ private:
   std::shared_ptr<mission_client::http_service> service_;      // none without a service
   std::shared_ptr<io::eyes::helper> eyes_;                     // none without a camera
   std::shared_ptr<movement_detector::eyes_process> eyes_port_; // the same
+  std::shared_ptr<point_pictures> point_pictures_;             // the same
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();

@@ -86,7 +86,7 @@ void add_scan(runtime::system& actors, const daemon_settings& settings, const ac
   made.feeder = actors.add<sightings::feeder>(
       {.name = feeder_name}, replaceable, sightings::feeder_settings{settings.mission_id, outside.service == nullptr},
       sightings::store_handle(base.store), scan_controller::candidate_handle(made.scan), outside.sightings,
-      [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
+      outside.point_pictures, [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
 }
 
 void add_eyes(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,

@@ -43,6 +43,7 @@
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
+#include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/sightings/sighting_feed.hpp"
 #include "runtime/journal/journal.hpp"
 #include "runtime/system.hpp"
@@ -75,8 +76,9 @@ struct actor_surroundings {
   std::shared_ptr<mission_client::service_port> service; // none: the mission comes from elsewhere
   std::shared_ptr<io::link::wire> ground;                // none: no ground station is spoken to
   io::mavlink::signing_settings ground_signing;
-  std::shared_ptr<sighting_feed> sightings;           // none: nobody sees anything
-  std::shared_ptr<movement_detector::eyes_port> eyes; // with SETTINGS.camera, and with sightings; else none
+  std::shared_ptr<sighting_feed> sightings;               // none: nobody sees anything
+  std::shared_ptr<movement_detector::eyes_port> eyes;     // with SETTINGS.camera, and with sightings; else none
+  std::shared_ptr<daemon::point_pictures> point_pictures; // the same
 
   // Of this process, and of no other one: what is delivered has keys that are made with it.
   std::uint64_t seed = 0;

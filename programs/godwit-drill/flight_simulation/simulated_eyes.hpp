@@ -46,6 +46,7 @@ public:
   void start(std::uint32_t run, const io::eyes::begin& how) override;
   void end(std::uint32_t upto) override;
   void tell(const io::eyes::pose& where) override { pose_ = where; }
+  void keep_picture(std::uint32_t, std::int64_t, const std::string&) override {} // it has none
 
   // What it has to say by then.
   [[nodiscard]] std::vector<news> on_time(std::int64_t now_ns);

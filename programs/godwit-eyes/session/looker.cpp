@@ -143,7 +143,7 @@ struct looker::parts {
       said.seen.push_back(std::move(candidate));
     }
     if (!said.seen.empty() && io::eyes::problem_of(said).empty())
-      tell(said);
+      tell(said, picture);
   }
 };
 

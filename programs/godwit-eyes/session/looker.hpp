@@ -28,7 +28,7 @@ struct look_report {
 
 class looker {
 public:
-  using teller = std::function<void(const io::eyes::candidates& seen)>;
+  using teller = std::function<void(const io::eyes::candidates& seen, const io::video::frame& in)>;
 
   // TAKE gives the newest frame that nobody has taken; PASS_ON is called with each frame that was looked at.
   looker(io::eyes::begin wanted, std::function<std::optional<io::video::frame>()> take,

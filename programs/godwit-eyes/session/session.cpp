@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "io/video/source.hpp"
+#include "programs/godwit-eyes/session/cutout_maker.hpp"
 #include "programs/godwit-eyes/session/looker.hpp"
 #include "programs/godwit-eyes/session/picture_maker.hpp"
 
@@ -63,7 +64,7 @@ class work {
 public:
   work(const io::eyes::begin& wanted, io::video::camera_uri from, io::eyes::channel& to_daemon,
        io::eyes::picture_slot& slot)
-      : pictures_(&slot, recording_of(wanted)),
+      : pictures_(&slot, recording_of(wanted)), cutouts_(slot),
         looker_(
             wanted,
             [this] {
@@ -71,7 +72,10 @@ public:
               return from_camera == nullptr ? std::nullopt : from_camera->take();
             },
             [this](const io::video::frame& each) { pictures_.offer(each); },
-            [&to_daemon](const io::eyes::candidates& seen) { static_cast<void>(to_daemon.send(seen)); }),
+            [this, &to_daemon](const io::eyes::candidates& seen, const io::video::frame& in) {
+              cutouts_.add(seen, in); // first: who hears of a candidate may look for its picture
+              static_cast<void>(to_daemon.send(seen));
+            }),
         source_(std::make_unique<io::video::source>(std::move(from), io::video::source_limits{},
                                                     [this] { looker_.wake(); })) {
     asked_ = source_.get();
@@ -114,6 +118,7 @@ public:
 private:
   std::atomic<io::video::source*> asked_{nullptr};
   picture_maker pictures_;
+  cutout_maker cutouts_;
   looker looker_;
   std::unique_ptr<io::video::source> source_;
 };

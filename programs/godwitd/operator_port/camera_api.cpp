@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::int64_t ns_in_ms = 1'000'000;
 constexpr std::string_view picture_path = "/api/v1/camera/picture";
+constexpr std::string_view point_picture_path = "/api/v1/points/{}/picture";
 
 // Of "?after=N"; nothing: the query is another one.
 std::optional<std::uint64_t> read_after(std::string_view target) {
@@ -28,11 +29,25 @@ std::optional<std::uint64_t> read_after(std::string_view target) {
   return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
+// N of /api/v1/points/N/picture.
+std::optional<std::uint64_t> point_of(std::string_view target) {
+  auto path = target.substr(0, target.find('?'));
+  path = path.substr(0, path.rfind('/'));
+  path = path.substr(path.rfind('/') + 1);
+  std::uint64_t number = 0;
+  const auto read = std::from_chars(path.data(), path.data() + path.size(), number);
+  return read.ec == std::errc() && read.ptr == path.data() + path.size() ? std::optional(number) : std::nullopt;
+}
+
 } // namespace
 
 route_list camera_api::routes() {
-  return {{"GET", picture_path, 0, [self = shared_from_this()](const server_request& asked, responder answer) {
+  return {{"GET", picture_path, 0,
+           [self = shared_from_this()](const server_request& asked, responder answer) {
              answer.send(self->picture_for(asked));
+           }},
+          {"GET", point_picture_path, 0, [self = shared_from_this()](const server_request& asked, responder answer) {
+             answer.send(self->picture_of_point(asked));
            }}};
 }
 
@@ -48,11 +63,24 @@ server_response camera_api::picture_for(const server_request& asked) const {
                                            "asked for a while the first picture needs half a second: ask again.");
   if (newest->number <= *after)
     return {.status = 204, .content_type = {}};
-  const auto age_ns = now_ns - newest->captured_ns;
+  auto result = answer_with(newest->jpeg, now_ns - newest->captured_ns);
+  result.headers.emplace_back("Godwit-Picture", std::to_string(newest->number));
+  return result;
+}
+
+server_response camera_api::picture_of_point(const server_request& asked) const {
+  const auto point = point_of(asked.target);
+  const auto seen = point ? parts_.of_point(*point) : std::nullopt;
+  if (!seen)
+    return io::http::problem_response(404, "There is no picture of that point: it was not seen by the camera of this "
+                                           "flight, or it is one of long ago.");
+  return answer_with(seen->jpeg, parts_.time->monotonic_ns() - seen->captured_ns);
+}
+
+server_response camera_api::answer_with(const std::vector<std::byte>& jpeg, std::int64_t age_ns) const {
   server_response result{.content_type = "image/jpeg"};
-  result.body.assign(reinterpret_cast<const char*>(newest->jpeg.data()), newest->jpeg.size()); // bytes as characters
-  result.headers = {{"Godwit-Picture", std::to_string(newest->number)},
-                    {"Godwit-Captured-Ms", std::to_string((parts_.time->wall_ns() - age_ns) / ns_in_ms)},
+  result.body.assign(reinterpret_cast<const char*>(jpeg.data()), jpeg.size()); // bytes as characters
+  result.headers = {{"Godwit-Captured-Ms", std::to_string((parts_.time->wall_ns() - age_ns) / ns_in_ms)},
                     {"Godwit-Age-Ms", std::to_string(age_ns / ns_in_ms)}};
   return result;
 }

@@ -33,9 +33,10 @@ std::optional<scan_controller::candidate> candidate_of(const mapobjects_store::o
 } // namespace
 
 feeder::feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
-               scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed, complainer complain)
+               scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed,
+               std::shared_ptr<daemon::point_pictures> pictures, complainer complain)
     : actor_base(std::move(context)), settings_(std::move(configured)), store_(std::move(store)),
-      scan_(std::move(scan)), feed_(std::move(feed)), complain_(std::move(complain)) {}
+      scan_(std::move(scan)), feed_(std::move(feed)), pictures_(std::move(pictures)), complain_(std::move(complain)) {}
 
 feeder::~feeder() = default;
 
@@ -98,13 +99,21 @@ void feeder::offer(const mapobjects_store::observed& seen, daemon::sighting_flow
     return then(sighting_flow::offer_outcome::taken);
   ask(
       scan_, offer_timeout, *candidate,
-      [then](const scan_controller::candidate_answer&) { then(sighting_flow::offer_outcome::taken); },
+      [this, then, id = candidate->id](const scan_controller::candidate_answer& answer) {
+        note_point(id, answer);
+        then(sighting_flow::offer_outcome::taken);
+      },
       [this, then, candidate](const ask_error& why) {
         const bool does_not_run = why.code == runtime::ask_errc::not_taken;
         if (does_not_run)
           put_aside(*candidate);
         then(does_not_run ? sighting_flow::offer_outcome::taken : sighting_flow::offer_outcome::unknown);
       });
+}
+
+void feeder::note_point(const std::string& id, const scan_controller::candidate_answer& answer) {
+  if (pictures_ && answer.point != 0)
+    pictures_->belongs(id, answer.point);
 }
 
 // It comes, or comes back, a few seconds behind the start of a flight or of godwitd.
@@ -128,7 +137,8 @@ void feeder::offer_again() {
   };
   ask(
       scan_, offer_timeout, untaken_.front(),
-      [this, resolve, id = untaken_.front().id](const scan_controller::candidate_answer&) {
+      [this, resolve, id = untaken_.front().id](const scan_controller::candidate_answer& answer) {
+        note_point(id, answer);
         resolve(id);
         offer_again();
       },

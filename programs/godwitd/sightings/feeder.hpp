@@ -16,6 +16,7 @@
 #include "messages/mapobjects_store/types.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
+#include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/sightings/sighting_flow.hpp"
 #include "runtime/actor_base.hpp"
 
@@ -41,9 +42,10 @@ public:
   // Findings of the time in which nobody looks for points of interest; the oldest are given up, and the map has them.
   static constexpr std::size_t max_untaken = 256;
 
-  // FEED: null without sightings.
+  // FEED: null without sightings. PICTURES: null without a camera.
   feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
-         scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed, complainer complain);
+         scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed,
+         std::shared_ptr<daemon::point_pictures> pictures, complainer complain);
   ~feeder() override;
 
 protected:
@@ -56,6 +58,7 @@ private:
   void look();
   void choose();
   void offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then);
+  void note_point(const std::string& id, const scan_controller::candidate_answer& answer);
   void put_aside(const scan_controller::candidate& untaken);
   void offer_again();
 
@@ -63,6 +66,7 @@ private:
   store_handle store_;
   scan_controller::candidate_handle scan_;
   std::shared_ptr<daemon::sighting_feed> feed_;
+  std::shared_ptr<daemon::point_pictures> pictures_;
   complainer complain_;
   std::optional<daemon::sighting_flow> flow_;      // from started() on
   std::deque<scan_controller::candidate> untaken_; // oldest first

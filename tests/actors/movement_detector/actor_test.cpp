@@ -20,9 +20,11 @@ public:
   }
   void end(std::uint32_t upto) override { is_running = is_running && run_ > upto; }
   void tell(const io::eyes::pose&) override { ++poses; }
+  void keep_picture(std::uint32_t, std::int64_t, const std::string&) override { ++pictures; }
   std::uint32_t run_ = 0;
   int starts = 0;
   int poses = 0;
+  int pictures = 0;
   bool is_running = false;
 };
 
@@ -106,6 +108,7 @@ TEST(movement_detector, it_starts_the_eyes_feeds_them_and_hands_on_what_they_see
   p.world.tell(p.who, seen);
   p.world.run_until_idle();
   EXPECT_EQ(p.said.sightings, 1);
+  EXPECT_EQ(p.port->pictures, 1);
   p.world.advance(600ms);
   EXPECT_TRUE(p.said.was_seeing);
 }

@@ -179,6 +179,18 @@ TEST(movement_detector_core, a_track_is_said_to_the_map_once_in_two_seconds_and_
   EXPECT_EQ(e.all.view_of(e.now).without_place, 1U);
 }
 
+TEST(movement_detector_core, with_each_sighting_its_picture_is_kept_under_its_id) {
+  eyes e;
+  (void)e.status();
+  e.survey();
+  const auto all = e.candidates({3});
+  const auto pictures = only<keep_picture>(all);
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0].track, 3U);
+  EXPECT_EQ(pictures[0].sighting_id, only<mapobjects_store::sighting>(all).at(0).id);
+  EXPECT_EQ(pictures[0].captured_ns, e.now.monotonic_ns - 50 * ms);
+}
+
 TEST(movement_detector_core, sightings_are_bounded_whatever_the_helper_says) {
   eyes e;
   (void)e.status();
@@ -189,7 +201,7 @@ TEST(movement_detector_core, sightings_are_bounded_whatever_the_helper_says) {
     std::vector<std::uint32_t> all;
     for (std::size_t n = 0; n < io::eyes::max_candidates; ++n)
       all.push_back(++track);
-    said += e.candidates(all).size();
+    said += only<mapobjects_store::sighting>(e.candidates(all)).size();
   }
   EXPECT_LE(said, 10 * core::max_sightings_a_second + core::max_sightings_a_second);
 }

@@ -79,4 +79,33 @@ TEST(eyes_picture_slot, a_reader_never_sees_half_of_a_picture) {
   EXPECT_EQ(ours.read()->number, 20'000U);
 }
 
+TEST(eyes_picture_slot, each_track_has_its_newest_cut_out) {
+  const auto ours = picture_slot::make().value();
+  auto theirs = other_side_of(ours);
+  EXPECT_FALSE(ours.read_cutout(0)) << "nothing was written";
+  EXPECT_TRUE(theirs.publish_cutout(7, filled(10, 1), 100, 48, 32));
+  EXPECT_TRUE(theirs.publish_cutout(7, filled(12, 2), 200, 50, 34));
+  EXPECT_TRUE(theirs.publish_cutout(8, filled(14, 3), 300, 52, 36));
+  const auto seen = ours.read_cutout(7);
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->captured_ns, 200);
+  EXPECT_EQ(seen->width_px, 50);
+  EXPECT_EQ(seen->jpeg, filled(12, 2));
+  EXPECT_EQ(ours.read_cutout(8)->jpeg, filled(14, 3));
+  EXPECT_FALSE(ours.read_cutout(9));
+}
+
+TEST(eyes_picture_slot, a_cut_out_is_never_that_of_another_track_and_never_too_large) {
+  auto ours = picture_slot::make().value();
+  auto theirs = other_side_of(ours);
+  EXPECT_TRUE(theirs.publish_cutout(7, filled(10, 1), 100, 48, 32));
+  EXPECT_TRUE(theirs.publish_cutout(7 + max_cutouts, filled(10, 2), 200, 48, 32)) << "the same place";
+  EXPECT_FALSE(ours.read_cutout(7));
+  EXPECT_TRUE(ours.read_cutout(7 + max_cutouts));
+  EXPECT_FALSE(theirs.publish_cutout(1, filled(max_cutout_bytes + 1, 1), 100, 48, 32));
+  EXPECT_FALSE(theirs.publish_cutout(1, filled(10, 1), 0, 48, 32)) << "0 is none";
+  ours.clear();
+  EXPECT_FALSE(ours.read_cutout(7 + max_cutouts));
+}
+
 } // namespace

@@ -16,7 +16,13 @@ protected:
   camera_port() {
     const auto api = std::make_shared<camera_api>(
         camera_parts{[this](std::uint64_t after) { return newest && newest->number > after ? newest : std::nullopt; },
-                     [this](std::int64_t until_ns) { wanted_until_ns = until_ns; }, &time});
+                     [this](std::int64_t until_ns) { wanted_until_ns = until_ns; },
+                     [this](std::uint64_t point) {
+                       return point == 3 ? std::optional(io::eyes::cutout{
+                                               7, time.monotonic_ns() - 60'000'000'000, 48, 48, {std::byte{0xFF}}})
+                                         : std::nullopt;
+                     },
+                     &time});
     const auto opened = port.open({.host = "127.0.0.1", .port = 0, .hosts = {}}, api->routes());
     EXPECT_TRUE(opened) << opened.error();
     const auto place = port.place();
@@ -25,9 +31,10 @@ protected:
   ~camera_port() override {
     port.close([] {});
   }
-  raw_client::answer get(const std::string& query = {}) {
+  raw_client::answer get(const std::string& query = {}) { return get_at("camera/picture" + query); }
+  raw_client::answer get_at(const std::string& path) {
     raw_client client(number);
-    client.write("GET /api/v1/camera/picture" + query + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    client.write("GET /api/v1/" + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
     return client.read();
   }
   void take(std::uint64_t picture, std::int64_t age_ns) {
@@ -77,6 +84,19 @@ TEST_F(camera_port, pictures_are_made_while_somebody_asks) {
 TEST_F(camera_port, another_query_is_refused) {
   for (const auto* each : {"?after=", "?after=x", "?after=-1", "?before=1", "?after=1&b=2"})
     EXPECT_EQ(get(each).result_int(), 400U) << each;
+}
+
+TEST_F(camera_port, the_picture_of_a_point_comes_with_its_time_however_old_it_is) {
+  const auto answer = get_at("points/3/picture");
+  EXPECT_EQ(answer.result_int(), 200U);
+  EXPECT_EQ(answer["Content-Type"], "image/jpeg");
+  EXPECT_GE(std::stoi(std::string(answer["Godwit-Age-Ms"])), 60'000);
+  EXPECT_EQ(answer.body(), "\xFF");
+}
+
+TEST_F(camera_port, a_point_without_a_picture_and_what_is_no_number_are_not_found) {
+  for (const auto* each : {"4", "-3", "3x", "x", "99999999999999999999999"})
+    EXPECT_EQ(get_at("points/" + std::string(each) + "/picture").result_int(), 404U) << each;
 }
 
 } // namespace

@@ -41,6 +41,19 @@ std::set<std::string> served() {
   return result;
 }
 
+// "/points/{point}/picture" as a route says it: "/points/{}/picture".
+std::string without_names(const std::string& path) {
+  std::string result;
+  bool is_name = false;
+  for (const char each : path) {
+    is_name = is_name && each != '}';
+    if (!is_name)
+      result += each;
+    is_name = is_name || each == '{';
+  }
+  return result;
+}
+
 std::set<std::string> described_routes() {
   std::set<std::string> result;
   const auto api = described();
@@ -48,7 +61,7 @@ std::set<std::string> described_routes() {
     for (const auto& [method, call] : calls.items()) {
       std::string upper = method;
       std::ranges::transform(upper, upper.begin(), [](char c) { return static_cast<char>(std::toupper(c)); });
-      result.insert(upper + " " + path);
+      result.insert(upper + " " + without_names(path));
     }
   return result;
 }

@@ -62,6 +62,7 @@ struct scan_log {
   std::set<std::string> offered;
   int asks = 0;
   bool answers = true;
+  scan_controller::candidate_answer answer;
 };
 
 class scan_stand_in final : public runtime::actor_base<scan_controller::candidate_handle> {
@@ -75,7 +76,7 @@ protected:
       ++log_->asks;
       log_->offered.insert(m.id);
       if (log_->answers)
-        answer_later(request_id, sc::candidate_answer{});
+        answer_later(request_id, log_->answer);
     })};
   }
 
@@ -93,7 +94,7 @@ struct process {
     const auto store = actors.add<store_stand_in>({.name = "store"}, {}, &log);
     const auto scan = actors.add<scan_stand_in>({.name = "scan"}, {}, &offers);
     who = actors.add<sightings::feeder>({.name = "sightings"}, {}, sightings::feeder_settings{this_mission, chooses},
-                                        store, scan, feed, [](const std::string&) {});
+                                        store, scan, feed, pictures, [](const std::string&) {});
     world.start();
     world.advance(2s);
   }
@@ -112,6 +113,7 @@ struct process {
   runtime::simulated_disk disk;
   std::counting_semaphore<> woken_up{0};
   std::shared_ptr<daemon::sighting_feed> feed;
+  std::shared_ptr<daemon::point_pictures> pictures = std::make_shared<daemon::point_pictures>();
   runtime::simulation world;
 };
 
@@ -122,6 +124,20 @@ TEST(feeder, nothing_flows_before_the_gate_is_open_and_then_all_does) {
   p.world.advance(2s);
   EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
   EXPECT_EQ(p.log.chosen, 0) << "mission_client tells the map which mission it is";
+}
+
+TEST(feeder, the_picture_of_a_sighting_becomes_that_of_its_point) {
+  process p(false);
+  p.offers.answer = {scan_controller::candidate_fate::opened, 5};
+  p.pictures->add("of the camera", {7, 100, 48, 48, {std::byte{0xFF}}});
+  p.feed->set_gate(true);
+  mapobjects_store::sighting seen;
+  seen.id = "of the camera";
+  seen.mission_id = this_mission;
+  p.world.tell(p.who, seen);
+  p.world.advance(2s);
+  ASSERT_TRUE(p.pictures->of(5));
+  EXPECT_EQ(p.pictures->of(5)->track, 7U);
 }
 
 TEST(feeder, what_the_camera_sees_flows_with_the_rest_and_what_finds_no_room_is_counted) {

@@ -13,6 +13,7 @@
 #include "io/video/jpeg_encoder.hpp"
 #include "io/video/recorder.hpp"
 #include "programs/godwit-sim/camera/suite.hpp"
+#include "tests/support/eyes/generated_frame.hpp"
 
 namespace {
 
@@ -24,17 +25,6 @@ using sim::camera::suite_case;
 constexpr int pictures = 60;
 constexpr std::int64_t frame_ns = 33'333'333;
 
-io::video::frame frame_of(const sim::camera::picture& seen, const std::vector<std::uint8_t>& no_colour,
-                          std::int64_t captured_ns) {
-  io::video::frame result;
-  result.captured_ns = captured_ns;
-  result.width = seen.width;
-  result.height = seen.height;
-  const auto width = static_cast<std::size_t>(seen.width);
-  result.planes = {{{seen.grey.data(), width}, {no_colour.data(), width}, {no_colour.data(), width}}};
-  return result;
-}
-
 // A flight over movers, as godwit-eyes records it; made once.
 class look_through_recording : public testing::Test {
 protected:
@@ -44,14 +34,13 @@ protected:
     options.width = 640;
     options.height = 360;
     const suite_case flight(sim::camera::tuning_seed(6), sim::camera::tier::a, options);
-    const std::vector<std::uint8_t> no_colour(640 * 360, 128);
     io::video::jpeg_encoder encoder(90);
     io::video::recorder to({root() + "/a recording with 100%", 100'000'000});
     for (int n = 0; n < pictures; ++n) {
       auto taken = flight.frame(n);
       if (n == 40) // a hand before the lens
         std::ranges::fill(taken.seen.grey, std::uint8_t{90});
-      const auto frame = frame_of(taken.seen, no_colour, (n + 1) * frame_ns);
+      const auto frame = eyes::test::frame_of(std::move(taken.seen), (n + 1) * frame_ns);
       to.add(encoder.encode(frame).value(), frame.captured_ns, frame.width, frame.height);
     }
   }

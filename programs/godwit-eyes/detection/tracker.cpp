@@ -28,8 +28,8 @@ struct demands {
   double sure_speed;   // in standard deviations of the speed
 };
 constexpr demands of_calm{2.5, 0.25, 0.5, 0.5, 0.5};
-constexpr demands of_clutter{6, 0.6, 0.7, 0.75, 5};
-constexpr double calm_births = 0.4; // new tracks a picture
+constexpr demands of_clutter{6, 1.0, 0.7, 0.75, 5}; // what sways stays within its own size
+constexpr double calm_births = 0.4;                 // new tracks a picture
 constexpr double cluttered_births = 2.5;
 constexpr double births_share = 0.1; // of the newest picture in the mean
 

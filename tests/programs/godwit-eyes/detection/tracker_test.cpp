@@ -80,6 +80,29 @@ TEST(tracker, flickers_at_random_places_are_never_confirmed) {
 }
 
 // Two that pass each other at a distance keep their numbers; each blob goes to one track.
+// A crown in the wind goes straight for a while, and never farther than it is wide.
+TEST(tracker, among_clutter_what_sways_within_its_own_size_is_never_confirmed_and_what_leaves_it_is) {
+  tracker of({});
+  sim::camera::random_source random(3);
+  std::set<std::uint32_t> swaying;
+  std::set<std::uint32_t> going;
+  for (int n = 0; n < 160; ++n) {
+    std::vector<blob> seen;
+    for (int k = 0; k < 5; ++k)
+      seen.push_back(blob_at(random.between(20, 620), random.between(200, 340), 6));
+    if (n >= 40) {
+      seen.push_back(blob_at(100 + 1.3 * std::abs((n - 40 + 14) % 28 - 14), 60, 20)); // to and fro in a second
+      seen.push_back(blob_at(100 + 2.0 * (n - 40), 130, 20));
+    }
+    of.step(seen, step_s, still, picture);
+    for (const auto& each : of.tracks())
+      if (each.is_confirmed && each.filter.place().y < 160)
+        (each.filter.place().y < 95 ? swaying : going).insert(each.number);
+  }
+  EXPECT_TRUE(swaying.empty());
+  EXPECT_EQ(going.size(), 1U);
+}
+
 RC_GTEST_PROP(tracker, a_blob_belongs_to_one_track_and_a_number_to_one_thing, ()) {
   sim::camera::random_source random(*rc::gen::arbitrary<std::uint64_t>());
   tracker of({});

@@ -1,7 +1,8 @@
 // Says commands: each once, with an id of its own, a deadline and the state of the flight that was seen; a refusal is
 // kept for the place beside its button.
-import type { command_name } from "./model/commands.ts";
+import type { command_name, pointed_command } from "./model/commands.ts";
 import { body_of, command_id, refusal_words } from "./model/commands.ts";
+import { way_of_insert } from "./model/geometry.ts";
 import type { place } from "./model/messages.ts";
 import { ask } from "./net/api.ts";
 import type { page } from "./page.ts";
@@ -10,10 +11,11 @@ const tries = 3; // of a line that breaks: under one id it is obeyed once
 const id_bytes = 12;
 
 export class commander {
-  refusals = new Map<string, string>(); // by command; "control"
+  refusals = new Map<string, string>(); // by command; "control"; "point-7"
   under_way = new Set<string>();
-  is_pointing = false; // the next click on the map is the place of a go-to
+  pointing: pointed_command | undefined; // the next click on the map is its place
   target: place | undefined;
+  after = ""; // of an insert: behind this item; empty: next
   altitude_m = 30;
 
   constructor(private readonly page: page) {}
@@ -24,7 +26,7 @@ export class commander {
     this.page.draw();
   }
 
-  async say(command: command_name, more: { report?: number; place?: place & { altitude_m: number } } = {}): Promise<void> {
+  async say(command: command_name, more: { report?: number; place?: place & { altitude_m: number }; after?: string } = {}): Promise<void> {
     if (this.under_way.has(command)) return;
     const page = this.page;
     const id = command_id(page.me?.name ?? "nobody", crypto.getRandomValues(new Uint8Array(id_bytes)));
@@ -45,32 +47,55 @@ export class commander {
     page.draw();
   }
 
-  // -- go-to: a click shows the way, holding the button confirms it -------------------------------------
+  // -- to a place: a click or a point of interest names it, holding the button confirms it -----------------
 
-  begin_pointing(): void {
-    this.is_pointing = true;
-    this.target = undefined;
+  begin_pointing(what: pointed_command, at?: place): void {
+    this.pointing = what;
+    this.target = at;
+    this.after = "";
     this.altitude_m = Math.max(5, Math.round(this.page.world.get("position")?.altitude_m ?? 30));
-    this.refuse("go_to", "");
-    this.refuse("insert", "");
+    this.refuse(what, "");
+    if (at !== undefined) this.page.see(this.way());
   }
 
   point_at(at: place): void {
-    if (!this.is_pointing) return;
+    if (this.pointing === undefined) return;
     this.target = at;
     this.page.draw();
   }
 
   end_pointing(): void {
-    this.is_pointing = false;
+    this.pointing = undefined;
     this.target = undefined;
     this.page.draw();
   }
 
-  // INSERT: a waypoint behind the last item that is done, instead of a flight there now.
-  async go_to(command: "go_to" | "insert"): Promise<void> {
-    if (this.target === undefined) return;
-    await this.say(command, { place: { ...this.target, altitude_m: this.altitude_m } });
-    if (!this.refusals.has(command)) this.end_pointing();
+  // That is confirmed.
+  way(): place[] {
+    const { target, page } = this;
+    const vehicle = page.vehicle();
+    if (target === undefined) return [];
+    if (this.pointing !== "insert") return vehicle === undefined ? [target] : [vehicle, target];
+    return way_of_insert(page.plan?.mission ?? null, this.after, page.world.get("progress")?.items_done ?? 0, vehicle, target);
+  }
+
+  async confirm(): Promise<void> {
+    const what = this.pointing;
+    if (this.target === undefined || what === undefined) return;
+    const place = { ...this.target, altitude_m: this.altitude_m };
+    await this.say(what, what === "insert" && this.after !== "" ? { place, after: this.after } : { place });
+    if (!this.refusals.has(what)) this.end_pointing();
+  }
+
+  // -- a point of interest: nothing moves by what is said of it --------------------------------------------
+
+  async decide(number: number, decision: "confirm" | "decline"): Promise<void> {
+    const what = `point-${number}`;
+    if (this.under_way.has(what)) return;
+    this.under_way.add(what);
+    this.refuse(what, "");
+    const got = await ask("POST", "/api/v1/points", { point: number, decision });
+    this.under_way.delete(what);
+    this.refuse(what, got.ok ? "" : refusal_words(got.why));
   }
 }

@@ -12,6 +12,7 @@ import { world } from "./model/world.ts";
 import { ask } from "./net/api.ts";
 import { stream } from "./net/stream.ts";
 import { commander } from "./commander.ts";
+import { camera } from "./camera.ts";
 import { beep } from "./sound.ts";
 import { uploader } from "./uploader.ts";
 import { drawer } from "./views/drawer_state.ts";
@@ -29,6 +30,7 @@ export class page {
   readonly drawer = new drawer(this);
   readonly commander = new commander(this);
   readonly uploader = new uploader(this);
+  readonly camera = new camera(() => this.draw());
   me: who | undefined;
   control: control_view | undefined;
   login_refusal = "";
@@ -52,7 +54,7 @@ export class page {
     document.documentElement.dataset["theme"] = this.theme;
     this.draw_now();
     const where = document.getElementById("map");
-    if (where !== null) this.map = new chart(where, (at) => this.commander.point_at(at));
+    if (where !== null) this.map = new chart(where, (at) => this.commander.point_at(at), () => this.drawer.open("points"));
     void this.find_tiles();
     setInterval(() => this.look(), look_ms);
     void this.log_in_by_address().then(() => this.find_session());
@@ -85,6 +87,7 @@ export class page {
     if (heard.topic === "position") this.move((heard as text<"position">));
     if (heard.topic === "progress") void this.fetch_plan();
     if (heard.topic === "home") this.show_home();
+    if (heard.topic === "points") this.map?.show_points((heard as text<"points">).data);
     if (heard.topic === "health" || heard.topic === "log" || heard.topic === "flight") this.drawer.hear(heard.topic);
     this.look();
     this.draw();
@@ -94,6 +97,7 @@ export class page {
   private forget(): void {
     this.track.clear();
     this.history.clear();
+    this.map?.show_points(undefined);
   }
 
   private move(heard: text<"position">): void {
@@ -258,6 +262,10 @@ export class page {
     this.map?.fit([...way, ...(vehicle === undefined ? [] : [vehicle])]);
   }
 
+  see(places: place[]): void {
+    this.map?.fit(places);
+  }
+
   follow(): void {
     if (this.map !== undefined) this.map.follows = true;
     this.draw();
@@ -276,6 +284,7 @@ export class page {
 
   private draw_now(): void {
     render(html`${page_view(this)}`, this.root);
+    this.camera.show(document.querySelector<HTMLCanvasElement>("#camera"));
     this.plots.show(document.getElementById("plots"), this.history, this.theme, this.now());
     const map = this.map;
     const at = this.vehicle();
@@ -286,7 +295,7 @@ export class page {
       map.show_track(this.track);
     }
     map.show_progress(this.world.get("progress")?.items_done ?? 0);
-    map.set_pointing(this.commander.is_pointing);
-    map.show_target(at, this.commander.target);
+    map.set_pointing(this.commander.pointing !== undefined);
+    map.show_way(this.commander.way(), this.commander.target);
   }
 }

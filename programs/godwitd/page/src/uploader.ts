@@ -83,7 +83,7 @@ export function listen_to_drops(all: page): void {
     event.preventDefault();
     const file = event.dataTransfer?.files[0];
     if (file === undefined) return;
-    if (all.drawer.tab !== "upload") all.drawer.show("upload");
+    all.drawer.open("upload");
     void all.uploader.take(file);
   });
 }

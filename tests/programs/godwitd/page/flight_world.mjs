@@ -3,8 +3,8 @@
 // Everything lives in a scratch folder and ends with `end()`. The vehicle's world runs SPEED times as fast; godwitd and
 // the page run in real time. Programs come from GODWITD and GODWIT_SIM of the environment.
 import { spawn, spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
-import { createConnection } from "node:net";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createConnection, createServer } from "node:net";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
@@ -50,28 +50,42 @@ export async function until(condition, what, more = () => "") {
 }
 
 export class flight_world {
-  constructor({ speed = 5, mission = join(root, "missions/survey.json"), more = [] } = {}) {
+  // MORE, VEHICLE_MORE: options of godwitd and of the vehicle. HAS_SERVICE: the mission comes from a missions service.
+  constructor({ speed = 5, mission = join(root, "missions/survey.json"), more = [], vehicle_more = [], has_service = false } = {}) {
     this.folder = mkdtempSync(join(tmpdir(), "godwit-page-"));
     this.speed = speed;
     this.mission = mission;
     this.more = more;
+    this.vehicle_more = vehicle_more;
+    this.has_service = has_service;
   }
 
   async begin() {
     this.vehicle = new child(process.env.GODWIT_SIM, ["vehicle", "--personality", "px4", "--speed", this.speed, "--link",
-      "udpin://127.0.0.1:0", "--control", "127.0.0.1:0", "--home", "47.397742,8.545594,488"]);
+      "udpin://127.0.0.1:0", "--control", "127.0.0.1:0", "--home", "47.397742,8.545594,488", ...this.vehicle_more]);
     this.vehicle_port = (await this.vehicle.says(/udpin:\/\/127\.0\.0\.1:(\d+)/))[1];
     this.sim_port = (await this.vehicle.says(/control port 127\.0\.0\.1:(\d+)/))[1];
     for (const [name, role] of [["anna", "operator"], ["bob", "engineer"], ["carl", "viewer"]])
       this.run("operator", "add", name, "--role", role, "--accounts", join(this.folder, "operators"));
+    this.brings_mission = this.has_service ? await this.start_service() : ["--mission", this.mission];
     await this.start_daemon();
     return this;
+  }
+
+  // Returns the options with which godwitd has its mission from it.
+  async start_service() {
+    const token = join(this.folder, "token");
+    writeFileSync(token, "token-of-the-tests\n", { mode: 0o600 });
+    this.service = new child(process.env.GODWIT_SIM, ["missions", "--listen", "127.0.0.1:0", "--token-file", token, "--mission", this.mission,
+      "--db", join(this.folder, "missions.db")]);
+    const [, url] = await this.service.says(/listening on (http:\/\/\S+)/);
+    return ["--service", url, "--token-file", token, "--mission-id", JSON.parse(readFileSync(this.mission, "utf8")).mission_id];
   }
 
   // One after the other: the one that was killed has its address.
   async start_daemon() {
     const listen = this.address ?? "127.0.0.1:0";
-    this.daemon = new child(process.env.GODWITD, ["--mission", this.mission, "--vehicle", `udpout://127.0.0.1:${this.vehicle_port}`,
+    this.daemon = new child(process.env.GODWITD, [...this.brings_mission, "--vehicle", `udpout://127.0.0.1:${this.vehicle_port}`,
       "--journal", join(this.folder, "godwit.db"), "--trace", join(this.folder, "trace"), "--accounts",
       join(this.folder, "operators"), "--operator-listen", listen, "--allow-crash", "--arm-on-start", ...this.more]);
     this.address = (await this.daemon.says(/what there is to see: http:\/\/([^/]+)\//))[1];
@@ -127,8 +141,17 @@ export class flight_world {
     await this.browser?.close();
     await this.daemon?.kill("SIGTERM");
     await this.vehicle?.kill();
+    await this.service?.kill();
     rmSync(this.folder, { recursive: true, force: true });
   }
+}
+
+export async function free_port() {
+  const server = createServer();
+  await new Promise((then) => server.listen(0, "127.0.0.1", then));
+  const { port } = server.address();
+  await new Promise((then) => server.close(then));
+  return port;
 }
 
 // Of an instrument.

@@ -2,7 +2,7 @@
 // nothing of it is made anew while the vehicle moves, and no request goes to another host.
 import * as L from "leaflet";
 import { extent_of, is_place, items_of, way_of } from "../model/geometry.ts";
-import type { mission_document, place, plan_view, tile_view } from "../model/messages.ts";
+import type { mission_document, place, plan_view, points_update, tile_view } from "../model/messages.ts";
 import type { track } from "../model/track.ts";
 import { metre_grid } from "./grid.ts";
 import { fence_style, item_style, mark_icon, style_of } from "./styles.ts";
@@ -25,6 +25,7 @@ export class chart {
   private readonly behind = L.canvas({ padding: 0.3, pane: "moving" });
   private readonly plan = L.layerGroup();
   private readonly going = L.layerGroup();
+  private readonly points = L.layerGroup();
   private readonly preview = L.layerGroup();
   private readonly way: L.Polyline;
   private readonly way_open: L.Polyline;
@@ -37,7 +38,7 @@ export class chart {
   private shown_done = -1;
   follows = true;
 
-  constructor(where: HTMLElement, on_click: (at: place) => void) {
+  constructor(where: HTMLElement, private readonly on_click: (at: place) => void, private readonly on_point: () => void) {
     this.map = L.map(where, { renderer: L.canvas({ padding: 0.3 }), preferCanvas: true, zoomControl: false, maxZoom: 22,
       minZoom: 3, zoomSnap: 0.5, attributionControl: false, zoomAnimation: false, fadeAnimation: false,
       markerZoomAnimation: false, keyboard: true }).setView([0, 0], 3);
@@ -50,6 +51,7 @@ export class chart {
     this.plan.addTo(this.map);
     this.way = L.polyline([], style_of("track", { weight: 2, renderer: this.behind })).addTo(this.map);
     this.way_open = L.polyline([], style_of("track", { weight: 2, renderer: this.moving })).addTo(this.map);
+    this.points.addTo(this.map);
     this.going.addTo(this.map);
     this.preview.addTo(this.map);
     this.vehicle = L.marker([0, 0], { icon: mark_icon("vehicle", "vehicle"), interactive: false, keyboard: false,
@@ -121,13 +123,28 @@ export class chart {
     if (this.home === undefined) this.grid.set_origin(at);
   }
 
-  // Where a go-to would lead; none: it is not asked for.
-  show_target(from: place | undefined, to: place | undefined): void {
+  // Where a go-to or an insert would lead, through its TARGET; none: none is asked for.
+  show_way(way: place[], target: place | undefined): void {
     this.going.clearLayers();
-    if (to === undefined) return;
-    if (from !== undefined)
-      L.polyline([latlng(from), latlng(to)], style_of("going", { weight: 3, dashArray: "2 6", renderer: this.moving })).addTo(this.going);
-    L.circleMarker(latlng(to), style_of("going", { radius: 8, weight: 3, fill: false, renderer: this.moving })).addTo(this.going);
+    if (target === undefined) return;
+    if (way.length > 1)
+      L.polyline(way.map(latlng), style_of("going", { weight: 3, dashArray: "2 6", renderer: this.moving })).addTo(this.going);
+    L.circleMarker(latlng(target), style_of("going", { radius: 8, weight: 3, fill: false, renderer: this.moving })).addTo(this.going);
+  }
+
+  // Points of interest, with their numbers: at each change of them, and not with the vehicle. None: nothing is known of them.
+  show_points(of: points_update | undefined): void {
+    this.points.clearLayers();
+    if (of === undefined) return;
+    for (const how of ["confirmed", "shown"] as const)
+      for (const each of of[how]) {
+        const at = { latitude: each.latitude_deg, longitude: each.longitude_deg };
+        L.marker(latlng(at), { icon: mark_icon(`point ${how}`, `<b>${Number(each.number)}</b>`), keyboard: false,
+          zIndexOffset: how === "shown" ? 500 : 0 })
+          .bindTooltip(plain_text(`point ${each.number}: ${each.class_group}`), { direction: "top" })
+          .on("click", () => (this.map.getContainer().classList.contains("pointing") ? this.on_click(at) : this.on_point()))
+          .addTo(this.points);
+      }
   }
 
   // A mission that was not handed over yet, in another colour; none: it is left.
@@ -157,6 +174,7 @@ export class chart {
   fit(places: place[]): void {
     if (places.length === 0) return;
     this.is_placed = true;
+    this.map.invalidateSize({ animate: false }); // the window may have another size than it was told
     this.map.fitBounds(L.latLngBounds(places.map(latlng)).pad(0.12), { maxZoom: 18.5, animate: false });
   }
 

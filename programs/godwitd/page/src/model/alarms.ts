@@ -2,6 +2,7 @@
 //
 // An alarm has a key: it is raised when what it says begins to hold, once, and can be raised again when it has ceased
 // to hold meanwhile.
+import type { point_of_interest } from "./messages.ts";
 import type { world } from "./world.ts";
 import { plain } from "./words.ts";
 
@@ -16,6 +17,7 @@ export const max_alarms = 20; // the oldest goes
 export class alarms {
   list: alarm[] = [];
   private holding = new Set<string>();
+  private points = new Set<number>(); // that were shown last
 
   // True: there is a new one.
   look(all: world, now: number): boolean {
@@ -27,6 +29,18 @@ export class alarms {
       is_new = true;
     }
     this.holding = new Set(holds.keys());
+    return this.look_at_points(all, now) || is_new;
+  }
+
+  // One for all points of interest that wait for a decision: it goes with the last of them, since nobody can decide then.
+  private look_at_points(all: world, now: number): boolean {
+    const shown = all.get("points")?.shown ?? [];
+    const is_new = shown.some((each) => !this.points.has(each.number));
+    this.points = new Set(shown.map((each) => each.number));
+    const words = points_words(shown);
+    if (shown.length === 0) this.see(points_key);
+    else if (is_new) this.raise(points_key, words, all.godwit_ms(now));
+    else this.list = this.list.map((each) => (each.key === points_key ? { ...each, words } : each));
     return is_new;
   }
 
@@ -42,6 +56,13 @@ export class alarms {
   see_all(): void {
     this.list = [];
   }
+}
+
+const points_key = "points";
+
+function points_words(shown: point_of_interest[]): string {
+  const names = shown.map((each) => `${each.number} (${plain(each.class_group)})`).join(", ");
+  return shown.length === 1 ? `Point of interest ${names} waits for a decision.` : `Points of interest wait for a decision: ${names}.`;
 }
 
 const taken_away: Record<string, string> = {

@@ -56,6 +56,26 @@ export function body_of(command: command_name, id: string, state: string, godwit
   return result;
 }
 
+// To a place on the map: a click or a point of interest names it, the way is shown, and a held button confirms it.
+export type pointed_command = "go_to" | "insert";
+
+export interface pointed_row {
+  name: pointed_command;
+  label: string;
+  key: string;
+  confirm: string;
+  hint: string;
+}
+
+export const pointed_rows: readonly pointed_row[] = [
+  { name: "go_to", label: "Go to…", key: "g", confirm: "Fly there", hint: "fly to a place on the map, and stay there" },
+  { name: "insert", label: "Insert…", key: "i", confirm: "Insert", hint: "a waypoint more in the mission, which goes on behind it" },
+];
+
+export function pointed_row_of(name: pointed_command): pointed_row {
+  return pointed_rows.find((each) => each.name === name) as pointed_row;
+}
+
 const beginnings: Record<string, string> = {
   stale: "The flight stands otherwise by now: look again. ",
   late: "It came too late, and nothing was done. ",

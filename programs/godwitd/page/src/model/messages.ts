@@ -80,6 +80,25 @@ export interface log_update {
   sentence: string;
 }
 
+export interface point_of_interest {
+  number: number; // by which a person decides
+  class_group: string;
+  latitude_deg: number;
+  longitude_deg: number;
+  confidence: number; // 0..1
+  has_moved: boolean;
+  decide_until_ms: number; // of one that is shown
+  by: string; // of one that is confirmed: who did
+}
+
+export interface points_update {
+  is_looking: boolean;
+  mission_id: string;
+  shown: point_of_interest[]; // people decide about these
+  confirmed: point_of_interest[];
+  waiting: number; // for their turn
+}
+
 export interface topics {
   clock: { beat: number };
   link: { phase: string; reason: string };
@@ -92,6 +111,7 @@ export interface topics {
   authority: { holder: string };
   progress: progress_update;
   map: Record<string, unknown>;
+  points: points_update;
   health: health_update;
   log: log_update;
 }
@@ -99,7 +119,7 @@ export interface topics {
 export type topic = keyof topics;
 
 export const topic_names: readonly topic[] = ["clock", "link", "position", "attitude", "battery", "gps", "home", "flight",
-  "authority", "progress", "map", "health", "log"];
+  "authority", "progress", "map", "points", "health", "log"];
 
 export interface text<T extends topic = topic> {
   topic: T;

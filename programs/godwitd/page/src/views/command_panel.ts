@@ -1,20 +1,20 @@
 // What an operator can say: control, and the commands. A refusal stands beside its button.
 import { html, nothing } from "lit";
 import type { TemplateResult } from "lit";
-import { command_rows } from "../model/commands.ts";
-import type { command_row } from "../model/commands.ts";
-import { distance_m } from "../model/geometry.ts";
+import { command_rows, pointed_row_of, pointed_rows } from "../model/commands.ts";
+import type { command_row, pointed_row } from "../model/commands.ts";
+import { distance_m, item_behind } from "../model/geometry.ts";
 import { distance_words } from "../model/words.ts";
 import type { page } from "../page.ts";
 import { hold_button } from "./hold_button.ts";
 
-function refusal(all: page, what: string): TemplateResult | typeof nothing {
+export function refusal(all: page, what: string): TemplateResult | typeof nothing {
   const words = all.commander.refusals.get(what);
   return words === undefined ? nothing : html`<p class="refusal" role="alert" id="refusal-${what}">${words}</p>`;
 }
 
 // Why it can not be said; empty: it can.
-function why_not(all: page, is_stop: boolean): string {
+export function why_not(all: page, is_stop: boolean): string {
   if (all.me === undefined) return "log in first";
   if (all.me.role === "viewer") return "a viewer looks and says nothing";
   return is_stop || all.control?.is_yours === true ? "" : "take control first";
@@ -30,29 +30,45 @@ function command_button(all: page, row: command_row): TemplateResult {
   </div>`;
 }
 
-function go_to_part(all: page): TemplateResult {
-  const { commander } = all;
+function pointed_button(all: page, row: pointed_row): TemplateResult {
   const reason = why_not(all, false);
-  if (!commander.is_pointing)
-    return html`<div class="command"><button id="command-go_to" class="act" type="button" ?disabled=${reason !== ""}
-        title=${reason || "fly to a place on the map, and stay there"} @click=${() => { commander.begin_pointing(); all.draw(); }}>
-      <span>Go to…</span><kbd aria-hidden="true">g</kbd></button>${refusal(all, "go_to")}</div>`;
+  return html`<div class="command"><button id="command-${row.name}" class="act" type="button" ?disabled=${reason !== ""}
+      title=${reason || row.hint} @click=${() => { all.commander.begin_pointing(row.name); all.draw(); }}>
+    <span>${row.label}</span><kbd aria-hidden="true">${row.key}</kbd></button>${refusal(all, row.name)}</div>`;
+}
+
+// Behind which item, and where the mission goes on then.
+function behind_part(all: page): TemplateResult | typeof nothing {
+  const { commander } = all;
+  const mission = all.plan?.mission;
+  if (commander.pointing !== "insert" || mission === null || mission === undefined) return nothing;
+  const done = all.world.get("progress")?.items_done ?? 0;
+  const next = item_behind(mission, commander.after, done);
+  return html`<label>As the next one, or behind <select id="insert-after" @change=${(event: Event) => {
+      commander.after = (event.target as HTMLSelectElement).value;
+      all.draw();
+    }}><option value="" ?selected=${commander.after === ""}>the next one</option>${mission.items.slice(done).map((item) =>
+      html`<option value=${item.id} ?selected=${commander.after === item.id}>${item.id}</option>`)}</select></label>
+    <p id="insert-then">${next === undefined ? "Then the mission is at its end." : html`Then on with <b>${next.id}</b>.`}</p>`;
+}
+
+function pointed_part(all: page, row: pointed_row): TemplateResult {
+  const { commander } = all;
   const at = all.vehicle();
   const target = commander.target;
+  const reason = why_not(all, false);
   const far = at === undefined || target === undefined ? "" : `, ${distance_words(distance_m(at, target))} from the vehicle`;
-  return html`<section class="going" aria-label="Go to a place">
+  return html`<section class="going" aria-label=${row.hint}>
     <p>${target === undefined ? "Click the place on the map." :
       `${target.latitude.toFixed(6)}, ${target.longitude.toFixed(6)}${far}`}</p>
+    ${behind_part(all)}
     <label>Altitude above home <input id="go-to-altitude" type="number" min="1" max="500" step="1" .value=${String(commander.altitude_m)}
       @input=${(event: Event) => { commander.altitude_m = Number((event.target as HTMLInputElement).value); }}> m</label>
-    <div class="row">${hold_button({ id: "go-to-confirm", label: "Fly there", hint: "hold to confirm", is_held: true,
-        is_disabled: target === undefined || !(commander.altitude_m > 0), is_busy: commander.under_way.has("go_to"),
-        act: () => void commander.go_to("go_to") })}
-      ${hold_button({ id: "insert-confirm", label: "Insert", hint: "hold to insert it as the next waypoint of the mission", is_held: true,
-        is_disabled: target === undefined || !(commander.altitude_m > 0), is_busy: commander.under_way.has("insert"),
-        act: () => void commander.go_to("insert") })}
+    <div class="row">${hold_button({ id: `confirm-${row.name}`, label: row.confirm, hint: reason || "hold to confirm", is_held: true,
+        is_disabled: reason !== "" || target === undefined || !(commander.altitude_m > 0), is_busy: commander.under_way.has(row.name),
+        act: () => void commander.confirm() })}
       <button class="act" type="button" @click=${() => commander.end_pointing()}><span>Leave it</span></button></div>
-    ${refusal(all, "go_to")}${refusal(all, "insert")}
+    ${refusal(all, row.name)}
   </section>`;
 }
 
@@ -78,9 +94,10 @@ export function control_part(all: page): TemplateResult {
 }
 
 export function command_panel(all: page): TemplateResult {
+  const { pointing } = all.commander;
   return html`<section class="commands" aria-label="Commands">
     ${control_part(all)}
-    <div class="command-grid">${command_rows.map((row) => command_button(all, row))}${all.commander.is_pointing ? nothing : go_to_part(all)}</div>
-    ${all.commander.is_pointing ? go_to_part(all) : nothing}
+    <div class="command-grid">${command_rows.map((row) => command_button(all, row))}${pointing === undefined ? pointed_rows.map((row) => pointed_button(all, row)) : nothing}</div>
+    ${pointing === undefined ? nothing : pointed_part(all, pointed_row_of(pointing))}
   </section>`;
 }

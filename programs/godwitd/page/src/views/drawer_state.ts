@@ -4,10 +4,11 @@ import type { audit_row, preflight_view, status_report } from "../model/messages
 import { ask } from "../net/api.ts";
 import type { page } from "../page.ts";
 
-export type tab_name = "plan" | "upload" | "plots" | "preflight" | "actors" | "log" | "audit";
+export type tab_name = "plan" | "points" | "upload" | "plots" | "preflight" | "actors" | "log" | "audit";
 
 export const drawer_tabs: readonly { name: tab_name; label: string }[] = [
   { name: "plan", label: "Plan" },
+  { name: "points", label: "Points" },
   { name: "upload", label: "Upload" },
   { name: "plots", label: "Plots" },
   { name: "preflight", label: "Preflight" },
@@ -38,6 +39,10 @@ export class drawer {
     this.filter = "";
     this.refresh();
     this.page.draw();
+  }
+
+  open(tab: tab_name): void {
+    if (this.tab !== tab) this.show(tab);
   }
 
   hear(topic: "health" | "log" | "flight"): void {

@@ -1,4 +1,4 @@
-// Below the map: plan, upload, plots, preflight report, actors, log, audit.
+// Below the map: plan, points of interest, upload, plots, preflight report, actors, log, audit.
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { repeat } from "lit/directives/repeat.js";
@@ -7,6 +7,7 @@ import { plain, time_words } from "../model/words.ts";
 import type { page } from "../page.ts";
 import { actor_tree } from "./actor_tree.ts";
 import { drawer_tabs } from "./drawer_state.ts";
+import { points_part } from "./points_part.ts";
 import { preflight_part } from "./preflight_part.ts";
 import { upload_part } from "./upload_part.ts";
 
@@ -55,16 +56,18 @@ function plots_part(all: page): TemplateResult {
   return html`${all.history.samples.length === 0 ? html`<p class="empty">No position was heard yet.</p>` : nothing}<div id="plots"></div>`;
 }
 
-const parts = { plan: plan_part, upload: upload_part, plots: plots_part, preflight: preflight_part, actors: actor_tree, log: log_part, audit: audit_part };
+const parts = { plan: plan_part, points: points_part, upload: upload_part, plots: plots_part, preflight: preflight_part, actors: actor_tree, log: log_part, audit: audit_part };
 
 export function drawer_view(all: page): TemplateResult {
   const shown = all.drawer.tab;
+  const waiting = all.world.get("points")?.shown.length ?? 0;
   const red = all.world.get("health")?.parts.filter((each) => each.health === "red").length ?? 0;
   return html`<section class="drawer ${shown === undefined ? "closed" : ""}" aria-label="Details">
     <div class="tabs" role="tablist">${drawer_tabs.map(({ name, label }, index) => html`<button role="tab" type="button" id="tab-${name}"
         aria-selected=${shown === name} aria-controls="tab-body" @click=${() => all.drawer.show(name)}>${label}
+        ${name === "points" && waiting > 0 ? html`<b class="count warn">${waiting}</b>` : nothing}
         ${name === "actors" && red > 0 ? html`<b class="count bad">${red}</b>` : nothing}<kbd aria-hidden="true">${index + 1}</kbd></button>`)}</div>
-    ${shown === undefined ? nothing : html`<div id="tab-body" class="tab-body" role="tabpanel" tabindex="0" aria-labelledby="tab-${shown}">
+    ${shown === undefined ? nothing : html`<div id="tab-body" class="tab-body ${shown}" role="tabpanel" tabindex="0" aria-labelledby="tab-${shown}">
       ${all.drawer.refusal === "" ? nothing : html`<p class="refusal">${all.drawer.refusal}</p>`}${parts[shown](all)}</div>`}
   </section>`;
 }

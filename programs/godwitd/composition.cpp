@@ -239,7 +239,8 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.bridge = flight_.bridge;
   if (wanted_.operators) {
     operator_desk_ = host_->actors().add<operator_port::operator_desk>(
-        {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight_.bridge, flight_.scan}, api_answers_);
+        {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight_.bridge, flight_.scan, base_.failsafe},
+        api_answers_);
     page_desks_ = add_page_desks(host_->actors(), wanted_, flight_, api_answers_);
   }
   if (wanted_.ground)

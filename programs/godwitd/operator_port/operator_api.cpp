@@ -106,6 +106,19 @@ void operator_api::decide_point(const server_request& asked, responder answer) {
   tell(std::move(wanted), asked, std::move(answer));
 }
 
+void operator_api::override_rule(const server_request& asked, responder answer) {
+  if (refuse_form(asked, answer))
+    return;
+  auto said = read_override(asked.body);
+  if (!said)
+    return refuse(answer, said.error());
+  api_request wanted;
+  wanted.what = api_act::override_rule;
+  wanted.overridden = std::move(said->wanted);
+  wanted.lasts_s = said->lasts_s;
+  tell(std::move(wanted), asked, std::move(answer));
+}
+
 void operator_api::read_audit(const server_request& asked, responder answer) {
   const auto rows = read_rows(asked.target);
   if (!rows)

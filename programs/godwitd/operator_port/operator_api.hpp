@@ -32,6 +32,7 @@ public:
   void command(const io::http::server_request& asked, io::http::responder answer);
   void change_control(const io::http::server_request& asked, io::http::responder answer);
   void decide_point(const io::http::server_request& asked, io::http::responder answer);
+  void override_rule(const io::http::server_request& asked, io::http::responder answer);
   void read_audit(const io::http::server_request& asked, io::http::responder answer);
   // For the audit: a page of another site has asked, and was refused.
   void note_other_origin(const std::string& from);

@@ -74,6 +74,8 @@ void operator_desk::take_known(const api_request& asked, const operator_bridge::
     return list_points(asked);
   case api_act::decide_point:
     return decide_point(asked, who.who);
+  case api_act::override_rule:
+    return override_rule(asked, who.who);
   case api_act::look:
     return answers_->let_go_on(asked.ticket);
   case api_act::log_out:
@@ -125,16 +127,28 @@ void operator_desk::list_points(const api_request& asked) {
       });
 }
 
-void operator_desk::decide_point(const api_request& asked, const principal& who) {
-  auto decided = asked.decided;
-  decided.by = who.name;
-  const auto what = std::string(io::name_of(decided.says)) + " point " + std::to_string(decided.number);
+// What is no command has its rules. ACT ends with the answer, which is a row of the audit.
+void operator_desk::with_leave(const api_request& asked, const principal& who, const std::string& what,
+                               std::function<void(const end_act& end)> act) {
   const auto end = [this, asked, who, what](const operator_bridge::command_answer& answer) {
     tell(others_.bridge,
          operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
     answers_->resolve(asked.ticket, answer_of({}, answer));
   };
-  const auto decide = [this, decided, end] {
+  ask_bridge(asked, answer_timeout, operator_bridge::ask_leave{who, what},
+             [this, asked, end, act = std::move(act)](const operator_bridge::leave& answer) {
+               if (answer.verdict == verdict::taken)
+                 act(end);
+               else
+                 answers_->resolve(asked.ticket, answer_of({}, {answer.verdict, answer.reason}));
+             });
+}
+
+void operator_desk::decide_point(const api_request& asked, const principal& who) {
+  auto decided = asked.decided;
+  decided.by = who.name;
+  const auto what = std::string(io::name_of(decided.says)) + " point " + std::to_string(decided.number);
+  with_leave(asked, who, what, [this, decided](const end_act& end) {
     ask(
         others_.points, answer_timeout, decided,
         [end](const scan_controller::decide_answer& answer) {
@@ -146,14 +160,31 @@ void operator_desk::decide_point(const api_request& asked, const principal& who)
           else
             end({verdict::unknown, "there is no answer; look at the points before you say it again"});
         });
-  };
-  ask_bridge(asked, answer_timeout, operator_bridge::ask_leave{who, what},
-             [this, asked, decide](const operator_bridge::leave& answer) {
-               if (answer.verdict == verdict::taken)
-                 decide();
-               else
-                 answers_->resolve(asked.ticket, answer_of({}, {answer.verdict, answer.reason}));
-             });
+  });
+}
+
+// As at the control socket it needs an engineer, and here, where several operators are, control too. The reason is
+// part of what is in the audit.
+void operator_desk::override_rule(const api_request& asked, const principal& who) {
+  const auto what = "override " + std::string(io::name_of(asked.overridden.scope)) + " for " +
+                    std::to_string(asked.lasts_s) + " s: " + asked.overridden.reason;
+  if (who.role < operators::role::engineer) {
+    const operator_bridge::command_answer answer{verdict::wrong_role, "an engineer overrides a rule of the failsafe"};
+    tell(others_.bridge,
+         operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
+    return answers_->resolve(asked.ticket, answer_of({}, answer));
+  }
+  with_leave(asked, who, what, [this, wanted = asked.overridden, lasts_s = asked.lasts_s](const end_act& end) mutable {
+    wanted.until_ns = wall_ns() + std::int64_t{lasts_s} * 1'000'000'000;
+    ask(
+        others_.failsafe, answer_timeout, wanted,
+        [end](const failsafe::override_answer& answer) {
+          end({answer.taken ? verdict::taken : verdict::refused, answer.reason});
+        },
+        [end](const runtime::ask_error&) {
+          end({verdict::unknown, "the failsafe does not answer; look at the status before you say it again"});
+        });
+  });
 }
 
 void operator_desk::log_out(const api_request& asked, const principal& who) {

@@ -1,6 +1,6 @@
 // Asks operator_bridge what a client of the operator's port wants, and answers it.
 //
-//   request ──who comes with this token?──> identity ──> command, control, audit, points, log out ──> answer
+//   request ──who comes with this token?──> identity ──> command, control, audit, points, override, log out ──> answer
 //            └─ a password that was right, a link ──> session_answer ──> answer with a cookie
 //
 // Who is not known is answered 401, and stands in the audit as a stranger. Errors: as answers with a problem document.
@@ -9,10 +9,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "io/fields/field_table.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
@@ -28,6 +30,7 @@ enum class api_act {
   read_audit,
   list_points,
   decide_point,
+  override_rule, // of the failsafe
   log_out,
   look,         // may this client look at all?
   open_session, // the password was right
@@ -44,6 +47,7 @@ constexpr auto enum_names(api_act) {
                              {api_act::read_audit, "read_audit"},
                              {api_act::list_points, "list_points"},
                              {api_act::decide_point, "decide_point"},
+                             {api_act::override_rule, "override_rule"},
                              {api_act::log_out, "log_out"},
                              {api_act::look, "look"},
                              {api_act::open_session, "open_session"},
@@ -62,6 +66,8 @@ struct api_request {
   std::string to;                                                        // the same: hand_over
   std::uint32_t rows = 50;                                               // read_audit
   scan_controller::decide_point decided;                                 // decide_point; without who does
+  failsafe::override_rule overridden;                                    // override_rule; without its end
+  std::uint32_t lasts_s = 0;                                             // override_rule
   operator_bridge::account account;                                      // open_session; its name: refuse_login
   std::string new_token_hash;                                            // open_session, use_link
   std::string link_hash;                                                 // use_link
@@ -70,17 +76,20 @@ struct api_request {
       io::field("token_hash", &api_request::token_hash), io::field("from", &api_request::from),
       io::field("said", &api_request::said), io::field("act", &api_request::act), io::field("to", &api_request::to),
       io::field("rows", &api_request::rows), io::field("decided", &api_request::decided),
+      io::field("overridden", &api_request::overridden), io::field("lasts_s", &api_request::lasts_s),
       io::field("account", &api_request::account), io::field("new_token_hash", &api_request::new_token_hash),
       io::field("link_hash", &api_request::link_hash));
 };
 
 using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;
 using bridge_handle = runtime::combine<operator_bridge::desk_handle, operator_bridge::door_handle>;
+using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
 // Whom it asks.
 struct desk_peers {
   bridge_handle bridge;
   scan_controller::operator_handle points;
+  override_handle failsafe;
 };
 
 class operator_desk final : public runtime::actor_base<desk_inlet> {
@@ -104,6 +113,10 @@ private:
   void read_audit(const api_request& asked, const operators::principal& who);
   void list_points(const api_request& asked);
   void decide_point(const api_request& asked, const operators::principal& who);
+  void override_rule(const api_request& asked, const operators::principal& who);
+  using end_act = std::function<void(const operator_bridge::command_answer& answer)>;
+  void with_leave(const api_request& asked, const operators::principal& who, const std::string& what,
+                  std::function<void(const end_act& end)> act);
   void log_out(const api_request& asked, const operators::principal& who);
   void opened(const api_request& asked, const operator_bridge::session_answer& answer);
   void note_stranger(const api_request& asked, const std::string& what, const std::string& outcome);

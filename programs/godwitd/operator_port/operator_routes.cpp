@@ -10,6 +10,7 @@ constexpr std::string_view commands_path = "/api/v1/commands";
 constexpr std::string_view control_path = "/api/v1/control";
 constexpr std::string_view audit_path = "/api/v1/audit";
 constexpr std::string_view points_path = "/api/v1/points";
+constexpr std::string_view overrides_path = "/api/v1/overrides";
 
 } // namespace
 
@@ -31,6 +32,8 @@ route_list routes_of(const std::shared_ptr<operator_api>& api) {
       {"GET", points_path, 0, plain(api_act::list_points)},
       {"POST", points_path, max_command_body,
        [api](const server_request& asked, responder answer) { api->decide_point(asked, std::move(answer)); }},
+      {"POST", overrides_path, max_command_body,
+       [api](const server_request& asked, responder answer) { api->override_rule(asked, std::move(answer)); }},
       {"GET", audit_path, 0,
        [api](const server_request& asked, responder answer) { api->read_audit(asked, std::move(answer)); }}};
   for (auto& each : all)

@@ -51,6 +51,15 @@ struct decision_body {
                                            io::field("decision", &decision_body::decision));
 };
 
+struct override_fields {
+  std::optional<failsafe::rule> rule;
+  std::uint32_t seconds = 0;
+  std::string reason;
+  static constexpr auto fields =
+      io::table("operator_port.override", io::field("rule", &override_fields::rule),
+                io::field("seconds", &override_fields::seconds), io::field("reason", &override_fields::reason));
+};
+
 tl::unexpected<body_problem> wrong(std::string place, std::string sentence) {
   return tl::make_unexpected(body_problem{std::move(place), std::move(sentence)});
 }
@@ -151,6 +160,19 @@ tl::expected<scan_controller::decide_point, body_problem> read_decision(std::str
   if (!body->decision)
     return wrong("decision", "confirm or decline is missing");
   return scan_controller::decide_point{body->point, *body->decision, {}};
+}
+
+tl::expected<override_body, body_problem> read_override(std::string_view text) {
+  auto body = read_body<override_fields>(text);
+  if (!body)
+    return tl::make_unexpected(std::move(body.error()));
+  if (!body->rule)
+    return wrong("rule", "the rule is missing, such as \"operator_link\"");
+  if (body->seconds == 0)
+    return wrong("seconds", "for how many seconds is missing");
+  if (trimmed(body->reason).empty())
+    return wrong("reason", "a reason is missing: it stands in the audit");
+  return override_body{{*body->rule, std::move(body->reason), 0}, body->seconds};
 }
 
 tl::expected<login_body, body_problem> read_login(std::string text) {

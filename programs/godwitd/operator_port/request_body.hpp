@@ -10,6 +10,7 @@
 
 #include "io/http/secret_text.hpp"
 #include "io/http/server/message.hpp"
+#include "messages/failsafe/types.hpp"
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
 #include "messages/scan_controller/decision.hpp"
@@ -37,6 +38,14 @@ struct control_body {
 
 // {"point": 3, "decision": "confirm"}
 [[nodiscard]] tl::expected<scan_controller::decide_point, body_problem> read_decision(std::string_view body);
+
+struct override_body {
+  failsafe::override_rule wanted; // without its end
+  std::uint32_t lasts_s = 0;
+};
+// {"rule": "operator_link", "seconds": 600, "reason": "we walk over the hill"}. How long it may last, and which rules
+// can be overridden, says the failsafe.
+[[nodiscard]] tl::expected<override_body, body_problem> read_override(std::string_view body);
 
 struct login_body {
   std::string name;

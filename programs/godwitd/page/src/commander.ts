@@ -17,6 +17,7 @@ export class commander {
   target: place | undefined;
   after = ""; // of an insert: behind this item; empty: next
   altitude_m = 30;
+  override = { rule: "operator_link", minutes: 10, reason: "" }; // of the failsafe, as it is filled in
 
   constructor(private readonly page: page) {}
 
@@ -97,5 +98,19 @@ export class commander {
     const got = await ask("POST", "/api/v1/points", { point: number, decision });
     this.under_way.delete(what);
     this.refuse(what, got.ok ? "" : refusal_words(got.why));
+  }
+
+  // -- the failsafe --------------------------------------------------------------------------------------
+
+  async say_override(): Promise<void> {
+    if (this.under_way.has("override")) return;
+    const { rule, minutes, reason } = this.override;
+    this.under_way.add("override");
+    this.refuse("override", "");
+    const got = await ask("POST", "/api/v1/overrides", { rule, seconds: Math.round(60 * minutes), reason: reason.trim() });
+    this.under_way.delete("override");
+    if (got.ok) this.override.reason = "";
+    this.refuse("override", got.ok ? "" : refusal_words(got.why));
+    this.page.drawer.refresh();
   }
 }

@@ -77,6 +77,26 @@ private:
   std::vector<scan_controller::decide_point>* heard_;
 };
 
+// Takes what a failsafe takes: not of a critical battery.
+class failsafe_stand_in final : public runtime::actor_base<override_handle> {
+public:
+  failsafe_stand_in(runtime::spawn_context context, std::vector<failsafe::override_rule>* heard)
+      : actor_base(std::move(context)), heard_(heard) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<failsafe::override_rule>([this](const failsafe::override_rule& m) {
+      if (m.scope == failsafe::rule::battery_critical)
+        return failsafe::override_answer{false, "a critical battery can not be overridden"};
+      heard_->push_back(m);
+      return failsafe::override_answer{true, {}};
+    })};
+  }
+
+private:
+  std::vector<failsafe::override_rule>* heard_;
+};
+
 // The executor as those see it who show a flight and bring missions.
 using flight_mailbox = runtime::combine<executor::view_handle,
                                         runtime::mailbox<runtime::asks<executor::get_flight, executor::flight_status>,
@@ -140,8 +160,10 @@ public:
     bridge = world.actors().add<operator_bridge::actor>({.name = "operator_bridge"}, {}, operator_bridge::settings{},
                                                         operator_bridge::executor_handle(executor));
     points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &decided);
+    const auto failsafe = world.actors().add<failsafe_stand_in>({.name = "failsafe"}, {}, &overridden);
     answers = std::make_shared<waiting_answers>(wanted.is_secure);
-    desk = world.actors().add<operator_desk>({.name = "operator_desk"}, {}, desk_peers{bridge, points}, answers);
+    desk =
+        world.actors().add<operator_desk>({.name = "operator_desk"}, {}, desk_peers{bridge, points, failsafe}, answers);
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
     const auto uploads = world.actors().add<mission_desk>(
         {.name = "mission_desk"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
@@ -243,6 +265,7 @@ public:
   runtime::simulation world;
   std::vector<operators::command> obeyed;
   std::vector<scan_controller::decide_point> decided;
+  std::vector<failsafe::override_rule> overridden;
   std::vector<mission::document> missions; // that were handed over
   bool is_in_flight = false;
   operator_bridge::own_handle bridge;

@@ -157,6 +157,14 @@ TEST(operator_port_openapi, describes_what_is_really_answered) {
   ask(anna, "POST", "/api/v1/points", 200, {{"point", 4}, {"decision", "confirm"}});
   ask(eve, "POST", "/api/v1/points", 403, {{"point", 4}, {"decision", "confirm"}});
   ask(anna, "POST", "/api/v1/points", 400, {{"point", 4}});
+  const auto bob = world.log_in("bob", operators::role::engineer);
+  const json override_link{{"rule", "operator_link"}, {"seconds", 600}, {"reason", "we walk over the hill"}};
+  ask(anna, "POST", "/api/v1/overrides", 403, override_link);
+  ask(bob, "POST", "/api/v1/overrides", 423, override_link);
+  ask(bob, "POST", "/api/v1/overrides", 400, {{"rule", "operator_link"}});
+  ask(bob, "POST", "/api/v1/control", 200, {{"act", "take_over"}});
+  ask(bob, "POST", "/api/v1/overrides", 200, override_link);
+  ask(bob, "POST", "/api/v1/overrides", 409, {{"rule", "battery_critical"}, {"seconds", 60}, {"reason", "it lies"}});
   ask(anna, "GET", "/api/v1/audit?rows=5", 200);
   ask(anna, "GET", "/api/v1/audit?rows=0", 400);
   ask(eve, "GET", "/api/v1/audit", 403);

@@ -19,6 +19,7 @@ using operators::role;
 
 constexpr const char* commands = "/api/v1/commands";
 constexpr const char* control = "/api/v1/control";
+constexpr const char* overrides = "/api/v1/overrides";
 constexpr const char* points = "/api/v1/points";
 constexpr const char* session = "/api/v1/session";
 
@@ -161,6 +162,46 @@ TEST(operator_api, a_decision_about_a_point_is_taken_from_who_has_control_and_ea
   EXPECT_EQ(world.decided.at(0).by, "anna");
   EXPECT_EQ(world.ask_as(anna, "POST", points, {{"point", 4}}).body.at("place"), "decision");
   EXPECT_EQ(world.ask_as(anna, "POST", points, {{"decision", "confirm"}}).body.at("place"), "point");
+}
+
+TEST(operator_api, a_rule_of_the_failsafe_is_overridden_by_an_engineer_who_has_control_and_each_try_is_one_audit_row) {
+  api_world world;
+  const auto anna = pilot(world);
+  const auto bob = world.log_in("bob", role::engineer);
+  const nlohmann::json hill{{"rule", "operator_link"}, {"seconds", 600}, {"reason", "we walk over the hill"}};
+  const auto expect = [&](const std::string& who, const nlohmann::json& body, unsigned status, std::size_t overridden) {
+    const auto rows = world.rows();
+    const auto answer = world.ask_as(who, "POST", overrides, body);
+    EXPECT_EQ(answer.status, status) << answer.body.dump();
+    EXPECT_EQ(world.rows(), rows + 1) << answer.body.dump();
+    EXPECT_EQ(world.overridden.size(), overridden);
+  };
+  expect("nobody", hill, 401, 0);
+  expect(anna, hill, 403, 0);
+  expect(bob, hill, 423, 0);
+  EXPECT_EQ(world.ask_as(bob, "POST", control, {{"act", "take_over"}}).status, 200U);
+  expect(bob, {{"rule", "battery_critical"}, {"seconds", 60}, {"reason", "it lies"}}, 409, 0);
+  expect(bob, hill, 200, 1);
+  EXPECT_EQ(world.overridden.at(0).scope, failsafe::rule::operator_link);
+  EXPECT_EQ(world.overridden.at(0).reason, "we walk over the hill");
+  const auto rows = world.ask_as(bob, "GET", "/api/v1/audit").body.at("rows");
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& each) {
+    return each.at("what") == "override operator_link for 600 s: we walk over the hill" &&
+           each.at("outcome") == "taken";
+  })) << rows.dump();
+}
+
+TEST(operator_api, an_override_says_which_rule_for_how_long_and_why) {
+  api_world world;
+  const auto bob = world.log_in("bob", role::engineer);
+  const auto place = [&](const nlohmann::json& body) {
+    return world.ask_as(bob, "POST", overrides, body).body.at("place");
+  };
+  EXPECT_EQ(place({{"seconds", 600}, {"reason", "r"}}), "rule");
+  EXPECT_EQ(place({{"rule", "none"}, {"seconds", 600}, {"reason", "r"}}), "rule");
+  EXPECT_EQ(place({{"rule", "fence"}, {"reason", "r"}}), "seconds");
+  EXPECT_EQ(place({{"rule", "fence"}, {"seconds", 600}, {"reason", "  "}}), "reason");
+  EXPECT_TRUE(world.overridden.empty());
 }
 
 TEST(operator_api, over_tls_the_cookie_is_for_tls_alone_and_at_the_logout_it_is_taken_back) {

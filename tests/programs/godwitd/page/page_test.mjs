@@ -138,7 +138,7 @@ test("a refusal stands beside its button with its reason", async () => {
   assert.ok((await text("#refusal-start")).length > 10);
 });
 
-test("a second operator sees who has control, can stop and can not start, and an engineer takes it over", async () => {
+test("a second operator sees who has control, can stop and can not start; an engineer takes it over, and overrides a rule of the failsafe", async () => {
   const other = await world.open_browser();
   await world.log_in(other, "bob");
   await shows("#control .words", "anna has control.", other);
@@ -150,11 +150,20 @@ test("a second operator sees who has control, can stop and can not start, and an
   await shows("#control .words", "You have control.", other);
   await shows("#control .words", "bob has control.");
   await shows("#alarms", "You no longer have control: bob has it.");
+  await other.click("#tab-failsafe");
+  await shows('[data-rule="operator_link"]', "watches", other);
+  assert.ok(await other.isDisabled("#command-override"), "without a reason");
+  await other.fill("#override-reason", "we walk <b>over</b> the hill");
+  await hold(other, "#command-override");
+  await shows('[data-rule="operator_link"]', "we walk <b>over</b> the hill", other);
+  assert.match(await text('[data-rule="operator_link"]', other), /overridden until \d\d:\d\d:\d\d UTC/);
   await other.click("#give-control");
   await shows("#control .words", "Control is free.");
   await page.click("#take-control");
   await shows("#control .words", "You have control.");
   await other.context().close();
+  await page.click("#tab-failsafe");
+  await shows("#override-why-not", "An engineer overrides a rule of the failsafe.");
 });
 
 test("by keyboard alone: the flight goes on", async () => {

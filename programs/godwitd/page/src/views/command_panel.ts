@@ -97,7 +97,7 @@ export function command_panel(all: page): TemplateResult {
   const { pointing } = all.commander;
   return html`<section class="commands" aria-label="Commands">
     ${control_part(all)}
-    <div class="command-grid">${command_rows.map((row) => command_button(all, row))}${pointing === undefined ? pointed_rows.map((row) => pointed_button(all, row)) : nothing}</div>
     ${pointing === undefined ? nothing : pointed_part(all, pointed_row_of(pointing))}
+    <div class="command-grid">${command_rows.map((row) => command_button(all, row))}${pointing === undefined ? pointed_rows.map((row) => pointed_button(all, row)) : nothing}</div>
   </section>`;
 }

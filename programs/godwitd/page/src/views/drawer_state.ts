@@ -4,7 +4,7 @@ import type { audit_row, preflight_view, status_report } from "../model/messages
 import { ask } from "../net/api.ts";
 import type { page } from "../page.ts";
 
-export type tab_name = "plan" | "points" | "upload" | "plots" | "preflight" | "actors" | "log" | "audit";
+export type tab_name = "plan" | "points" | "upload" | "plots" | "preflight" | "failsafe" | "actors" | "log" | "audit";
 
 export const drawer_tabs: readonly { name: tab_name; label: string }[] = [
   { name: "plan", label: "Plan" },
@@ -12,6 +12,7 @@ export const drawer_tabs: readonly { name: tab_name; label: string }[] = [
   { name: "upload", label: "Upload" },
   { name: "plots", label: "Plots" },
   { name: "preflight", label: "Preflight" },
+  { name: "failsafe", label: "Failsafe" },
   { name: "actors", label: "Actors" },
   { name: "log", label: "Log" },
   { name: "audit", label: "Audit" },
@@ -46,14 +47,14 @@ export class drawer {
   }
 
   hear(topic: "health" | "log" | "flight"): void {
-    const is_of_tab = this.tab === "actors" || (this.tab === "preflight" && topic === "flight");
+    const is_of_tab = this.tab === "actors" || this.tab === "failsafe" || (this.tab === "preflight" && topic === "flight");
     if (!is_of_tab) return;
     this.refresh();
     setTimeout(() => this.refresh(), report_ms);
   }
 
   look(now: number): void {
-    if ((this.tab === "actors" || this.tab === "preflight" || this.tab === "audit") && now - this.fetched_at > refresh_ms)
+    if ((this.tab === "actors" || this.tab === "failsafe" || this.tab === "preflight" || this.tab === "audit") && now - this.fetched_at > refresh_ms)
       this.refresh();
   }
 
@@ -68,7 +69,7 @@ export class drawer {
   }
 
   private async fetch(): Promise<void> {
-    if (this.tab === "actors") {
+    if (this.tab === "actors" || this.tab === "failsafe") {
       const got = await ask<status_report>("GET", "/status");
       if (got.ok) this.status = got.what;
       this.refusal = got.ok ? "" : got.why.detail;

@@ -1,4 +1,4 @@
-// Below the map: plan, points of interest, upload, plots, preflight report, actors, log, audit.
+// Below the map: plan, points of interest, upload, plots, preflight report, failsafe, actors, log, audit.
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { repeat } from "lit/directives/repeat.js";
@@ -7,6 +7,7 @@ import { plain, time_words } from "../model/words.ts";
 import type { page } from "../page.ts";
 import { actor_tree } from "./actor_tree.ts";
 import { drawer_tabs } from "./drawer_state.ts";
+import { failsafe_part } from "./failsafe_part.ts";
 import { points_part } from "./points_part.ts";
 import { preflight_part } from "./preflight_part.ts";
 import { upload_part } from "./upload_part.ts";
@@ -56,7 +57,7 @@ function plots_part(all: page): TemplateResult {
   return html`${all.history.samples.length === 0 ? html`<p class="empty">No position was heard yet.</p>` : nothing}<div id="plots"></div>`;
 }
 
-const parts = { plan: plan_part, points: points_part, upload: upload_part, plots: plots_part, preflight: preflight_part, actors: actor_tree, log: log_part, audit: audit_part };
+const parts = { plan: plan_part, points: points_part, upload: upload_part, plots: plots_part, preflight: preflight_part, failsafe: failsafe_part, actors: actor_tree, log: log_part, audit: audit_part };
 
 export function drawer_view(all: page): TemplateResult {
   const shown = all.drawer.tab;

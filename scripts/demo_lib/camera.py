@@ -57,11 +57,15 @@ class Camera:
 
 
 class Operator:
-    """Confirms the first thing that is shown, and declines the second; the third is passed over."""
+    """Confirms the first thing that is shown, and declines the second; the third is passed over.
 
-    def __init__(self, daemon, line):
+    WAITS_S: so long somebody at the page has to decide before; who has control there is not disturbed."""
+
+    def __init__(self, daemon, line, waits_s=0):
         self.daemon = daemon
         self.line = line
+        self.waits_s = waits_s
+        self.seen_at = {}
         self.decided = {}
 
     def look(self):
@@ -70,8 +74,15 @@ class Operator:
             number = point["number"]
             if number in self.decided or len(self.decided) >= 2:
                 continue
+            if time.monotonic() - self.seen_at.setdefault(number, time.monotonic()) < self.waits_s:
+                continue
             word = "decline" if self.decided else "confirm"
-            self.daemon.ctl(word, str(number))
+            try:
+                self.daemon.ctl(word, str(number))
+            except Trouble:
+                if self.waits_s == 0:
+                    raise
+                continue  # it is decided, or theirs who has control
             self.decided[number] = word
             self.line.tell(f"operator: {word} {number}, {point['class_group']} seen by the camera")
 

@@ -3,6 +3,7 @@
 import { html, render } from "lit";
 import { chart } from "./map/chart.ts";
 import { alarms } from "./model/alarms.ts";
+import { crashes } from "./model/crashes.ts";
 import { is_place } from "./model/geometry.ts";
 import type { control_view, mission_document, place, plan_view, stream_text, text, tile_view, who } from "./model/messages.ts";
 import { flight_history } from "./model/history.ts";
@@ -25,6 +26,7 @@ export type theme = "day" | "sun" | "night";
 export class page {
   readonly world = new world();
   readonly alarms = new alarms();
+  readonly crashes = new crashes();
   readonly track = new track();
   readonly history = new flight_history();
   readonly drawer = new drawer(this);
@@ -88,6 +90,7 @@ export class page {
     if (heard.topic === "progress") void this.fetch_plan();
     if (heard.topic === "home") this.show_home();
     if (heard.topic === "points") this.map?.show_points((heard as text<"points">).data);
+    if (heard.topic === "log") this.crashes.hear((heard as text<"log">).data, this.now());
     if (heard.topic === "health" || heard.topic === "log" || heard.topic === "flight") this.drawer.hear(heard.topic);
     this.look();
     this.draw();
@@ -97,6 +100,7 @@ export class page {
   private forget(): void {
     this.track.clear();
     this.history.clear();
+    this.crashes.clear();
     this.map?.show_points(undefined);
   }
 

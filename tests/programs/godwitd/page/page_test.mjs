@@ -113,6 +113,7 @@ test("a mission is dropped, looked at, shown, refused with the reason where it i
   await page.click("#tab-plan");
   await shows("#phase", "ready");
   await page.click("#give-control");
+  await shows("#control .words", "Control is free.");
 });
 
 test("names that look like markup stay text", async () => {
@@ -184,7 +185,7 @@ test("a go-to shows its way before it is confirmed", async () => {
   await shows(".going", "from the vehicle");
   assert.ok(await page.isEnabled("#confirm-go_to"));
   await page.keyboard.press("Escape");
-  assert.equal(await page.locator(".going").count(), 0);
+  await until(async () => (await page.locator(".going").count()) === 0, "it is left");
 });
 
 test("a waypoint is inserted at a click on the map", async () => {
@@ -207,8 +208,11 @@ test("a pilot who takes the vehicle is shown large, and the alarm stays until it
   await hold(page, "#command-hand_back");
   await shows("#authority strong", "godwit");
   await shows("#alarms", "A person has taken the vehicle");
-  for (let left = await page.locator("#alarms button").count(); left > 0; --left) await page.locator("#alarms button").first().click();
-  assert.equal(await page.locator("#alarms p").count(), 0);
+  await until(async () => {
+    if ((await page.locator("#alarms p").count()) === 0) return true;
+    await page.evaluate("document.querySelector('#alarms button')?.click()");
+    return false;
+  }, "what was seen is gone");
 });
 
 test("the flight goes on when it is said so, and refusals of before are gone", async () => {

@@ -14,21 +14,29 @@ export interface alarm {
 
 export const max_alarms = 20; // the oldest goes
 
+// Of what holds for a moment at each start of godwitd, until it has heard the vehicle: it is an alarm when it lasts.
+export const lasting_ms = 2_000;
+const begins_with_start = ["link", "authority/unclear", "health/"];
+
 export class alarms {
   list: alarm[] = [];
-  private holding = new Set<string>();
+  private holding = new Map<string, number>(); // since when; raised: -Infinity
   private points = new Set<number>(); // that were shown last
 
   // True: there is a new one.
   look(all: world, now: number): boolean {
     const holds = holding_now(all, now);
     let is_new = false;
+    const before = this.holding;
+    this.holding = new Map();
     for (const [key, words] of holds) {
-      if (this.holding.has(key)) continue;
+      const since = before.get(key) ?? now;
+      const is_due = !begins_with_start.some((each) => key.startsWith(each)) || now - since >= lasting_ms;
+      this.holding.set(key, is_due ? -Infinity : since);
+      if (since === -Infinity || !is_due) continue;
       this.raise(key, words, all.godwit_ms(now));
       is_new = true;
     }
-    this.holding = new Set(holds.keys());
     return this.look_at_points(all, now) || is_new;
   }
 

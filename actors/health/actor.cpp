@@ -99,6 +99,7 @@ void actor::collect() {
   collect_part("ground", others_->ground, ground_port::get_port{}, &report::ground);
   collect_part("service", others_->service, mission_client::get_service{}, &report::service);
   collect_part("map", others_->map, mapobjects_store::get_map{}, &report::map);
+  collect_part("fleet", others_->fleet, fleet_link::get_fleet{}, &report::fleet);
   take_part();
 }
 

@@ -32,6 +32,7 @@ struct peers {
   runtime::mailbox<runtime::asks<ground_port::get_port, ground_port::port_description>> ground;
   runtime::mailbox<runtime::asks<mission_client::get_service, mission_client::service_status>> service;
   runtime::mailbox<runtime::asks<mapobjects_store::get_map, mapobjects_store::map_status>> map;
+  runtime::mailbox<runtime::asks<fleet_link::get_fleet, fleet_link::fleet_view>> fleet;
   std::vector<listener_handle> listeners;
 };
 

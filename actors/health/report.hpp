@@ -12,6 +12,7 @@
 #include "io/fields/field_table.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/fleet_link/types.hpp"
 #include "messages/ground_port/description.hpp"
 #include "messages/health/types.hpp"
 #include "messages/mapobjects_store/status.hpp"
@@ -121,6 +122,7 @@ struct report {
   std::optional<ground_port::port_description> ground;
   std::optional<mission_client::service_status> service;
   std::optional<mapobjects_store::map_status> map;
+  std::optional<fleet_link::fleet_view> fleet;
   std::vector<runtime::child_report> actors; // in start order
   std::vector<mail_figures> mail;
   journal_figures journal;
@@ -131,9 +133,10 @@ struct report {
       "health.report", io::field("at_ms", &report::at_ms), io::field("health", &report::health),
       io::field("flight", &report::flight), io::field("failsafe", &report::failsafe),
       io::field("vehicle", &report::vehicle), io::field("ground", &report::ground),
-      io::field("service", &report::service), io::field("map", &report::map), io::field("actors", &report::actors),
-      io::field("mail", &report::mail), io::field("journal", &report::journal), io::field("trace", &report::trace),
-      io::field("process", &report::process), io::field("unanswered", &report::unanswered));
+      io::field("service", &report::service), io::field("map", &report::map), io::field("fleet", &report::fleet),
+      io::field("actors", &report::actors), io::field("mail", &report::mail), io::field("journal", &report::journal),
+      io::field("trace", &report::trace), io::field("process", &report::process),
+      io::field("unanswered", &report::unanswered));
 };
 
 } // namespace godwit::health

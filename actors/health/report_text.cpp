@@ -172,6 +172,21 @@ void append_map(text_writer& out, const mapobjects_store::map_status& seen) {
   out.add(seen.orphaned, {{"state", "orphaned"}});
 }
 
+void append_fleet(text_writer& out, const fleet_link::fleet_view& seen) {
+  out.one("godwit_broker_connected", metric_kind::gauge, "1 while there is a broker of MQTT.",
+          seen.is_connected ? 1 : 0);
+  out.one("godwit_broker_connects_total", metric_kind::counter, "Connections to the broker.", seen.connects);
+  out.one("godwit_broker_failures_total", metric_kind::counter, "Connections that were lost or not made.",
+          seen.failures);
+  out.one("godwit_broker_events_waiting", metric_kind::gauge, "Events that the broker does not have.", seen.waiting);
+  out.one("godwit_broker_events_delivered_total", metric_kind::counter, "Events that the broker has.", seen.delivered);
+  out.one("godwit_broker_events_dropped_total", metric_kind::counter, "Events for which there was no room any more.",
+          seen.dropped);
+  out.one("godwit_broker_texts_total", metric_kind::counter, "What was live and went to the broker.", seen.texts);
+  out.one("godwit_broker_texts_skipped_total", metric_kind::counter,
+          "What was live, and overtaken by what is newer: the network was too slow.", seen.skipped);
+}
+
 void append_flight(text_writer& out, const executor::flight_status& seen) {
   out.begin("godwit_flight_phase", metric_kind::gauge, "1 at the phase of the flight.");
   out.add(1, {{"phase", seen.phase}});
@@ -227,6 +242,8 @@ void append_metrics(text_writer& out, const report& made) {
     append_service(out, *made.service);
   if (made.map)
     append_map(out, *made.map);
+  if (made.fleet)
+    append_fleet(out, *made.fleet);
   if (made.flight)
     append_flight(out, *made.flight);
   if (made.failsafe)

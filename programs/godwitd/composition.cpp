@@ -200,13 +200,11 @@ void composition::add_actors() {
     add_flight(of_desk);
   else
     add_ground_run(of_desk);
-  if (wanted_.operators) {
-    log_api_ = std::make_shared<operator_port::log_api>();
-    views_outside_.stream = std::make_shared<telemetry_stream::hub>(outside_.seed);
-  }
-  views_outside_.read_host = [this] { return read_host(); };
+  surround_views();
   views_ = add_views(actors, views_outside_, base_, flight_);
   of_desk.health = views_.health;
+  if (views_.fleet)
+    of_desk.fleet = views_.fleet;
   of_desk.port = port_view_;
   of_desk.rescue_journal = [this](control::peers::rescued then) {
     host_->journal().rescue([then = std::move(then)](tl::expected<std::string, runtime::journal_error> done) {
@@ -217,6 +215,21 @@ void composition::add_actors() {
     of_desk.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
   request_handler_ =
       actors.add<control::request_handler>({.name = "control_desk"}, replaceable, of_desk, control_answers_);
+}
+
+void composition::surround_views() {
+  if (wanted_.operators)
+    log_api_ = std::make_shared<operator_port::log_api>();
+  if (wanted_.operators || wanted_.fleet)
+    views_outside_.stream = std::make_shared<telemetry_stream::hub>(outside_.seed);
+  views_outside_.read_host = [this] { return read_host(); };
+  if (!wanted_.fleet)
+    return;
+  broker_ = make_broker_access(*wanted_.fleet);
+  views_outside_.fleet = fleet_surroundings{*wanted_.fleet, broker_.port, outside_.seed,
+                                            [this](const std::string& sentence, bool is_warning) {
+                                              announce({sentence, is_warning}, "fleet_link");
+                                            }};
 }
 
 void composition::add_ground_run(control::peers& of_desk) {
@@ -278,6 +291,8 @@ checked composition::open() {
   if (wanted_.flies)
     begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
   tell_open_lines();
+  if (broker_.attach)
+    broker_.attach(host_->actors().make_gateway("broker_port"), views_.fleet);
   if (eyes_port_)
     eyes_port_->open(host_->actors().make_gateway("eyes_port"), flight_.eyes);
   open_link_log();
@@ -511,10 +526,12 @@ void composition::announce(const ground_run::announce& said, std::string_view pa
   log_.say(said.is_warning ? log_level::warning : log_level::info, part, said.sentence);
   if (!views_outside_.stream)
     return;
-  log_api_->add(views_outside_.stream->publish(
+  auto line = views_outside_.stream->publish(
       telemetry_stream::topic::log,
       telemetry_stream::json_of(telemetry_stream::log_update{said.is_warning, std::string(part), said.sentence}),
-      host_->time().wall_ns() / 1'000'000, host_->time().monotonic_ns()));
+      host_->time().wall_ns() / 1'000'000, host_->time().monotonic_ns());
+  if (log_api_)
+    log_api_->add(std::move(line));
 }
 
 int composition::close(runtime::exit_code code) {
@@ -529,6 +546,8 @@ int composition::close(runtime::exit_code code) {
     feed_->stop();
   if (eyes_)
     eyes_->close();
+  if (broker_.detach)
+    broker_.detach();
   vehicle_port_->close();
   ground_line_->close();
   if (link_log_)

@@ -17,6 +17,7 @@
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
+#include "programs/godwitd/broker_access.hpp"
 #include "programs/godwitd/control/request_handler.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/flight_actors.hpp"
@@ -71,6 +72,7 @@ private:
   [[nodiscard]] tl::expected<void, std::string> load_mission();
   [[nodiscard]] bool reads_in_flight();
   void surround_actors();
+  void surround_views();
   void add_actors();
   void add_flight(control::peers& of_desk);
   void add_ground_run(control::peers& of_desk);
@@ -107,6 +109,7 @@ private:
   std::shared_ptr<io::eyes::helper> eyes_;                     // none without a camera
   std::shared_ptr<movement_detector::eyes_process> eyes_port_; // the same
   std::shared_ptr<point_pictures> point_pictures_;             // the same
+  broker_access broker_;                                       // none without one
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();

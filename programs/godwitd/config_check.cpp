@@ -33,9 +33,23 @@ void check_service(const io::http::settings& service, problem_list& to) {
     to.add("service", opened.error());
 }
 
+// What libmosquitto would say only at the first connection.
+void check_fleet(const fleet_link::settings& fleet, problem_list& to) {
+  for (const auto* const file : {&fleet.ca_file, &fleet.certificate_file})
+    if (!file->empty())
+      (void)to.must_be_readable("broker", *file);
+  for (const auto* const file : {&fleet.password_file, &fleet.key_file})
+    if (!file->empty())
+      if (const auto read = io::http::load_secret_file(*file, io::http::max_key_bytes, io::http::errc::token_file);
+          !read)
+        to.add("broker", read.error().message());
+}
+
 void check_inputs(const daemon_settings& wanted, problem_list& to) {
   if (wanted.service)
     check_service(*wanted.service, to);
+  if (wanted.fleet)
+    check_fleet(*wanted.fleet, to);
   if (!wanted.signing_key_file.empty())
     if (const auto key = io::mavlink::load_key_file(wanted.signing_key_file); !key)
       to.add("signing-key", key.error().message());

@@ -27,6 +27,12 @@ constexpr bool has_eyes = true;
 constexpr bool has_eyes = false;
 #endif
 
+#ifdef GODWIT_HAS_MQTT
+constexpr bool has_mqtt = true;
+#else
+constexpr bool has_mqtt = false;
+#endif
+
 std::string text(const json& section, const char* key) { return section.at(key).get<std::string>(); }
 
 std::chrono::milliseconds ms(const json& value) { return std::chrono::milliseconds(value.get<std::int64_t>()); }
@@ -287,6 +293,33 @@ checked read_camera(const json& camera, daemon_settings& to) {
   return {};
 }
 
+checked read_fleet(const json& given, daemon_settings& to) {
+  fleet_link::settings result;
+  const auto where = text(given, "broker");
+  if (where.empty())
+    return {};
+  if constexpr (!has_mqtt)
+    return wrong("broker",
+                 "this godwitd was built without MQTT (GODWIT_MQTT=OFF); leave it out, or build it with libmosquitto");
+  if (!to.flies)
+    return wrong("broker", "a run on the ground has nothing to tell a broker; leave it out");
+  auto parsed = io::mqtt::parse_broker_uri(where);
+  if (!parsed)
+    return wrong("broker", parsed.error());
+  result.broker = *std::move(parsed);
+  result.vehicle = text(given, "vehicle");
+  result.username = text(given, "username");
+  result.password_file = text(given, "password_file");
+  result.ca_file = text(given, "ca_file");
+  result.certificate_file = text(given, "certificate_file");
+  result.key_file = text(given, "key_file");
+  result.interval_ms = given.at("interval_ms").get<std::int64_t>();
+  if (const auto objection = fleet_link::objection_to(result))
+    return tl::make_unexpected("telemetry." + *objection);
+  to.fleet = std::move(result);
+  return {};
+}
+
 log_settings log_from(const json& log) {
   log_settings result;
   result.file = text(log, "file");
@@ -339,6 +372,8 @@ tl::expected<daemon_settings, std::string> settings_from(const json& configurati
     return tl::make_unexpected(std::move(scan.error()));
   if (auto camera = read_camera(configuration.at("camera"), result); !camera)
     return tl::make_unexpected(std::move(camera.error()));
+  if (auto fleet = read_fleet(configuration.at("telemetry"), result); !fleet)
+    return tl::make_unexpected(std::move(fleet.error()));
   read_delivery(configuration, result);
   if (const auto objection = mission_client::objection_to(result.client))
     return tl::make_unexpected(*objection);

@@ -12,6 +12,7 @@
 
 #include "actors/executor/settings.hpp"
 #include "actors/failsafe/settings.hpp"
+#include "actors/fleet_link/settings.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mission_client/settings.hpp"
 #include "actors/movement_detector/settings.hpp"
@@ -59,6 +60,7 @@ struct daemon_settings {
   std::optional<operator_port::settings> operators; // none: there is no port for them
   std::string accounts_file;                        // of operators; need not be there
   operator_bridge::settings sessions;               // theirs
+  std::optional<fleet_link::settings> fleet;        // none: no broker is told anything
   std::string sightings_file;                       // "-": standard input; empty: none
   bool once = false;
   bool allow_crash = false; // `godwitd ctl crash` is obeyed: for drills

@@ -163,6 +163,19 @@ std::string points_line(const json& points) {
 }
 
 // "sees: 1280 x 720, 30 pictures a second, 0 dropped; 12 candidates, 3 sightings; started once"
+// "connected to mqtts://fleet.example.org:8883 as rover-7; events: 0 wait, 412 delivered"
+std::string fleet_line(const json& fleet) {
+  const auto dropped = number(fleet, "dropped");
+  auto result = fleet.value("is_connected", false) ? "connected to " + text(fleet, "broker")
+                : text(fleet, "sentence").empty()  ? "connecting to " + text(fleet, "broker")
+                                                   : "NOT connected: " + text(fleet, "sentence");
+  result += " as " + text(fleet, "vehicle") + "; events: " + number(fleet, "waiting") + " wait, " +
+            number(fleet, "delivered") + " delivered" + (dropped == "0" ? "" : ", " + dropped + " DROPPED");
+  if (const auto next_ms = fleet.value("next_try_ms", std::int64_t{0}); next_ms != 0)
+    result += "; tried again in " + std::to_string(next_ms / 1'000) + " s";
+  return result;
+}
+
 std::string eyes_line(const json& eyes) {
   if (eyes.value("is_closed", false))
     return "closed: no mission with scanning is flown";
@@ -183,8 +196,8 @@ struct part_row {
 constexpr part_row parts[] = {
     {"health", health_line},       {"run", run_line},       {"flight", flight_line},   {"failsafe", failsafe_line},
     {"operators", operators_line}, {"port", port_line},     {"service", service_line}, {"map", map_line},
-    {"sightings", sightings_line}, {"points", points_line}, {"eyes", eyes_line},       {"vehicle", vehicle_line},
-    {"ground", ground_line},       {"actors", actor_lines}};
+    {"sightings", sightings_line}, {"points", points_line}, {"eyes", eyes_line},       {"fleet", fleet_line},
+    {"vehicle", vehicle_line},     {"ground", ground_line}, {"actors", actor_lines}};
 
 } // namespace
 

@@ -1,10 +1,13 @@
 #include "programs/godwitd/view_actors.hpp"
 
 #include "actors/executor/actor.hpp"
+#include "actors/failsafe/actor.hpp"
+#include "actors/fleet_link/actor.hpp"
 #include "actors/health/actor.hpp"
 #include "actors/scan_controller/actor.hpp"
 #include "actors/telemetry_stream/actor.hpp"
 #include "programs/godwitd/child_policies.hpp"
+#include "programs/godwitd/hub_reader.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -26,6 +29,25 @@ telemetry_stream::own_handle add_stream(runtime::system& actors, const std::shar
   return made;
 }
 
+fleet_link::own_handle add_fleet(runtime::system& actors, const view_surroundings& outside, const base_actors& base,
+                                 const flight_actors& flight) {
+  const auto of_fleet = std::make_shared<fleet_link::peers>();
+  of_fleet->flight = flight.executor;
+  of_fleet->failsafe = base.failsafe;
+  of_fleet->guardian = actors.guardian();
+  of_fleet->open_live = [hub = outside.stream] { return hub_reader::open(hub); };
+  of_fleet->say = outside.fleet->say;
+  auto made = actors.add<fleet_link::actor>({.name = "fleet_link"}, replaceable, outside.fleet->how,
+                                            std::shared_ptr<const fleet_link::peers>(of_fleet), outside.fleet->port,
+                                            outside.fleet->process);
+  if (flight.of_executor)
+    flight.of_executor->watchers.emplace_back(made);
+  if (flight.of_scan)
+    flight.of_scan->subscribers.emplace_back(made);
+  base.of_failsafe->ears.emplace_back(made);
+  return made;
+}
+
 } // namespace
 
 view_actors add_views(runtime::system& actors, const view_surroundings& outside, const base_actors& base,
@@ -42,6 +64,11 @@ view_actors add_views(runtime::system& actors, const view_surroundings& outside,
   if (outside.stream) {
     made.stream = add_stream(actors, outside.stream, base, flight);
     of_health->listeners.emplace_back(made.stream);
+  }
+  if (outside.fleet) {
+    made.fleet = add_fleet(actors, outside, base, flight);
+    of_health->listeners.emplace_back(made.fleet);
+    of_health->fleet = made.fleet;
   }
   made.health = actors.add<health::actor>({.name = "health", .policy = runtime::on_crash::lose}, replaceable,
                                           std::shared_ptr<const health::peers>(of_health),

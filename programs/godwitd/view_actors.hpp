@@ -1,32 +1,49 @@
-// The actors that only show what there is: health, and the stream of telemetry. The flight does not depend on them.
+// The actors that only show what there is: health, the stream of telemetry, and the way to a broker. The flight does
+// not depend on them.
 //
 //   all actors ──answers, news──> health ── report_port ──> the operator's port
 //   vehicle_link, executor, health, scan_controller ──> telemetry_stream ── hub ──> subscribers
+//   the same, failsafe, hub ──> fleet_link ── broker_port ══ broker
 //
 // Made behind all others, whom they watch. Thread: one owner, before the actors start. OUTSIDE outlives the actors, and
 // its functions may be called by any thread.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
+#include "actors/fleet_link/broker_port.hpp"
+#include "actors/fleet_link/settings.hpp"
 #include "actors/health/report_port.hpp"
 #include "actors/telemetry_stream/hub.hpp"
+#include "messages/fleet_link/handle.hpp"
 #include "messages/health/handle.hpp"
 #include "messages/telemetry_stream/handle.hpp"
 #include "programs/godwitd/flight_actors.hpp"
 
 namespace godwit::daemon {
 
+struct fleet_surroundings {
+  fleet_link::settings how;
+  std::shared_ptr<fleet_link::broker_port> port;
+  std::uint64_t process = 0; // another one for each
+  std::function<void(const std::string& sentence, bool is_warning)> say;
+};
+
 struct view_surroundings {
   std::shared_ptr<health::report_port> reports = std::make_shared<health::report_port>();
   std::function<health::host_figures()> read_host; // empty: there are none
   std::shared_ptr<telemetry_stream::hub> stream;   // none: nobody can subscribe, and there is no stream
+  std::optional<fleet_surroundings> fleet;         // with a stream; none: no broker is told anything
 };
 
 struct view_actors {
   health::own_handle health;
   telemetry_stream::own_handle stream;
+  fleet_link::own_handle fleet; // none without a broker
 };
 
 [[nodiscard]] view_actors add_views(runtime::system& actors, const view_surroundings& outside, const base_actors& base,

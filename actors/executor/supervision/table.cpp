@@ -28,8 +28,9 @@ constexpr std::array rows{
     row{"scan_controller", {away, for_scans, away}},
     row{"movement_detector", {away, for_scans, away}},
 };
-// Who shows what there is, and who takes a mission from a page.
-constexpr std::array<std::string_view, 4> dispensable{"health", "telemetry_stream", "view_desk", "mission_desk"};
+// Who shows what there is, also far away, and who takes a mission from a page.
+constexpr std::array<std::string_view, 5> dispensable{"health", "telemetry_stream", "fleet_link", "view_desk",
+                                                      "mission_desk"};
 
 constexpr row others{"", {wanted, wanted, wanted}};
 

@@ -10,7 +10,7 @@
 //   scan_controller          -           scans *     -            only while a mission with scanning is flown
 //   movement_detector        -           scans *     -            the same
 //   others                   wanted      wanted *    wanted       * not in a reduced process
-//   health, telemetry_stream the same; no flight waits for them: they only show
+//   health, telemetry_stream, fleet_link   the same; no flight waits for them: they only show
 //
 // An essential child that is given up ends the process: on the ground in order; in flight fast, and once within ten
 // minutes only (runtime::process_end::fast_once). When that is used up the rest goes on, and vehicle_link is restarted

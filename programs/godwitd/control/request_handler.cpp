@@ -123,6 +123,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
     collect_wanted(ticket, "points", *others_.points, scan_controller::get_points{}, "null");
   if (others_.eyes)
     collect_wanted(ticket, "eyes", *others_.eyes, movement_detector::get_eyes{}, R"({"is_closed": true})");
+  if (others_.fleet)
+    collect(ticket, "fleet", *others_.fleet, fleet_link::get_fleet{});
   collect(ticket, "actors", others_.guardian, runtime::get_children{});
   collect(ticket, "map", others_.store, mapobjects_store::get_map{});
   collect(ticket, "vehicle", others_.vehicle, vehicle_link::get_connection{});

@@ -21,6 +21,7 @@
 
 #include "messages/executor/handle.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/fleet_link/handle.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/health/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
@@ -61,6 +62,7 @@ struct peers {
   std::optional<health::status_handle> health;
   std::optional<sightings::status_handle> sightings;    // with a flight
   std::optional<movement_detector::status_handle> eyes; // with a camera
+  std::optional<fleet_link::status_handle> fleet;       // with a broker
   std::shared_ptr<const port_view> port;                // null: nobody shows it
   runtime::guardian_handle guardian;
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor

@@ -185,4 +185,37 @@ TEST(daemon_settings, a_camera_with_parameters_that_are_missing_or_impossible_is
 #endif
 }
 
+TEST(daemon_settings, a_broker_needs_tls_or_this_computer_and_a_name_for_the_vehicle) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  EXPECT_FALSE(settings_from(configuration)->fleet) << "there is none";
+  auto& telemetry = configuration["telemetry"];
+  telemetry["broker"] = "mqtts://fleet.example.org";
+#ifdef GODWIT_HAS_MQTT
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("telemetry.vehicle is missing"));
+  telemetry["vehicle"] = "rover/7";
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("telemetry.vehicle is \"rover/7\""));
+  telemetry["vehicle"] = "rover-7";
+  const auto known = settings_from(configuration);
+  ASSERT_TRUE(known) << known.error();
+  EXPECT_EQ(known->fleet->broker.port, 8883);
+  telemetry["password_file"] = "/etc/godwit/password";
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("telemetry.password_file needs telemetry.username"));
+  telemetry["username"] = "rover-7";
+  telemetry["key_file"] = "/etc/godwit/key.pem";
+  EXPECT_TRUE(settings_from(configuration).error().starts_with("telemetry.certificate_file and telemetry.key_file"));
+  telemetry["key_file"] = "";
+  telemetry["broker"] = "mqtt://fleet.example.org:1883";
+  const auto in_clear = settings_from(configuration);
+  ASSERT_FALSE(in_clear);
+  EXPECT_TRUE(in_clear.error().starts_with("--broker (GODWIT_BROKER, telemetry.broker): ")) << in_clear.error();
+  EXPECT_NE(in_clear.error().find("Name it mqtts://fleet.example.org:8883"), std::string::npos) << in_clear.error();
+  telemetry["broker"] = "mqtt://127.0.0.1:1883";
+  EXPECT_TRUE(settings_from(configuration)) << settings_from(configuration).error();
+  configuration["flight"]["ground_run"] = true;
+  EXPECT_FALSE(settings_from(configuration)) << "nothing is flown";
+#else
+  EXPECT_NE(settings_from(configuration).error().find("was built without MQTT"), std::string::npos);
+#endif
+}
+
 } // namespace

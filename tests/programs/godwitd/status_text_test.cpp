@@ -126,4 +126,20 @@ TEST(status_text, a_retry_tells_how_many_rows_it_found) {
   EXPECT_EQ(retry_text({{"tried_now", 2}, {"queued", 1}}), "2 pending, tried now; 1 queued again");
 }
 
+TEST(status_text, the_broker_is_named_with_what_waits_for_it_and_why_there_is_none) {
+  json fleet{{"is_connected", true}, {"broker", "mqtts://fleet.example.org:8883"},
+             {"vehicle", "rover-7"}, {"sentence", ""},
+             {"waiting", 0},         {"delivered", 412}};
+  const auto line = [&] { return status_text({{"ok", true}, {"fleet", fleet}}); };
+  EXPECT_EQ(line(), "fleet      connected to mqtts://fleet.example.org:8883 as rover-7; events: 0 wait, 412 delivered");
+  fleet["is_connected"] = false;
+  fleet["sentence"] = "there is no connection: Connection refused";
+  fleet["waiting"] = 3;
+  fleet["dropped"] = 5;
+  fleet["next_try_ms"] = 12'345;
+  EXPECT_EQ(line(),
+            "fleet      NOT connected: there is no connection: Connection refused as rover-7; events: 3 wait, 412 "
+            "delivered, 5 DROPPED; tried again in 12 s");
+}
+
 } // namespace

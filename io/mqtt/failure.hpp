@@ -1,0 +1,18 @@
+// Why there is no connection to a broker. Thread: plain values.
+#pragma once
+
+namespace godwit::io::mqtt {
+
+enum class failure {
+  none,
+  not_resolved,   // its name
+  unreachable,    // nobody answers there
+  lost,           // it was connected
+  certificate,    // TLS: the broker is not who it should be, or will not have us
+  not_authorised, // user, password, or what this user may publish
+  taken_over,     // somebody else has connected under the same name
+  refused,        // the broker says no for another reason
+  unusable        // of our own: a file can not be read
+};
+
+} // namespace godwit::io::mqtt

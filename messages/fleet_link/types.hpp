@@ -1,0 +1,96 @@
+// What is said to and by fleet_link. Thread: plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::fleet_link {
+
+// Why there is no connection.
+enum class broker_failure {
+  none,
+  not_resolved,   // its name
+  unreachable,    // nobody answers there
+  lost,           // it was connected
+  certificate,    // TLS: the broker is not who it should be, or will not have us
+  not_authorised, // user, password, or what this user may publish
+  taken_over,     // somebody else has connected under the same name
+  refused,        // the broker says no for another reason
+  unusable        // of our own: a file can not be read
+};
+
+constexpr auto enum_names(broker_failure) {
+  return io::names<broker_failure>({{broker_failure::none, "none"},
+                                    {broker_failure::not_resolved, "not_resolved"},
+                                    {broker_failure::unreachable, "unreachable"},
+                                    {broker_failure::lost, "lost"},
+                                    {broker_failure::certificate, "certificate"},
+                                    {broker_failure::not_authorised, "not_authorised"},
+                                    {broker_failure::taken_over, "taken_over"},
+                                    {broker_failure::refused, "refused"},
+                                    {broker_failure::unusable, "unusable"}});
+}
+
+// -- from the port. ATTEMPT: which connection; one that is not the newest is old.
+
+struct broker_opened {
+  std::uint64_t attempt = 0;
+  static constexpr auto fields = io::table("fleet_link.broker_opened", io::field("attempt", &broker_opened::attempt));
+};
+
+struct broker_closed {
+  std::uint64_t attempt = 0;
+  broker_failure why = broker_failure::lost;
+  std::string sentence;
+  static constexpr auto fields =
+      io::table("fleet_link.broker_closed", io::field("attempt", &broker_closed::attempt),
+                io::field("why", &broker_closed::why), io::field("sentence", &broker_closed::sentence));
+};
+
+// The broker has the event of this number.
+struct event_taken {
+  std::uint64_t attempt = 0;
+  std::uint64_t number = 0;
+  static constexpr auto fields = io::table("fleet_link.event_taken", io::field("attempt", &event_taken::attempt),
+                                           io::field("number", &event_taken::number));
+};
+
+// One more of what is not acknowledged has left for the network.
+struct text_left {
+  std::uint64_t attempt = 0;
+  static constexpr auto fields = io::table("fleet_link.text_left", io::field("attempt", &text_left::attempt));
+};
+
+// -- for people
+
+// Answered from memory, at once.
+struct get_fleet {
+  static constexpr auto fields = io::table("fleet_link.get_fleet");
+};
+
+struct fleet_view {
+  bool is_connected = false;
+  std::string broker;
+  std::string vehicle;          // as it is called there
+  std::string sentence;         // why not, and what to do; empty: connected
+  std::int64_t next_try_ms = 0; // from now; 0: connected, or a try is under way
+  std::uint64_t waiting = 0;    // events that the broker does not have
+  std::uint64_t delivered = 0;  // events, since the journal began
+  std::uint64_t dropped = 0;    // the same: there was no room for them any more
+  std::uint64_t connects = 0;   // these are of this incarnation
+  std::uint64_t failures = 0;
+  std::uint64_t texts = 0;   // of what is live
+  std::uint64_t skipped = 0; // of it: the network was too slow, and a newer one went out instead
+  static constexpr auto fields =
+      io::table("fleet_link.fleet_view", io::field("is_connected", &fleet_view::is_connected),
+                io::field("broker", &fleet_view::broker), io::field("vehicle", &fleet_view::vehicle),
+                io::field("sentence", &fleet_view::sentence), io::field("next_try_ms", &fleet_view::next_try_ms),
+                io::field("waiting", &fleet_view::waiting), io::field("delivered", &fleet_view::delivered),
+                io::field("dropped", &fleet_view::dropped), io::field("connects", &fleet_view::connects),
+                io::field("failures", &fleet_view::failures), io::field("texts", &fleet_view::texts),
+                io::field("skipped", &fleet_view::skipped));
+};
+
+} // namespace godwit::fleet_link

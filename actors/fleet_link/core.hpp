@@ -57,7 +57,7 @@ public:
   static constexpr std::int64_t open_patience_ns = 30'000'000'000;
   static constexpr std::int64_t shortest_pause_ns = 1'000'000'000;
   static constexpr std::int64_t longest_pause_ns = 60'000'000'000;
-  static constexpr std::int64_t steady_after_ns = 30'000'000'000; // a connection that held so long was a good one
+  static constexpr std::int64_t steady_after_ns = 10'000'000'000; // a connection that held so long was a good one
   // Events that the broker has been handed and has not acknowledged: what is live waits behind no more than that.
   static constexpr std::size_t max_window = 20;
   static constexpr std::size_t max_window_bytes = std::size_t{32} * 1024;

@@ -9,10 +9,18 @@ namespace {
 
 constexpr std::int64_t ns_in_ms = 1'000'000;
 
+constexpr std::size_t bytes_beside_data = 90; // of an event: names, numbers, time
+
+// As text within a text.
+std::size_t bytes_of(const queued_event& each) {
+  const auto escaped = std::ranges::count_if(each.data, [](char c) { return c == '"' || c == '\\'; });
+  return bytes_beside_data + each.data.size() + static_cast<std::size_t>(escaped);
+}
+
 void forget_oldest(state& s, std::size_t count) {
   const auto end = s.events.begin() + static_cast<std::ptrdiff_t>(count);
   for (auto each = s.events.begin(); each != end; ++each)
-    s.event_bytes -= each->data.size();
+    s.event_bytes -= bytes_of(*each);
   s.events.erase(s.events.begin(), end);
 }
 
@@ -51,7 +59,7 @@ std::vector<durable_core::effect> put(state& s, const noted& happened, std::int6
   put(s, happened.seen);
   for (const auto& each : happened.what) {
     s.events.push_back({s.next_number++, at_ns / ns_in_ms, each.kind, happened.is_late, each.data});
-    s.event_bytes += each.data.size();
+    s.event_bytes += bytes_of(s.events.back());
     make_room(s);
   }
   if (happened.what.empty())

@@ -26,8 +26,10 @@ namespace godwit::fleet_link {
 // An event each 3 s in a day without a broker, and no more than the journal's disk bears: the state is written as a
 // whole each hundred events.
 inline constexpr std::size_t max_events = 30'000;
-inline constexpr std::size_t max_event_bytes = std::size_t{12} * 1024 * 1024; // of their data
-inline constexpr std::size_t max_data_bytes = std::size_t{16} * 1024;         // of one: more is a mistake of ours
+// As they stand in the state; the journal with its log takes up to four times as much of the disk
+// (docs/performance.md).
+inline constexpr std::size_t max_event_bytes = std::size_t{14} * 1024 * 1024;
+inline constexpr std::size_t max_data_bytes = std::size_t{16} * 1024; // of one: more is a mistake of ours
 
 enum class event_kind {
   process_began,  // of godwitd
@@ -95,7 +97,7 @@ struct state {
   std::string store; // part of the id of each event: another one for each journal; empty: not begun
   std::uint64_t next_number = 1;
   std::vector<queued_event> events; // numbers without a gap
-  std::uint64_t event_bytes = 0;    // of their data
+  std::uint64_t event_bytes = 0;    // as they stand here
   std::uint64_t delivered = 0;
   std::uint64_t dropped = 0;
   sight seen;

@@ -19,8 +19,8 @@ const std::int64_t daemon_process::wall_began_ns = runtime::simulated_time::star
 struct daemon_process::parts {
   parts(process_surroundings& around, std::int64_t now_ns, std::uint64_t seed)
       : outside(around), eyes(std::make_shared<simulated_eyes>(around.eyes)),
-        map(std::make_shared<stepped_map>(around.map_file)), world(around.journal, seed, around.record),
-        facts([&around] { return around.free_disk_bytes; }, world.time()) {
+        broker(std::make_shared<simulated_broker>(around.broker)), map(std::make_shared<stepped_map>(around.map_file)),
+        world(around.journal, seed, around.record), facts([&around] { return around.free_disk_bytes; }, world.time()) {
     if (around.record != nullptr)
       around.record->begin_process(world.names(), world.time());
     world.pass_time_until(now_ns);
@@ -29,8 +29,13 @@ struct daemon_process::parts {
     auto& actors = world.actors();
     base = daemon::add_base(actors, around.settings, meets);
     flight = daemon::add_flight(actors, around.settings, meets, base);
-    if (around.settings.operators)
+    if (around.settings.operators || around.settings.fleet)
       views_meet.stream = stream;
+    if (around.settings.fleet)
+      views_meet.fleet =
+          daemon::fleet_surroundings{*around.settings.fleet, broker, seed, [this](const std::string& sentence, bool) {
+                                       outside.say("fleet_link", sentence);
+                                     }};
     views = daemon::add_views(actors, views_meet, base, flight);
     using executor::supervision::part;
     const bool flies = daemon::is_in_flight(around.journal.actors["executor"].kept);
@@ -77,6 +82,7 @@ struct daemon_process::parts {
   std::shared_ptr<simulated_service_port> service_port = std::make_shared<simulated_service_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<simulated_eyes> eyes;
+  std::shared_ptr<simulated_broker> broker;
   std::shared_ptr<stepped_map> map;
   daemon::actor_surroundings meets;
   std::shared_ptr<telemetry_stream::hub> stream = std::make_shared<telemetry_stream::hub>();
@@ -94,13 +100,16 @@ daemon_process::daemon_process(process_surroundings& outside, std::int64_t now_n
 daemon_process::~daemon_process() = default;
 
 std::int64_t daemon_process::next_timer_ns() const {
-  return std::min(parts_->world.next_timer_ns(), parts_->eyes->next_deadline_ns());
+  return std::min(
+      {parts_->world.next_timer_ns(), parts_->eyes->next_deadline_ns(), parts_->broker->next_deadline_ns()});
 }
 
 void daemon_process::pass_time_until(std::int64_t now_ns) {
   parts_->world.pass_time_until(now_ns);
   for (auto& each : parts_->eyes->on_time(now_ns))
     std::visit([this](auto& said) { parts_->world.tell(parts_->flight.eyes, std::move(said)); }, each);
+  for (auto& each : parts_->broker->on_time(now_ns))
+    std::visit([this](auto& said) { parts_->world.tell(parts_->views.fleet, std::move(said)); }, each);
 }
 
 bool daemon_process::step(std::uint64_t choice) {

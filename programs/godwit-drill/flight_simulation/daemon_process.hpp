@@ -21,6 +21,7 @@
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
 #include "messages/scan_controller/types.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_broker.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_eyes.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
@@ -43,6 +44,7 @@ struct process_surroundings {
   std::int64_t wall_ahead_ns = 0;               // of the wall clock, before the true time
   std::vector<mapobjects_store::sighting> seen; // the file of sightings, which each process reads from its beginning
   eyes_faults eyes;                             // with settings.camera
+  broker_world broker;                          // with settings.fleet
   std::function<void(std::string_view part, const std::string& sentence)> say;
   std::function<void(const executor::phase_status& now)> on_phase_status;
   flight_record* record = nullptr; // null: its deliveries are not looked at

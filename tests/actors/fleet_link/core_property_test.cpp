@@ -17,7 +17,7 @@ using namespace godwit;
 using namespace godwit::tests;
 using json = nlohmann::json;
 
-enum kind { note, wait, sync, accept, refuse, cut, take, take_unheard, kill, kinds };
+enum kind { note, wait, sync, accept, refuse, silence, take, take_unheard, kill, kinds };
 
 void act(fleet_world& world, int what, int number, std::uint32_t& items) {
   switch (what) {
@@ -37,8 +37,8 @@ void act(fleet_world& world, int what, int number, std::uint32_t& items) {
   case refuse:
     world.refuse(static_cast<fleet_link::broker_failure>(1 + number % 8));
     break;
-  case cut: // noticed later
-    world.on_the_way.clear();
+  case silence: // noticed later
+    world.fall_silent();
     break;
   case take:
     for (int i = 0; i <= number % 30 && world.take(); ++i) {
@@ -62,7 +62,7 @@ RC_GTEST_PROP(fleet_link_property, what_was_written_reaches_the_broker_in_order_
   std::uint32_t items = 0;
   for (const auto& [what, number] : ops)
     act(world, what, number, items);
-  world.refuse(fleet_link::broker_failure::lost); // whatever was cut is noticed
+  world.refuse(fleet_link::broker_failure::lost); // silence is noticed
   world.deliver_all();
   std::map<std::uint64_t, std::string> texts;
   std::uint64_t newest = 0;

@@ -9,10 +9,12 @@
 #include <future>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "actors/fleet_link/actor.hpp"
 #include "actors/fleet_link/news.hpp"
+#include "runtime/mail_view.hpp"
 #include "runtime/process.hpp"
 #include "tests/actors/fleet_link/fleet_world.hpp"
 
@@ -50,42 +52,100 @@ std::uint64_t bytes_in(const std::filesystem::path& folder) {
   return result;
 }
 
-TEST(fleet_link_day, a_day_without_a_broker_takes_at_most_64_MB_of_the_disk_and_loses_nothing) {
-  std::string name = (std::filesystem::temp_directory_path() / "godwit_day_XXXXXX").string();
-  const std::filesystem::path folder = ::mkdtemp(name.data());
-  runtime::process_options options;
-  options.journal.path = (folder / "godwit.db").string();
-  auto host = std::move(*runtime::process::open(options));
-  const auto others = std::make_shared<peers>();
-  others->say = [](const std::string&, bool) {};
-  const own_handle fleet =
-      host->actors().add<actor>({.name = "fleet_link"}, {}, fleet_settings(), std::shared_ptr<const peers>(others),
-                                std::make_shared<no_broker>(), std::uint64_t{1});
-  host->actors().start();
-  auto way_in = host->actors().make_gateway("test");
-  std::uint64_t most = 0;
-  for (std::uint32_t i = 1; i <= events_a_day; ++i) {
-    way_in.tell(fleet, flight_at(i));
-    if (i % 1'000 == 0) {
-      ASSERT_TRUE(host->journal().flush(60s));
-      most = std::max(most, bytes_in(folder));
-    }
+// A process whose actor has no broker. SAY(n) is told as the n-th thing.
+class lonely_vehicle {
+public:
+  lonely_vehicle() {
+    std::string name = (std::filesystem::temp_directory_path() / "godwit_day_XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    options_.journal.path = (folder_ / "godwit.db").string();
   }
-  static_cast<void>(host->finish(0));
-  most = std::max(most, bytes_in(folder));
-  RecordProperty("bytes", std::to_string(most));
+  lonely_vehicle(const lonely_vehicle&) = delete;
+  lonely_vehicle& operator=(const lonely_vehicle&) = delete;
+  ~lonely_vehicle() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  // The most that all files took at any time.
+  template <class Say>
+  std::uint64_t live(std::uint32_t count, const Say& say) {
+    auto host = std::move(*runtime::process::open(options_));
+    const auto others = std::make_shared<peers>();
+    others->say = [](const std::string&, bool) {};
+    const own_handle fleet =
+        host->actors().add<actor>({.name = "fleet_link"}, {}, fleet_settings(), std::shared_ptr<const peers>(others),
+                                  std::make_shared<no_broker>(), std::uint64_t{1});
+    host->actors().start();
+    auto way_in = host->actors().make_gateway("test");
+    std::uint64_t most = 0;
+    for (std::uint32_t i = 1; i <= count; ++i) {
+      way_in.tell(fleet, say(i));
+      if (i % 500 == 0) {
+        wait_until_heard(*host, i);
+        EXPECT_TRUE(host->journal().flush(60s));
+        most = std::max(most, bytes_in(folder_));
+      }
+    }
+    wait_until_heard(*host, count);
+    static_cast<void>(host->finish(0));
+    return std::max(most, bytes_in(folder_));
+  }
+  // As the next process finds it.
+  state restored() {
+    auto host = std::move(*runtime::process::open(options_));
+    std::promise<runtime::recovered> read;
+    host->journal().recover("fleet_link", 9, [&](auto found) { read.set_value(*std::move(found)); });
+    const auto found = read.get_future().get();
+    auto result = runtime::read_state<durable_core>("fleet_link", *found.snapshot);
+    for (const auto& each : found.events)
+      (void)durable_core::apply(
+          result, runtime::read_alternative<durable_core::event>("fleet_link", each.type, each.body), each.at_ns);
+    static_cast<void>(host->finish(0));
+    return result;
+  }
+
+private:
+  static void wait_until_heard(runtime::process& host, std::uint64_t count) {
+    const auto heard = [&] {
+      const auto all = runtime::look_at_mail(host.actors());
+      return std::ranges::any_of(all, [&](const auto& each) {
+        return each.actor == "fleet_link" && each.waiting == 0 && each.counted.handled >= count;
+      });
+    };
+    for (int looks = 0; looks < 60'000 && !heard(); ++looks)
+      std::this_thread::sleep_for(1ms);
+  }
+
+  std::filesystem::path folder_;
+  runtime::process_options options_;
+};
+
+TEST(fleet_link_day, a_day_without_a_broker_takes_at_most_64_MB_of_the_disk_and_loses_nothing) {
+  lonely_vehicle rover;
+  const auto most = rover.live(events_a_day, flight_at);
   std::printf("%u events: at most %.1f MiB on the disk\n", events_a_day, static_cast<double>(most) / (1U << 20U));
   EXPECT_LE(most, max_disk_bytes);
-  host = std::move(*runtime::process::open(options));
-  std::promise<runtime::recovered> read;
-  host->journal().recover("fleet_link", 9, [&](auto found) { read.set_value(*std::move(found)); });
-  auto restored = read.get_future().get();
-  ASSERT_TRUE(restored.snapshot);
-  auto s = runtime::read_state<durable_core>("fleet_link", *restored.snapshot);
-  EXPECT_GE(s.events.size() + restored.events.size(), events_a_day);
+  const auto s = rover.restored();
+  EXPECT_GE(s.events.size(), events_a_day);
   EXPECT_EQ(s.dropped, 0U);
-  static_cast<void>(host->finish(0));
-  std::filesystem::remove_all(folder);
+}
+
+TEST(fleet_link_day, large_events_take_no_more_the_oldest_are_dropped_and_counted) {
+  lonely_vehicle rover;
+  constexpr std::uint32_t count = 5'000;
+  const auto most = rover.live(count, [](std::uint32_t i) {
+    health::health_status result;
+    result.worst = i % 2 == 0 ? health::colour::green : health::colour::yellow;
+    result.parts.push_back({"journal", health::colour::yellow, std::string(2'000, '"'), 0});
+    return result;
+  });
+  std::printf("%u events: at most %.1f MiB on the disk\n", count, static_cast<double>(most) / (1U << 20U));
+  EXPECT_LE(most, max_disk_bytes);
+  const auto s = rover.restored();
+  EXPECT_LE(s.event_bytes, max_event_bytes);
+  EXPECT_GT(s.dropped, 0U);
+  EXPECT_EQ(s.dropped + s.events.size(), count + 1) << "and that the process began";
 }
 
 // 1 Mbit/s, 100 ms there and back.

@@ -82,8 +82,9 @@ struct fleet_world {
         attempt = open->attempt;
         will = open->will;
         is_open = false;
+        is_silent = false;
       } else if (const auto* sent = std::get_if<fleet_link::publish>(&each)) {
-        if (attempt == sent->attempt && is_open)
+        if (attempt == sent->attempt && is_open && !is_silent)
           on_the_way.push_back(sent->what);
       } else if (const auto* said = std::get_if<fleet_link::announce>(&each)) {
         told.push_back(said->sentence);
@@ -112,6 +113,12 @@ struct fleet_world {
   void cut() {
     attempt.reset();
     is_open = false;
+    is_silent = false;
+    on_the_way.clear();
+  }
+  // Nothing gets through any more, and neither side has seen it.
+  void fall_silent() {
+    is_silent = true;
     on_the_way.clear();
   }
   // The next message arrives; false: there is none. ACKNOWLEDGED: the vehicle hears of it, too.
@@ -153,6 +160,7 @@ struct fleet_world {
   fleet_link::core core{fleet_settings(), 1, "s1", std::uint64_t{1} << 24U};
   std::optional<std::uint64_t> attempt;
   bool is_open = false;
+  bool is_silent = false;
   fleet_link::publication will;
   std::deque<fleet_link::publication> on_the_way;
   std::vector<std::string> received; // events, as they came

@@ -166,11 +166,13 @@ std::string points_line(const json& points) {
 // "connected to mqtts://fleet.example.org:8883 as rover-7; events: 0 wait, 412 delivered"
 std::string fleet_line(const json& fleet) {
   const auto dropped = number(fleet, "dropped");
-  auto result = fleet.value("is_connected", false) ? "connected to " + text(fleet, "broker")
-                : text(fleet, "sentence").empty()  ? "connecting to " + text(fleet, "broker")
-                                                   : "NOT connected: " + text(fleet, "sentence");
-  result += " as " + text(fleet, "vehicle") + "; events: " + number(fleet, "waiting") + " wait, " +
-            number(fleet, "delivered") + " delivered" + (dropped == "0" ? "" : ", " + dropped + " DROPPED");
+  const auto vehicle = text(fleet, "vehicle");
+  const auto sentence = text(fleet, "sentence");
+  auto result = fleet.value("is_connected", false) ? "connected to " + text(fleet, "broker") + " as " + vehicle
+                : sentence.empty()                 ? "connecting to " + text(fleet, "broker") + " as " + vehicle
+                                                   : vehicle + " is NOT connected: " + sentence;
+  result += "; events: " + number(fleet, "waiting") + " wait, " + number(fleet, "delivered") + " delivered" +
+            (dropped == "0" ? "" : ", " + dropped + " DROPPED");
   if (const auto next_ms = fleet.value("next_try_ms", std::int64_t{0}); next_ms != 0)
     result += "; tried again in " + std::to_string(next_ms / 1'000) + " s";
   return result;

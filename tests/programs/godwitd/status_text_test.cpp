@@ -137,9 +137,8 @@ TEST(status_text, the_broker_is_named_with_what_waits_for_it_and_why_there_is_no
   fleet["waiting"] = 3;
   fleet["dropped"] = 5;
   fleet["next_try_ms"] = 12'345;
-  EXPECT_EQ(line(),
-            "fleet      NOT connected: there is no connection: Connection refused as rover-7; events: 3 wait, 412 "
-            "delivered, 5 DROPPED; tried again in 12 s");
+  EXPECT_EQ(line(), "fleet      rover-7 is NOT connected: there is no connection: Connection refused; events: 3 wait, "
+                    "412 delivered, 5 DROPPED; tried again in 12 s");
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // What the journal's tests share: a folder on a real disk, and the asynchronous interface made to wait.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -11,8 +11,8 @@
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "runtime/assert.hpp"
 #include "runtime/journal/sqlite_journal.hpp"
 
 namespace godwit::tests {
@@ -21,10 +21,10 @@ namespace godwit::tests {
 class scratch_folder {
 public:
   scratch_folder() {
-    static std::atomic<int> count{0};
-    folder_ = std::filesystem::current_path() /
-              ("scratch_" + std::to_string(::getpid()) + "_" + std::to_string(count.fetch_add(1)));
-    std::filesystem::create_directories(folder_);
+    auto name =
+        (std::filesystem::current_path() / "scratch_XXXXXX").string(); // what a killed test left stays another one
+    GODWIT_ASSERT(::mkdtemp(name.data()) != nullptr, "the current folder can be written");
+    folder_ = name;
   }
   ~scratch_folder() {
     std::error_code ignored;

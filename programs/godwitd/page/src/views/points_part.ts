@@ -24,9 +24,16 @@ function picture_part(all: page): TemplateResult {
 
 const place_of = (point: point_of_interest): place => ({ latitude: point.latitude_deg, longitude: point.longitude_deg });
 
+// What the camera saw of it, where there is a picture.
+function cut_out(point: point_of_interest): TemplateResult {
+  const show = (shown: boolean) => (event: Event) => { (event.target as HTMLElement).hidden = !shown; };
+  return html`<img class="cut-out" src="/api/v1/points/${point.number}/picture" alt="Point ${point.number}" hidden
+      @load=${show(true)} @error=${show(false)}>`;
+}
+
 function what_part(all: page, point: point_of_interest): TemplateResult {
   const at = all.vehicle();
-  return html`<td><b>${point.number}</b></td><td>${plain(point.class_group)}${point.has_moved ? html` <small>has moved</small>` : nothing}</td>
+  return html`<td><b>${point.number}</b></td><td>${cut_out(point)}</td><td>${plain(point.class_group)}${point.has_moved ? html` <small>has moved</small>` : nothing}</td>
     <td>${Math.round(100 * point.confidence)} %</td><td>${at === undefined ? "–" : distance_words(distance_m(at, place_of(point)))}</td>`;
 }
 

@@ -10,8 +10,8 @@ import unittest
 
 from service_test import OK, PATIENCE_S, PROGRAM, USAGE, World
 
-PARTS_OF_STATUS = {"at_ms", "health", "flight", "failsafe", "vehicle", "ground", "service", "map", "actors", "mail",
-                   "journal", "trace", "process", "unanswered"}
+PARTS_OF_STATUS = {"at_ms", "health", "flight", "failsafe", "vehicle", "ground", "service", "map", "fleet", "actors",
+                   "mail", "journal", "trace", "process", "unanswered"}
 
 
 class Port(World):

@@ -108,7 +108,7 @@ void websocket::have_read(const std::string& failed) {
     close(close_code::policy, "nothing is to be said here");
   else if (!e.is_closing)
     e.hooks.on_text({static_cast<const char*>(e.heard.data().data()), e.heard.size()});
-  if (!e.has_ended)
+  if (!e.has_ended && !e.is_closing) // the closing handshake reads by itself, and leaves a frame of which half is read
     read();
 }
 

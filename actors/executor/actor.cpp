@@ -8,7 +8,6 @@
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/scan_sentences.hpp"
 #include "actors/executor/state_token.hpp"
-#include "actors/executor/station_plan.hpp"
 #include "io/fields/field_table.hpp"
 
 namespace godwit::executor {

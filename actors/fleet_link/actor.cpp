@@ -6,14 +6,10 @@
 #include <vector>
 
 #include "actors/fleet_link/news.hpp"
+#include "runtime/overloaded.hpp"
 
 namespace godwit::fleet_link {
 namespace {
-
-template <class... Fs>
-struct overloaded : Fs... {
-  using Fs::operator()...;
-};
 
 constexpr unsigned attempts_bits = 24; // of one incarnation
 
@@ -132,18 +128,18 @@ void actor::turn() {
 
 void actor::carry_out(effects all) {
   for (auto& each : all)
-    std::visit(overloaded{[this](open_broker& how) {
-                            at_end([port = port_, how = std::move(how)] { port->open(how.attempt, how.will); });
-                          },
-                          [this](close_broker& which) { at_end([port = port_, which] { port->close(which.upto); }); },
-                          [this](publish& what) {
-                            at_end([port = port_, what = std::move(what)] { port->publish(what.attempt, what.what); });
-                          },
-                          [this](announce& said) {
-                            at_end([others = others_, said = std::move(said)] {
-                              others->say(said.sentence, said.is_warning);
-                            });
-                          }},
+    std::visit(runtime::overloaded{
+                   [this](open_broker& how) {
+                     at_end([port = port_, how = std::move(how)] { port->open(how.attempt, how.will); });
+                   },
+                   [this](close_broker& which) { at_end([port = port_, which] { port->close(which.upto); }); },
+                   [this](publish& what) {
+                     at_end([port = port_, what = std::move(what)] { port->publish(what.attempt, what.what); });
+                   },
+                   [this](announce& said) {
+                     at_end(
+                         [others = others_, said = std::move(said)] { others->say(said.sentence, said.is_warning); });
+                   }},
                each);
 }
 

@@ -23,31 +23,6 @@ io::mqtt::message message_of(const publication& what) {
   return result;
 }
 
-broker_failure failure_of(io::mqtt::failure why) {
-  using enum io::mqtt::failure;
-  switch (why) {
-  case none:
-    return broker_failure::none;
-  case not_resolved:
-    return broker_failure::not_resolved;
-  case unreachable:
-    return broker_failure::unreachable;
-  case lost:
-    return broker_failure::lost;
-  case certificate:
-    return broker_failure::certificate;
-  case not_authorised:
-    return broker_failure::not_authorised;
-  case taken_over:
-    return broker_failure::taken_over;
-  case refused:
-    return broker_failure::refused;
-  case unusable:
-    break;
-  }
-  return broker_failure::unusable;
-}
-
 std::uint64_t token_of(const publication& what) {
   using kind = publication::kind;
   return what.how == kind::event ? what.number : what.how == kind::status ? token_of_status : token_of_live;
@@ -113,7 +88,7 @@ void mqtt_port::open(std::uint64_t attempt, const publication& will) {
       wanted_, message_of(will),
       io::mqtt::listener{[ears, attempt] { ears->tell(broker_opened{attempt}); },
                          [ears, attempt](io::mqtt::failure why, const std::string& sentence) {
-                           ears->tell(broker_closed{attempt, failure_of(why), sentence});
+                           ears->tell(broker_closed{attempt, why, sentence});
                          },
                          [ears, attempt](std::uint64_t token) {
                            if (token == token_of_live)

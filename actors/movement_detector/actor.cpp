@@ -2,15 +2,9 @@
 
 #include <utility>
 
+#include "runtime/overloaded.hpp"
+
 namespace godwit::movement_detector {
-namespace {
-
-template <class... Fs>
-struct overloaded : Fs... {
-  using Fs::operator()...;
-};
-
-} // namespace
 
 actor::actor(runtime::spawn_context context, settings configured, std::shared_ptr<const peers> others,
              std::shared_ptr<eyes_port> port, std::uint64_t seed)
@@ -37,24 +31,25 @@ void actor::on_deadline() { carry_out(core_.on_time(now())); }
 
 void actor::carry_out(effects all) {
   for (auto& each : all)
-    std::visit(overloaded{[this](start_helper& what) {
-                            at_end([port = port_, what = std::move(what)] { port->start(what.run, what.how); });
-                          },
-                          [this](end_helper& which) { at_end([port = port_, which] { port->end(which.upto); }); },
-                          [this](io::eyes::pose& where) { at_end([port = port_, where] { port->tell(where); }); },
-                          [this](keep_picture& which) {
-                            at_end([port = port_, which = std::move(which)] {
-                              port->keep_picture(which.track, which.captured_ns, which.sighting_id);
-                            });
-                          },
-                          [this](mapobjects_store::sighting& seen) { tell(others_->sightings, std::move(seen)); },
-                          [this](scan_controller::view& how) { tell(others_->scan, std::move(how)); },
-                          [this](announce& said) {
-                            at_end([others = others_, said = std::move(said)] {
-                              others->say(said.sentence, said.is_warning);
-                            });
-                          }},
-               each);
+    std::visit(
+        runtime::overloaded{[this](start_helper& what) {
+                              at_end([port = port_, what = std::move(what)] { port->start(what.run, what.how); });
+                            },
+                            [this](end_helper& which) { at_end([port = port_, which] { port->end(which.upto); }); },
+                            [this](io::eyes::pose& where) { at_end([port = port_, where] { port->tell(where); }); },
+                            [this](keep_picture& which) {
+                              at_end([port = port_, which = std::move(which)] {
+                                port->keep_picture(which.track, which.captured_ns, which.sighting_id);
+                              });
+                            },
+                            [this](mapobjects_store::sighting& seen) { tell(others_->sightings, std::move(seen)); },
+                            [this](scan_controller::view& how) { tell(others_->scan, std::move(how)); },
+                            [this](announce& said) {
+                              at_end([others = others_, said = std::move(said)] {
+                                others->say(said.sentence, said.is_warning);
+                              });
+                            }},
+        each);
   show_health(core_.health(now()));
   wake_at(core_.next_due_ns());
 }

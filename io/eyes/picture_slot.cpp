@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include <fcntl.h>
@@ -14,26 +16,48 @@
 namespace godwit::io::eyes {
 namespace {
 
-constexpr std::uint64_t magic = 0x32746f6c53657947; // "GyeSlot2"
+constexpr std::uint64_t magic = 0x33746f6c53657947; // "GyeSlot3"
 constexpr std::size_t buffers = 3;
 constexpr int max_looks = 4; // a writer that outruns a reader so often is no writer of pictures
 
-struct buffer {
-  std::atomic<std::uint64_t> number; // of its picture
+// Written by one side and read by the other without a lock: by the stamp who reads sees whether it stayed whole.
+template <std::size_t Most>
+struct cell {
+  std::atomic<std::uint64_t> stamp; // 0: it is being written, or there is nothing
   std::int64_t captured_ns;
+  std::uint32_t track; // of a cut-out
   std::int32_t width_px;
   std::int32_t height_px;
   std::uint64_t size;
-  std::array<std::byte, max_picture_bytes> bytes;
-};
+  std::array<std::byte, Most> bytes;
 
-struct small_buffer {
-  std::atomic<std::int64_t> captured_ns; // 0: it is being written, or there is none
-  std::uint32_t track;
-  std::int32_t width_px;
-  std::int32_t height_px;
-  std::uint64_t size;
-  std::array<std::byte, max_cutout_bytes> bytes;
+  void write(std::uint64_t under, std::uint32_t of_track, std::span<const std::byte> jpeg, std::int64_t at_ns,
+             std::int32_t width, std::int32_t height) {
+    stamp.store(0, std::memory_order_relaxed);
+    std::atomic_thread_fence(std::memory_order_release);
+    captured_ns = at_ns;
+    track = of_track;
+    width_px = width;
+    height_px = height;
+    size = jpeg.size();
+    std::memcpy(bytes.data(), jpeg.data(), jpeg.size());
+    stamp.store(under, std::memory_order_release);
+  }
+
+  // Nothing: it has another stamp, or it was written meanwhile.
+  [[nodiscard]] std::optional<cutout> read(std::uint64_t under) const {
+    if (under == 0 || stamp.load(std::memory_order_acquire) != under)
+      return std::nullopt;
+    const std::uint64_t now = size; // read once: the other side may change it
+    if (now > Most)
+      return std::nullopt;
+    cutout result{track, captured_ns, width_px, height_px, {}};
+    result.jpeg.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(now));
+    std::atomic_thread_fence(std::memory_order_acquire);
+    if (stamp.load(std::memory_order_relaxed) != under)
+      return std::nullopt;
+    return result;
+  }
 };
 
 } // namespace
@@ -41,8 +65,8 @@ struct small_buffer {
 struct picture_slot::layout {
   std::uint64_t magic;
   std::atomic<std::uint64_t> newest; // 0: none
-  std::array<buffer, buffers> all;
-  std::array<small_buffer, max_cutouts> cutouts;
+  std::array<cell<max_picture_bytes>, buffers> all;
+  std::array<cell<max_cutout_bytes>, max_cutouts> cutouts; // the stamp is the time
 };
 
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "a lock would be of one process alone");
@@ -92,15 +116,7 @@ bool picture_slot::publish(std::span<const std::byte> jpeg, std::int64_t capture
   if (jpeg.size() > max_picture_bytes)
     return false;
   const auto number = mapped_->newest.load(std::memory_order_relaxed) + 1;
-  auto& to = mapped_->all[number % buffers];
-  to.number.store(0, std::memory_order_relaxed); // it is being written
-  std::atomic_thread_fence(std::memory_order_release);
-  to.captured_ns = captured_ns;
-  to.width_px = width_px;
-  to.height_px = height_px;
-  to.size = jpeg.size();
-  std::memcpy(to.bytes.data(), jpeg.data(), jpeg.size());
-  to.number.store(number, std::memory_order_release);
+  mapped_->all[number % buffers].write(number, 0, jpeg, captured_ns, width_px, height_px);
   mapped_->newest.store(number, std::memory_order_release);
   return true;
 }
@@ -110,17 +126,8 @@ std::optional<picture> picture_slot::read(std::uint64_t after) const {
     const auto newest = mapped_->newest.load(std::memory_order_acquire);
     if (newest <= after)
       return std::nullopt;
-    const auto& from = mapped_->all[newest % buffers];
-    if (from.number.load(std::memory_order_acquire) != newest)
-      continue;
-    const std::uint64_t size = from.size; // read once: the other side may change it
-    if (size > max_picture_bytes)
-      return std::nullopt;
-    picture result{newest, from.captured_ns, from.width_px, from.height_px, {}};
-    result.jpeg.assign(from.bytes.begin(), from.bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    std::atomic_thread_fence(std::memory_order_acquire);
-    if (from.number.load(std::memory_order_relaxed) == newest)
-      return result;
+    if (auto seen = mapped_->all[newest % buffers].read(newest))
+      return picture{newest, seen->captured_ns, seen->width_px, seen->height_px, std::move(seen->jpeg)};
   }
   return std::nullopt;
 }
@@ -129,39 +136,26 @@ bool picture_slot::publish_cutout(std::uint32_t track, std::span<const std::byte
                                   std::int32_t width_px, std::int32_t height_px) {
   if (jpeg.size() > max_cutout_bytes || captured_ns <= 0)
     return false;
-  auto& to = mapped_->cutouts[track % max_cutouts];
-  to.captured_ns.store(0, std::memory_order_relaxed); // it is being written
-  std::atomic_thread_fence(std::memory_order_release);
-  to.track = track;
-  to.width_px = width_px;
-  to.height_px = height_px;
-  to.size = jpeg.size();
-  std::memcpy(to.bytes.data(), jpeg.data(), jpeg.size());
-  to.captured_ns.store(captured_ns, std::memory_order_release);
+  mapped_->cutouts[track % max_cutouts].write(static_cast<std::uint64_t>(captured_ns), track, jpeg, captured_ns,
+                                              width_px, height_px);
   return true;
 }
 
 std::optional<cutout> picture_slot::read_cutout(std::uint32_t track) const {
   const auto& from = mapped_->cutouts[track % max_cutouts];
   for (int looks = 0; looks < max_looks; ++looks) {
-    const auto captured_ns = from.captured_ns.load(std::memory_order_acquire);
-    const std::uint64_t size = from.size; // read once: the other side may change it
-    if (captured_ns <= 0 || from.track != track || size > max_cutout_bytes)
-      continue;
-    cutout result{track, captured_ns, from.width_px, from.height_px, {}};
-    result.jpeg.assign(from.bytes.begin(), from.bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    std::atomic_thread_fence(std::memory_order_acquire);
-    if (from.captured_ns.load(std::memory_order_relaxed) == captured_ns)
-      return result;
+    auto seen = from.read(from.stamp.load(std::memory_order_acquire));
+    if (seen && seen->captured_ns > 0 && seen->track == track)
+      return seen;
   }
   return std::nullopt;
 }
 
 void picture_slot::clear() {
   for (auto& each : mapped_->all)
-    each.number.store(0);
+    each.stamp.store(0);
   for (auto& each : mapped_->cutouts)
-    each.captured_ns.store(0);
+    each.stamp.store(0);
   mapped_->newest.store(0);
 }
 

@@ -1,6 +1,8 @@
 // Why there is no connection to a broker. Thread: plain values.
 #pragma once
 
+#include "io/fields/field_table.hpp"
+
 namespace godwit::io::mqtt {
 
 enum class failure {
@@ -14,5 +16,17 @@ enum class failure {
   refused,        // the broker says no for another reason
   unusable        // of our own: a file can not be read
 };
+
+constexpr auto enum_names(failure) {
+  return io::names<failure>({{failure::none, "none"},
+                             {failure::not_resolved, "not_resolved"},
+                             {failure::unreachable, "unreachable"},
+                             {failure::lost, "lost"},
+                             {failure::certificate, "certificate"},
+                             {failure::not_authorised, "not_authorised"},
+                             {failure::taken_over, "taken_over"},
+                             {failure::refused, "refused"},
+                             {failure::unusable, "unusable"}});
+}
 
 } // namespace godwit::io::mqtt

@@ -5,33 +5,11 @@
 #include <string>
 
 #include "io/fields/field_table.hpp"
+#include "io/mqtt/failure.hpp"
 
 namespace godwit::fleet_link {
 
-// Why there is no connection.
-enum class broker_failure {
-  none,
-  not_resolved,   // its name
-  unreachable,    // nobody answers there
-  lost,           // it was connected
-  certificate,    // TLS: the broker is not who it should be, or will not have us
-  not_authorised, // user, password, or what this user may publish
-  taken_over,     // somebody else has connected under the same name
-  refused,        // the broker says no for another reason
-  unusable        // of our own: a file can not be read
-};
-
-constexpr auto enum_names(broker_failure) {
-  return io::names<broker_failure>({{broker_failure::none, "none"},
-                                    {broker_failure::not_resolved, "not_resolved"},
-                                    {broker_failure::unreachable, "unreachable"},
-                                    {broker_failure::lost, "lost"},
-                                    {broker_failure::certificate, "certificate"},
-                                    {broker_failure::not_authorised, "not_authorised"},
-                                    {broker_failure::taken_over, "taken_over"},
-                                    {broker_failure::refused, "refused"},
-                                    {broker_failure::unusable, "unusable"}});
-}
+using broker_failure = io::mqtt::failure;
 
 // -- from the port. ATTEMPT: which connection; one that is not the newest is old.
 

@@ -1,22 +1,13 @@
 // All commands of godwit-eyes, in the order of its help. Thread: one.
 #pragma once
 
-#include <functional>
-
-#include <CLI/CLI.hpp>
-
-#include "programs/common/exit_code.hpp"
+#include "programs/common/command.hpp"
 
 namespace godwit::eyes {
 
+using programs::add_command;
+using programs::command;
 using programs::exit_code;
-
-struct command {
-  CLI::App* app = nullptr;
-  std::function<exit_code()> run;
-};
-
-using add_command = command (*)(CLI::App& to);
 
 [[nodiscard]] command add_probe_command(CLI::App& to);
 [[nodiscard]] command add_look_command(CLI::App& to);

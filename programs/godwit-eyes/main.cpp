@@ -6,18 +6,7 @@
 #include "programs/godwit-eyes/commands.hpp"
 #include "programs/godwit-eyes/console.hpp"
 
-namespace {
-
 using namespace godwit::eyes;
-
-int run(const CLI::App& app, const std::vector<command>& commands) {
-  for (const auto& each : commands)
-    if (app.got_subcommand(each.app))
-      return static_cast<int>(each.run());
-  return static_cast<int>(exit_code::usage);
-}
-
-} // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
@@ -37,5 +26,5 @@ int main(int argc, char** argv) {
     say(error.what());
     return static_cast<int>(exit_code::usage);
   }
-  return run(app, commands);
+  return godwit::programs::run_chosen(app, commands);
 }

@@ -6,18 +6,7 @@
 #include "programs/godwit-sim/commands.hpp"
 #include "programs/godwit-sim/console.hpp"
 
-namespace {
-
 using namespace godwit::sim;
-
-int run(const CLI::App& app, const std::vector<command>& commands) {
-  for (const auto& each : commands)
-    if (app.got_subcommand(each.app))
-      return static_cast<int>(each.run());
-  return static_cast<int>(exit_code::usage);
-}
-
-} // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
@@ -39,5 +28,5 @@ int main(int argc, char** argv) {
     std::fwrite(help.data(), 1, help.size(), stderr);
     return static_cast<int>(exit_code::usage);
   }
-  return run(app, commands);
+  return godwit::programs::run_chosen(app, commands);
 }

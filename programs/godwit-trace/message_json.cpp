@@ -1,8 +1,8 @@
 #include "programs/godwit-trace/message_json.hpp"
 
+#include "io/fields/hex_text.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/mavlink/messages.hpp"
-#include "programs/godwit-trace/hex_text.hpp"
 #include "programs/godwit-trace/message_name.hpp"
 #include "programs/godwit-trace/withheld.hpp"
 
@@ -29,7 +29,7 @@ void append_message_json(std::string& out, std::uint64_t time_us, const io::mavl
   });
   if (!is_ours && !is_withheld(frame.id())) {
     out += ",\"payload\":\"";
-    append_hex(out, frame.payload());
+    io::append_hex(out, frame.payload());
     out += '"';
   }
   out += '}';

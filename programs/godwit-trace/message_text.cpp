@@ -8,10 +8,10 @@
 #include <string_view>
 #include <type_traits>
 
+#include "io/fields/hex_text.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-trace/enum_fields.hpp"
-#include "programs/godwit-trace/hex_text.hpp"
 #include "programs/godwit-trace/message_name.hpp"
 #include "programs/godwit-trace/withheld.hpp"
 
@@ -43,7 +43,7 @@ void append_number(std::string& out, N value) {
 template <class T, std::size_t N>
 void append_array(std::string& out, const std::array<T, N>& values) {
   if constexpr (std::is_same_v<T, std::uint8_t>) {
-    append_hex(out, std::as_bytes(std::span(values)));
+    io::append_hex(out, std::as_bytes(std::span(values)));
   } else {
     out += '[';
     for (std::size_t i = 0; i < N; ++i) {
@@ -119,7 +119,7 @@ void append_payload(std::string& out, const io::mavlink::frame_view& frame) {
     return;
   }
   out += ": ";
-  append_hex(out, payload.first(std::min(payload.size(), max_shown_payload)));
+  io::append_hex(out, payload.first(std::min(payload.size(), max_shown_payload)));
   out += payload.size() > max_shown_payload ? "..." : "";
 }
 

@@ -1,9 +1,11 @@
 #include "programs/godwit-sim/missions/answer_table.hpp"
 
 #include <array>
+#include <span>
 
 #include <openssl/evp.h>
 
+#include "io/fields/hex_text.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::sim::missions {
@@ -18,11 +20,7 @@ std::string digest_of(std::string_view method, std::string_view path, std::strin
   unsigned size = 0;
   const bool is_made = ::EVP_Digest(all.data(), all.size(), hash.data(), &size, ::EVP_sha256(), nullptr) == 1;
   GODWIT_ASSERT(is_made, "OpenSSL knows SHA-256");
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (unsigned i = 0; i < size; ++i)
-    text.append({digits[hash.at(i) >> 4U], digits[hash.at(i) & 15U]});
-  return text;
+  return io::hex_of(std::as_bytes(std::span(hash).first(size)));
 }
 
 std::optional<kept_answer> find_answer(service_file& file, const std::string& key) {

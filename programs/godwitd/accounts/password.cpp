@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 
 #include <openssl/crypto.h>
 #include <openssl/evp.h>
 
+#include "io/fields/hex_text.hpp"
 #include "programs/godwitd/accounts/token.hpp"
 #include "runtime/assert.hpp"
 
@@ -23,7 +25,7 @@ std::string scrypt(std::string_view password, const password_hash& how) {
       EVP_PBE_scrypt(password.data(), password.size(), reinterpret_cast<const unsigned char*>(how.salt.data()),
                      how.salt.size(), how.n, how.r, how.p, max_memory * 2, out.data(), out.size()) == 1;
   GODWIT_ASSERT(is_done, "a sane cost is one that scrypt takes");
-  auto result = hex_of(out);
+  auto result = io::hex_of(std::as_bytes(std::span(out)));
   OPENSSL_cleanse(out.data(), out.size());
   return result;
 }

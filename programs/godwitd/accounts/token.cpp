@@ -7,6 +7,7 @@
 #include <openssl/evp.h>
 #include <openssl/rand.h>
 
+#include "io/fields/hex_text.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::accounts {
@@ -17,16 +18,6 @@ void fill(std::span<unsigned char> to) {
 }
 
 } // namespace
-
-std::string hex_of(std::span<const unsigned char> bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string result;
-  for (const auto each : bytes) {
-    result += digits[each >> 4U];
-    result += digits[each & 15U];
-  }
-  return result;
-}
 
 io::http::secret_text new_token() {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -45,13 +36,13 @@ std::string hash_of_token(std::string_view token) {
   GODWIT_ASSERT(EVP_Digest(token.data(), token.size(), digest.data(), &size, EVP_sha256(), nullptr) == 1 &&
                     size == digest.size(),
                 "SHA-256 is there");
-  return hex_of(digest);
+  return io::hex_of(std::as_bytes(std::span(digest)));
 }
 
 std::string random_hex(std::size_t bytes) {
   std::vector<unsigned char> result(bytes);
   fill(result);
-  return hex_of(result);
+  return io::hex_of(std::as_bytes(std::span(result)));
 }
 
 } // namespace godwit::accounts

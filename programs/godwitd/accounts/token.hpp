@@ -4,7 +4,6 @@
 // Errors: an assertion when the system has no randomness. Thread: any. Source: RFC 4648, 5 (base64url).
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,8 +17,6 @@ inline constexpr std::size_t token_size = 43; // characters: letters, digits, - 
 
 // 64 hexadecimal digits; of anything, also of what is no token.
 [[nodiscard]] std::string hash_of_token(std::string_view token);
-
-[[nodiscard]] std::string hex_of(std::span<const unsigned char> bytes); // hexadecimal digits, small letters
 
 // N bytes of the system's randomness, as hexadecimal digits.
 [[nodiscard]] std::string random_hex(std::size_t bytes);

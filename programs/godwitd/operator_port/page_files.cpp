@@ -2,10 +2,13 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 #include <openssl/evp.h>
 #include <zlib.h>
+
+#include "io/fields/hex_text.hpp"
 
 namespace godwit::operator_port {
 namespace {
@@ -48,11 +51,7 @@ std::string tag_of(std::string_view text) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   if (EVP_Digest(text.data(), text.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1)
     throw std::runtime_error("OpenSSL has no SHA-256");
-  std::string result = "\"";
-  for (std::size_t i = 0; i < shown_bytes; ++i)
-    for (const auto half : {digest.at(i) >> 4, digest.at(i) & 15})
-      result += "0123456789abcdef"[half];
-  return result + '"';
+  return '"' + io::hex_of(std::as_bytes(std::span(digest).first<shown_bytes>())) + '"';
 }
 
 server_response answer_of(const kept_file& file, const server_request& asked) {

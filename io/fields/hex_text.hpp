@@ -1,11 +1,11 @@
-// Bytes as hexadecimal digits. Thread: pure.
+// Bytes as hexadecimal digits, small letters. Thread: pure.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
 
-namespace godwit::trace_tool {
+namespace godwit::io {
 
 inline void append_hex(std::string& out, std::span<const std::byte> bytes) {
   constexpr char digits[] = "0123456789abcdef";
@@ -15,4 +15,10 @@ inline void append_hex(std::string& out, std::span<const std::byte> bytes) {
   }
 }
 
-} // namespace godwit::trace_tool
+[[nodiscard]] inline std::string hex_of(std::span<const std::byte> bytes) {
+  std::string result;
+  append_hex(result, bytes);
+  return result;
+}
+
+} // namespace godwit::io

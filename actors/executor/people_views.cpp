@@ -5,6 +5,7 @@
 
 #include "actors/executor/plan/setting.hpp"
 #include "io/mavlink/enums/command.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 using io::mavlink::mav_cmd;
 
 constexpr double degrees_of_unit = 1e-7;
-constexpr std::int64_t ns_in_ms = 1'000'000;
 
 // The items to whose places the vehicle goes.
 constexpr std::array ways{mav_cmd::nav_waypoint,    mav_cmd::nav_loiter_unlim,    mav_cmd::nav_loiter_turns,
@@ -52,7 +52,7 @@ preflight_view preflight_view_of(const preflight::state& s, const std::optional<
   }
   if (!last)
     return result;
-  result.looked_ms = last->at_ns / ns_in_ms;
+  result.looked_ms = last->at_ns / ns_per_ms;
   for (const auto& each : last->what.findings)
     result.findings.push_back({each.check, std::string(io::name_of(each.how)), each.sentence});
   return result;

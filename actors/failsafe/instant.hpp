@@ -7,15 +7,17 @@
 
 #include <cstdint>
 
+#include "io/time_units.hpp"
+
 namespace godwit::failsafe {
+
+using godwit::ns_per_ms;
+using godwit::ns_per_s;
 
 struct instant {
   std::int64_t monotonic_ns = 0;
   std::int64_t wall_ns = 0;
 };
-
-inline constexpr std::int64_t ns_per_ms = 1'000'000;
-inline constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 // All decisions fall on a tick. From a breach to the command it takes at most one of them.
 inline constexpr std::int64_t tick_ms = 100;

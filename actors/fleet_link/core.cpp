@@ -5,11 +5,11 @@
 
 #include "actors/fleet_link/remedy.hpp"
 #include "io/fields/json_text.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::fleet_link {
 namespace {
 
-constexpr std::int64_t ns_in_ms = 1'000'000;
 constexpr std::uint64_t max_doublings = 6;
 
 struct status_form {
@@ -29,13 +29,13 @@ std::shared_ptr<const std::string> shared(std::string text) {
 
 core::core(settings configured, std::uint64_t seed, std::string session, std::uint64_t first_attempt)
     : settings_(std::move(configured)), session_(std::move(session)), seed_(seed), attempt_(first_attempt),
-      live_(settings_.interval_ms * ns_in_ms) {}
+      live_(settings_.interval_ms * ns_per_ms) {}
 
 std::string core::topic(std::string_view rest) const { return "gw/v1/" + settings_.vehicle + "/" + std::string(rest); }
 
 publication core::status_text(const char* how, instant now) const {
   return {publication::kind::status, topic("status"),
-          shared(io::to_json(status_form{how, session_ + "-" + std::to_string(attempt_), now.wall_ns / ns_in_ms})), 0};
+          shared(io::to_json(status_form{how, session_ + "-" + std::to_string(attempt_), now.wall_ns / ns_per_ms})), 0};
 }
 
 publication core::event_text(const state& s, const queued_event& what) const {
@@ -211,7 +211,7 @@ fleet_view core::view_of(const state& s, instant now) const {
   result.vehicle = settings_.vehicle;
   result.sentence = sentence_;
   if (phase_ == phase::waiting)
-    result.next_try_ms = std::max<std::int64_t>(0, due_ns_ - now.monotonic_ns) / ns_in_ms;
+    result.next_try_ms = std::max<std::int64_t>(0, due_ns_ - now.monotonic_ns) / ns_per_ms;
   result.waiting = s.events.size();
   result.delivered = s.delivered;
   result.dropped = s.dropped;

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "io/time_units.hpp"
+
 namespace godwit::fleet_link {
 namespace {
-
-constexpr std::int64_t ns_in_ms = 1'000'000;
 
 constexpr std::size_t bytes_beside_data = 90; // of an event: names, numbers, time
 
@@ -58,7 +58,7 @@ std::vector<durable_core::effect> put(state& s, const store_named& happened, std
 std::vector<durable_core::effect> put(state& s, const noted& happened, std::int64_t at_ns) {
   put(s, happened.seen);
   for (const auto& each : happened.what) {
-    s.events.push_back({s.next_number++, at_ns / ns_in_ms, each.kind, happened.is_late, each.data});
+    s.events.push_back({s.next_number++, at_ns / ns_per_ms, each.kind, happened.is_late, each.data});
     s.event_bytes += bytes_of(s.events.back());
     make_room(s);
   }

@@ -7,12 +7,11 @@
 #include "actors/ground_port/about.hpp"
 #include "actors/ground_port/decision_context.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::ground_port {
 
 namespace {
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
 
 constexpr auto onboard_computer = mavlink::number(mavlink::mav_component::onboard_computer);
 constexpr auto autopilot_component = mavlink::number(mavlink::mav_component::autopilot1);

@@ -15,6 +15,7 @@
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
 #include "actors/ground_port/number_reading.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::ground_port {
 
@@ -24,7 +25,6 @@ using mavlink::mav_cmd;
 using mavlink::mav_result;
 using mavlink::mav_severity;
 
-constexpr std::int64_t ns_per_us = 1'000;
 constexpr std::int64_t least_current_interval_us = 100'000; // changes are told at once, whatever is asked for
 
 } // namespace

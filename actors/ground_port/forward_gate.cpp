@@ -2,12 +2,12 @@
 
 #include <limits>
 
+#include "io/time_units.hpp"
+
 namespace godwit::ground_port {
 
 namespace {
 
-constexpr std::int64_t ns_per_ms = 1'000'000;
-constexpr std::int64_t ns_per_us = 1'000;
 constexpr std::int64_t max_interval_us = std::numeric_limits<std::int32_t>::max(); // what MAVLink can tell
 
 std::uint32_t id_of(const telemetry& m) {

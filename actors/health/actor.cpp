@@ -2,12 +2,11 @@
 
 #include <utility>
 
+#include "io/time_units.hpp"
 #include "runtime/health_board.hpp"
 
 namespace godwit::health {
 namespace {
-
-constexpr std::int64_t ns_in_ms = 1'000'000;
 
 colour colour_of(runtime::health_colour how) {
   switch (how) {
@@ -47,7 +46,7 @@ void actor::look_at_board() {
   for (auto& each : outside().health->entries())
     view.all.push_back({std::move(each.component), colour_of(each.colour), std::move(each.reason)});
   observe(view, seen_);
-  const bool is_news = core_.on_board(view.all, handler_time().wall_ns / ns_in_ms);
+  const bool is_news = core_.on_board(view.all, handler_time().wall_ns / ns_per_ms);
   if (is_news)
     for (const auto& each : others_->listeners)
       tell(each, core_.status());
@@ -108,7 +107,7 @@ void actor::take_part() {
     return;
   look_at_board();
   auto host = world_.read_host ? world_.read_host() : host_figures();
-  half_.at_ms = handler_time().wall_ns / ns_in_ms;
+  half_.at_ms = handler_time().wall_ns / ns_per_ms;
   half_.health = core_.status();
   half_.mail = std::move(host.mail);
   half_.journal = std::move(host.journal);

@@ -19,7 +19,7 @@ constexpr int rows_deleted = 5000;
 
 // SELECT gives number and whether it is garbage, in the order of numbers.
 template <class... Values>
-map_result<garbage_rows> look(sql& q, const char* select, const Values&... values) {
+map_result<garbage_rows> rows_of(sql& q, const char* select, const Values&... values) {
   garbage_rows found;
   auto done = q.each(
       select,
@@ -98,29 +98,29 @@ map_result<bool> garbage_collection::go_on(const map_result<garbage_rows>& found
 }
 
 map_result<bool> garbage_collection::seen_objects(map_tables& t, decision_context& now) {
-  const auto found = look(t.q,
-                          "SELECT number, 1 FROM seen_object WHERE number > ?1 AND number <= ?2 ORDER BY number "
-                          "LIMIT ?3",
-                          staged_.number, t.map.pulled_observation);
+  const auto found = rows_of(t.q,
+                             "SELECT number, 1 FROM seen_object WHERE number > ?1 AND number <= ?2 ORDER BY number "
+                             "LIMIT ?3",
+                             staged_.number, t.map.pulled_observation);
   return go_on(found, now, [&](std::int64_t number) { return remove_seen(t.q, number); });
 }
 
 map_result<bool> garbage_collection::ignored_items(map_tables& t, decision_context& now) {
   const auto found =
-      look(t.q,
-           "SELECT number, NOT (generation = ?2 OR generation = ?3 OR generation = 0 AND (number > ?4 OR "
-           "delivery != 'delivered')) FROM ignored_item WHERE number > ?1 ORDER BY number LIMIT ?5",
-           staged_.number, t.map.pulled_mission_id.empty() ? -1 : t.map.generation,
-           t.load.generation == 0 ? -1 : t.load.generation, t.map.pulled_ignored_item);
+      rows_of(t.q,
+              "SELECT number, NOT (generation = ?2 OR generation = ?3 OR generation = 0 AND (number > ?4 OR "
+              "delivery != 'delivered')) FROM ignored_item WHERE number > ?1 ORDER BY number LIMIT ?5",
+              staged_.number, t.map.pulled_mission_id.empty() ? -1 : t.map.generation,
+              t.load.generation == 0 ? -1 : t.load.generation, t.map.pulled_ignored_item);
   return go_on(found, now,
                [&](std::int64_t number) { return t.q.run("DELETE FROM ignored_item WHERE number = ?", number); });
 }
 
 map_result<bool> garbage_collection::observations(map_tables& t, decision_context& now) {
-  const auto found = look(t.q,
-                          "SELECT number, delivery = 'delivered' FROM observation WHERE number > ?1 AND number <= "
-                          "(SELECT max(number) FROM observation) - ?2 ORDER BY number LIMIT ?3",
-                          staged_.number, keep_delivered_);
+  const auto found = rows_of(t.q,
+                             "SELECT number, delivery = 'delivered' FROM observation WHERE number > ?1 AND number <= "
+                             "(SELECT max(number) FROM observation) - ?2 ORDER BY number LIMIT ?3",
+                             staged_.number, keep_delivered_);
   return go_on(found, now,
                [&](std::int64_t number) { return t.q.run("DELETE FROM observation WHERE number = ?", number); });
 }

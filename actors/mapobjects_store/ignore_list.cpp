@@ -1,6 +1,7 @@
 #include "actors/mapobjects_store/ignore_list.hpp"
 
 #include "actors/domain/geo/mgrs.hpp"
+#include "actors/mapobjects_store/geo_point.hpp"
 #include "actors/mapobjects_store/input_check.hpp"
 #include "actors/mapobjects_store/object_table.hpp"
 #include "messages/mapobjects_store/delivery.hpp"

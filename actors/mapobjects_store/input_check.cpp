@@ -3,6 +3,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/mgrs.hpp"
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/mapobjects_store/geo_point.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -18,8 +19,6 @@ constexpr double max_altitude_m = 20'000;
 constexpr std::size_t max_quoted_bytes = 80;
 
 std::string in_quotes(const std::string& text) { return "\"" + text.substr(0, max_quoted_bytes) + "\""; }
-
-geo::point point_of(const geo_position& at) { return {at.latitude_deg, at.longitude_deg}; }
 
 checked_input check_class_group(const std::string& group) {
   if (group.empty() || group.size() > max_class_group_bytes)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "actors/domain/geo/hilbert.hpp"
+#include "actors/mapobjects_store/geo_point.hpp"
 #include "actors/mapobjects_store/input_check.hpp"
 #include "actors/mapobjects_store/object_table.hpp"
 #include "messages/mapobjects_store/delivery.hpp"

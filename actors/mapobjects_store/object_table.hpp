@@ -41,6 +41,4 @@ objects_in(sql& q, const map_row& map, const std::vector<geo::bounding_box>& box
 // confidence and mission_id first.
 [[nodiscard]] stored_object object_of(const sql::row& row, bool is_loaded);
 
-[[nodiscard]] inline geo::point point_of(const geo_position& at) { return {at.latitude_deg, at.longitude_deg}; }
-
 } // namespace godwit::mapobjects_store

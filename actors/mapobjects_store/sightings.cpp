@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "actors/mapobjects_store/classification.hpp"
+#include "actors/mapobjects_store/geo_point.hpp"
 #include "actors/mapobjects_store/ignore_list.hpp"
 #include "actors/mapobjects_store/input_check.hpp"
 #include "actors/mapobjects_store/object_table.hpp"

@@ -1,14 +1,8 @@
 #include "actors/mapobjects_store/view.hpp"
 
-#include "actors/domain/geo/geodesic.hpp"
+#include "actors/mapobjects_store/geo_point.hpp"
 
 namespace godwit::mapobjects_store {
-
-namespace {
-
-geo::point point_of(const geo_position& at) { return {at.latitude_deg, at.longitude_deg}; }
-
-} // namespace
 
 std::vector<view_area> areas_of(const pass_end& pass) {
   std::vector<view_area> areas;

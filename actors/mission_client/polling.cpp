@@ -10,7 +10,7 @@ namespace godwit::mission_client {
 
 namespace {
 
-constexpr const char* kind = "asking for assignments";
+constexpr const char* poll_kind = "asking for assignments";
 
 // An insert that was taken meanwhile does not hide an assignment of before it. 0: in a journal of an earlier version.
 std::int32_t asks_after(const state& s) { return s.asks_after != 0 ? s.asks_after : s.revision; }
@@ -31,7 +31,7 @@ bool has_no_room(const state& s) {
 void polling::plan(planning_context& d) {
   if (d.s.now != phase::ready || is_deleted(d.s, d.s.mission_id) || mission_id_ != d.s.mission_id) {
     attempt_.forget(d);
-    d.went_well(kind);
+    d.went_well(poll_kind);
     is_blocked_ = false;
     mission_id_ = d.s.mission_id;
   }
@@ -52,7 +52,7 @@ void polling::on_answer(planning_context& d, ticket number, const service_answer
     if (list) {
       attempt_.succeed();
       attempt_.not_before_ns = started_ns_ + least_poll_period_ns;
-      d.went_well(kind);
+      d.went_well(poll_kind);
       std::erase_if(list->assignments, [&](const mission::assignment& each) { return !is_new(d.s, each); });
       if (!list->assignments.empty())
         d.happened(assignments_seen{mission_id_, std::move(list->assignments)});
@@ -64,7 +64,7 @@ void polling::on_answer(planning_context& d, ticket number, const service_answer
     return d.happened(mission_gone{mission_id_});
   is_blocked_ = verdict == judgement::not_allowed;
   attempt_.fail_without_end(d, mission_id_, answer.retry_after_ns);
-  d.went_wrong(kind, cut_error(why));
+  d.went_wrong(poll_kind, cut_error(why));
 }
 
 } // namespace godwit::mission_client

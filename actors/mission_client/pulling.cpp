@@ -11,7 +11,7 @@ namespace godwit::mission_client {
 
 namespace {
 
-constexpr const char* kind = "pulling the map";
+constexpr const char* pull_kind = "pulling the map";
 
 std::string with_sample(const std::string& what, const std::string& sample) {
   return "what the service sent is no page of the map: " + what + "; it began with: " + sample;
@@ -61,7 +61,7 @@ void pulling::on_answer(planning_context& d, ticket number, const service_answer
     return take_page(d, answer);
   d.count_fetch_error();
   auto why = sentence_of(answer);
-  d.went_wrong(kind, why);
+  d.went_wrong(pull_kind, why);
   if (verdict == judgement::gone)
     return d.happened(mission_gone{mission_id_});
   if (verdict == judgement::wrong && answer.status == 400 && !next_.empty())
@@ -205,9 +205,9 @@ void pulling::give_up(std::string why) {
 void pulling::end(planning_context& d, pull_state result) {
   const auto mission_id = std::exchange(mission_id_, {}); // the next pull begins at the beginning
   if (result == pull_state::synced)
-    d.went_well(kind);
+    d.went_well(pull_kind);
   else
-    d.went_wrong(kind, reason_);
+    d.went_wrong(pull_kind, reason_);
   const bool has_map = result == pull_state::synced;
   d.happened(pull_ended{{mission_id, result, has_map ? static_cast<std::uint64_t>(objects_) : 0,
                          has_map ? static_cast<std::uint64_t>(ignored_) : 0, has_map ? std::string() : reason_}});

@@ -4,13 +4,13 @@
 
 #include <cstdint>
 
+#include "io/time_units.hpp"
+
 namespace godwit::operator_bridge {
 
 struct instant {
   std::int64_t monotonic_ns = 0;
   std::int64_t wall_ns = 0;
 };
-
-inline constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 } // namespace godwit::operator_bridge

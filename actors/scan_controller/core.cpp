@@ -7,11 +7,10 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/scan_controller/matching.hpp"
 #include "io/fields/field_table.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::scan_controller {
 namespace {
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
 
 geo::point place_of(const mapobjects_store::geo_position& at) { return {at.latitude_deg, at.longitude_deg}; }
 

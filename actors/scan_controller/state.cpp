@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "actors/domain/uuid/uuid.hpp"
+#include "io/time_units.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::scan_controller {
@@ -11,8 +12,6 @@ namespace {
 
 using effects = std::vector<durable_core::effect>;
 using mapobjects_store::verdict;
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
 
 auto with_number(std::uint64_t number) {
   return [number](const auto& each) {

@@ -2,12 +2,10 @@
 
 #include <utility>
 
+#include "io/time_units.hpp"
+
 namespace godwit::telemetry_stream {
-namespace {
-
-constexpr std::int64_t ns_in_ms = 1'000'000;
-
-} // namespace
+namespace {} // namespace
 
 template <class M>
 auto actor::shows() {
@@ -82,7 +80,7 @@ void actor::publish(publications all) {
     return;
   at_end([this, all = std::move(all), at = handler_time()] {
     for (const auto& each : all)
-      hub_->publish(each.what, each.data, at.wall_ns / ns_in_ms, at.monotonic_ns);
+      hub_->publish(each.what, each.data, at.wall_ns / ns_per_ms, at.monotonic_ns);
   });
 }
 

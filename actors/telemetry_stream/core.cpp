@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/fields/json_text.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::telemetry_stream {
 namespace {
@@ -20,7 +21,6 @@ constexpr double amperes_of_ca = 1e-2;
 constexpr double degrees_of_rad = 180 / std::numbers::pi;
 constexpr double hdop_of_unit = 1e-2;
 constexpr std::uint16_t unknown_u16 = 65535;
-constexpr std::int64_t ns_in_ms = 1'000'000;
 constexpr std::uint8_t unknown_u8 = 255;
 
 template <class Update>
@@ -167,7 +167,7 @@ points_update update_of(const scan_controller::points& m, std::int64_t wall_ns) 
   };
   points_update result{true, m.mission_id, {}, {}, m.waiting};
   for (const auto& each : m.shown)
-    result.shown.emplace_back(described(each)).decide_until_ms = wall_ns / ns_in_ms + each.decide_within_ms;
+    result.shown.emplace_back(described(each)).decide_until_ms = wall_ns / ns_per_ms + each.decide_within_ms;
   for (const auto& each : m.confirmed)
     result.confirmed.push_back(described(each));
   return result;

@@ -7,12 +7,11 @@
 #include "actors/vehicle_link/core_context.hpp"
 #include "actors/vehicle_link/relay_gate.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::vehicle_link {
 
 namespace {
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
 
 // Before a vehicle is known: nearly every vehicle is system 1, and a heartbeat has to come from somewhere.
 constexpr std::uint8_t usual_system = 1;

@@ -4,11 +4,11 @@
 
 #include "actors/vehicle_link/core.hpp"
 
+#include "io/time_units.hpp"
+
 namespace godwit::vehicle_link {
 
 namespace {
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
 
 std::vector<named_count> named(const std::vector<mavlink::channel_count>& counts) {
   std::vector<named_count> result;

@@ -19,6 +19,7 @@
 
 #include "actors/vehicle_link/pending_commands.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -93,7 +94,6 @@ public:
 
 private:
   enum class step { idle, commanded, announced };
-  static constexpr std::int64_t ns_per_ms = 1'000'000;
   static constexpr auto command = static_cast<std::uint16_t>(io::mavlink::mav_cmd::do_set_mission_current);
 
   command_outcome end(command_outcome outcome) {

@@ -4,15 +4,13 @@
 #include <string>
 
 #include "io/mavlink/enums.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::vehicle_link {
 
 namespace {
 
 using io::mavlink::mav_result;
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
-constexpr std::int64_t ns_per_us = 1'000;
 
 command_outcome outcome_of(const io::mavlink::command_ack& ack, std::int64_t round_trip_ns) {
   command_outcome result;

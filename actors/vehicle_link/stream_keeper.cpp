@@ -5,6 +5,7 @@
 
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -12,7 +13,6 @@ namespace {
 
 namespace mavlink = io::mavlink;
 
-constexpr std::int64_t ns_per_ms = 1'000'000;
 constexpr std::int64_t windows_per_judgement = 3; // intervals that have to fit into a window
 
 std::int64_t window_ns(const wanted_stream& s) {

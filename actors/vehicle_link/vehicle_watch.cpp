@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "io/mavlink/enums.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::vehicle_link {
 
 namespace {
 
-constexpr std::int64_t ns_per_ms = 1'000'000;
 constexpr auto wrap_guard_ms = std::uint32_t{1} << 31U; // the 32-bit clock wraps after 49.7 days, which is no restart
 
 } // namespace

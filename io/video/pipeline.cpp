@@ -12,26 +12,13 @@
 #include <gst/video/video.h>
 #include <unistd.h>
 
+#include "io/video/gst_owned.hpp"
+#include "io/video/monotonic.hpp"
+
 namespace godwit::io::video {
 namespace {
 
 constexpr int rtsp_latency_ms = 100;
-
-struct unref {
-  void operator()(GstElement* each) const { gst_object_unref(each); }
-  void operator()(GstBus* each) const { gst_object_unref(each); }
-  void operator()(GstSample* each) const { gst_sample_unref(each); }
-  void operator()(GstMessage* each) const { gst_message_unref(each); }
-  void operator()(GError* each) const { g_error_free(each); }
-};
-template <class T>
-using owned = std::unique_ptr<T, unref>;
-
-std::int64_t monotonic_ns() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 // A picture that GStreamer keeps as long as somebody holds it.
 struct mapped_picture {

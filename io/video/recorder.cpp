@@ -12,6 +12,8 @@
 #include <gst/app/gstappsrc.h>
 #include <gst/gst.h>
 
+#include "io/video/gst_owned.hpp"
+
 namespace godwit::io::video {
 namespace {
 
@@ -22,15 +24,6 @@ constexpr std::int64_t retry_ns = 10 * ns_in_s;
 constexpr std::uint64_t max_waiting_bytes = 8 * 1024 * 1024; // of pictures that the disk has not taken
 constexpr GstClockTime finish_limit = 1 * GST_SECOND;
 constexpr std::string_view name_begins = "godwit-eyes-";
-
-struct unref {
-  void operator()(GstElement* each) const { gst_object_unref(each); }
-  void operator()(GstBus* each) const { gst_object_unref(each); }
-  void operator()(GstMessage* each) const { gst_message_unref(each); }
-  void operator()(GError* each) const { g_error_free(each); }
-};
-template <class T>
-using owned = std::unique_ptr<T, unref>;
 
 std::string utc_text() {
   const auto now = std::time(nullptr);

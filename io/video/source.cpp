@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "io/video/monotonic.hpp"
 #include "io/video/pipeline.hpp"
 
 namespace godwit::io::video {
@@ -19,12 +20,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds look_period{50};
 constexpr std::int64_t rate_window_ns = 1'000'000'000;
 constexpr std::size_t max_in_window = 256;
-
-std::int64_t monotonic_ns() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 std::int64_t ns(milliseconds time) { return std::chrono::nanoseconds(time).count(); }
 

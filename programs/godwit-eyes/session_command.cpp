@@ -13,7 +13,7 @@ constexpr int socket_number = 3;
 constexpr int slot_number = 4;
 constexpr int less_urgent = 5; // than the daemon, which flies
 
-exit_code run() {
+exit_code serve_daemon() {
   auto slot = io::eyes::picture_slot::attach(io::link::descriptor(slot_number));
   if (!slot) {
     say("is started by godwitd: " + slot.error());
@@ -37,7 +37,7 @@ exit_code run() {
 } // namespace
 
 command add_session_command(CLI::App& to) {
-  return {to.add_subcommand("session", "What godwitd starts; nothing for people"), run};
+  return {to.add_subcommand("session", "What godwitd starts; nothing for people"), serve_daemon};
 }
 
 } // namespace godwit::eyes

@@ -8,6 +8,7 @@
 #include "actors/domain/mission/read.hpp"
 #include "io/http/secret_file.hpp"
 #include "programs/godwit-sim/host/control_port.hpp"
+#include "programs/godwit-sim/in_option.hpp"
 #include "programs/godwit-sim/missions/fault.hpp"
 #include "programs/godwit-sim/missions/synthetic_map.hpp"
 #include "programs/godwit-sim/missions/text_file.hpp"
@@ -19,10 +20,6 @@ namespace {
 using done = tl::expected<void, std::string>;
 
 constexpr std::size_t max_certificate_bytes = 256 * 1024; // a chain of some certificates
-
-tl::unexpected<std::string> in_option(const char* option, const std::string& sentence) {
-  return tl::unexpected(std::string(option) + ": " + sentence);
-}
 
 done read_listen(const std::string& text, missions::service_settings& to) {
   const auto where = io::link::parse_uri("tcpin://" + text);

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <optional>
 
+#include "programs/godwit-sim/in_option.hpp"
 #include "programs/godwit-sim/text_forms.hpp"
 
 namespace godwit::sim {
 namespace {
-
-std::string in_option(const char* option, const std::string& sentence) { return std::string(option) + ": " + sentence; }
 
 tl::expected<position, std::string> read_home(const std::string& text) {
   const auto parts = parts_of(text, ',');
@@ -41,18 +40,18 @@ tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments&
   const auto where = io::link::parse_uri(given.link);
   const auto faults = parse_line_faults(given.faults);
   if (!who)
-    return tl::make_unexpected(in_option("--personality", who.error()));
+    return in_option("--personality", who.error());
   if (!home)
-    return tl::make_unexpected(in_option("--home", home.error()));
+    return in_option("--home", home.error());
   if (!where)
-    return tl::make_unexpected(in_option("--link", where.error()));
+    return in_option("--link", where.error());
   if (!faults)
-    return tl::make_unexpected(in_option("--faults", faults.error()));
+    return in_option("--faults", faults.error());
   // "nan" passes every comparison with a range.
   if (!std::isfinite(given.speed))
-    return tl::make_unexpected(in_option("--speed", "it has to be a number, such as 20"));
+    return in_option("--speed", "it has to be a number, such as 20");
   if (!std::isfinite(given.battery))
-    return tl::make_unexpected(in_option("--battery", "it has to be a number of percent, such as 80"));
+    return in_option("--battery", "it has to be a number of percent, such as 80");
   hosted_settings result{.vehicle = {}, .where = *where, .faults = *faults, .refusals = {}};
   result.vehicle.who = *who;
   result.vehicle.home = *home;
@@ -62,7 +61,7 @@ tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments&
   for (const auto& each : given.refuse) {
     const auto refusal = parse_refusal(each);
     if (!refusal)
-      return tl::make_unexpected(in_option("--refuse", refusal.error()));
+      return in_option("--refuse", refusal.error());
     result.refusals.push_back(*refusal);
   }
   return result;
@@ -74,7 +73,7 @@ tl::expected<void, std::string> add_vehicles(const vehicle_arguments& given, con
     auto each = first;
     const auto where = link_of(first.where, number);
     if (!where)
-      return tl::make_unexpected(in_option("--count", where.error()));
+      return in_option("--count", where.error());
     each.where = *where;
     each.vehicle.system = system_of(given.system, number);
     each.vehicle.seed = given.seed + static_cast<std::uint64_t>(number);
@@ -121,19 +120,19 @@ tl::expected<host_settings, std::string> read(const vehicle_arguments& given) {
   for (const auto& each : given.fault_at) {
     auto fault = parse_timed_fault(each);
     if (!fault)
-      return tl::make_unexpected(in_option("--fault-at", fault.error()));
+      return in_option("--fault-at", fault.error());
     result.faults.push_back(*std::move(fault));
   }
   if (!given.control.empty()) {
     auto where = parse_control_place(given.control);
     if (!where)
-      return tl::make_unexpected(in_option("--control", where.error()));
+      return in_option("--control", where.error());
     result.control = *std::move(where);
   }
   if (!given.camera.empty()) {
     auto camera = parse_camera_place(given.camera);
     if (!camera)
-      return tl::make_unexpected(in_option("--camera", camera.error()));
+      return in_option("--camera", camera.error());
     result.camera = *std::move(camera);
   }
   result.camera_truth = given.camera_truth;

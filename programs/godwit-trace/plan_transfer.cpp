@@ -8,6 +8,7 @@
 
 #include "io/fields/json_text.hpp"
 #include "io/mavlink/waypoint_file/waypoint_file.hpp"
+#include "io/time_units.hpp"
 #include "programs/godwit-trace/transfer_progress.hpp"
 #include "programs/godwit-trace/vehicle_session.hpp"
 
@@ -19,7 +20,6 @@ using vehicle_link::effects;
 using vehicle_link::transfer::outcome;
 using vehicle_link::transfer::verdict;
 
-constexpr std::int64_t ns_per_ms = 1'000'000;
 constexpr std::uint64_t our_request = 1;
 
 bool is_readable(int descriptor) {

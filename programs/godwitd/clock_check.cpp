@@ -3,10 +3,11 @@
 #include <ctime>
 #include <limits>
 
+#include "io/time_units.hpp"
+
 namespace godwit::daemon {
 namespace {
 
-constexpr std::int64_t ns_per_s = 1'000'000'000;
 constexpr std::int64_t century_s = 3'155'760'000;
 constexpr std::int64_t last_s = std::numeric_limits<std::int64_t>::max() / ns_per_s - century_s;
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "actors/domain/mission/utc_text.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -13,7 +14,6 @@ std::string text(const json& part, const char* key) { return part.value(key, std
 
 // To the second: that is as fine as people compare it.
 std::string time_text(const json& row) {
-  constexpr std::int64_t ns_per_s = 1'000'000'000;
   return mission::utc_text(row.value("at_ns", std::int64_t{0}) / ns_per_s * ns_per_s);
 }
 

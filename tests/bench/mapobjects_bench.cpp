@@ -382,7 +382,7 @@ void deliver_all(benchmark::State& state) {
   state.counters["cpu_ms"] = process_cpu_ms() - start_ms;
 }
 
-const bool registered = [] {
+const bool are_registered = [] {
   using namespace std::chrono_literals;
   const auto add = [](const char* name, auto run) {
     benchmark::RegisterBenchmark(name, run)->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(1);

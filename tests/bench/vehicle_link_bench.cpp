@@ -69,14 +69,14 @@ private:
   round_trips* out_;
 };
 
-class scratch {
+class link_scratch {
 public:
-  scratch() : path_(std::filesystem::temp_directory_path() / ("godwit-bench-link-" + std::to_string(::getpid()))) {
+  link_scratch() : path_(std::filesystem::temp_directory_path() / ("godwit-bench-link-" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(path_ / "trace");
   }
-  scratch(const scratch&) = delete;
-  scratch& operator=(const scratch&) = delete;
-  ~scratch() {
+  link_scratch(const link_scratch&) = delete;
+  link_scratch& operator=(const link_scratch&) = delete;
+  ~link_scratch() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
@@ -92,7 +92,7 @@ void wait_until(const std::function<bool()>& holds) {
 }
 
 void udp_round_trip(benchmark::State& bench) {
-  const scratch folder;
+  const link_scratch folder;
   runtime::process_options options;
   options.journal.path = (folder.path() / "bench.db").string();
   options.trace = runtime::trace_options{};

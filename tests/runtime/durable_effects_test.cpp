@@ -73,7 +73,7 @@ private:
   auditor_handle second_;
 };
 
-child_policy patient() {
+child_policy patient_child() {
   child_policy result;
   result.restart.intensity = 1000;
   return result;
@@ -86,11 +86,11 @@ child_policy given_up_at_once() {
 }
 
 struct twin_world {
-  explicit twin_world(const child_policy& second_policy = patient()) : world(disk, 1, {}, false) {
+  explicit twin_world(const child_policy& second_policy = patient_child()) : world(disk, 1, {}, false) {
     luck = {};
-    const auto first = world.actors().add<auditor_actor>({.name = "first"}, patient(), &seen_first);
+    const auto first = world.actors().add<auditor_actor>({.name = "first"}, patient_child(), &seen_first);
     const auto second = world.actors().add<auditor_actor>({.name = "second"}, second_policy, &seen_second);
-    twin = world.actors().add<twin_actor>({.name = "twin"}, patient(), first, second);
+    twin = world.actors().add<twin_actor>({.name = "twin"}, patient_child(), first, second);
     world.start();
     world.run_until_idle();
   }
@@ -153,16 +153,16 @@ TEST(durable_effects, effects_for_a_child_that_was_given_up_wait_and_reach_it_on
 
 TEST(durable_effects, effects_for_a_child_that_is_not_wanted_outlive_the_process) {
   twin_world w;
-  (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, 1}, 0, {{"second", false, patient()}}});
+  (void)w.world.ask(w.world.actors().guardian(), 1s, supervise{{1, 1}, 0, {{"second", false, patient_child()}}});
   w.world.run_until_idle();
   w.world.tell(w.twin, deposit{1, 1});
   w.world.run_until_idle();
   EXPECT_EQ(w.unreleased(), 1U);
   audit seen;
   simulation next(w.disk, 2, {}, false);
-  const auto first = next.actors().add<auditor_actor>({.name = "first"}, patient(), &w.seen_first);
-  const auto second = next.actors().add<auditor_actor>({.name = "second"}, patient(), &seen);
-  (void)next.actors().add<twin_actor>({.name = "twin"}, patient(), first, second);
+  const auto first = next.actors().add<auditor_actor>({.name = "first"}, patient_child(), &w.seen_first);
+  const auto second = next.actors().add<auditor_actor>({.name = "second"}, patient_child(), &seen);
+  (void)next.actors().add<twin_actor>({.name = "twin"}, patient_child(), first, second);
   next.start();
   next.run_until_idle();
   EXPECT_EQ(seen.receipts[1], 1);
@@ -191,11 +191,11 @@ TEST(durable_effects, a_full_mailbox_still_hears_that_its_events_are_durable) {
   simulated_disk disk;
   audit seen;
   simulation world(disk, 1);
-  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
+  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient_child(), &seen);
   address_options narrow;
   narrow.name = "ledger";
   narrow.mailbox_bound = 5;
-  const auto ledger = world.actors().add<ledger_actor>(narrow, patient(), auditor);
+  const auto ledger = world.actors().add<ledger_actor>(narrow, patient_child(), auditor);
   world.start();
   world.run_until_idle();
   world.tell(ledger, deposit{1, 5});
@@ -211,8 +211,8 @@ TEST(durable_effects, what_the_journal_says_between_two_incarnations_reaches_the
   simulated_disk disk;
   audit seen;
   simulation world(disk, 1);
-  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
-  const auto ledger = world.actors().add<ledger_actor>({.name = "ledger"}, patient(), auditor);
+  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient_child(), &seen);
+  const auto ledger = world.actors().add<ledger_actor>({.name = "ledger"}, patient_child(), auditor);
   world.start();
   world.run_until_idle();
   world.journal().fail_writes(true);
@@ -281,8 +281,8 @@ TEST(durable_effects, timers_set_while_letting_out_arrive_in_any_order) {
   simulated_disk disk;
   audit seen;
   simulation world(disk, 1);
-  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
-  const auto timer = world.actors().add<timer_actor>({.name = "timer"}, patient(), auditor);
+  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient_child(), &seen);
+  const auto timer = world.actors().add<timer_actor>({.name = "timer"}, patient_child(), auditor);
   world.start();
   world.run_until_idle();
   world.tell(timer, deposit{1, 5});

@@ -78,7 +78,7 @@ private:
   outside_log* log_;
 };
 
-child_policy patient() {
+child_policy slow_child() {
   child_policy result;
   result.restart.intensity = 1000;
   return result;
@@ -86,9 +86,9 @@ child_policy patient() {
 
 struct pair_world {
   explicit pair_world() : world(disk, 1) {
-    const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
-    pair = world.actors().add<pair_actor>({.name = "pair"}, patient(), auditor, &log);
-    front = world.actors().add<ledger_actor>({.name = "ledger"}, patient(), auditor);
+    const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, slow_child(), &seen);
+    pair = world.actors().add<pair_actor>({.name = "pair"}, slow_child(), auditor, &log);
+    front = world.actors().add<ledger_actor>({.name = "ledger"}, slow_child(), auditor);
     world.start();
     world.run_until_idle();
   }
@@ -153,9 +153,9 @@ TEST(durable_write, an_effect_is_confirmed_only_when_the_write_of_its_receiver_i
   simulated_disk disk;
   audit seen;
   simulation world(disk, 1);
-  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen);
-  const auto second = world.actors().add<ledger_actor>({.name = "second"}, patient(), auditor);
-  const auto relay = world.actors().add<relay_actor>({.name = "relay"}, patient(), second);
+  const auto auditor = world.actors().add<auditor_actor>({.name = "auditor"}, slow_child(), &seen);
+  const auto second = world.actors().add<ledger_actor>({.name = "second"}, slow_child(), auditor);
+  const auto relay = world.actors().add<relay_actor>({.name = "relay"}, slow_child(), second);
   world.start();
   world.run_until_idle();
   for (int i = 0; i < 3; ++i) {

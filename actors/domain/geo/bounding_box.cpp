@@ -14,7 +14,7 @@ namespace {
 constexpr double least_curvature_radius_m = 6'334'000;
 
 // Rounding in degrees and in geodesics stays far below this.
-constexpr double margin_m = 0.001;
+constexpr double box_margin_m = 0.001;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
@@ -34,7 +34,7 @@ std::vector<bounding_box> split(double south_deg, double north_deg, double west_
 
 std::vector<bounding_box> boxes_around(const point& centre, double radius_m) {
   GODWIT_ASSERT(is_valid(centre) && radius_m >= 0, "geo: a box lies around a place");
-  const double angle = (radius_m + margin_m) / least_curvature_radius_m;
+  const double angle = (radius_m + box_margin_m) / least_curvature_radius_m;
   const double south_deg = std::max(-90.0, centre.latitude_deg - angle * degrees);
   const double north_deg = std::min(90.0, centre.latitude_deg + angle * degrees);
   if (south_deg <= -90 || north_deg >= 90)

@@ -9,7 +9,7 @@
 namespace godwit::executor {
 namespace {
 
-constexpr std::int64_t check_period_ns = 1'000'000'000;
+constexpr std::int64_t look_period_ns = 1'000'000'000;
 
 } // namespace
 
@@ -152,7 +152,7 @@ void preparation::warn_of_straight_return(effects& out) const {
 
 preparation::result preparation::check(effects& out, instant now) {
   const auto at = flight_.s.status.now;
-  if (checked_ns_ != 0 && now.now_ns - checked_ns_ < check_period_ns)
+  if (checked_ns_ != 0 && now.now_ns - checked_ns_ < look_period_ns)
     return result::nothing;
   checked_ns_ = now.now_ns;
   const preflight::looked look{look_at_all(now)};

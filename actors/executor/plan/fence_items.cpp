@@ -12,11 +12,10 @@ using io::mavlink::mav_cmd;
 using io::mavlink::mission_item_int;
 using io::mavlink::number;
 using mission::fence_kind;
-using mission::geofence;
 
-bool has_altitudes(const geofence& each) { return each.floor_m || each.ceiling_m; }
+bool has_altitudes(const mission::geofence& each) { return each.floor_m || each.ceiling_m; }
 
-void append(std::vector<mission_item_int>& to, const geofence& fence) {
+void append(std::vector<mission_item_int>& to, const mission::geofence& fence) {
   constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
   const auto command = fence.kind == fence_kind::inclusion ? mav_cmd::nav_fence_polygon_vertex_inclusion
                                                            : mav_cmd::nav_fence_polygon_vertex_exclusion;
@@ -35,7 +34,7 @@ void append(std::vector<mission_item_int>& to, const geofence& fence) {
 
 } // namespace
 
-fence_list fence_items(const std::vector<geofence>& fences, io::mavlink::mav_autopilot autopilot) {
+fence_list fence_items(const std::vector<mission::geofence>& fences, io::mavlink::mav_autopilot autopilot) {
   fence_list result;
   const auto inclusions = std::ranges::count(fences, fence_kind::inclusion, &geofence::kind);
   const bool means_all = autopilot == io::mavlink::mav_autopilot::ardupilotmega && inclusions > 1;

@@ -13,10 +13,9 @@
 #include "actors/ground_port/mission_server/texts.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::ground_port::mission_server {
-
-inline constexpr std::int64_t ns_per_ms = 1'000'000;
 
 // In which message an item is asked for.
 enum class request_kind { mission_request, mission_request_int };

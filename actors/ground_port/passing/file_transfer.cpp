@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "actors/ground_port/passing/payload_byte.hpp"
+
 namespace godwit::ground_port::passing {
 
 namespace {
@@ -23,10 +25,6 @@ constexpr std::uint8_t error_fail = 1;
 
 // None, terminate and reset sessions, list, open for reading, read, checksum, burst.
 constexpr std::array<std::uint8_t, 8> reading{0, 1, 2, 3, 4, 5, 14, 15};
-
-std::uint8_t byte_at(io::mavlink::byte_view payload, std::size_t at) {
-  return at < payload.size() ? std::to_integer<std::uint8_t>(payload[at]) : std::uint8_t{0};
-}
 
 bool names_plans(io::mavlink::byte_view payload) {
   std::string path;

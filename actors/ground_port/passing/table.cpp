@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "actors/ground_port/passing/payload_byte.hpp"
+
 namespace godwit::ground_port::passing {
 
 namespace {
@@ -163,10 +165,6 @@ constexpr std::array commands{
 
 static_assert(std::ranges::is_sorted(messages, {}, &message_row::id));
 static_assert(std::ranges::is_sorted(commands, {}, &command_row::command));
-
-std::uint8_t byte_at(io::mavlink::byte_view payload, std::size_t at) {
-  return at < payload.size() ? std::to_integer<std::uint8_t>(payload[at]) : std::uint8_t{0};
-}
 
 } // namespace
 

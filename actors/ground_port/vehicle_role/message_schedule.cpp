@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "io/time_units.hpp"
+
 namespace godwit::ground_port::vehicle_role {
 
 namespace {
 
-constexpr std::int64_t ns_per_us = 1'000;
 constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
 } // namespace

@@ -2,14 +2,14 @@
 
 #include <utility>
 
+#include "actors/vehicle_link/transfer/answer_wait.hpp"
+
 namespace godwit::vehicle_link::transfer {
 
 namespace {
 
 using mavlink::mav_mission_result;
 using mavlink::number;
-
-constexpr std::int64_t max_wait_ns = 1'000 * ns_per_ms;
 
 } // namespace
 

@@ -16,11 +16,11 @@
 
 #include "io/mavlink/enums.hpp"
 
+#include "io/time_units.hpp"
+
 namespace godwit::vehicle_link::transfer {
 
 namespace mavlink = io::mavlink;
-
-inline constexpr std::int64_t ns_per_ms = 1'000'000;
 
 // A vehicle that is busy is waited for so many times its patience: what it is busy with may have begun just now.
 inline constexpr int patience_with_busy = 2;

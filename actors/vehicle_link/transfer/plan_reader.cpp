@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "actors/vehicle_link/transfer/answer_wait.hpp"
+
 namespace godwit::vehicle_link::transfer {
 
 namespace {
@@ -11,7 +13,6 @@ using mavlink::mav_mission_result;
 using mavlink::number;
 
 // The slowest at which anything is asked for again.
-constexpr std::int64_t max_wait_ns = 1'000 * ns_per_ms;
 
 bool may_pass(std::uint8_t result) {
   return result == number(mav_mission_result::error) || result == number(mav_mission_result::denied) ||

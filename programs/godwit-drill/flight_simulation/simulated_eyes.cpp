@@ -81,7 +81,8 @@ movement_detector::helper_candidates simulated_eyes::candidates(std::int64_t now
   if (!pose_ || faults_.has_no_camera || faults_.shows_black)
     return result;
   for (const auto& each : faults_.movers) {
-    if (geo::distance_m({pose_->latitude_deg, pose_->longitude_deg}, {each.latitude_deg, each.longitude_deg}) > reach_m)
+    if (geo::distance_m(geo::point{pose_->latitude_deg, pose_->longitude_deg},
+                        geo::point{each.latitude_deg, each.longitude_deg}) > reach_m)
       continue;
     io::eyes::candidate seen;
     seen.track = each.track;

@@ -42,7 +42,7 @@ struct takeover {
 };
 
 // False: the flight has no such part.
-bool reach(flight_simulation& flight, phase part) {
+bool bring_to(flight_simulation& flight, phase part) {
   const auto is_there = [&] { return flight.status().now == part || executor::is_at_rest(flight.status().now); };
   if (part != phase::paused && part != phase::flying)
     return flight.run_until(is_there, 120) && flight.status().now == part;
@@ -63,7 +63,7 @@ bool reach(flight_simulation& flight, phase part) {
 
 // Why it can not be taken here; empty: it is.
 std::string take(flight_simulation& flight, const takeover& what) {
-  if (!reach(flight, what.part))
+  if (!bring_to(flight, what.part))
     return "the flight has no such part";
   if (flight.vehicle().describe().mode == what.mode.name)
     return "it is in this mode already";

@@ -15,7 +15,7 @@ using scan_controller::decision;
 
 constexpr const char* actor = "scan_controller";
 constexpr int things = 4;
-constexpr double apart_s = 13; // five crashes in a minute, and it would be given up
+constexpr double crashes_apart_s = 13; // five crashes in a minute, and it would be given up
 
 // In front of each sighting and each decision.
 using trouble = std::function<void(watched_flight& watched)>;
@@ -64,7 +64,7 @@ flight_outcome fly(sim::personality who, const std::string& name, const trouble&
       flight.process()->see(seen_in_survey(flight, id_of(number), 40.0 * number, 0.9));
     else
       flight.outside().seen.push_back(seen_in_survey(flight, id_of(number), 40.0 * number, 0.9));
-    flight.run_for(apart_s);
+    flight.run_for(crashes_apart_s);
   }
   make(watched);
   watched.expect(decide(flight, things, decision::decline) ? "" : "a decision was not taken");

@@ -1,5 +1,6 @@
 // godwit-trace flight: the flight on one page, for people.
 #include "io/fields/json_text.hpp"
+#include "io/time_units.hpp"
 #include "programs/godwit-trace/actors/flight_events.hpp"
 #include "programs/godwit-trace/actors/link_frames.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
@@ -23,7 +24,6 @@ constexpr const char* names_of_interest = "COMMAND_LONG,COMMAND_INT,COMMAND_ACK,
 
 void append_head(std::string& out, std::int64_t at_ns, std::int64_t begin_ns, std::string matter,
                  const paint& colours) {
-  constexpr std::int64_t ns_per_us = 1'000;
   constexpr std::size_t column = 9;
   append_utc_ns(out, at_ns);
   std::string since;

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "io/time_units.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/message_json.hpp"
 #include "programs/godwit-trace/message_text.hpp"
@@ -16,8 +17,6 @@ namespace godwit::trace_tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::int64_t ns_per_us = 1'000;
 
 bool read_number(std::string_view text, std::uint64_t& to) {
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), to);

@@ -7,12 +7,11 @@
 
 #include "io/fields/json_text.hpp"
 #include "io/fields/utc_seconds.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::trace_tool {
 
 namespace {
-
-constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 template <class... Args>
 std::string formatted(const char* format, Args... args) {

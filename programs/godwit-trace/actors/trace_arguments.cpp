@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "io/time_units.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/time_range.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 using runtime::time_span_ns;
 using runtime::trace_file;
 
-constexpr std::int64_t ns_per_us = 1'000;
 constexpr std::size_t max_losses_said = 10;
 
 // The time of the first delivery; 0 if there is none.

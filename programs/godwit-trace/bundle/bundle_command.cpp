@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "io/sqlite/backup.hpp"
+#include "io/time_units.hpp"
 #include "programs/common/control_client.hpp"
 #include "programs/common/redaction.hpp"
 #include "programs/godwit-trace/actors/link_frames.hpp"
@@ -180,7 +181,6 @@ exit_code run_bundle(bundle_arguments given, console& to) {
       to.say("--at: \"" + given.at + "\" is no time such as 2026-07-01T12:34:56Z");
       return exit_code::usage;
     }
-    constexpr std::int64_t ns_per_us = 1'000;
     at_ns = static_cast<std::int64_t>(*at_us) * ns_per_us;
   }
   const auto configuration = configuration_of(given);

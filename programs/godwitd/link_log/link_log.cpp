@@ -3,6 +3,8 @@
 #include <atomic>
 #include <utility>
 
+#include "io/time_units.hpp"
+
 namespace godwit::daemon {
 
 class link_log::link_tap final : public io::link::tap {
@@ -19,7 +21,6 @@ public:
 
 private:
   void put(link_chunk chunk, std::span<const std::byte> bytes) {
-    constexpr std::int64_t ns_per_us = 1'000;
     if (!is_open_.load(std::memory_order_relaxed))
       return;
     chunk.time_us = static_cast<std::uint64_t>(time_.wall_ns() / ns_per_us);

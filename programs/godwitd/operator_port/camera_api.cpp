@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "io/http/server/response_head.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::operator_port {
 namespace {
 
-constexpr std::int64_t ns_in_ms = 1'000'000;
 constexpr std::string_view picture_path = "/api/v1/camera/picture";
 constexpr std::string_view point_picture_path = "/api/v1/points/{}/picture";
 
@@ -80,8 +80,8 @@ server_response camera_api::picture_of_point(const server_request& asked) const 
 server_response camera_api::answer_with(const std::vector<std::byte>& jpeg, std::int64_t age_ns) const {
   server_response result{.content_type = "image/jpeg"};
   result.body.assign(reinterpret_cast<const char*>(jpeg.data()), jpeg.size()); // bytes as characters
-  result.headers = {{"Godwit-Captured-Ms", std::to_string((parts_.time->wall_ns() - age_ns) / ns_in_ms)},
-                    {"Godwit-Age-Ms", std::to_string(age_ns / ns_in_ms)}};
+  result.headers = {{"Godwit-Captured-Ms", std::to_string((parts_.time->wall_ns() - age_ns) / ns_per_ms)},
+                    {"Godwit-Age-Ms", std::to_string(age_ns / ns_per_ms)}};
   return result;
 }
 

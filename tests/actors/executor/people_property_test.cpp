@@ -23,7 +23,7 @@ using operators::command_kind;
 using sim::personality;
 using tests::flight_world;
 
-constexpr std::uint16_t mission_start = 300;
+constexpr std::uint16_t start_command = 300;
 constexpr double step_s = 0.05;
 // Acceptance radius and some metres; of a plane, which also passes a place on its turning circle.
 constexpr double reached_within_m = 10;
@@ -316,7 +316,7 @@ private:
 
   void watch_starts() {
     const auto& s = world_.durable();
-    const auto starts = std::ranges::count(world_.commands(), mission_start);
+    const auto starts = std::ranges::count(world_.commands(), start_command);
     const bool flies_on = who_ == personality::rover && was_in_flight_; // takes a new plan with a start
     if (starts > starts_ && !may_start_ && !flies_on && violation_.empty())
       violation_ = "it was started, and nobody had said so";
@@ -407,12 +407,12 @@ private:
 };
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int usual_flights = 50;
+constexpr int usual_people_flights = 50;
 #else
-constexpr int usual_flights = 1'000;
+constexpr int usual_people_flights = 1'000;
 #endif
 
-std::uint64_t first_seed() {
+std::uint64_t first_people_seed() {
   if (const char* given = std::getenv("TEST_SEED"))
     return std::strtoull(given, nullptr, 10);
   return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count()) / 1'000 %
@@ -420,8 +420,8 @@ std::uint64_t first_seed() {
 }
 
 TEST(any_flight, is_safe_for_the_people_beside_it) {
-  const auto first = first_seed();
-  const int flights = std::getenv("TEST_FULL") != nullptr ? 100 * usual_flights : usual_flights;
+  const auto first = first_people_seed();
+  const int flights = std::getenv("TEST_FULL") != nullptr ? 100 * usual_people_flights : usual_people_flights;
   std::cout << flights << " flights from TEST_SEED=" << first << "\n";
   int takeovers = 0;
   int edges = 0;

@@ -1,4 +1,5 @@
 #include "actors/ground_port/command_dedup.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,8 @@ namespace {
 
 using mavlink::mav_result;
 
-constexpr std::int64_t ms = 1'000'000;
-constexpr std::int64_t s = 1'000 * ms;
+using godwit::tests::ms;
+using godwit::tests::s;
 constexpr mavlink::sender station{255, 190};
 constexpr mavlink::sender other{254, 190};
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/actors/ground_port/port_fixture.hpp"
+#include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 using namespace test;
 using mavlink::mav_cmd;
 using mavlink::mav_result;
-
-constexpr int accepted = static_cast<int>(mav_result::accepted);
-constexpr int denied = static_cast<int>(mav_result::denied);
-constexpr int failed = static_cast<int>(mav_result::failed);
-constexpr int unsupported = static_cast<int>(mav_result::unsupported);
 
 mavlink::command_long request(std::uint32_t id) { return command(mav_cmd::request_message, static_cast<float>(id)); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/actors/ground_port/port_fixture.hpp"
+#include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -17,8 +18,6 @@ using mavlink::mav_result;
 using mavlink::mission_current;
 using mavlink::mission_state;
 
-constexpr int accepted = static_cast<int>(mav_result::accepted);
-constexpr int denied = static_cast<int>(mav_result::denied);
 constexpr auto ack_accepted = mavlink::number(mav_mission_result::accepted);
 constexpr auto ack_denied = mavlink::number(mav_mission_result::denied);
 

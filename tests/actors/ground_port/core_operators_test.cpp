@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tests/actors/ground_port/port_fixture.hpp"
+#include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -15,11 +16,6 @@ using mavlink::mav_cmd;
 using mavlink::mav_result;
 using operators::answer;
 using operators::command_kind;
-
-constexpr int accepted = static_cast<int>(mav_result::accepted);
-constexpr int temporarily_rejected = static_cast<int>(mav_result::temporarily_rejected);
-constexpr int denied = static_cast<int>(mav_result::denied);
-constexpr int in_progress = static_cast<int>(mav_result::in_progress);
 
 const answer taken{true, {}};
 

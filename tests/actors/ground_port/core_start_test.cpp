@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/actors/ground_port/port_fixture.hpp"
+#include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
 namespace {
@@ -13,12 +14,6 @@ using namespace test;
 using executor::start_verdict;
 using mavlink::mav_result;
 using mavlink::mission_state;
-
-constexpr int accepted = static_cast<int>(mav_result::accepted);
-constexpr int temporarily_rejected = static_cast<int>(mav_result::temporarily_rejected);
-constexpr int denied = static_cast<int>(mav_result::denied);
-constexpr int failed = static_cast<int>(mav_result::failed);
-constexpr int in_progress = static_cast<int>(mav_result::in_progress);
 
 // A port that holds a mission.
 struct loaded : port_fixture {

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "actors/ground_port/settings.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace godwit::ground_port {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 // How many of a stream at HZ pass in ten seconds.
 template <class M>

@@ -1,4 +1,5 @@
 #include "actors/ground_port/start_dedup.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,19 +10,19 @@ using executor::start_verdict;
 using io::mavlink::instant;
 using kind = start_dedup::kind;
 
-constexpr std::int64_t ms = 1'000'000;
-constexpr std::int64_t s = 1'000 * ms;
+using godwit::tests::ms;
+using godwit::tests::s;
 constexpr std::int64_t wall_ns = 1'800'000'000 * s;
 
 instant at(std::int64_t ns) { return {ns, wall_ns + ns}; }
 
-vehicle_role::order order(float first = 0, std::uint8_t confirmation = 0, io::mavlink::sender from = {255, 190}) {
+vehicle_role::order start_order(float first = 0, std::uint8_t confirmation = 0, io::mavlink::sender from = {255, 190}) {
   return {.from = from, .command = 300, .confirmation = confirmation, .param1 = first};
 }
 
 struct asked : start_dedup {
   asked() : start_dedup(std::nullopt, at(0)) {
-    record = begin(order(), {io::mavlink::mav_result::accepted, 0, 4, {}}, 77, at(0));
+    record = begin(start_order(), {io::mavlink::mav_result::accepted, 0, 4, {}}, 77, at(0));
   }
   start_record record;
 };
@@ -33,16 +34,16 @@ std::uint8_t result_of(start_verdict verdict) {
 
 TEST(start_dedup, without_a_start_every_order_is_fresh) {
   const start_dedup dedup(std::nullopt, at(0));
-  EXPECT_EQ(dedup.judge(order(), 77, at(0)), kind::fresh);
+  EXPECT_EQ(dedup.judge(start_order(), 77, at(0)), kind::fresh);
   EXPECT_FALSE(dedup.is_asked());
 }
 
 TEST(start_dedup, while_one_is_asked_its_repetition_is_known_and_all_others_find_it_busy) {
   const asked dedup;
-  EXPECT_EQ(dedup.judge(order(0, 1), 77, at(1 * s)), kind::repeated_while_asked);
-  EXPECT_EQ(dedup.judge(order(), 77, at(1 * s)), kind::repeated_while_asked);
-  EXPECT_EQ(dedup.judge(order(2), 77, at(1 * s)), kind::busy);
-  EXPECT_EQ(dedup.judge(order(0, 0, {254, 190}), 77, at(1 * s)), kind::busy);
+  EXPECT_EQ(dedup.judge(start_order(0, 1), 77, at(1 * s)), kind::repeated_while_asked);
+  EXPECT_EQ(dedup.judge(start_order(), 77, at(1 * s)), kind::repeated_while_asked);
+  EXPECT_EQ(dedup.judge(start_order(2), 77, at(1 * s)), kind::busy);
+  EXPECT_EQ(dedup.judge(start_order(0, 0, {254, 190}), 77, at(1 * s)), kind::busy);
 }
 
 TEST(start_dedup, the_record_says_what_was_asked_and_until_when_it_may_be_obeyed) {
@@ -67,30 +68,30 @@ TEST(start_dedup, each_verdict_of_the_executor_has_its_result) {
 TEST(start_dedup, a_repetition_is_told_from_a_new_start_by_its_confirmation_and_by_time) {
   asked dedup;
   EXPECT_TRUE(dedup.resolve({dedup.record.asked.key, start_verdict::started, ""}, at(1 * s)));
-  EXPECT_EQ(dedup.judge(order(), 77, at(3 * s - 1)), kind::repeated_after);
-  EXPECT_EQ(dedup.judge(order(), 77, at(3 * s)), kind::fresh);
-  EXPECT_EQ(dedup.judge(order(0, 1), 77, at(11 * s - 1)), kind::repeated_after);
-  EXPECT_EQ(dedup.judge(order(0, 1), 77, at(11 * s)), kind::fresh);
-  EXPECT_EQ(dedup.judge(order(1), 77, at(1 * s)), kind::fresh);
+  EXPECT_EQ(dedup.judge(start_order(), 77, at(3 * s - 1)), kind::repeated_after);
+  EXPECT_EQ(dedup.judge(start_order(), 77, at(3 * s)), kind::fresh);
+  EXPECT_EQ(dedup.judge(start_order(0, 1), 77, at(11 * s - 1)), kind::repeated_after);
+  EXPECT_EQ(dedup.judge(start_order(0, 1), 77, at(11 * s)), kind::fresh);
+  EXPECT_EQ(dedup.judge(start_order(1), 77, at(1 * s)), kind::fresh);
 }
 
 TEST(start_dedup, a_start_of_another_plan_is_no_repetition) {
   asked dedup;
   EXPECT_TRUE(dedup.resolve({dedup.record.asked.key, start_verdict::started, ""}, at(1 * s)));
-  EXPECT_EQ(dedup.judge(order(), 78, at(1 * s)), kind::fresh);
+  EXPECT_EQ(dedup.judge(start_order(), 78, at(1 * s)), kind::fresh);
 }
 
 TEST(start_dedup, after_a_refusal_only_a_counted_repetition_gets_the_same_answer) {
   asked dedup;
   EXPECT_TRUE(dedup.resolve({dedup.record.asked.key, start_verdict::disarmed, ""}, at(1 * s)));
-  EXPECT_EQ(dedup.judge(order(), 77, at(1 * s)), kind::fresh);
-  EXPECT_EQ(dedup.judge(order(0, 1), 77, at(1 * s)), kind::repeated_after);
+  EXPECT_EQ(dedup.judge(start_order(), 77, at(1 * s)), kind::fresh);
+  EXPECT_EQ(dedup.judge(start_order(0, 1), 77, at(1 * s)), kind::repeated_after);
 }
 
 TEST(start_dedup, silence_is_repeated_so_that_a_late_answer_is_no_second_start) {
   asked dedup;
   EXPECT_TRUE(dedup.on_time(at(20 * s)));
-  EXPECT_EQ(dedup.judge(order(), 77, at(20 * s)), kind::repeated_after);
+  EXPECT_EQ(dedup.judge(start_order(), 77, at(20 * s)), kind::repeated_after);
 }
 
 TEST(start_dedup, an_answer_to_another_start_is_not_taken_and_one_is_taken_once) {
@@ -133,7 +134,7 @@ TEST(start_dedup, keys_rise) {
   asked dedup;
   const auto key = dedup.record.asked.key;
   EXPECT_TRUE(dedup.resolve({key, start_verdict::started, ""}, at(0)));
-  EXPECT_GT(dedup.begin(order(1), {}, 77, at(0)).asked.key, key);
+  EXPECT_GT(dedup.begin(start_order(1), {}, 77, at(0)).asked.key, key);
 }
 
 } // namespace

@@ -1,11 +1,12 @@
 #include "actors/ground_port/station_table.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port {
 namespace {
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 constexpr mavlink::heartbeat station_beat{.type = 6};
 
 mavlink::sender numbered(int i) { return {static_cast<std::uint8_t>(100 + i), 190}; }

@@ -15,7 +15,6 @@ using namespace godwit::mission_client::test;
 using namespace std::chrono_literals;
 using runtime::crash_point;
 
-const std::string mission_a = uuid(1);
 constexpr std::uint32_t reports = 3;
 constexpr int observations = 30;
 constexpr int ignored_items = 5;

@@ -18,8 +18,6 @@ using namespace godwit::mission_client::test;
 using namespace std::chrono_literals;
 using runtime::crash_point;
 
-const std::string mission_a = uuid(1);
-
 enum class op {
   say_report,
   say_insert,

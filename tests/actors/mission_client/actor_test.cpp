@@ -10,9 +10,6 @@ using namespace godwit::mission_client;
 using namespace godwit::mission_client::test;
 using namespace std::chrono_literals;
 
-const std::string mission_a = uuid(1);
-const std::string mission_b = uuid(2);
-
 void fill_map(service_mission& m, int objects, int ignored) {
   for (int i = 0; i < objects; ++i)
     m.map_objects.push_back({uuid(static_cast<std::uint64_t>(i), 'c'),

@@ -11,9 +11,6 @@ using namespace godwit::mission_client::test;
 using namespace std::chrono_literals;
 using runtime::health_colour;
 
-const std::string mission_a = uuid(1);
-const std::string mission_b = uuid(2);
-
 // -- the statuses ---------------------------------------------------------------------------------
 
 struct refused_case {

@@ -11,8 +11,6 @@ using namespace godwit::mission_client::test;
 using namespace std::chrono_literals;
 using runtime::health_colour;
 
-const std::string mission_a = uuid(1);
-
 TEST(mission_client_failures, service_unreachable_at_startup_is_tried_a_few_times_then_the_mission_is_refused) {
   outside around;
   around.service.add(sample_mission(mission_a));

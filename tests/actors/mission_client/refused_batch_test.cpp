@@ -11,8 +11,6 @@ using namespace godwit::mission_client;
 using namespace godwit::mission_client::test;
 using namespace std::chrono_literals;
 
-const std::string mission_a = uuid(1);
-
 TEST(mission_client_refused_batch, one_wrong_row_is_found_in_halves_and_the_others_are_delivered) {
   outside around;
   auto& m = around.service.add(sample_mission(mission_a));

@@ -12,8 +12,6 @@ using namespace std::chrono_literals;
 using runtime::crash_point;
 using runtime::health_colour;
 
-const std::string mission_a = uuid(1);
-
 std::vector<std::uint32_t> numbers(const service_mission& m) {
   std::vector<std::uint32_t> result;
   for (const auto& each : m.reports)

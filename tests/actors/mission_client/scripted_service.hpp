@@ -141,5 +141,7 @@ private:
 [[nodiscard]] mission::assignment sample_assignment(const mission::document& base, int number);
 // A UUID with this number in it.
 [[nodiscard]] std::string uuid(std::uint64_t number, char kind = 'a');
+inline const std::string mission_a = uuid(1);
+inline const std::string mission_b = uuid(2);
 
 } // namespace godwit::mission_client::test

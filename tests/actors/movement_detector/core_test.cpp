@@ -5,6 +5,7 @@
 
 #include "actors/domain/uuid/uuid.hpp"
 #include "io/eyes/codec.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
@@ -12,8 +13,8 @@ using namespace godwit;
 using namespace godwit::movement_detector;
 using io::eyes::source_state;
 
-constexpr std::int64_t ms = 1'000'000;
-constexpr std::int64_t s = 1'000 * ms;
+using godwit::tests::ms;
+using godwit::tests::s;
 constexpr const char* mission = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
 
 template <class T>

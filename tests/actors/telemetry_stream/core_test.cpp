@@ -1,4 +1,5 @@
 #include "actors/telemetry_stream/core.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +10,7 @@ using namespace godwit;
 using namespace godwit::telemetry_stream;
 using nlohmann::json;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 TEST(telemetry_stream_core, a_position_is_in_degrees_metres_and_metres_a_second) {
   core all;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "actors/vehicle_link/current_setter.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
@@ -8,7 +9,7 @@ using namespace godwit::vehicle_link;
 using godwit::io::mavlink::mav_result;
 using godwit::io::mavlink::number;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 command_outcome refused(mav_result why) {
   command_outcome result;

@@ -60,11 +60,11 @@ private:
   int attitudes_ = 0;
 };
 
-using ear_handle = runtime::mailbox<runtime::tells<connection_changed>, runtime::tells<mavlink::attitude>>;
+using link_ear_handle = runtime::mailbox<runtime::tells<connection_changed>, runtime::tells<mavlink::attitude>>;
 
-class ear final : public runtime::actor_base<ear_handle> {
+class link_ear final : public runtime::actor_base<link_ear_handle> {
 public:
-  ear(runtime::spawn_context context, news* what) : actor_base(std::move(context)), what_(what) {}
+  link_ear(runtime::spawn_context context, news* what) : actor_base(std::move(context)), what_(what) {}
 
 protected:
   behavior_type handlers() override {
@@ -90,7 +90,7 @@ public:
     const auto link =
         host_->actors().add<actor>({.name = "vehicle_link"}, {}, configured, signing_settings{},
                                    std::static_pointer_cast<wire>(port), std::shared_ptr<const listeners>(ears));
-    ears->add(host_->actors().add<ear>({.name = "ear"}, {}, &heard));
+    ears->add(host_->actors().add<link_ear>({.name = "ear"}, {}, &heard));
     host_->actors().start();
     const auto opened = port->open(*io::link::parse_uri(uri), {}, host_->actors().make_gateway("port"), link);
     EXPECT_TRUE(opened) << opened.error();

@@ -1,11 +1,12 @@
 #include "actors/vehicle_link/loss_watch.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link {
 namespace {
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 
 TEST(loss_watch, a_tenth_that_is_lost_over_ten_seconds_is_bad_and_is_forgotten_when_it_is_better) {
   loss_watch watch;

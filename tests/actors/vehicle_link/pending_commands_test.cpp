@@ -5,6 +5,7 @@
 
 #include "actors/vehicle_link/pending_commands.hpp"
 #include "io/mavlink/enums.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
@@ -14,7 +15,7 @@ using io::mavlink::command_ack;
 using io::mavlink::mav_result;
 using io::mavlink::number;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr std::int64_t timeout_ms = 1'000;
 
 send_command command(std::uint16_t id, std::uint8_t component = 1) {

@@ -3,14 +3,15 @@
 #include "actors/vehicle_link/stream_keeper.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
 using namespace godwit::vehicle_link;
 namespace mavlink = godwit::io::mavlink;
 
-constexpr std::int64_t ms = 1'000'000;
-constexpr std::int64_t s = 1'000 * ms;
+using godwit::tests::ms;
+using godwit::tests::s;
 constexpr auto attitude = mavlink::attitude::message_id;
 constexpr auto position = mavlink::global_position_int::message_id;
 

@@ -2,13 +2,14 @@
 
 #include "actors/vehicle_link/vehicle_watch.hpp"
 #include "io/mavlink/enums.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
 using namespace godwit::vehicle_link;
 using namespace godwit::io::mavlink;
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 
 heartbeat of_autopilot(mav_autopilot which = mav_autopilot::px4) {
   return {.type = number(mav_type::quadrotor), .autopilot = number(which)};
@@ -65,7 +66,7 @@ TEST(vehicle_watch, a_transport_that_goes_down_says_why_and_comes_back_silent) {
   EXPECT_EQ(watch.on_transport(true, {})->phase, connection_phase::silent);
 }
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr watch_settings open_line{.heartbeats_to_begin = 4};
 
 TEST(vehicle_watch, where_anybody_can_speak_three_heartbeats_begin_nothing_and_the_fourth_does) {

@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr wall_time now = std::chrono::sys_days(2026y / 11 / 21) + 14h;
+constexpr wall_time asked_at = std::chrono::sys_days(2026y / 11 / 21) + 14h;
 
 response answer_with(std::vector<header> headers) { return {503, std::move(headers), "", 0, false}; }
 
@@ -21,27 +21,27 @@ TEST(http_outcome, says_what_may_be_tried_again) {
 }
 
 TEST(http_outcome, takes_the_seconds_of_retry_after) {
-  EXPECT_EQ(retry_after(answer_with({{"retry-after", "120"}}), now), 120s);
-  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "0"}}), now), 0s);
+  EXPECT_EQ(retry_after(answer_with({{"retry-after", "120"}}), asked_at), 120s);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "0"}}), asked_at), 0s);
 }
 
 TEST(http_outcome, takes_the_date_of_retry_after_relative_to_the_date_of_the_answer) {
   const header later{"Retry-After", "Sun, 06 Nov 1994 08:49:37 GMT"};
-  EXPECT_EQ(retry_after(answer_with({later, {"Date", "Sun, 06 Nov 1994 08:49:07 GMT"}}), now), 30s);
-  EXPECT_EQ(retry_after(answer_with({later, {"Date", "Sun, 06 Nov 1994 08:50:00 GMT"}}), now), 0s);
-  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "Sat, 21 Nov 2026 14:00:10 GMT"}}), now), 10s);
+  EXPECT_EQ(retry_after(answer_with({later, {"Date", "Sun, 06 Nov 1994 08:49:07 GMT"}}), asked_at), 30s);
+  EXPECT_EQ(retry_after(answer_with({later, {"Date", "Sun, 06 Nov 1994 08:50:00 GMT"}}), asked_at), 0s);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "Sat, 21 Nov 2026 14:00:10 GMT"}}), asked_at), 10s);
 }
 
 TEST(http_outcome, never_waits_longer_than_its_bound) {
-  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "9999999"}}), now), max_retry_after);
-  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "99999999999999999999999999"}}), now), max_retry_after);
-  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "Fri, 31 Dec 9999 23:59:59 GMT"}}), now), max_retry_after);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "9999999"}}), asked_at), max_retry_after);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "99999999999999999999999999"}}), asked_at), max_retry_after);
+  EXPECT_EQ(retry_after(answer_with({{"Retry-After", "Fri, 31 Dec 9999 23:59:59 GMT"}}), asked_at), max_retry_after);
 }
 
 TEST(http_outcome, does_not_guess_what_can_not_be_read) {
-  EXPECT_EQ(retry_after(answer_with({}), now), std::nullopt);
+  EXPECT_EQ(retry_after(answer_with({}), asked_at), std::nullopt);
   for (const auto* text : {"", "-1", "1.5", "soon", "+3", " 3"})
-    EXPECT_EQ(retry_after(answer_with({{"Retry-After", text}}), now), std::nullopt) << text;
+    EXPECT_EQ(retry_after(answer_with({{"Retry-After", text}}), asked_at), std::nullopt) << text;
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include "io/video/jpeg_encoder.hpp"
 #include "io/video/source.hpp"
 #include "tests/io/video/painted_frame.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ using namespace godwit::io::video;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 struct recording {
   recording() { fs::remove_all(folder); }

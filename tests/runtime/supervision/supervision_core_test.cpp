@@ -34,7 +34,7 @@ words in_words(const supervision_core::actions& actions) {
   return result;
 }
 
-child_policy with(std::uint32_t intensity, bool essential = false) {
+child_policy policy_with(std::uint32_t intensity, bool essential = false) {
   child_policy result;
   result.essential = essential;
   result.restart.intensity = intensity;
@@ -44,7 +44,7 @@ child_policy with(std::uint32_t intensity, bool essential = false) {
 
 // Three children, all of them running.
 supervision_core three_running(strategy how, std::uint32_t intensity = 3, bool essential = false) {
-  supervision_core core(how, std::vector<child_policy>(3, with(intensity, essential)), 1);
+  supervision_core core(how, std::vector<child_policy>(3, policy_with(intensity, essential)), 1);
   (void)core.start();
   for (std::size_t i = 0; i < core.size(); ++i)
     (void)core.up(i);
@@ -64,7 +64,7 @@ constexpr auto given_up = child_phase::given_up;
 
 TEST(supervision_core, a_child_is_started_only_when_the_one_before_it_is_up) {
   for (const auto how : {strategy::one_for_one, strategy::rest_for_one}) {
-    supervision_core core(how, std::vector<child_policy>(3, with(3)), 1);
+    supervision_core core(how, std::vector<child_policy>(3, policy_with(3)), 1);
     EXPECT_EQ(in_words(core.start()), words{"start 0"});
     expect_phases(core, {starting, absent, absent});
     EXPECT_EQ(in_words(core.up(0)), words{"start 1"});
@@ -75,7 +75,7 @@ TEST(supervision_core, a_child_is_started_only_when_the_one_before_it_is_up) {
 }
 
 TEST(supervision_core, a_child_that_crashes_while_starting_keeps_the_later_ones_waiting_when_it_is_essential) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3, true)), 1);
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, policy_with(3, true)), 1);
   (void)core.start();
   EXPECT_EQ(in_words(core.down(0, 0)), words{"start 0"});
   EXPECT_EQ(in_words(core.down(0, 0)), words{"wait 0 100 ms"});
@@ -86,8 +86,8 @@ TEST(supervision_core, a_child_that_crashes_while_starting_keeps_the_later_ones_
 
 TEST(supervision_core,
      a_child_that_crashes_at_each_start_keeps_nobody_waiting_when_it_is_not_essential_or_never_given_up) {
-  for (const auto& policy : {with(3), with(restart_policy::for_ever, true)}) {
-    supervision_core core(strategy::one_for_one, {policy, with(3)}, 1);
+  for (const auto& policy : {policy_with(3), policy_with(restart_policy::for_ever, true)}) {
+    supervision_core core(strategy::one_for_one, {policy, policy_with(3)}, 1);
     (void)core.start();
     EXPECT_EQ(in_words(core.down(0, 0)), words{"start 0"});
     const auto second = in_words(core.down(0, 0));
@@ -173,13 +173,13 @@ TEST(supervision_core, a_child_given_up_that_is_not_essential_leaves_the_rest_ru
 }
 
 TEST(supervision_core, a_child_given_up_before_it_was_ever_up_does_not_keep_the_later_ones_from_starting) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(0)), 1);
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, policy_with(0)), 1);
   (void)core.start();
   EXPECT_EQ(in_words(core.down(0, 0)), (words{"give up 0", "start 1"}));
 }
 
 TEST(supervision_core, it_has_begun_when_each_child_has_been_up_or_was_given_up) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(3, with(0)), 1);
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(3, policy_with(0)), 1);
   EXPECT_FALSE(core.has_begun());
   (void)core.start();
   (void)core.up(0);
@@ -219,7 +219,7 @@ TEST(supervision_core, a_child_wanted_again_while_it_stops_is_started_when_it_is
 }
 
 TEST(supervision_core, nobody_waits_for_an_unwanted_child) {
-  supervision_core core(strategy::rest_for_one, std::vector<child_policy>(3, with(3)), 1);
+  supervision_core core(strategy::rest_for_one, std::vector<child_policy>(3, policy_with(3)), 1);
   EXPECT_EQ(in_words(core.want(0, false)), words{}) << "not started yet";
   EXPECT_EQ(in_words(core.start()), words{"start 1"});
 }
@@ -272,7 +272,7 @@ TEST(supervision_core, a_child_that_stops_does_not_delay_the_restart_of_another)
 }
 
 TEST(supervision_core, a_child_that_stops_does_not_delay_the_first_start_of_another) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3)), 1);
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, policy_with(3)), 1);
   (void)core.start();
   EXPECT_EQ(in_words(core.want(0, false)), (words{"stop 0 for good", "start 1"}));
   EXPECT_EQ(in_words(core.want(0, true)), words{}) << "it starts when it has stopped";
@@ -281,7 +281,7 @@ TEST(supervision_core, a_child_that_stops_does_not_delay_the_first_start_of_anot
 }
 
 TEST(supervision_core, a_child_that_is_restarted_for_ever_is_not_given_up_and_waits_the_longest_wait) {
-  supervision_core core(strategy::one_for_one, {with(restart_policy::for_ever)}, 1);
+  supervision_core core(strategy::one_for_one, {policy_with(restart_policy::for_ever)}, 1);
   (void)core.start();
   std::int64_t now_ns = 0;
   words last;
@@ -305,7 +305,7 @@ TEST(supervision_core, an_unwanted_child_in_its_back_off_is_not_started_when_it_
 }
 
 TEST(supervision_core, shutdown_during_a_back_off_does_not_wait_for_it) {
-  supervision_core core(strategy::one_for_one, {with(3)}, 1);
+  supervision_core core(strategy::one_for_one, {policy_with(3)}, 1);
   (void)core.start();
   (void)core.up(0);
   (void)core.down(0, 0);
@@ -317,7 +317,7 @@ TEST(supervision_core, shutdown_during_a_back_off_does_not_wait_for_it) {
 }
 
 TEST(supervision_core, shutdown_stops_a_child_that_is_starting) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3)), 1);
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, policy_with(3)), 1);
   (void)core.start();
   EXPECT_EQ(in_words(core.shutdown()), words{"stop 0 for good"});
   EXPECT_EQ(in_words(core.up(0)), words{}) << "on its way before the stop";
@@ -334,7 +334,7 @@ TEST(supervision_core, a_crash_during_shutdown_starts_and_escalates_nothing) {
 }
 
 TEST(supervision_core, a_second_crash_during_shutdown_waits_for_nothing) {
-  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, with(3)), 1);
+  supervision_core core(strategy::one_for_one, std::vector<child_policy>(2, policy_with(3)), 1);
   (void)core.start();
   (void)core.up(0);
   (void)core.down(0, 0);
@@ -347,7 +347,7 @@ TEST(supervision_core, a_second_crash_during_shutdown_waits_for_nothing) {
 
 TEST(supervision_core, set_policy_changes_what_the_next_crash_means) {
   auto core = three_running(strategy::one_for_one, 100);
-  core.set_policy(1, with(0, true));
+  core.set_policy(1, policy_with(0, true));
   EXPECT_EQ(in_words(core.down(1, 0)), (words{"give up 1", "bring down 1"}));
 }
 
@@ -364,11 +364,11 @@ TEST(supervision_core, events_that_do_not_fit_the_phase_change_nothing) {
 // -- any order of events
 // -----------------------------------------------------------------------------------------------
 
-// Drives a core with events that are possible, and holds its actions against the rules.
+// Drives a core policy_with events that are possible, and holds its actions against the rules.
 class world_of_children {
 public:
   world_of_children(strategy how, std::size_t children, std::uint64_t seed)
-      : how_(how), core_(how, std::vector<child_policy>(children, with(3)), seed), children_(children) {}
+      : how_(how), core_(how, std::vector<child_policy>(children, policy_with(3)), seed), children_(children) {}
 
   void start() { take(core_.start()); }
   void want(std::size_t i, bool wanted) {

@@ -12,38 +12,40 @@ namespace godwit::mission {
 
 namespace {
 
-using json = nlohmann::ordered_json; // a person reads it: the kind first, not the alphabet
+using ordered_json = nlohmann::ordered_json; // a person reads it: the kind first, not the alphabet
 
-json place_of(const json& at) { return json::array({at["longitude"], at["latitude"], at["altitude_m"]}); }
+ordered_json place_of(const ordered_json& at) {
+  return ordered_json::array({at["longitude"], at["latitude"], at["altitude_m"]});
+}
 
-json point_of(const json& at) { return {{"type", "Point"}, {"coordinates", place_of(at)}}; }
+ordered_json point_of(const ordered_json& at) { return {{"type", "Point"}, {"coordinates", place_of(at)}}; }
 
 // The first corner stays the first when the order has to be turned round.
-json ring_of(const std::vector<vertex>& corners) {
-  auto ring = json::array();
+ordered_json ring_of(const std::vector<vertex>& corners) {
+  auto ring = ordered_json::array();
   const bool is_clockwise = signed_area(corners) < 0;
   for (std::size_t i = 0; i <= corners.size(); ++i) {
     const auto& each = corners[(is_clockwise ? corners.size() - i : i) % corners.size()];
-    ring.push_back(json::array({each.longitude, each.latitude}));
+    ring.push_back(ordered_json::array({each.longitude, each.latitude}));
   }
-  return {{"type", "Polygon"}, {"coordinates", json::array({std::move(ring)})}};
+  return {{"type", "Polygon"}, {"coordinates", ordered_json::array({std::move(ring)})}};
 }
 
-json feature(std::string_view role, json geometry, const json& rest) {
-  json properties{{"role", role}};
+ordered_json feature(std::string_view role, ordered_json geometry, const ordered_json& rest) {
+  ordered_json properties{{"role", role}};
   properties.update(rest);
   return {{"type", "Feature"}, {"geometry", std::move(geometry)}, {"properties", std::move(properties)}};
 }
 
-json fields_of(const auto& value) {
+ordered_json fields_of(const auto& value) {
   std::string text;
   append_text(text, value);
-  return json::parse(text);
+  return ordered_json::parse(text);
 }
 
-json item_feature(const item& each, json& path) {
+ordered_json item_feature(const item& each, ordered_json& path) {
   auto fields = fields_of(each);
-  json geometry;
+  ordered_json geometry;
   if (fields.contains("at")) {
     geometry = point_of(fields["at"]);
     path.push_back(geometry["coordinates"]);
@@ -55,7 +57,7 @@ json item_feature(const item& each, json& path) {
   return feature("item", std::move(geometry), fields);
 }
 
-json fence_feature(const geofence& each) {
+ordered_json fence_feature(const geofence& each) {
   auto fields = fields_of(each);
   fields.erase("vertices");
   return feature("geofence", ring_of(each.vertices), fields);
@@ -64,21 +66,22 @@ json fence_feature(const geofence& each) {
 } // namespace
 
 exported export_geojson(const document& mission) {
-  auto features = json::array();
-  auto path = json::array();
+  auto features = ordered_json::array();
+  auto path = ordered_json::array();
   for (const auto& each : mission.items)
     features.push_back(item_feature(each, path));
   for (const auto& each : mission.geofences)
     features.push_back(fence_feature(each));
-  features.push_back(feature("return_point", point_of(fields_of(mission.return_point)), json::object()));
+  features.push_back(feature("return_point", point_of(fields_of(mission.return_point)), ordered_json::object()));
   if (path.size() > 1)
-    features.push_back(feature("path", json{{"type", "LineString"}, {"coordinates", std::move(path)}}, json::object()));
-  const json collection{{"type", "FeatureCollection"},
-                        {"godwit",
-                         {{"mission_id", mission.mission_id},
-                          {"schema_version", mission.schema_version},
-                          {"revision", mission.revision}}},
-                        {"features", std::move(features)}};
+    features.push_back(feature("path", ordered_json{{"type", "LineString"}, {"coordinates", std::move(path)}},
+                               ordered_json::object()));
+  const ordered_json collection{{"type", "FeatureCollection"},
+                                {"godwit",
+                                 {{"mission_id", mission.mission_id},
+                                  {"schema_version", mission.schema_version},
+                                  {"revision", mission.revision}}},
+                                {"features", std::move(features)}};
   constexpr int indent = 2;
   return {collection.dump(indent) + '\n', {}};
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t plan_version = 1;
 constexpr std::int64_t mission_version = 2;
-constexpr std::int64_t px4 = 12; // MAV_AUTOPILOT
+constexpr std::int64_t px4_firmware = 12; // MAV_AUTOPILOT
 
 // What QGroundControl wrote into `.mission` files before it had plans.
 bool is_older_than_plans(const plan_node& root) {
@@ -57,7 +57,8 @@ document import_root(plan_source& source, const plan_node& root) {
   source.lose_unknown(mission, {"cruiseSpeed", "firmwareType", "globalPlanAltitudeMode", "hoverSpeed", "items",
                                 "plannedHomePosition", "vehicleType", "version"});
   const auto home = source.place(mission, "plannedHomePosition");
-  import_context context{vertex{home[0], home[1]}, home[2], source.number_or(mission, "firmwareType", 0) == px4};
+  import_context context{vertex{home[0], home[1]}, home[2],
+                         source.number_or(mission, "firmwareType", 0) == px4_firmware};
   if (!std::isfinite(home[2]))
     context.home_altitude_m.reset();
   if (!std::isfinite(home[0]) || !std::isfinite(home[1]))

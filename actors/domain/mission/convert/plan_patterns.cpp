@@ -28,9 +28,9 @@ void take_laid_items(plan_source& source, const plan_node& transects, item_impor
 }
 
 bool is_above_home(plan_source& source, const plan_node& camera) {
-  constexpr std::int64_t above_home = 1;
+  constexpr std::int64_t relative = 1;
   if (camera.has("DistanceMode"))
-    return source.integer(camera, "DistanceMode") == above_home;
+    return source.integer(camera, "DistanceMode") == relative;
   return source.flag(camera, "DistanceToSurfaceRelative", false);
 }
 

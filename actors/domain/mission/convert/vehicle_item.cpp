@@ -14,7 +14,7 @@ constexpr std::string_view turns = "a mission's loiter lasts for seconds, not fo
 constexpr std::string_view climbing = "no item of a mission changes the height in circles";
 constexpr std::string_view waiting = "a mission has no waits and conditions between its items";
 constexpr std::string_view jumping = "the items of a mission are flown once, in order";
-constexpr std::string_view home = "a mission can not move its return point in flight";
+constexpr std::string_view no_home = "a mission can not move its return point in flight";
 constexpr std::string_view payload = "a mission has no commands for servos, relays and payload";
 constexpr std::string_view camera = "a mission has no commands for cameras and gimbals";
 constexpr std::string_view landing = "a mission has no marks for landings";
@@ -51,7 +51,7 @@ constexpr command_row rows[] = {
     {115, "CONDITION_YAW", waiting},
     {177, "DO_JUMP", jumping},
     {178, "DO_CHANGE_SPEED", ""},
-    {179, "DO_SET_HOME", home},
+    {179, "DO_SET_HOME", no_home},
     {181, "DO_SET_RELAY", payload},
     {182, "DO_REPEAT_RELAY", payload},
     {183, "DO_SET_SERVO", payload},

@@ -12,7 +12,7 @@ namespace {
 
 using geo::local_point;
 
-constexpr double degrees = 180 / std::numbers::pi;
+constexpr double degrees_per_rad = 180 / std::numbers::pi;
 constexpr double half_turn_deg = 180;
 
 // Widths that differ by less are the same: the first side wins, so that rounding does not decide.
@@ -54,7 +54,7 @@ double width_m(const std::vector<local_point>& hull, const local_point& from, co
 }
 
 double heading_of(const local_point& from, const local_point& to) {
-  const double heading = std::atan2(to.east_m - from.east_m, to.north_m - from.north_m) * degrees;
+  const double heading = std::atan2(to.east_m - from.east_m, to.north_m - from.north_m) * degrees_per_rad;
   const double folded = std::fmod(heading + 2 * half_turn_deg, half_turn_deg);
   return folded < half_turn_deg ? folded : 0;
 }

@@ -2,11 +2,11 @@
 
 #include <string>
 
+#include "io/time_units.hpp"
+
 namespace godwit::executor::preflight {
 
 namespace {
-
-constexpr std::int64_t ns_per_ms = 1'000'000;
 
 bool is_in_three_dimensions(io::mavlink::gps_fix_type fix) {
   using io::mavlink::gps_fix_type;

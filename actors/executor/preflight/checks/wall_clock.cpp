@@ -1,12 +1,9 @@
 #include "actors/executor/preflight/checks/wall_clock.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::executor::preflight {
 
-namespace {
-
-constexpr std::int64_t ns_per_s = 1'000'000'000;
-
-}
+namespace {}
 
 result look_at_wall_clock(const facts& seen, const settings& set) {
   if (seen.wall_ns / ns_per_s < set.earliest_date_s)

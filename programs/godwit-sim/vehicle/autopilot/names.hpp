@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "io/time_units.hpp"
+
 namespace godwit::io::mavlink {}
 namespace godwit::ground_port::mission_server {}
 namespace godwit::ground_port::vehicle_role {}
@@ -14,8 +16,6 @@ namespace mavlink = io::mavlink;
 namespace plans = ground_port::mission_server;
 namespace role = ground_port::vehicle_role;
 
-inline constexpr std::int64_t ns_per_s = 1'000'000'000;
-inline constexpr std::int64_t ns_per_ms = 1'000'000;
 inline constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
 } // namespace godwit::sim

@@ -10,7 +10,7 @@
 namespace godwit::sim {
 namespace {
 
-constexpr double vertical_acceleration_mps2 = 3;
+constexpr double wing_vertical_acceleration_mps2 = 3;
 constexpr double roll_rate_deg_s = 60;
 // An error of its course is turned off in this time, as far as the bank allows.
 constexpr double course_lag_s = 1;
@@ -18,7 +18,7 @@ constexpr double glide_descent_mps = 2.5;
 // How steeply it comes to a circle: at twice the radius its course has turned inwards by the arc tangent of this.
 constexpr double circle_gain = 3;
 constexpr double cruise_throttle = 0.45;
-constexpr double throttle_for_each_mps = 0.1; // of climb
+constexpr double wing_throttle_for_each_mps = 0.1; // of climb
 
 void advance_over_ground(body& it, double wanted_mps, const fixed_wing_limits& limits, double step_s) {
   const double before_mps = it.ground_speed_mps;
@@ -35,8 +35,8 @@ void bank(body& it, double wanted_rad, double step_s) {
   it.heading_deg = heading_of(it.heading_deg + it.turn_rate_rad_s / degree * step_s);
 }
 
-void rise(body& it, double wanted_mps, double step_s) {
-  climb_towards(it, wanted_mps, vertical_acceleration_mps2, step_s);
+void pitch_and_rise(body& it, double wanted_mps, double step_s) {
+  climb_towards(it, wanted_mps, wing_vertical_acceleration_mps2, step_s);
   it.pitch_rad = std::atan2(it.climb_mps, std::max(it.ground_speed_mps, 1.0));
 }
 
@@ -50,14 +50,14 @@ void fly(body& wing, const fixed_wing_limits& limits, const wing_order& order, d
   bank(wing, std::clamp(wanted_rad, -most_rad, most_rad), step_s);
   advance_over_ground(wing, std::max(order.speed_mps, limits.min_speed_mps), limits, step_s);
   const double rest_m = order.altitude_m - wing.where.altitude_m;
-  rise(wing, std::clamp(rest_m / wing_altitude_lag_s, -order.descent_mps, order.climb_mps), step_s);
-  wing.throttle = std::clamp(cruise_throttle + throttle_for_each_mps * wing.climb_mps, 0.0, 1.0);
+  pitch_and_rise(wing, std::clamp(rest_m / wing_altitude_lag_s, -order.descent_mps, order.climb_mps), step_s);
+  wing.throttle = std::clamp(cruise_throttle + wing_throttle_for_each_mps * wing.climb_mps, 0.0, 1.0);
 }
 
 void glide(body& wing, const fixed_wing_limits& limits, double step_s) {
   bank(wing, 0, step_s);
   advance_over_ground(wing, limits.min_speed_mps, limits, step_s);
-  rise(wing, -glide_descent_mps, step_s);
+  pitch_and_rise(wing, -glide_descent_mps, step_s);
   wing.throttle = 0;
 }
 

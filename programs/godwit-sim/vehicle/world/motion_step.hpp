@@ -8,6 +8,8 @@
 namespace godwit::sim {
 
 constexpr double gravity_mps2 = 9.80665;
+// Less than what a body can do, so that it stops before the place and not behind it.
+constexpr double braking_margin = 0.8;
 
 // By MOST at the most.
 [[nodiscard]] inline double towards(double value, double wanted, double most) {

@@ -11,8 +11,6 @@ namespace godwit::sim {
 namespace {
 
 constexpr double vertical_acceleration_mps2 = 2;
-// Less than what it can do, so that it stops before the place and not behind it.
-constexpr double braking_margin = 0.8;
 // Who is as near as this is there.
 constexpr double there_m = 0.05;
 constexpr double at_altitude_m = 0.01;

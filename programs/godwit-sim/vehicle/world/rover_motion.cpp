@@ -12,8 +12,6 @@ namespace {
 
 // Of the speed whose circle just meets the place: turning begins late where the rover has to brake first.
 constexpr double turning_margin = 0.6;
-// Less than what the brakes can do, so that it stops before the place and not behind it.
-constexpr double braking_margin = 0.8;
 // Who is to stop there is there.
 constexpr double stop_within_m = 0.1;
 // At which the motor has nothing left.

@@ -7,7 +7,7 @@ namespace godwit::trace_tool {
 
 namespace {
 
-constexpr double ns_per_s = 1e9;
+constexpr double ns_in_a_second = 1e9;
 
 // An edge for each sender, actor and type, the most frequent types first in its label. The limit is one of edges.
 class graph final : public exporter {
@@ -58,7 +58,7 @@ private:
     out += "];\n";
   }
   [[nodiscard]] std::string rate_text(std::uint64_t count) const {
-    const auto seconds = static_cast<double>(last_ns_ - first_ns_) / ns_per_s;
+    const auto seconds = static_cast<double>(last_ns_ - first_ns_) / ns_in_a_second;
     constexpr double tenth = 10;
     if (seconds <= 0)
       return std::to_string(count);

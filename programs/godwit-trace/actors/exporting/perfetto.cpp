@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "io/fields/json_text.hpp"
+#include "io/time_units.hpp"
 #include "programs/godwit-trace/actors/exporting/export_format.hpp"
 
 namespace godwit::trace_tool {
@@ -13,7 +14,6 @@ namespace {
 
 // Microseconds with nanoseconds behind the point, as the format wants them. A double of so large a number is not exact.
 std::string microseconds(std::int64_t ns) {
-  constexpr std::int64_t ns_per_us = 1'000;
   std::array<char, 64> text{};
   const int size =
       std::snprintf(text.data(), text.size(), "%lld.%03lld", static_cast<long long>(ns / ns_per_us), // NOLINT(*-vararg)

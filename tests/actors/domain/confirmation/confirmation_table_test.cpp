@@ -1,11 +1,12 @@
 #include "actors/domain/confirmation/confirmation_table.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::domain {
 namespace {
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 
 TEST(confirmation_table, three_frames_are_not_enough_and_the_fourth_within_five_seconds_is) {
   confirmation_table table;

@@ -1,4 +1,6 @@
 #include "actors/domain/control_authority/control_authority.hpp"
+#include "tests/actors/domain/control_authority/vehicles.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +9,8 @@ namespace {
 
 using io::mavlink::mav_autopilot;
 
-constexpr mode_owner copter{mav_autopilot::ardupilotmega, vehicle_class::multirotor};
-constexpr mode_owner px4{mav_autopilot::px4, vehicle_class::multirotor};
+using tests::copter;
+using tests::px4;
 
 constexpr flight_mode stabilize{mode_kind::manual, 0};
 constexpr flight_mode automatic{mode_kind::mission, 3};
@@ -17,8 +19,8 @@ constexpr flight_mode brake{mode_kind::hold, 17};
 constexpr flight_mode px4_mission{mode_kind::mission, 4U << 16U | 4U << 24U};
 constexpr flight_mode px4_hold{mode_kind::hold, 4U << 16U | 3U << 24U};
 
-constexpr std::int64_t s = 1'000'000'000;
-constexpr std::uint16_t last_item = 6;
+using godwit::tests::s;
+using tests::last_item;
 
 control_authority in_flight(const flight_mode& mode = automatic) {
   control_authority result;

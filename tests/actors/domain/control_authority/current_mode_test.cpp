@@ -2,13 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "actors/domain/control_authority/control_authority.hpp"
+#include "tests/actors/domain/control_authority/vehicles.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace godwit::flight {
 namespace {
 
 using io::mavlink::mav_autopilot;
 
-constexpr mode_owner px4{mav_autopilot::px4, vehicle_class::multirotor};
+using tests::px4;
 
 constexpr flight_mode position_control{mode_kind::manual, 3U << 16U};
 constexpr flight_mode mission{mode_kind::mission, 4U << 16U | 4U << 24U};
@@ -16,8 +18,8 @@ constexpr flight_mode hold{mode_kind::hold, 4U << 16U | 3U << 24U};
 constexpr flight_mode returning{mode_kind::returning, 4U << 16U | 5U << 24U};
 constexpr flight_mode land{mode_kind::landing, 4U << 16U | 6U << 24U};
 
-constexpr std::int64_t s = 1'000'000'000;
-constexpr std::uint16_t last_item = 6;
+using godwit::tests::s;
+using tests::last_item;
 
 void tell(control_authority& who, const flight_mode& actual, const flight_mode& intended, std::int64_t now_ns) {
   who.on_current_mode(px4, {actual, false, intended.custom_mode}, now_ns);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mavlink/enums.hpp"
+#include "tests/actors/domain/control_authority/vehicles.hpp"
 
 namespace godwit::flight {
 namespace {
@@ -12,12 +13,12 @@ using io::mavlink::mav_cmd;
 using io::mavlink::number;
 using modes = std::vector<std::uint32_t>;
 
-constexpr mode_owner copter{mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+using tests::copter;
 constexpr mode_owner plane{mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
 constexpr mode_owner rover{mav_autopilot::ardupilotmega, vehicle_class::rover};
-constexpr mode_owner px4{mav_autopilot::px4, vehicle_class::multirotor};
+using tests::px4;
 constexpr mode_owner by_the_text{mav_autopilot::generic, vehicle_class::rover};
-constexpr std::uint32_t px4_hold = 4U << 16U | 3U << 24U;
+constexpr std::uint32_t px4_hold_number = 4U << 16U | 3U << 24U;
 constexpr std::uint32_t px4_return = 4U << 16U | 5U << 24U;
 
 plan_end end_of(const mode_owner& whose, mav_cmd last) { return plan_end_of(whose, number(last), 7); }
@@ -37,7 +38,7 @@ TEST(mode_tables, a_plane_returns_as_its_return_begins_and_when_another_plan_is_
 
 TEST(mode_tables, a_px4_returns_as_its_return_begins_and_holds_when_another_plan_is_done) {
   EXPECT_EQ(end_of(px4, mav_cmd::nav_return_to_launch), (plan_end{7, true, {px4_return}}));
-  EXPECT_EQ(end_of(px4, mav_cmd::nav_waypoint), (plan_end{7, false, {px4_hold}}));
+  EXPECT_EQ(end_of(px4, mav_cmd::nav_waypoint), (plan_end{7, false, {px4_hold_number}}));
   EXPECT_EQ(end_of(px4, mav_cmd::nav_land).modes, modes());
 }
 
@@ -49,7 +50,7 @@ TEST(mode_tables, by_the_text_alone_a_vehicle_holds_when_its_plan_is_done) {
 TEST(mode_tables, an_order_is_obeyed_by_the_mode_that_it_names_alone) {
   EXPECT_EQ(modes_obeying(copter, mode_kind::hold), modes{17}); // BRAKE, and not LOITER
   EXPECT_EQ(modes_obeying(rover, mode_kind::hold), modes{4});
-  EXPECT_EQ(modes_obeying(px4, mode_kind::hold), modes{px4_hold});
+  EXPECT_EQ(modes_obeying(px4, mode_kind::hold), modes{px4_hold_number});
   EXPECT_EQ(modes_obeying(rover, mode_kind::landing), modes());
 }
 
@@ -57,14 +58,14 @@ TEST(mode_tables, each_has_a_mode_in_which_it_stands) {
   EXPECT_EQ(standing_mode(copter), 5U); // LOITER: BRAKE is refused on the ground
   EXPECT_EQ(standing_mode(plane), 5U);  // FBWA
   EXPECT_EQ(standing_mode(rover), 4U);
-  EXPECT_EQ(standing_mode(px4), px4_hold);
+  EXPECT_EQ(standing_mode(px4), px4_hold_number);
 }
 
 TEST(mode_tables, a_quad_plane_turns_its_return_into_qrtl_and_a_copter_does_not_turn_its_own_into_anything) {
   EXPECT_TRUE(follows_by_itself(plane, 11, 21, false));
   EXPECT_FALSE(follows_by_itself(plane, 21, 11, true));
   EXPECT_FALSE(follows_by_itself(copter, 6, 9, true));
-  EXPECT_FALSE(follows_by_itself(px4, px4_return, px4_hold, true));
+  EXPECT_FALSE(follows_by_itself(px4, px4_return, px4_hold_number, true));
 }
 
 TEST(mode_tables, by_the_text_alone_a_return_that_we_ordered_may_end_in_a_hold) {

@@ -1,4 +1,5 @@
 #include "actors/domain/energy/energy.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <cmath>
 #include <limits>
@@ -10,7 +11,7 @@
 namespace godwit::energy {
 namespace {
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 
 // Loses a point each EACH_S.
 drain_meter measured(double each_s, int points) {

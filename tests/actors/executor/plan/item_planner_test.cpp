@@ -9,9 +9,9 @@ namespace {
 
 using commands = std::vector<int>;
 
-const mission::takeoff up{"up", 30};
+const mission::takeoff take_off_item{"up", 30};
 const mission::waypoint out = waypoint("out", at(500, 0, 30));
-const mission::return_home back{"back"};
+const mission::return_home home_again{"back"};
 
 mission::land land_at(const mission::position& place) { return {"down", place}; }
 
@@ -22,32 +22,33 @@ plan_setting under_way(plan_setting setting, const mission::position& where) {
 }
 
 TEST(item_planner, a_multirotor_takes_off_where_it_stands) {
-  const auto plan = build_plans(mission_of({up, out}), px4_copter)->front();
+  const auto plan = build_plans(mission_of({take_off_item, out}), px4_copter)->front();
   EXPECT_EQ(plan.items[0].x, std::lround(px4_copter.start.latitude * 1e7));
   EXPECT_FLOAT_EQ(plan.items[0].z, 30);
   EXPECT_EQ(plan.legs[0].kind, leg_kind::climb);
 }
 
 TEST(item_planner, a_fixed_wing_takes_off_towards_the_next_place) {
-  const auto plan = build_plans(mission_of({up, mission::change_speed{"s", 20}, out, back}), px4_plane)->front();
+  const auto plan =
+      build_plans(mission_of({take_off_item, mission::change_speed{"s", 20}, out, home_again}), px4_plane)->front();
   EXPECT_EQ(plan.items[0].y, std::lround(out.at.longitude * 1e7));
   EXPECT_FLOAT_EQ(plan.items[0].z, 30);
 }
 
 TEST(item_planner, a_fixed_wing_that_has_nowhere_to_take_off_to_is_refused) {
-  EXPECT_EQ(why_not(mission_of({up, back}), px4_plane),
+  EXPECT_EQ(why_not(mission_of({take_off_item, home_again}), px4_plane),
             "Item 'up': A fixed wing takes off towards the next place, and none is at least 20 m away; put a waypoint "
             "behind it, in the direction of the runway.");
-  EXPECT_NE(why_not(mission_of({up, waypoint("near", at(3, 0, 30)), out}), ardupilot_plane), "");
+  EXPECT_NE(why_not(mission_of({take_off_item, waypoint("near", at(3, 0, 30)), out}), ardupilot_plane), "");
 }
 
 TEST(item_planner, a_fixed_wing_in_the_air_does_not_take_off_again) {
-  EXPECT_EQ(commands_of(mission_of({up, out}), under_way(px4_plane, at(0, 0, 60))), (commands{16}));
-  EXPECT_EQ(commands_of(mission_of({up, out}), under_way(px4_copter, at(0, 0, 10))), (commands{22, 16}));
+  EXPECT_EQ(commands_of(mission_of({take_off_item, out}), under_way(px4_plane, at(0, 0, 60))), (commands{16}));
+  EXPECT_EQ(commands_of(mission_of({take_off_item, out}), under_way(px4_copter, at(0, 0, 10))), (commands{22, 16}));
 }
 
 TEST(item_planner, a_rover_does_not_take_off_and_the_item_is_in_the_map_all_the_same) {
-  const auto plan = build_plans(mission_of({up, out}), rover)->front();
+  const auto plan = build_plans(mission_of({take_off_item, out}), rover)->front();
   EXPECT_EQ(commands_of(plan), (commands{16}));
   EXPECT_EQ(plan.map.items[0].item_id, "up");
   EXPECT_EQ(plan.map.items[0].sequence_count, 0);
@@ -62,16 +63,16 @@ TEST(item_planner, who_stands_on_the_ground_begins_with_a_take_off) {
 }
 
 TEST(item_planner, behind_a_landing_comes_a_take_off) {
-  const auto mission = mission_of({up, land_at(at(500, 0, 0)), waypoint("on", at(900, 0, 30))});
+  const auto mission = mission_of({take_off_item, land_at(at(500, 0, 0)), waypoint("on", at(900, 0, 30))});
   EXPECT_EQ(why_not(mission, px4_copter),
             "Item 'on': The vehicle stands on the ground there; put a takeoff in front of it.");
 }
 
 TEST(item_planner, a_take_off_does_not_come_in_the_middle_of_a_flight) {
-  EXPECT_EQ(why_not(mission_of({up, out, mission::takeoff{"higher", 60}}), px4_copter),
+  EXPECT_EQ(why_not(mission_of({take_off_item, out, mission::takeoff{"higher", 60}}), px4_copter),
             "Item 'higher': A take-off does not come in the middle of a flight; put a waypoint there, which climbs as "
             "well, or a land in front of it.");
-  EXPECT_EQ(why_not(mission_of({mission::change_speed{"slow", 3}, up, out}), px4_copter), "");
+  EXPECT_EQ(why_not(mission_of({mission::change_speed{"slow", 3}, take_off_item, out}), px4_copter), "");
 }
 
 TEST(item_planner, a_waypoint_has_its_hold_radius_and_speed) {
@@ -79,7 +80,7 @@ TEST(item_planner, a_waypoint_has_its_hold_radius_and_speed) {
   slow.hold_s = 12;
   slow.accept_radius_m = 3;
   slow.speed_mps = 5;
-  const auto plan = build_plans(mission_of({up, slow}), ardupilot_copter)->front();
+  const auto plan = build_plans(mission_of({take_off_item, slow}), ardupilot_copter)->front();
   EXPECT_EQ(commands_of(plan), (commands{22, 178, 16}));
   EXPECT_FLOAT_EQ(plan.items[2].param2, 5);
   EXPECT_FLOAT_EQ(plan.items[3].param1, 12);
@@ -89,7 +90,7 @@ TEST(item_planner, a_waypoint_has_its_hold_radius_and_speed) {
 TEST(item_planner, a_fixed_wing_holds_by_circling) {
   auto held = out;
   held.hold_s = 12;
-  const auto plan = build_plans(mission_of({up, held}), px4_plane)->front();
+  const auto plan = build_plans(mission_of({take_off_item, held}), px4_plane)->front();
   EXPECT_EQ(commands_of(plan), (commands{22, 19}));
   EXPECT_FLOAT_EQ(plan.items[1].param1, 12);
   EXPECT_EQ(plan.items[1].param3, 0) << "with its own radius";
@@ -97,7 +98,7 @@ TEST(item_planner, a_fixed_wing_holds_by_circling) {
 }
 
 TEST(item_planner, a_loiter_is_a_time_and_for_a_rover_a_stop) {
-  const auto mission = mission_of({up, mission::loiter{"look", at(200, 0, 30), -40, 60}});
+  const auto mission = mission_of({take_off_item, mission::loiter{"look", at(200, 0, 30), -40, 60}});
   const auto copter = build_plans(mission, px4_copter)->front();
   EXPECT_EQ(copter.items[1].command, 19);
   EXPECT_FLOAT_EQ(copter.items[1].param1, 60);
@@ -110,7 +111,7 @@ TEST(item_planner, a_loiter_is_a_time_and_for_a_rover_a_stop) {
 
 TEST(item_planner, an_ardupilot_plane_is_not_asked_for_circles_that_it_does_not_keep) {
   const auto mission_with = [](double radius_m) {
-    return mission_of({up, mission::loiter{"look", at(900, 0, 30), radius_m, 60}});
+    return mission_of({take_off_item, mission::loiter{"look", at(900, 0, 30), radius_m, 60}});
   };
   EXPECT_EQ(why_not(mission_with(200), ardupilot_plane),
             "Item 'look': It asks for circles of 200 m, and an ArduPilot plane flies its own of 80 m; set radius_m to "
@@ -124,22 +125,23 @@ TEST(item_planner, an_ardupilot_plane_is_not_asked_for_circles_that_it_does_not_
 TEST(item_planner, an_ardupilot_waits_no_longer_than_its_number_can_say) {
   auto held = out;
   held.hold_s = 70'000;
-  EXPECT_EQ(why_not(mission_of({up, held}), ardupilot_copter),
+  EXPECT_EQ(why_not(mission_of({take_off_item, held}), ardupilot_copter),
             "Item 'out': It waits for 70000 s, and the vehicle knows 65535 s at most; divide the time over several "
             "items.");
-  EXPECT_EQ(why_not(mission_of({up, held}), px4_copter), "");
+  EXPECT_EQ(why_not(mission_of({take_off_item, held}), px4_copter), "");
 }
 
 TEST(item_planner, latitude_and_longitude_0_are_refused) {
-  EXPECT_EQ(why_not(mission_of({up, waypoint("null", {0, 0, 30})}), px4_copter),
+  EXPECT_EQ(why_not(mission_of({take_off_item, waypoint("null", {0, 0, 30})}), px4_copter),
             "Item 'null': Its place is latitude 0 and longitude 0, which vehicles take for none; move it by a metre.");
-  EXPECT_NE(why_not(mission_of({up, mission::loiter{"l", {0, 0, 30}, 0, 5}}), rover), "");
-  EXPECT_NE(why_not(mission_of({up, out, mission::land{"down", {0, 0, 0}}}), px4_copter), "");
+  EXPECT_NE(why_not(mission_of({take_off_item, mission::loiter{"l", {0, 0, 30}, 0, 5}}), rover), "");
+  EXPECT_NE(why_not(mission_of({take_off_item, out, mission::land{"down", {0, 0, 0}}}), px4_copter), "");
 }
 
 TEST(item_planner, a_survey_gives_two_waypoints_for_each_line_at_its_altitude) {
   const auto plan =
-      build_plans(mission_of({up, survey_of("field", tests::box(100, 0, 300, 90), 30, 90)}), px4_copter)->front();
+      build_plans(mission_of({take_off_item, survey_of("field", tests::box(100, 0, 300, 90), 30, 90)}), px4_copter)
+          ->front();
   ASSERT_EQ(commands_of(plan), (commands{22, 16, 16, 16, 16, 16, 16}));
   EXPECT_FLOAT_EQ(plan.items[1].z, 50);
   ASSERT_EQ(plan.surveys.size(), 1U);
@@ -148,14 +150,15 @@ TEST(item_planner, a_survey_gives_two_waypoints_for_each_line_at_its_altitude) {
 }
 
 TEST(item_planner, a_survey_that_can_not_be_flown_is_refused) {
-  EXPECT_EQ(why_not(mission_of({up, survey_of("field", tests::box(0, 0, 3000, 3000), 1)}), px4_copter),
+  EXPECT_EQ(why_not(mission_of({take_off_item, survey_of("field", tests::box(0, 0, 3000, 3000), 1)}), px4_copter),
             "Item 'field': Its area would take more than 2000 lines; put the lines farther apart, or divide the area.");
-  EXPECT_NE(why_not(mission_of({up, survey_of("field", tests::box(0, 0, 60'000, 100), 10)}), px4_copter), "");
-  EXPECT_NE(why_not(mission_of({up, survey_of("field", tests::box(0, 0, 0.02, 0.02), 10)}), px4_copter), "");
+  EXPECT_NE(why_not(mission_of({take_off_item, survey_of("field", tests::box(0, 0, 60'000, 100), 10)}), px4_copter),
+            "");
+  EXPECT_NE(why_not(mission_of({take_off_item, survey_of("field", tests::box(0, 0, 0.02, 0.02), 10)}), px4_copter), "");
 }
 
 TEST(item_planner, a_multirotor_flies_over_the_place_and_lands) {
-  const auto plan = build_plans(mission_of({up, out, land_at(at(700, 0, 2))}), px4_copter)->front();
+  const auto plan = build_plans(mission_of({take_off_item, out, land_at(at(700, 0, 2))}), px4_copter)->front();
   EXPECT_EQ(commands_of(plan), (commands{22, 16, 21}));
   EXPECT_FLOAT_EQ(plan.items[2].z, 2);
   EXPECT_EQ(plan.legs.back().kind, leg_kind::descent);
@@ -170,19 +173,19 @@ TEST(item_planner, a_rover_drives_to_where_it_shall_land_and_stops) {
 }
 
 TEST(item_planner, a_fixed_wing_lands_from_a_place_that_is_higher_and_not_too_steep) {
-  EXPECT_EQ(why_not(mission_of({up, out, land_at(at(900, 0, 0))}), px4_plane), "");
-  EXPECT_EQ(why_not(mission_of({up, out, land_at(at(560, 0, 0))}), px4_plane),
+  EXPECT_EQ(why_not(mission_of({take_off_item, out, land_at(at(900, 0, 0))}), px4_plane), "");
+  EXPECT_EQ(why_not(mission_of({take_off_item, out, land_at(at(560, 0, 0))}), px4_plane),
             "Item 'down': The way down to it has 27 degrees, and a fixed wing can 15; put the waypoint in front of it "
             "lower or farther away.");
-  EXPECT_EQ(why_not(mission_of({up, out, land_at(at(900, 0, 40))}), px4_plane),
+  EXPECT_EQ(why_not(mission_of({take_off_item, out, land_at(at(900, 0, 40))}), px4_plane),
             "Item 'down': A fixed wing comes down to its landing from a place that is higher; put a waypoint in front "
             "of it, higher and some hundred metres away.");
-  EXPECT_NE(why_not(mission_of({up, land_at(at(900, 0, 0))}), ardupilot_plane), "");
+  EXPECT_NE(why_not(mission_of({take_off_item, land_at(at(900, 0, 0))}), ardupilot_plane), "");
   EXPECT_NE(why_not(mission_of({land_at(at(900, 0, 0))}), under_way(px4_plane, at(0, 0, 60))), "");
 }
 
 TEST(item_planner, the_way_down_of_a_fixed_wing_is_marked_when_that_is_asked_for) {
-  const auto mission = mission_of({up, out, waypoint("final", at(800, 0, 25)), land_at(at(1300, 0, 0))});
+  const auto mission = mission_of({take_off_item, out, waypoint("final", at(800, 0, 25)), land_at(at(1300, 0, 0))});
   auto setting = px4_plane;
   EXPECT_EQ(commands_of(mission, setting), (commands{22, 16, 16, 21}));
   setting.marks_landings = true;
@@ -195,7 +198,7 @@ TEST(item_planner, the_way_down_of_a_fixed_wing_is_marked_when_that_is_asked_for
 
 TEST(item_planner, returning_home_is_the_vehicles_own_return) {
   for (const auto& setting : {px4_copter, ardupilot_copter, px4_plane, rover}) {
-    const auto plan = build_plans(mission_of({up, out, back}), setting)->front();
+    const auto plan = build_plans(mission_of({take_off_item, out, home_again}), setting)->front();
     EXPECT_EQ(plan.items.back().command, 20);
     EXPECT_EQ(plan.ends_at.longitude, at(0, 0, 0).longitude);
   }
@@ -204,7 +207,7 @@ TEST(item_planner, returning_home_is_the_vehicles_own_return) {
 TEST(item_planner, a_vehicle_that_returns_climbs_to_its_return_altitude_first) {
   auto setting = px4_copter;
   setting.return_altitude_m = 60;
-  const auto plan = build_plans(mission_of({up, out, back}), setting)->front();
+  const auto plan = build_plans(mission_of({take_off_item, out, home_again}), setting)->front();
   double highest_m = 0;
   for (const auto& each : plan.legs)
     highest_m = std::max(highest_m, each.to.altitude_m);
@@ -212,7 +215,7 @@ TEST(item_planner, a_vehicle_that_returns_climbs_to_its_return_altitude_first) {
 }
 
 TEST(item_planner, a_return_point_that_is_not_home_is_flown_to_as_a_place) {
-  auto mission = mission_of({up, out, back});
+  auto mission = mission_of({take_off_item, out, home_again});
   mission.return_point = at(0, 300, 4);
   const auto plan = build_plans(mission, px4_copter)->front();
   EXPECT_EQ(commands_of(plan), (commands{22, 16, 16, 21}));
@@ -226,17 +229,18 @@ TEST(item_planner, a_return_point_that_is_not_home_is_flown_to_as_a_place) {
 }
 
 TEST(item_planner, the_return_from_a_delivery_does_not_rely_on_a_home_that_moves) {
-  const auto mission = mission_of({up, land_at(at(700, 0, 0)), mission::takeoff{"up again", 30}, back});
+  const auto mission =
+      mission_of({take_off_item, land_at(at(700, 0, 0)), mission::takeoff{"up again", 30}, home_again});
   EXPECT_EQ(commands_of(mission, px4_copter), (commands{22, 21, 22, 16, 21}));
 }
 
 TEST(item_planner, landing_or_returning_where_the_vehicle_stands_is_nothing_to_do) {
-  const auto mission = mission_of({up, out, back, land_at(at(2, 0, 0))});
+  const auto mission = mission_of({take_off_item, out, home_again, land_at(at(2, 0, 0))});
   const auto plans = build_plans(mission, px4_copter);
   ASSERT_EQ(plans->size(), 1U);
   EXPECT_EQ(commands_of(plans->front()), (commands{22, 16, 20}));
   EXPECT_EQ(plans->front().map.items.back().item_id, "down");
-  EXPECT_EQ(commands_of(mission_of({back, up, out}), px4_copter), (commands{22, 16}));
+  EXPECT_EQ(commands_of(mission_of({home_again, take_off_item, out}), px4_copter), (commands{22, 16}));
 }
 
 } // namespace

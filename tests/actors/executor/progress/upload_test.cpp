@@ -10,14 +10,14 @@ namespace {
 
 using namespace test;
 
-const assignment_key key{"assignment", "key"};
+const assignment_key assigned_key{"assignment", "key"};
 
 struct upload_any : testing::TestWithParam<flavour> {
   // A flies, and the upload of X was under way when the process died.
   void SetUp() override {
     d.fly({"A", "B"});
     d.reached(0);
-    d.intend(map_of(d.vehicle, {"X"}, 1), 2, key);
+    d.intend(map_of(d.vehicle, {"X"}, 1), 2, assigned_key);
     d.crash();
     d.said();
     d.news_told();
@@ -129,7 +129,7 @@ TEST(upload, after_a_restart_the_old_plan_id_means_that_the_upload_failed_withou
 TEST(upload, a_plan_with_the_same_content_has_the_old_id_and_is_read_back) {
   progress_fixture d;
   d.fly({"A", "B"});
-  d.intend(map_of(px4, {"A", "B"}), 2, key);
+  d.intend(map_of(px4, {"A", "B"}), 2, assigned_key);
   d.crash();
   d.questions.clear();
   d.take(vehicle_looked_at{d.plan_id});
@@ -143,7 +143,7 @@ TEST(upload, a_plan_with_the_same_content_has_the_old_id_and_is_read_back) {
 TEST(upload, a_reached_that_waited_for_its_plan_counts_when_the_upload_failed) {
   progress_fixture d;
   d.fly({"A", "B"});
-  d.intend(map_of(px4, {"X"}, 1), 2, key);
+  d.intend(map_of(px4, {"X"}, 1), 2, assigned_key);
   d.reached(0);
   d.take(upload_ended{upload_verdict::unchanged, {}, "no space"});
   EXPECT_EQ(d.said(), (texts{"started A#0 g1", "reached A#0 g1"}));

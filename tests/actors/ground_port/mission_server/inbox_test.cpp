@@ -1,11 +1,12 @@
 #include "actors/ground_port/mission_server/inbox.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 letter request(std::uint16_t seq) {
   io::mavlink::mission_request_int message;

@@ -12,7 +12,7 @@ using mavlink::mav_cmd;
 using mavlink::mav_frame;
 using mavlink::number;
 
-mavlink::mission_item_int waypoint() {
+mavlink::mission_item_int form_waypoint() {
   mavlink::mission_item_int result;
   result.command = number(mav_cmd::nav_waypoint);
   result.frame = number(mav_frame::global_relative_alt_int);
@@ -28,7 +28,7 @@ mavlink::mission_item_int waypoint() {
 }
 
 TEST(item_forms, a_float_item_has_degrees_and_keeps_the_rest) {
-  const auto item = in_floats(waypoint());
+  const auto item = in_floats(form_waypoint());
   EXPECT_FLOAT_EQ(item.x, 50.0F);
   EXPECT_FLOAT_EQ(item.y, -36.4F);
   EXPECT_EQ(item.seq, 3);
@@ -38,13 +38,13 @@ TEST(item_forms, a_float_item_has_degrees_and_keeps_the_rest) {
 }
 
 TEST(item_forms, there_and_back_loses_no_more_than_a_float_does) {
-  const auto back = in_integers(in_floats(waypoint()));
+  const auto back = in_integers(in_floats(form_waypoint()));
   EXPECT_NEAR(back.x, 500'000'000, 50);
   EXPECT_NEAR(back.y, -364'000'000, 50);
 }
 
 TEST(item_forms, a_local_position_has_metres_in_a_tenth_of_a_millimetre) {
-  auto item = waypoint();
+  auto item = form_waypoint();
   item.frame = 1; // local
   item.x = 12'500;
   EXPECT_FLOAT_EQ(in_floats(item).x, 1.25F);
@@ -69,27 +69,27 @@ TEST(item_forms, numbers_that_are_none_or_too_large_do_not_overflow) {
 }
 
 TEST(item_forms, px4_keeps_items_as_sent) {
-  const auto kept = as_kept(waypoint(), px4_quirks());
+  const auto kept = as_kept(form_waypoint(), px4_quirks());
   EXPECT_EQ(kept.frame, number(mav_frame::global_relative_alt_int));
   EXPECT_EQ(kept.param2, 1);
   EXPECT_EQ(kept.z, 30.126F);
 }
 
 TEST(item_forms, ardupilot_keeps_what_it_uses) {
-  const auto kept = as_kept(waypoint(), ardupilot_copter_quirks());
+  const auto kept = as_kept(form_waypoint(), ardupilot_copter_quirks());
   EXPECT_EQ(kept.frame, number(mav_frame::global_relative_alt));
   EXPECT_EQ(kept.param1, 5);
   EXPECT_EQ(kept.param2, 0);
   EXPECT_EQ(kept.autocontinue, 1);
   EXPECT_EQ(kept.current, 0);
   EXPECT_NEAR(kept.z, 30.13F, 1e-4);
-  auto home = waypoint();
+  auto home = form_waypoint();
   home.command = number(mav_cmd::nav_return_to_launch);
   EXPECT_EQ(as_kept(home, ardupilot_copter_quirks()).frame, number(mav_frame::global));
 }
 
 TEST(item_forms, the_address_is_not_part_of_a_plan) {
-  auto item = waypoint();
+  auto item = form_waypoint();
   item.target_system = 1;
   item.target_component = 1;
   EXPECT_EQ(as_kept(item, {}).target_system, 0);

@@ -6,16 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/ground_port/mission_server/plan_types.hpp"
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
 namespace {
 
 using words = dialogue::words;
-
-constexpr int fence = 1;
-constexpr int rally = 2;
-constexpr int all = 255;
 
 TEST(server_clear, a_clear_is_for_one_type_and_all_is_for_each) {
   dialogue with(px4_quirks());

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/ground_port/mission_server/plan_types.hpp"
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
@@ -17,10 +18,6 @@ using mavlink::mav_frame;
 using mavlink::mav_mission_result;
 using mavlink::number;
 using words = dialogue::words;
-
-constexpr int fence = 1;
-constexpr int rally = 2;
-constexpr int all = 255;
 
 words ask_for(dialogue& with, int seq, int type = 0, mavlink::sender from = station) {
   return with.tell(request_for<mavlink::mission_request_int>(seq, type), from);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/ground_port/mission_server/plan_types.hpp"
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
@@ -13,8 +14,6 @@ using mavlink::mav_cmd;
 using mavlink::number;
 
 using words = dialogue::words;
-
-constexpr int fence = 1;
 
 mavlink::mission_item_int vertex(int seq, float vertices) {
   auto result = waypoint(seq, fence);

@@ -16,6 +16,7 @@
 
 #include "io/mavlink/plan_meaning.hpp"
 #include "tests/support/test_rng.hpp"
+#include "tests/support/time_units.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -28,7 +29,7 @@ using transfer::holding;
 using transfer::verdict;
 using plan_items = std::vector<mavlink::mission_item_int>;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr int runs_of_each = 200; // vehicles of each kind
 constexpr int runs_of_each_if_full = 2'000;
 constexpr mavlink::sender third_station_id{254, 190};

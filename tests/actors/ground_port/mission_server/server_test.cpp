@@ -1,5 +1,6 @@
 // Each habit in which autopilots differ, as they were seen on the wire.
 #include "actors/ground_port/mission_server/server.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ using mavlink::mav_mission_type;
 using mavlink::number;
 using mavlink::sender;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr sender vehicle_id{1, 1};
 constexpr sender station{255, 190};
 constexpr sender other_station{254, 190};

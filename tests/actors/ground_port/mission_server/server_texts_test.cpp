@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/ground_port/mission_server/plan_types.hpp"
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
@@ -10,9 +11,6 @@ namespace {
 
 using mavlink::mav_mission_result;
 using words = dialogue::words;
-
-constexpr int fence = 1;
-constexpr int all = 255;
 
 TEST(server_texts, ardupilot_says_that_a_plan_came_and_that_none_did) {
   dialogue with(ardupilot_copter_quirks());

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/actors/ground_port/mission_server/plan_types.hpp"
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
@@ -16,10 +17,6 @@ namespace {
 using mavlink::mav_mission_result;
 using mavlink::number;
 using words = dialogue::words;
-
-constexpr int fence = 1;
-constexpr int rally = 2;
-constexpr int all = 255;
 
 mavlink::mission_item float_waypoint(int seq) {
   mavlink::mission_item item;

@@ -1,4 +1,5 @@
 #include "actors/ground_port/vehicle_role/current_report.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <vector>
 
@@ -7,7 +8,7 @@
 namespace godwit::ground_port::vehicle_role {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 io::mavlink::mission_current at(std::uint16_t seq) { return {.seq = seq, .total = 5, .mission_state = 3}; }
 

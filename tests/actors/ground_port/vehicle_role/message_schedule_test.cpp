@@ -1,4 +1,5 @@
 #include "actors/ground_port/vehicle_role/message_schedule.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,7 @@
 namespace godwit::ground_port::vehicle_role {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr std::array table{streamed_message{30, 250 * ms}, streamed_message{33, 1'000 * ms}, streamed_message{242, 0}};
 
 // The ids that are due between FROM and TO, looked at each STEP.

@@ -1,4 +1,5 @@
 #include "actors/ground_port/vehicle_role/param_table.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <bit>
 #include <cmath>
@@ -8,7 +9,7 @@
 namespace godwit::ground_port::vehicle_role {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 std::vector<param> three() {
   return {{"WP_RADIUS", 2.5F, param_type_real32, true},

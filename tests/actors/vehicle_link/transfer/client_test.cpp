@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "actors/vehicle_link/transfer/plan_reader.hpp"
+#include "tests/support/time_units.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -15,7 +16,7 @@ using mavlink::mav_mission_type;
 using mavlink::number;
 using transfer::verdict;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 transfer::client px4_client() { return {our_id, vehicle_id, transfer::profile_for(mav_autopilot::px4)}; }
 

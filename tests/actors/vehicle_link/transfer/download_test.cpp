@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/time_units.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -12,7 +13,7 @@ using mavlink::mav_autopilot;
 using mavlink::mav_mission_type;
 using transfer::verdict;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 transfer_world px4_world(const line_settings& line = {}) {
   return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), line, 1};

@@ -1,11 +1,12 @@
 #include "actors/vehicle_link/transfer/go_ahead_window.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 // Round trips of a line on which an item takes EACH, of which WINDOW are under way.
 std::int64_t round_trip_on(std::int64_t empty_ns, std::int64_t each_ns, int window) {

@@ -1,11 +1,12 @@
 #include "actors/vehicle_link/transfer/item_flow.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 class item_flow_test : public ::testing::Test {
 protected:

@@ -1,11 +1,12 @@
 #include "actors/vehicle_link/transfer/pace.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 TEST(pace, before_the_first_answer_nothing_runs) { EXPECT_EQ(pace().runs_until_ns(), 0); }
 

@@ -1,4 +1,5 @@
 #include "actors/vehicle_link/transfer/plan_reader.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@ namespace {
 using mavlink::mav_autopilot;
 using mavlink::mav_mission_result;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr parties who{{1, 191}, {1, 1}, mavlink::mav_mission_type::mission};
 
 class plan_reader_test : public ::testing::Test {

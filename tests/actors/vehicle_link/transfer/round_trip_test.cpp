@@ -1,11 +1,12 @@
 #include "actors/vehicle_link/transfer/round_trip.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 TEST(round_trip, begins_with_a_guess_below_the_period_in_which_px4_asks_again) {
   const round_trip line;

@@ -10,6 +10,7 @@
 
 #include "io/mavlink/plan_meaning.hpp"
 #include "tests/support/test_rng.hpp"
+#include "tests/support/time_units.hpp"
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
@@ -21,7 +22,7 @@ using mavlink::mav_mission_type;
 using transfer::holding;
 using transfer::verdict;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 struct peer {
   mission_server::autopilot_quirks vehicle;

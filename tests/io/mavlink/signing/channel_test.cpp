@@ -4,11 +4,12 @@
 
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/position.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace godwit::io::mavlink {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr std::int64_t wall_ns = 1'800'000'000'000 * ms; // 2027
 constexpr sender us{1, 191};
 constexpr sender vehicle{1, 1};

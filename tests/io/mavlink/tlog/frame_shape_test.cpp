@@ -7,10 +7,10 @@
 namespace godwit::io::mavlink::test {
 namespace {
 
-byte_buffer heartbeat_bytes() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
+byte_buffer plain_heartbeat() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
 
 TEST(mavlink_frame_shape, a_right_frame_is_v2_also_with_more_bytes_behind_it) {
-  auto bytes = heartbeat_bytes();
+  auto bytes = plain_heartbeat();
   bytes.resize(bytes.size() + 5);
   const auto found = look(bytes);
   EXPECT_EQ(found.shape, frame_shape::v2);
@@ -19,14 +19,14 @@ TEST(mavlink_frame_shape, a_right_frame_is_v2_also_with_more_bytes_behind_it) {
 }
 
 TEST(mavlink_frame_shape, a_part_of_a_frame_is_cut_off) {
-  for (const auto& whole : {heartbeat_bytes(), v1_frame()})
+  for (const auto& whole : {plain_heartbeat(), v1_frame()})
     for (std::size_t size = 1; size < whole.size(); ++size)
       EXPECT_EQ(look(byte_view(whole).first(size)).shape, frame_shape::cut_off) << size;
 }
 
 TEST(mavlink_frame_shape, one_other_byte_makes_the_checksum_bad) {
   for (std::size_t at = 2; at < 21; ++at) {
-    auto bytes = heartbeat_bytes();
+    auto bytes = plain_heartbeat();
     if (at >= incompat_at && at < id_at && at != 4)
       continue;
     bytes[at] ^= std::byte{0x20};
@@ -37,7 +37,7 @@ TEST(mavlink_frame_shape, one_other_byte_makes_the_checksum_bad) {
 }
 
 TEST(mavlink_frame_shape, other_right_shapes_are_told_apart) {
-  EXPECT_EQ(look(with_flags(heartbeat_bytes(), 0x02)).shape, frame_shape::unknown_flags);
+  EXPECT_EQ(look(with_flags(plain_heartbeat(), 0x02)).shape, frame_shape::unknown_flags);
   EXPECT_EQ(look(v1_frame()).shape, frame_shape::v1);
   EXPECT_EQ(look(unknown_frame(7)).shape, frame_shape::unknown_id);
   EXPECT_EQ(look(unknown_frame(7)).size, 19U);

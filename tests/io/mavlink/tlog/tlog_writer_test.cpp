@@ -21,7 +21,7 @@ frame_buffer some_heartbeat(std::uint8_t sequence = 0, signing sign = signing::o
   return encode(heartbeat{}, sender{255, 190}, sequence, sign);
 }
 
-frame_buffer signed_heartbeat() {
+frame_buffer signed_frame() {
   const std::array<std::byte, secret_key_size> key{std::byte{1}};
   signer out(secret_key(key), link_id{0}, signing_time{1000});
   auto frame = some_heartbeat(7, signing::on);
@@ -78,7 +78,7 @@ TEST(mavlink_tlog_writer, signatures_are_taken_off) {
   const temporary_folder folder;
   tlog_writer writer;
   ASSERT_TRUE(writer.open({folder / "flight.tlog"}));
-  ASSERT_TRUE(writer.write(some_day_us, signed_heartbeat().view()));
+  ASSERT_TRUE(writer.write(some_day_us, signed_frame().view()));
   ASSERT_TRUE(writer.close());
   EXPECT_EQ(read_file(folder / "flight.tlog").records,
             (std::vector<plain_record>{{some_day_us, to_hex(some_heartbeat(7).span())}}));

@@ -1,6 +1,7 @@
 // The flights in which one thing goes wrong in one part: that there are all of them, that each is flown by its name,
 // and that they are judged.
 #include "programs/godwit-drill/flights/disturbed_flight.hpp"
+#include "tests/programs/godwit-drill/flights/every_vehicle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,7 @@ namespace {
 using namespace godwit;
 using namespace godwit::drill;
 
-constexpr std::array every_vehicle{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
-                                   sim::personality::plane};
-constexpr std::array<std::uint64_t, 4> commits{9, 40, 8, 1};
+constexpr std::array<std::uint64_t, 4> disk_commits{9, 40, 8, 1};
 constexpr std::array<double, 4> flown_s{12, 24, 24, 60};
 
 void expect_cases(const std::vector<flight_case>& all, std::size_t count) {
@@ -60,18 +59,18 @@ TEST(link_cases, an_autopilot_that_starts_again_in_flight_is_left_to_people) {
 }
 
 TEST(disk_cases, are_seven_faults_at_each_fourth_commit) {
-  expect_cases(disk_cases(every_vehicle, commits), 7U * (3 + 10 + 2 + 1));
+  expect_cases(disk_cases(every_vehicle, disk_commits), 7U * (3 + 10 + 2 + 1));
 }
 
 TEST(disk_cases, a_flight_survives_each_fault_of_the_disk) {
-  const auto all = disk_cases(every_vehicle, commits);
+  const auto all = disk_cases(every_vehicle, disk_commits);
   for (const auto* fault : {"errors_10s", "takes_nothing_10s", "read_only", "sync_2s", "power_loss"})
     expect_held(fly(all, "px4/" + std::string(fault) + "/commit_37"));
 }
 
 TEST(disk_cases, what_is_known_of_an_older_journal_hides_no_order_to_a_person) {
   std::size_t known = 0;
-  for (const auto& each : disk_cases(every_vehicle, commits)) {
+  for (const auto& each : disk_cases(every_vehicle, disk_commits)) {
     if (!each.name.starts_with("px4/replaced_and_killed/"))
       continue;
     const auto outcome = each.fly({});

@@ -8,14 +8,12 @@
 #include <set>
 
 #include "programs/godwit-drill/flights/flight_drill.hpp"
+#include "tests/programs/godwit-drill/flights/every_vehicle.hpp"
 
 namespace {
 
 using namespace godwit;
 using namespace godwit::drill;
-
-constexpr std::array every_vehicle{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
-                                   sim::personality::plane};
 
 const flight_case& named(const std::vector<flight_case>& all, const std::string& name) {
   const auto found = std::ranges::find(all, name, &flight_case::name);

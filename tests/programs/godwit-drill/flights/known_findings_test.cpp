@@ -6,14 +6,12 @@
 #include <array>
 
 #include "programs/godwit-drill/flights/flight_case.hpp"
+#include "tests/programs/godwit-drill/flights/every_vehicle.hpp"
 
 namespace {
 
 using namespace godwit;
 using namespace godwit::drill;
-
-constexpr std::array every_vehicle{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
-                                   sim::personality::plane};
 
 TEST(known_findings, are_of_cases_that_are_there) {
   constexpr std::array<std::uint64_t, 4> commits{40, 40, 40, 40};

@@ -12,7 +12,7 @@
 namespace godwit::eyes {
 namespace {
 
-constexpr double step_s = 1.0 / 30;
+constexpr double picture_s = 1.0 / 30;
 const cv::Size picture(640, 360);
 const cv::Matx33d still = cv::Matx33d::eye();
 
@@ -28,7 +28,7 @@ TEST(tracker, what_moves_is_confirmed_and_keeps_its_number) {
   tracker of({});
   std::set<std::uint32_t> numbers;
   for (int n = 0; n < 40; ++n) {
-    of.step(std::vector{blob_at(100 + 2.0 * n, 100)}, step_s, still, picture);
+    of.step(std::vector{blob_at(100 + 2.0 * n, 100)}, picture_s, still, picture);
     for (const auto& each : of.tracks())
       if (each.is_confirmed)
         numbers.insert(each.number);
@@ -40,10 +40,10 @@ TEST(tracker, what_moves_is_confirmed_and_keeps_its_number) {
 TEST(tracker, it_takes_as_many_pictures_as_the_settings_say) {
   tracker of({.frames_to_confirm = 9, .max_tracks = 64});
   for (int n = 0; n < 8; ++n) {
-    of.step(std::vector{blob_at(100 + 4.0 * n, 100)}, step_s, still, picture);
+    of.step(std::vector{blob_at(100 + 4.0 * n, 100)}, picture_s, still, picture);
     EXPECT_EQ(confirmed(of), 0);
   }
-  of.step(std::vector{blob_at(132, 100)}, step_s, still, picture);
+  of.step(std::vector{blob_at(132, 100)}, picture_s, still, picture);
   EXPECT_EQ(confirmed(of), 1);
 }
 
@@ -51,7 +51,7 @@ TEST(tracker, what_stays_or_goes_to_and_fro_is_never_confirmed) {
   tracker of({});
   for (int n = 0; n < 100; ++n) {
     const std::vector blobs{blob_at(100, 100), blob_at(300 + 1.5 * std::sin(n * 0.5), 200)};
-    of.step(blobs, step_s, still, picture);
+    of.step(blobs, picture_s, still, picture);
     EXPECT_EQ(confirmed(of), 0);
   }
 }
@@ -60,7 +60,7 @@ TEST(tracker, what_stays_on_the_ground_while_the_camera_moves_is_never_confirmed
   tracker of({});
   const cv::Matx33d ground(1, 0, 3, 0, 1, 1, 0, 0, 1);
   for (int n = 0; n < 60; ++n) {
-    of.step(std::vector{blob_at(100 + 3.0 * n, 100 + 1.0 * n)}, step_s, ground, picture);
+    of.step(std::vector{blob_at(100 + 3.0 * n, 100 + 1.0 * n)}, picture_s, ground, picture);
     EXPECT_EQ(confirmed(of), 0);
   }
 }
@@ -73,7 +73,7 @@ TEST(tracker, flickers_at_random_places_are_never_confirmed) {
       std::vector<blob> blobs;
       for (int k = 0; k < 5; ++k)
         blobs.push_back(blob_at(random.between(0, 640), random.between(0, 360), 4));
-      of.step(blobs, step_s, still, picture);
+      of.step(blobs, picture_s, still, picture);
       EXPECT_EQ(confirmed(of), 0) << "seed " << seed;
     }
   }
@@ -94,7 +94,7 @@ TEST(tracker, among_clutter_what_sways_within_its_own_size_is_never_confirmed_an
       seen.push_back(blob_at(100 + 1.3 * std::abs((n - 40 + 14) % 28 - 14), 60, 20)); // to and fro in a second
       seen.push_back(blob_at(100 + 2.0 * (n - 40), 130, 20));
     }
-    of.step(seen, step_s, still, picture);
+    of.step(seen, picture_s, still, picture);
     for (const auto& each : of.tracks())
       if (each.is_confirmed && each.filter.place().y < 160)
         (each.filter.place().y < 95 ? swaying : going).insert(each.number);
@@ -113,7 +113,7 @@ RC_GTEST_PROP(tracker, a_blob_belongs_to_one_track_and_a_number_to_one_thing, ()
     const auto shake = [&] { return random.between(-0.5, 0.5); };
     const double first = 100 + speed * n;
     const double second = 400 - speed * n;
-    of.step(std::vector{blob_at(first + shake(), 100 + shake()), blob_at(second + shake(), 150 + shake())}, step_s,
+    of.step(std::vector{blob_at(first + shake(), 100 + shake()), blob_at(second + shake(), 150 + shake())}, picture_s,
             still, picture);
     RC_ASSERT(of.tracks().size() == 2);
     for (const auto& each : of.tracks())
@@ -129,7 +129,7 @@ TEST(tracker, more_things_than_it_can_follow_are_said) {
   std::vector<blob> blobs;
   for (int n = 0; n < 11; ++n)
     blobs.push_back(blob_at(30.0 + 50 * n, 100));
-  of.step(blobs, step_s, still, picture);
+  of.step(blobs, picture_s, still, picture);
   EXPECT_TRUE(of.is_full());
   EXPECT_EQ(of.tracks().size(), 10U);
 }
@@ -137,12 +137,12 @@ TEST(tracker, more_things_than_it_can_follow_are_said) {
 TEST(tracker, a_track_that_is_hidden_for_a_while_goes_on_by_its_speed) {
   tracker of({});
   for (int n = 0; n < 20; ++n)
-    of.step(std::vector{blob_at(100 + 3.0 * n, 100)}, step_s, still, picture);
+    of.step(std::vector{blob_at(100 + 3.0 * n, 100)}, picture_s, still, picture);
   ASSERT_EQ(confirmed(of), 1);
   const auto number = of.tracks()[0].number;
   for (int n = 20; n < 26; ++n)
-    of.step({}, step_s, still, picture);
-  of.step(std::vector{blob_at(100 + 3.0 * 26, 100)}, step_s, still, picture);
+    of.step({}, picture_s, still, picture);
+  of.step(std::vector{blob_at(100 + 3.0 * 26, 100)}, picture_s, still, picture);
   ASSERT_EQ(of.tracks().size(), 1U);
   EXPECT_EQ(of.tracks()[0].number, number);
 }

@@ -11,7 +11,7 @@
 namespace godwit::eyes {
 namespace {
 
-constexpr double radian = std::numbers::pi / 180;
+constexpr double one_degree_rad = std::numbers::pi / 180;
 
 camera_pose pose_at_50_m() {
   camera_pose pose;
@@ -36,10 +36,10 @@ TEST(sight, a_pose_that_can_not_be_is_refused) {
 
 TEST(sight, how_old_a_pose_may_be_depends_on_how_fast_the_camera_turns) {
   camera_pose pose = pose_at_50_m();
-  pose.rate.z_rad_s = 100 * radian;
+  pose.rate.z_rad_s = 100 * one_degree_rad;
   EXPECT_EQ(flaw_of(pose, 10'000'000), pose_flaw::none);
   EXPECT_EQ(flaw_of(pose, 20'000'000), pose_flaw::too_old);
-  pose.rate.z_rad_s = 1 * radian;
+  pose.rate.z_rad_s = 1 * one_degree_rad;
   EXPECT_EQ(flaw_of(pose, 20'000'000), pose_flaw::none);
 }
 

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/io/video/painted_frame.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace {
 
 using namespace godwit;
 using godwit::eyes::cutout_maker;
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 
 io::eyes::candidates seen_at(std::int64_t captured_ns, const std::vector<io::eyes::box>& boxes) {
   io::eyes::candidates result;

@@ -1,4 +1,5 @@
 #include "programs/godwit-eyes/session/pose_history.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@ namespace {
 using namespace godwit;
 using namespace godwit::eyes;
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 
 io::eyes::pose pose_at(std::int64_t at_ns) {
   io::eyes::pose result;

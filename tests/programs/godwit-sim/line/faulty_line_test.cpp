@@ -1,4 +1,5 @@
 #include "programs/godwit-sim/line/faulty_line.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -11,7 +12,7 @@
 namespace godwit::sim {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
+using godwit::tests::ms;
 constexpr int many = 10'000;
 
 // A line that writes down what it delivers; a frame is its number, as eight bytes.

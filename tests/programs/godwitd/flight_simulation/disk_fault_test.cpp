@@ -12,8 +12,8 @@ using namespace godwit::drill;
 using executor::phase;
 using mission::progress_kind;
 
-constexpr std::array actors{"executor",    "failsafe",       "vehicle_link",
-                            "ground_port", "mission_client", "mapobjects_store"};
+constexpr std::array faulted_actors{"executor",    "failsafe",       "vehicle_link",
+                                    "ground_port", "mission_client", "mapobjects_store"};
 
 enum class fault { fails, full };
 
@@ -43,7 +43,7 @@ protected:
   }
   void expect_no_crash() {
     EXPECT_EQ(flight.processes(), 1) << flight.story();
-    for (const auto* each : actors)
+    for (const auto* each : faulted_actors)
       EXPECT_EQ(flight.process()->crashes(each), 0U) << each << "\n" << flight.story();
   }
 };

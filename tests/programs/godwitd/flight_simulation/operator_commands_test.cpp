@@ -21,8 +21,8 @@ using operators::command_kind;
 using runtime::crash_point;
 using side = flight_simulation::side;
 
-constexpr std::array points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
-                            crash_point::before_dispatch};
+constexpr std::array crash_points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
+                                  crash_point::before_dispatch};
 
 // Under the same id, again each half second as long as nobody answers.
 std::optional<verdict> say(flight_simulation& flight, command_kind kind, const std::string& id) {
@@ -83,7 +83,7 @@ TEST_P(operator_commands, hold_and_go_on_through_operator_bridge) {
 }
 
 TEST_P(operator_commands, a_throw_at_any_point_of_operator_bridge_has_no_command_obeyed_twice) {
-  for (const auto point : points) {
+  for (const auto point : crash_points) {
     SCOPED_TRACE("point " + std::to_string(static_cast<int>(point)));
     flight_simulation flight({.who = GetParam()});
     fly(flight);

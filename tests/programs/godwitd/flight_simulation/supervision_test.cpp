@@ -15,7 +15,7 @@ using namespace godwit::drill;
 using executor::phase;
 using runtime::child_phase;
 
-constexpr double part_holds_s = 6; // and a little more
+constexpr double part_lasts_s = 6; // and a little more
 
 class supervised : public testing::Test {
 protected:
@@ -28,12 +28,12 @@ protected:
   // Until the table of the flight holds.
   void take_off() {
     ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
-    flight.run_for(part_holds_s);
+    flight.run_for(part_lasts_s);
     ASSERT_TRUE(flight.status().in_flight) << flight.story();
   }
   void land() {
     ASSERT_TRUE(flight.run_until([&] { return !flight.status().in_flight; }, 600)) << flight.story();
-    flight.run_for(part_holds_s);
+    flight.run_for(part_lasts_s);
   }
   runtime::child_report look_at(const std::string& actor) { return flight.process()->look_at(actor); }
   bool was_ordered_home(std::int64_t since_ns) {
@@ -111,12 +111,12 @@ TEST_F(supervised, in_flight_an_actor_that_is_not_essential_is_given_up_and_is_b
   for (const auto* actor : {"mapobjects_store", "mission_client", "ground_port"}) {
     flight_simulation other({.who = sim::personality::px4, .speed = 2, .is_shuffled = false});
     ASSERT_TRUE(other.run_until_phase(phase::flying, 120)) << other.story();
-    other.run_for(part_holds_s);
+    other.run_for(part_lasts_s);
     ASSERT_TRUE(other.give_up(actor)) << other.story();
     EXPECT_EQ(other.process()->look_at(actor).phase, child_phase::given_up) << actor;
     EXPECT_TRUE(other.status().in_flight) << actor << other.story();
     ASSERT_TRUE(other.run_until([&] { return !other.status().in_flight; }, 600)) << actor << other.story();
-    other.run_for(part_holds_s);
+    other.run_for(part_lasts_s);
     EXPECT_EQ(other.process()->look_at(actor).phase, child_phase::running) << actor << other.story();
     EXPECT_TRUE(fly_with_help(other)) << actor << other.story();
     EXPECT_EQ(other.processes(), 1) << actor;
@@ -128,7 +128,7 @@ TEST_F(supervised, in_flight_an_essential_actor_that_is_given_up_ends_the_proces
   for (const auto* actor : {"vehicle_link", "failsafe", "executor"}) {
     flight_simulation other({.who = sim::personality::px4, .speed = 2, .is_shuffled = false});
     ASSERT_TRUE(other.run_until_phase(phase::flying, 120)) << other.story();
-    other.run_for(part_holds_s);
+    other.run_for(part_lasts_s);
     EXPECT_TRUE(other.give_up(actor)) << actor << other.story();
     EXPECT_TRUE(fly_with_help(other)) << actor << other.story();
     EXPECT_EQ(other.processes(), 2) << actor << other.story();
@@ -231,9 +231,9 @@ TEST_F(supervised, after_the_flight_each_child_that_is_given_up_ends_the_process
     const std::string name = actor;
     flight_simulation other({.who = sim::personality::px4, .speed = 10, .is_shuffled = false});
     ASSERT_TRUE(other.run_until_phase(phase::flying, 120)) << other.story();
-    other.run_for(part_holds_s);
+    other.run_for(part_lasts_s);
     ASSERT_TRUE(other.run_until([&] { return !other.status().in_flight; }, 600)) << other.story();
-    other.run_for(part_holds_s);
+    other.run_for(part_lasts_s);
     const bool is_essential = name != "ground_port" && name != "mapobjects_store";
     EXPECT_EQ(other.process()->look_at(name).essential, is_essential) << name;
     ASSERT_TRUE(other.give_up(name)) << name << other.story();

@@ -1,11 +1,12 @@
 #include "programs/godwitd/landing_watch/core.hpp"
+#include "tests/support/time_units.hpp"
 
 #include <gtest/gtest.h>
 
 namespace godwit::landing_watch {
 namespace {
 
-constexpr std::int64_t s = 1'000'000'000;
+using godwit::tests::s;
 
 // A heartbeat a second.
 void beat(core& watch, bool is_armed, std::int64_t from_s, std::int64_t to_s) {

@@ -5,9 +5,9 @@
 namespace godwit::executor::plan {
 namespace {
 
-using corner_list = std::vector<line_point>;
+using line_points = std::vector<line_point>;
 
-const corner_list box{{0, 0}, {300, 0}, {300, 100}, {0, 100}};
+const line_points box{{0, 0}, {300, 0}, {300, 100}, {0, 100}};
 
 TEST(scan_lines, rows_are_apart_by_the_spacing_and_stand_in_the_middle) {
   const auto rows = scan_rows(box, 30, 100);
@@ -26,7 +26,7 @@ TEST(scan_lines, an_area_narrower_than_the_spacing_has_one_row_in_its_middle) {
 
 TEST(scan_lines, a_dent_divides_a_row) {
   const auto rows =
-      scan_rows(corner_list{{0, 0}, {300, 0}, {300, 100}, {200, 100}, {150, 20}, {100, 100}, {0, 100}}, 50, 100);
+      scan_rows(line_points{{0, 0}, {300, 0}, {300, 100}, {200, 100}, {150, 20}, {100, 100}, {0, 100}}, 50, 100);
   ASSERT_EQ(rows->size(), 2U);
   ASSERT_EQ(rows->at(1).stretches.size(), 2U);
   EXPECT_NEAR(rows->at(1).stretches[0].to_m, 115.625, 1e-9);
@@ -34,7 +34,7 @@ TEST(scan_lines, a_dent_divides_a_row) {
 }
 
 TEST(scan_lines, a_row_along_a_side_or_through_a_corner_is_counted_once) {
-  const corner_list stairs{{0, 0}, {200, 0}, {200, 50}, {100, 50}, {100, 100}, {0, 100}};
+  const line_points stairs{{0, 0}, {200, 0}, {200, 50}, {100, 50}, {100, 100}, {0, 100}};
   const auto rows = scan_rows(stairs, 100, 10); // one row, along the inner side
   ASSERT_EQ(rows->size(), 1U);
   EXPECT_EQ(rows->front().stretches.size(), 1U);

@@ -14,7 +14,7 @@
 namespace godwit::executor::plan {
 namespace {
 
-const auto box = survey_of("box", tests::box(0, 0, 300, 100), 25);
+const auto survey_box = survey_of("box", tests::box(0, 0, 300, 100), 25);
 
 double heading_of(const survey_line& line) {
   const auto to = geo::local_projection(line.from).to_local(line.to);
@@ -22,7 +22,7 @@ double heading_of(const survey_line& line) {
 }
 
 TEST(survey_lines, have_the_heading_that_was_asked_for) {
-  auto turned = box;
+  auto turned = survey_box;
   turned.heading_deg = 30;
   const auto lines = survey_lines(turned, tests::place(0, 0));
   for (const auto& each : *lines)
@@ -30,7 +30,7 @@ TEST(survey_lines, have_the_heading_that_was_asked_for) {
 }
 
 TEST(survey_lines, without_a_heading_they_run_the_long_way) {
-  const auto lines = survey_lines(box, tests::place(-100, -100));
+  const auto lines = survey_lines(survey_box, tests::place(-100, -100));
   ASSERT_EQ(lines->size(), 4U);
   for (const auto& each : *lines)
     EXPECT_NEAR(heading_of(each), 90, 0.05);
@@ -39,7 +39,7 @@ TEST(survey_lines, without_a_heading_they_run_the_long_way) {
 
 TEST(survey_lines, across_the_antimeridian_they_are_the_same) {
   const geo::point around{12, 179.9995};
-  auto area = box;
+  auto area = survey_box;
   area.polygon.clear();
   for (const auto& each : tests::box(0, 0, 300, 100))
     area.polygon.push_back(tests::corner(each.east_m, each.north_m, around));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float automatic = 3;
 constexpr float guided = 4;
-constexpr float loiter = 5;
+constexpr float copter_loiter = 5;
 
 class copter_with : public vehicle_world {
 public:
@@ -170,7 +170,7 @@ TEST(copter, refuses_to_clear_a_mission_that_it_flies) {
   ASSERT_TRUE(world.fly_to(2));
   EXPECT_EQ(world.clear(), mav_mission_result::error);
   EXPECT_EQ(world.picture().mission_count, 6);
-  ASSERT_EQ(world.mode(loiter), mav_result::accepted);
+  ASSERT_EQ(world.mode(copter_loiter), mav_result::accepted);
   EXPECT_EQ(world.clear(), mav_mission_result::accepted);
 }
 
@@ -190,7 +190,7 @@ TEST(copter, cuts_a_running_mission_when_a_count_arrives) {
 TEST(copter, flies_a_new_mission_that_was_uploaded_while_it_held) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
-  ASSERT_EQ(world.mode(loiter), mav_result::accepted);
+  ASSERT_EQ(world.mode(copter_loiter), mav_result::accepted);
   ASSERT_EQ(world.upload(world.flight(5)), mav_mission_result::accepted);
   ASSERT_EQ(world.command(mav_cmd::do_set_mission_current, {.p1 = 4}), mav_result::accepted);
   EXPECT_EQ(world.current().seq, 4);
@@ -204,7 +204,7 @@ TEST(copter, flies_a_new_mission_that_was_uploaded_while_it_held) {
 TEST(copter, stops_its_mission_when_it_leaves_auto_and_goes_on_when_it_comes_back) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
-  ASSERT_EQ(world.mode(loiter), mav_result::accepted);
+  ASSERT_EQ(world.mode(copter_loiter), mav_result::accepted);
   EXPECT_EQ(world.current().seq, 3);
   EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::not_started));
   ASSERT_EQ(world.mode(automatic), mav_result::accepted);

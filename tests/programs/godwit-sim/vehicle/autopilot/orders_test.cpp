@@ -8,25 +8,25 @@
 namespace godwit::sim::test {
 namespace {
 
-constexpr std::array every_personality{personality::rover, personality::px4, personality::ardupilot};
+constexpr std::array all_personalities{personality::rover, personality::px4, personality::ardupilot};
 
 TEST(orders, an_unknown_command_is_unsupported) {
-  for (const auto who : every_personality)
+  for (const auto who : all_personalities)
     EXPECT_EQ(vehicle_world(who).command(31'999), mav_result::unsupported);
 }
 
 TEST(orders, disarming_what_is_disarmed_is_accepted) {
-  for (const auto who : every_personality)
+  for (const auto who : all_personalities)
     EXPECT_EQ(vehicle_world(who).command(mav_cmd::component_arm_disarm), mav_result::accepted);
 }
 
 TEST(orders, arming_by_another_number_than_0_or_1_is_denied) {
-  for (const auto who : every_personality)
+  for (const auto who : all_personalities)
     EXPECT_EQ(vehicle_world(who).command(mav_cmd::component_arm_disarm, {.p1 = 0.5F}), mav_result::denied);
 }
 
 TEST(orders, a_forced_arming_does_not_look_at_the_position) {
-  for (const auto who : every_personality) {
+  for (const auto who : all_personalities) {
     vehicle_world world(who);
     world.subject().lose_position(true, world.now_ns());
     EXPECT_NE(world.command(mav_cmd::component_arm_disarm, {.p1 = 1}), mav_result::accepted);
@@ -35,7 +35,7 @@ TEST(orders, a_forced_arming_does_not_look_at_the_position) {
 }
 
 TEST(orders, do_set_mode_without_the_custom_bit_is_denied) {
-  for (const auto who : every_personality)
+  for (const auto who : all_personalities)
     EXPECT_EQ(vehicle_world(who).command(mav_cmd::do_set_mode, {.p1 = 0, .p2 = 4}), mav_result::denied);
 }
 
@@ -49,7 +49,7 @@ TEST(orders, home_is_moved_and_told) {
 }
 
 TEST(orders, a_speed_is_taken_if_it_is_one) {
-  for (const auto who : every_personality) {
+  for (const auto who : all_personalities) {
     vehicle_world world(who);
     EXPECT_EQ(world.command(mav_cmd::do_change_speed, {.p1 = 1, .p2 = 3}), mav_result::accepted);
     EXPECT_EQ(world.command(mav_cmd::do_change_speed, {.p1 = 1, .p2 = -1}), mav_result::accepted);
@@ -58,7 +58,7 @@ TEST(orders, a_speed_is_taken_if_it_is_one) {
 }
 
 TEST(orders, start_again_on_the_ground_when_asked_with_1) {
-  for (const auto who : every_personality) {
+  for (const auto who : all_personalities) {
     vehicle_world world(who);
     world.run_for(10 * s);
     ASSERT_EQ(world.command(246, {.p1 = 1}), mav_result::accepted);

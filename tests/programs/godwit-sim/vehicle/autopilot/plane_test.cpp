@@ -9,7 +9,7 @@ namespace {
 
 constexpr float automatic = 10;
 constexpr float rtl = 11;
-constexpr float loiter = 12;
+constexpr float plane_loiter = 12;
 constexpr float take_off = 13;
 constexpr float guided = 15;
 
@@ -154,7 +154,7 @@ TEST(plane, has_no_mode_for_landing_and_lands_by_the_landing_of_its_plan) {
   EXPECT_EQ(without.command(mav_cmd::do_land_start), mav_result::failed);
   plane_with world({lands, item_at(mav_cmd::nav_waypoint, vehicle_settings{}.home, {600, 0, 40}), land_at_home()});
   ASSERT_TRUE(world.fly_to(2));
-  EXPECT_EQ(world.mode(loiter), mav_result::accepted);
+  EXPECT_EQ(world.mode(plane_loiter), mav_result::accepted);
   EXPECT_EQ(world.command(mav_cmd::do_land_start), mav_result::accepted);
   EXPECT_TRUE(world.is_in("AUTO"));
   EXPECT_TRUE(world.run_until([&] { return !world.picture().in_air; }, 200 * s));
@@ -174,7 +174,7 @@ TEST(plane, with_an_empty_battery_comes_down_ahead_whatever_its_mode_and_disarms
   ASSERT_TRUE(world.fly_to(2));
   world.subject().set_battery(0, world.now_ns());
   world.run_for(5 * s);
-  EXPECT_EQ(world.mode(loiter), mav_result::accepted);
+  EXPECT_EQ(world.mode(plane_loiter), mav_result::accepted);
   EXPECT_TRUE(world.run_until([&] { return !world.picture().in_air; }, 60 * s));
   EXPECT_FALSE(world.picture().armed);
 }
@@ -182,7 +182,7 @@ TEST(plane, with_an_empty_battery_comes_down_ahead_whatever_its_mode_and_disarms
 TEST(plane, disarming_elsewhere_than_in_auto_puts_the_mission_back_to_its_beginning) {
   plane_with world;
   ASSERT_TRUE(world.fly_to(3));
-  EXPECT_EQ(world.mode(loiter), mav_result::accepted);
+  EXPECT_EQ(world.mode(plane_loiter), mav_result::accepted);
   constexpr float force = 21'196;
   EXPECT_EQ(world.command(mav_cmd::component_arm_disarm, {.p1 = 0, .p2 = force}), mav_result::accepted);
   world.run_for(60 * s);

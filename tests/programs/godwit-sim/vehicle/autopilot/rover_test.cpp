@@ -10,7 +10,7 @@ namespace godwit::sim::test {
 namespace {
 
 constexpr float hold = 4;
-constexpr float automatic = 10;
+constexpr float rover_auto = 10;
 
 // A rover with COUNT waypoints, armed in HOLD.
 class rover_in : public vehicle_world {
@@ -188,7 +188,7 @@ TEST(rover, FR_00089_a_mission_of_do_commands_alone_completes_at_once) {
 
 TEST(rover, auto_holds_position_while_the_mission_is_idle) {
   rover_in world(2);
-  ASSERT_EQ(world.mode(automatic), mav_result::accepted);
+  ASSERT_EQ(world.mode(rover_auto), mav_result::accepted);
   world.run_for(5 * s);
   EXPECT_EQ(world.picture().where.latitude_deg, world.home().latitude_deg);
   EXPECT_EQ(world.picture().mission_state, "idle");
@@ -212,7 +212,7 @@ TEST(rover, another_mode_pauses_the_mission_and_auto_goes_on_with_it) {
   EXPECT_EQ(world.state(), mavlink::number(mavlink::mission_state::paused));
   EXPECT_EQ(world.last<mavlink::mission_current>()->mission_mode, mavlink::number(mavlink::mission_mode::suspended));
   EXPECT_EQ(world.picture().mission_current, 1);
-  ASSERT_EQ(world.mode(automatic), mav_result::accepted);
+  ASSERT_EQ(world.mode(rover_auto), mav_result::accepted);
   ASSERT_TRUE(world.run_until([&] { return world.picture().mission_state == "completed"; }, 60 * s));
   EXPECT_EQ(world.reached(), (std::vector<int>{0, 1, 2}));
 }
@@ -401,7 +401,7 @@ TEST(rover, goes_to_hold_when_auto_is_chosen_after_the_mission_is_completed) {
   rover_in world(1);
   ASSERT_EQ(world.start(), mav_result::accepted);
   ASSERT_TRUE(world.run_until([&] { return world.picture().mission_state == "completed"; }, 60 * s));
-  EXPECT_EQ(world.mode(automatic), mav_result::accepted);
+  EXPECT_EQ(world.mode(rover_auto), mav_result::accepted);
   world.run_for(1 * s);
   EXPECT_EQ(world.picture().mode, "HOLD");
 }

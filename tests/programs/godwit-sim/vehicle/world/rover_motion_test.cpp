@@ -11,34 +11,36 @@
 namespace godwit::sim::test {
 namespace {
 
-constexpr double step_s = 0.02;
-constexpr rover_limits limits;
-constexpr position start{47, 8, 400};
+constexpr double rover_step_s = 0.02;
+constexpr rover_limits rover_limits;
+constexpr position rover_start{47, 8, 400};
 
 // One step towards PLACE at 2 m/s.
 void drive_to(body& rover, const position& place, bool stops) {
-  drive(rover, limits, {course_nearby(rover.where, place), 2, stops}, step_s);
+  drive(rover, rover_limits, {course_nearby(rover.where, place), 2, stops}, rover_step_s);
 }
 
 TEST(sim_rover_motion, it_speeds_up_turns_and_brakes_within_its_limits) {
-  body rover{.where = start, .heading_deg = 90};
-  const auto place = moved(start, {300, 50});
+  body rover{.where = rover_start, .heading_deg = 90};
+  const auto place = moved(rover_start, {300, 50});
   body before = rover;
   for (int step = 0; step < 3'000; ++step) {
     drive_to(rover, place, true);
     EXPECT_LE(rover.ground_speed_mps, 2);
-    EXPECT_LE(std::abs(rover.ground_speed_mps - before.ground_speed_mps), limits.acceleration_mps2 * step_s + 1e-12);
-    EXPECT_LE(std::abs(turn_of(rover.heading_deg - before.heading_deg)), limits.turn_rate_deg_s * step_s + 1e-9);
+    EXPECT_LE(std::abs(rover.ground_speed_mps - before.ground_speed_mps),
+              rover_limits.acceleration_mps2 * rover_step_s + 1e-12);
+    EXPECT_LE(std::abs(turn_of(rover.heading_deg - before.heading_deg)),
+              rover_limits.turn_rate_deg_s * rover_step_s + 1e-9);
     EXPECT_EQ(rover.track_deg, rover.heading_deg);
-    EXPECT_EQ(rover.where.altitude_m, start.altitude_m);
+    EXPECT_EQ(rover.where.altitude_m, rover_start.altitude_m);
     before = rover;
   }
   EXPECT_LT(between(rover.where, place).distance_m, 0.2);
 }
 
 TEST(sim_rover_motion, who_stops_comes_to_a_stand_and_not_behind_the_place) {
-  body rover{.where = start};
-  const auto place = moved(start, {0, 30});
+  body rover{.where = rover_start};
+  const auto place = moved(rover_start, {0, 30});
   double farthest_deg = 0;
   for (int step = 0; step < 2'000; ++step) {
     drive_to(rover, place, true);
@@ -49,18 +51,18 @@ TEST(sim_rover_motion, who_stops_comes_to_a_stand_and_not_behind_the_place) {
 }
 
 TEST(sim_rover_motion, braking_from_2_m_s_takes_two_metres) {
-  body rover{.where = start, .ground_speed_mps = 2};
+  body rover{.where = rover_start, .ground_speed_mps = 2};
   int steps = 0;
   for (; rover.ground_speed_mps > 0; ++steps)
-    brake(rover, limits, step_s);
-  EXPECT_NEAR(steps * step_s, 2, 0.03);
-  EXPECT_NEAR(between(start, rover.where).distance_m, 2, 0.05);
+    brake(rover, rover_limits, rover_step_s);
+  EXPECT_NEAR(steps * rover_step_s, 2, 0.03);
+  EXPECT_NEAR(between(rover_start, rover.where).distance_m, 2, 0.05);
 }
 
 TEST(sim_rover_motion, at_rest_a_step_changes_nothing) {
-  body rover{.where = start, .heading_deg = 33, .track_deg = 33};
+  body rover{.where = rover_start, .heading_deg = 33, .track_deg = 33};
   const auto before = rover;
-  brake(rover, limits, step_s);
+  brake(rover, rover_limits, rover_step_s);
   EXPECT_EQ(rover.where, before.where);
   EXPECT_EQ(rover.heading_deg, before.heading_deg);
   EXPECT_EQ(rover.ground_speed_mps, 0);
@@ -68,10 +70,10 @@ TEST(sim_rover_motion, at_rest_a_step_changes_nothing) {
 
 // The circle that it can drive at 2 m/s has a radius of 2.5 m: a place inside must not be circled for ever.
 RC_GTEST_PROP(sim_rover_motion, it_never_circles_a_place, ()) {
-  body rover{.where = start,
+  body rover{.where = rover_start,
              .heading_deg = *rc::gen::inRange(0, 360) * 1.0,
              .ground_speed_mps = *rc::gen::inRange(0, 201) / 100.0};
-  const auto place = moved(start, {*rc::gen::inRange(0, 360) * 1.0, *rc::gen::inRange(10, 2'000) / 100.0});
+  const auto place = moved(rover_start, {*rc::gen::inRange(0, 360) * 1.0, *rc::gen::inRange(10, 2'000) / 100.0});
   int steps = 0;
   while (between(rover.where, place).distance_m > 0.3) {
     drive_to(rover, place, false);

@@ -23,8 +23,6 @@
 #include "programs/godwitd/convert_command.hpp"
 #include "programs/godwitd/flight_state.hpp"
 #include "programs/godwitd/open_line.hpp"
-#include "programs/godwitd/operator_port/operator_routes.hpp"
-#include "programs/godwitd/operator_port/page_files.hpp"
 #include "programs/godwitd/option_table.hpp"
 #include "programs/godwitd/process_figures.hpp"
 #include "runtime/mail_view.hpp"
@@ -38,6 +36,17 @@ using checked = tl::expected<void, std::string>;
 std::uint64_t fresh_seed() {
   std::random_device source;
   return (std::uint64_t{source()} << 32U) | source();
+}
+
+// Without a file the link is not signed.
+checked load_key(const std::string& file, io::mavlink::signing_settings& into) {
+  if (file.empty())
+    return {};
+  auto key = io::mavlink::load_key_file(file);
+  if (!key)
+    return tl::make_unexpected(key.error().message());
+  into.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
+  return {};
 }
 
 // Two programs of one build lie in one folder.
@@ -64,18 +73,10 @@ tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon
 checked composition::open_files() {
   if (auto loaded = load_mission(); !loaded)
     return loaded;
-  if (!wanted_.signing_key_file.empty()) {
-    auto key = io::mavlink::load_key_file(wanted_.signing_key_file);
-    if (!key)
-      return tl::make_unexpected(key.error().message());
-    outside_.vehicle_signing.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
-  }
-  if (!wanted_.ground_key_file.empty()) {
-    auto key = io::mavlink::load_key_file(wanted_.ground_key_file);
-    if (!key)
-      return tl::make_unexpected(key.error().message());
-    outside_.ground_signing.key = std::make_shared<io::mavlink::secret_key>(*std::move(key));
-  }
+  if (auto loaded = load_key(wanted_.signing_key_file, outside_.vehicle_signing); !loaded)
+    return loaded;
+  if (auto loaded = load_key(wanted_.ground_key_file, outside_.ground_signing); !loaded)
+    return loaded;
   if (wanted_.service) {
     if (!wanted_.service->token_file.empty())
       if (const auto token = io::http::load_token(wanted_.service->token_file); !token)
@@ -205,7 +206,7 @@ void composition::add_actors() {
   of_desk.health = views_.health;
   if (views_.fleet)
     of_desk.fleet = views_.fleet;
-  of_desk.port = port_view_;
+  of_desk.port = operators_.view();
   of_desk.rescue_journal = [this](control::peers::rescued then) {
     host_->journal().rescue([then = std::move(then)](tl::expected<std::string, runtime::journal_error> done) {
       then(std::move(done).map_error([](const runtime::journal_error& why) { return why.message(); }));
@@ -218,8 +219,6 @@ void composition::add_actors() {
 }
 
 void composition::surround_views() {
-  if (wanted_.operators)
-    log_api_ = std::make_shared<operator_port::log_api>();
   if (wanted_.operators || wanted_.fleet)
     views_outside_.stream = std::make_shared<telemetry_stream::hub>(outside_.seed);
   views_outside_.read_host = [this] { return read_host(); };
@@ -250,12 +249,8 @@ void composition::add_flight(control::peers& of_desk) {
   flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
   of_desk.flight = flight_.executor;
   of_desk.bridge = flight_.bridge;
-  if (wanted_.operators) {
-    operator_desk_ = host_->actors().add<operator_port::operator_desk>(
-        {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight_.bridge, flight_.scan, base_.failsafe},
-        api_answers_);
-    page_desks_ = add_page_desks(host_->actors(), wanted_, flight_, api_answers_);
-  }
+  if (wanted_.operators)
+    operators_.add_desks(host_->actors(), wanted_, flight_, base_.failsafe);
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
@@ -300,7 +295,11 @@ checked composition::open() {
   open_vehicle();
   if (wanted_.flies)
     open_ground();
-  open_operator_port();
+  if (wanted_.operators)
+    operators_.open(*host_, *wanted_.operators, views_outside_, views_, {eyes_, point_pictures_, keeper_.get()},
+                    [this](const std::string& sentence, bool is_warning) {
+                      announce({sentence, is_warning}, "operator_port");
+                    });
   open_feed();
   open_accounts();
   hand_over_mission();
@@ -400,92 +399,6 @@ void composition::open_ground() {
              "ground_port");
 }
 
-// Requests come in the thread of the port, passwords that were judged in that of the accounts.
-void composition::open_operator_api() {
-  struct inlet {
-    explicit inlet(runtime::gateway opened) : way_in(std::move(opened)) {}
-    std::mutex mutex;
-    runtime::gateway way_in;
-  };
-  const auto shared = std::make_shared<inlet>(host_->actors().make_gateway("operator_api"));
-  operator_api_ = std::make_shared<operator_port::operator_api>(
-      api_answers_, *keeper_, [shared, desk = operator_desk_](operator_port::api_request asked) {
-        const std::lock_guard guard(shared->mutex);
-        shared->way_in.tell(desk, std::move(asked));
-      });
-}
-
-// Pictures come by no actor: they are large, and only the newest counts. Without a camera the route says so.
-operator_port::route_list composition::camera_routes() {
-  const auto api = std::make_shared<operator_port::camera_api>(operator_port::camera_parts{
-      [eyes = eyes_](std::uint64_t after) { return eyes ? eyes->slot().read(after) : std::nullopt; },
-      [eyes = eyes_](std::int64_t until_ns) {
-        if (eyes)
-          static_cast<void>(eyes->send(io::eyes::want_picture{until_ns, operator_port::camera_api::picture_gap_ms}));
-      },
-      [pictures = point_pictures_](std::uint64_t point) { return pictures ? pictures->of(point) : std::nullopt; },
-      &host_->time()});
-  return api->routes();
-}
-
-// A port that is taken is no reason not to fly.
-void composition::open_operator_port() {
-  if (!wanted_.operators)
-    return;
-  const auto way_in = std::make_shared<runtime::gateway>(host_->actors().make_gateway("operator_port"));
-  view_api_ = std::make_shared<operator_port::view_api>(
-      operator_port_.context(), operator_port::view_parts{views_outside_.reports,
-                                                          [way_in, to = health::report_handle(views_.health)] {
-                                                            way_in->tell(to, health::make_report{});
-                                                          },
-                                                          [this](io::prometheus::text_writer& out) {
-                                                            operator_port_.append_metrics(out);
-                                                            stream_api_->append_metrics(out);
-                                                          },
-                                                          &host_->time()});
-  view_api_->open();
-  stream_api_ = std::make_shared<operator_port::stream_api>(operator_port_.context(), views_outside_.stream);
-  auto routes = operator_port::page_routes();
-  const auto add = [&routes](operator_port::route_list more) { std::ranges::move(more, std::back_inserter(routes)); };
-  add(view_api_->routes());
-  add(stream_api_->routes());
-  add(log_api_->routes());
-  add(camera_routes());
-  add(tile_routes_of(*wanted_.operators, [this](const std::string& sentence) {
-    announce({sentence, true}, "operator_port");
-  }));
-  operator_port::port_guards guards;
-  if (keeper_) {
-    open_operator_api();
-    add(operator_port::routes_of(operator_api_));
-    add(page_desk_routes(host_->actors(), page_desks_, api_answers_));
-    guards = {[api = operator_api_](const std::string& from) { api->note_other_origin(from); },
-              [api = operator_api_](const operator_port::server_request& asked, operator_port::responder answer,
-                                    std::function<void(operator_port::responder)> then) {
-                api->admit(asked, std::move(answer), std::move(then));
-              }};
-  }
-  if (const auto opened = operator_port_.open(*wanted_.operators, std::move(routes), std::move(guards)); !opened) {
-    const auto sentence = "the operator's port can not be opened: " + opened.error();
-    host_->health().post("operator_port", runtime::health_colour::yellow, sentence);
-    announce({sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true}, "operator_port");
-    return;
-  }
-  tell_operator_port();
-}
-
-void composition::tell_operator_port() {
-  const auto& fingerprint = operator_port_.fingerprint();
-  announce({"what there is to see: " + operator_port_.url() + "/", false}, "operator_port");
-  if (!fingerprint.empty())
-    announce(
-        {std::string(operator_port_.is_certificate_new() ? "a new certificate was made; its" : "the certificate's") +
-             " fingerprint (SHA-256) is " + fingerprint,
-         operator_port_.is_certificate_new()},
-        "operator_port");
-  port_view_->set(operator_port_.url(), fingerprint);
-}
-
 health::host_figures composition::read_host() const {
   health::host_figures result;
   for (auto& [actor, waiting, c] : runtime::look_at_mail(host_->actors()))
@@ -530,17 +443,14 @@ void composition::announce(const ground_run::announce& said, std::string_view pa
       telemetry_stream::topic::log,
       telemetry_stream::json_of(telemetry_stream::log_update{said.is_warning, std::string(part), said.sentence}),
       host_->time().wall_ns() / 1'000'000, host_->time().monotonic_ns());
-  if (log_api_)
-    log_api_->add(std::move(line));
+  if (wanted_.operators)
+    operators_.note(std::move(line));
 }
 
 int composition::close(runtime::exit_code code) {
   keeper_.reset();
-  api_answers_->end();
-  operator_port_.close([this] {
-    view_api_->close();
-    stream_api_->close();
-  });
+  operators_.end_answers();
+  operators_.close();
   control_.reset();
   if (feed_)
     feed_->stop();

@@ -25,13 +25,7 @@
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
-#include "programs/godwitd/operator_port/camera_api.hpp"
-#include "programs/godwitd/operator_port/log_api.hpp"
-#include "programs/godwitd/operator_port/operator_api.hpp"
-#include "programs/godwitd/operator_port/operator_port.hpp"
-#include "programs/godwitd/operator_port/stream_api.hpp"
-#include "programs/godwitd/operator_port/view_api.hpp"
-#include "programs/godwitd/page_desks.hpp"
+#include "programs/godwitd/operator_access.hpp"
 #include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/point_pictures.hpp"
@@ -79,11 +73,7 @@ private:
   void open_link_log();
   void open_vehicle();
   void open_ground();
-  void open_operator_port();
-  void open_operator_api();
   [[nodiscard]] tl::expected<void, std::string> check_operators();
-  void tell_operator_port();
-  [[nodiscard]] operator_port::route_list camera_routes();
   [[nodiscard]] health::host_figures read_host() const;
   void open_feed();
   [[nodiscard]] tl::expected<void, std::string> make_eyes();
@@ -128,16 +118,7 @@ private:
 
   std::unique_ptr<accounts::account_keeper> keeper_; // with a flight
   std::unique_ptr<control::server> control_;
-  operator_port::port operator_port_;
-  std::shared_ptr<operator_port::view_api> view_api_;     // none without the port
-  std::shared_ptr<operator_port::stream_api> stream_api_; // none without it
-  operator_port::desk_inlet operator_desk_;               // the same, and without a flight
-  std::shared_ptr<operator_port::waiting_answers> api_answers_ =
-      std::make_shared<operator_port::waiting_answers>(wanted_.operators && wanted_.operators->uses_tls);
-  std::shared_ptr<control::port_view> port_view_ = std::make_shared<control::port_view>();
-  std::shared_ptr<operator_port::operator_api> operator_api_; // as the desk
-  page_desks page_desks_;                                     // the same
-  std::shared_ptr<operator_port::log_api> log_api_;           // none without the port
+  operator_access operators_{wanted_.operators && wanted_.operators->uses_tls};
 };
 
 } // namespace godwit::daemon

@@ -1,0 +1,124 @@
+#include "programs/godwitd/operator_access.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+#include <utility>
+
+#include "io/eyes/messages.hpp"
+#include "programs/godwitd/operator_port/camera_api.hpp"
+#include "programs/godwitd/operator_port/operator_routes.hpp"
+#include "programs/godwitd/operator_port/page_files.hpp"
+
+namespace godwit::daemon {
+namespace {
+
+void add_to(operator_port::route_list& routes, operator_port::route_list more) {
+  std::ranges::move(more, std::back_inserter(routes));
+}
+
+// Pictures come by no actor: they are large, and only the newest counts. Without a camera the route says so.
+operator_port::route_list camera_routes(const operator_access::sources& from, const runtime::time_source& time) {
+  const auto api = std::make_shared<operator_port::camera_api>(operator_port::camera_parts{
+      [eyes = from.eyes](std::uint64_t after) { return eyes ? eyes->slot().read(after) : std::nullopt; },
+      [eyes = from.eyes](std::int64_t until_ns) {
+        if (eyes)
+          static_cast<void>(eyes->send(io::eyes::want_picture{until_ns, operator_port::camera_api::picture_gap_ms}));
+      },
+      [pictures = from.pictures](std::uint64_t point) { return pictures ? pictures->of(point) : std::nullopt; },
+      &time});
+  return api->routes();
+}
+
+} // namespace
+
+void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const flight_actors& flight,
+                                const failsafe::own_handle& failsafe) {
+  desk_ = actors.add<operator_port::operator_desk>(
+      {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight.bridge, flight.scan, failsafe}, answers_);
+  page_desks_ = add_page_desks(actors, wanted, flight, answers_);
+}
+
+void operator_access::make_apis(runtime::process& host, const view_surroundings& shown, const view_actors& views) {
+  const auto way_in = std::make_shared<runtime::gateway>(host.actors().make_gateway("operator_port"));
+  view_api_ = std::make_shared<operator_port::view_api>(
+      port_.context(), operator_port::view_parts{shown.reports,
+                                                 [way_in, to = health::report_handle(views.health)] {
+                                                   way_in->tell(to, health::make_report{});
+                                                 },
+                                                 [this](io::prometheus::text_writer& out) {
+                                                   port_.append_metrics(out);
+                                                   stream_api_->append_metrics(out);
+                                                 },
+                                                 &host.time()});
+  view_api_->open();
+  stream_api_ = std::make_shared<operator_port::stream_api>(port_.context(), shown.stream);
+}
+
+operator_port::route_list operator_access::shown_routes(runtime::process& host, const operator_port::settings& wanted,
+                                                        sources from, const sayer& say) {
+  auto routes = operator_port::page_routes();
+  add_to(routes, view_api_->routes());
+  add_to(routes, stream_api_->routes());
+  add_to(routes, log_api_->routes());
+  add_to(routes, camera_routes(from, host.time()));
+  add_to(routes, tile_routes_of(wanted, [say](const std::string& sentence) { say(sentence, true); }));
+  return routes;
+}
+
+// Requests come in the thread of the port, passwords that were judged in that of the accounts.
+operator_port::port_guards operator_access::add_commands(runtime::process& host, accounts::account_keeper& keeper,
+                                                         operator_port::route_list& routes) {
+  struct inlet {
+    explicit inlet(runtime::gateway opened) : way_in(std::move(opened)) {}
+    std::mutex mutex;
+    runtime::gateway way_in;
+  };
+  const auto shared = std::make_shared<inlet>(host.actors().make_gateway("operator_api"));
+  operator_api_ = std::make_shared<operator_port::operator_api>(
+      answers_, keeper, [shared, desk = desk_](operator_port::api_request asked) {
+        const std::lock_guard guard(shared->mutex);
+        shared->way_in.tell(desk, std::move(asked));
+      });
+  add_to(routes, operator_port::routes_of(operator_api_));
+  add_to(routes, page_desk_routes(host.actors(), page_desks_, answers_));
+  return {[api = operator_api_](const std::string& from) { api->note_other_origin(from); },
+          [api = operator_api_](const operator_port::server_request& asked, operator_port::responder answer,
+                                std::function<void(operator_port::responder)> then) {
+            api->admit(asked, std::move(answer), std::move(then));
+          }};
+}
+
+void operator_access::open(runtime::process& host, const operator_port::settings& wanted,
+                           const view_surroundings& shown, const view_actors& views, sources from, sayer say) {
+  make_apis(host, shown, views);
+  auto routes = shown_routes(host, wanted, from, say);
+  operator_port::port_guards guards;
+  if (from.keeper != nullptr)
+    guards = add_commands(host, *from.keeper, routes);
+  if (const auto opened = port_.open(wanted, std::move(routes), std::move(guards)); !opened) {
+    const auto sentence = "the operator's port can not be opened: " + opened.error();
+    host.health().post("operator_port", runtime::health_colour::yellow, sentence);
+    return say(sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true);
+  }
+  tell(say);
+}
+
+void operator_access::tell(const sayer& say) {
+  const auto& fingerprint = port_.fingerprint();
+  say("what there is to see: " + port_.url() + "/", false);
+  if (!fingerprint.empty())
+    say(std::string(port_.is_certificate_new() ? "a new certificate was made; its" : "the certificate's") +
+            " fingerprint (SHA-256) is " + fingerprint,
+        port_.is_certificate_new());
+  view_->set(port_.url(), fingerprint);
+}
+
+void operator_access::close() {
+  port_.close([this] {
+    view_api_->close();
+    stream_api_->close();
+  });
+}
+
+} // namespace godwit::daemon

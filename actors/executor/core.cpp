@@ -84,6 +84,7 @@ effects core::advance(instant now) {
   service_.ask_again(out, now);
   standstill_.look(out, now);
   parts_.give_up_late(out, now);
+  arming_.look(out, now);
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(std::ranges::any_of(rules, [&](rule each) { return (this->*each)(out, now); }));
@@ -241,7 +242,8 @@ effects core::on_late(const order& what, instant now) {
   }
   vehicle_link::command_outcome outcome;
   const auto& doing = flight_.runner.doing();
-  const bool moves = doing && (doing->kind == task_kind::start || doing->kind == task_kind::resume);
+  const bool moves = doing && (doing->kind == task_kind::start || doing->kind == task_kind::resume ||
+                               doing->kind == task_kind::await_arming);
   // What lets the vehicle move is not said again by itself when the disk writes at last: a person may stand there.
   outcome.verdict = moves ? vehicle_link::command_verdict::invalid : vehicle_link::command_verdict::not_sent;
   outcome.reason = why;
@@ -359,7 +361,8 @@ void core::lose_plan(effects& out, trigger what, instant now) {
     return;
   const auto& runner = flight_.runner;
   const auto kind = runner.doing() ? runner.doing()->kind : task_kind::stand_by;
-  const bool flies_it = kind == task_kind::resume || (kind == task_kind::start && !runner.has_asked_to_start());
+  const bool flies_it = kind == task_kind::resume || kind == task_kind::await_arming ||
+                        (kind == task_kind::start && !runner.has_asked_to_start());
   if (flies_it)
     tasks_.give_up(out, now, "the vehicle does not hold our plan any more");
   flight_.wanted.go_on = false;

@@ -47,6 +47,7 @@
 #include "actors/executor/flight/return_place.hpp"
 #include "actors/executor/flight/service_view.hpp"
 #include "actors/executor/flight/standstill_watch.hpp"
+#include "actors/executor/flight/start_by_arming.hpp"
 #include "actors/executor/flight/station_acts.hpp"
 #include "actors/executor/flight/task_control.hpp"
 #include "messages/executor/types.hpp"
@@ -188,7 +189,8 @@ private:
   service_view service_{flight_};
   preparation preparation_{flight_, phases_, tasks_, energy_, service_};
   part_choice parts_{flight_, tasks_};
-  flight_start start_{flight_, phases_, tasks_, watch_, preparation_, parts_};
+  start_by_arming arming_{flight_, tasks_, preparation_};
+  flight_start start_{flight_, phases_, tasks_, watch_, preparation_, parts_, arming_};
   plan_changes changes_{flight_, phases_, tasks_};
   homecoming homecoming_{flight_, phases_, tasks_};
   operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_, watch_};
@@ -197,7 +199,7 @@ private:
   plan_clearing clearing_{flight_, phases_};
   last_line last_line_{flight_, clearing_};
   gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};
-  station_acts acts_{flight_, watch_, preparation_, operators_};
+  station_acts acts_{flight_, watch_, preparation_, operators_, arming_};
 };
 
 } // namespace godwit::executor

@@ -52,6 +52,7 @@ enum class task_kind {
   come_home_by_plan, // hold, and then bring the way around the fences and fly it
   stand_down,        // behind a start that failed
   stand_by,          // disarmed in its mission mode: into one in which it begins nothing
+  await_arming,      // disarmed: into its mission mode, in which its station arms it next
   free_home          // behind a mission whose home was commanded: arming moves it again
 };
 
@@ -64,6 +65,7 @@ constexpr auto enum_names(task_kind) {
                                {task_kind::come_home_by_plan, "come_home_by_plan"},
                                {task_kind::stand_down, "stand_down"},
                                {task_kind::stand_by, "stand_by"},
+                               {task_kind::await_arming, "await_arming"},
                                {task_kind::free_home, "free_home"}});
 }
 

@@ -9,6 +9,7 @@
 //   come home by plan                    hold; then as deploy, with the way home
 //   stand down                           disarm
 //   stand by                             the standing mode, on the ground
+//   await arming                         mission mode, on the ground and disarmed
 //   free home                            set home where it stands
 //
 // A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
@@ -33,6 +34,8 @@ struct change_mode {
 struct stand_by {
   bool is_armed = false; // else never when it is
 };
+// On the ground, disarmed: the mission mode, in which its station arms it next.
+struct await_arming {};
 struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
 // Shown by MISSION_CURRENT, where the vehicle is not in its mission mode and so does not go on at once; by an item
@@ -50,7 +53,7 @@ struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, stand_by, guard, bring_plan, set_current_item, set_home, see_home, free_home,
+using step = std::variant<change_mode, stand_by, await_arming, guard, bring_plan, set_current_item, set_home, see_home, free_home,
                           arm, disarm, start_plan>;
 using steps = std::vector<step>;
 

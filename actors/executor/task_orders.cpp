@@ -42,6 +42,8 @@ std::string task_runner::what_is_asked() const {
     return "to go to item " + std::to_string(item->sequence);
   if (std::holds_alternative<stand_by>(what))
     return "to leave its mission mode on the ground";
+  if (std::holds_alternative<await_arming>(what))
+    return "to change to its mission mode on the ground";
   if (std::holds_alternative<set_home>(what) || std::holds_alternative<see_home>(what))
     return "to have its home where the mission began";
   if (std::holds_alternative<free_home>(what))
@@ -55,11 +57,15 @@ std::string task_runner::what_is_asked() const {
   return std::holds_alternative<bring_plan>(what) ? "to take the plan" : "to start the mission";
 }
 
-void task_runner::ask(const world& w, const change_mode& what) {
-  const auto command = flight::mode_command(w.view.owner(), what.to);
+void task_runner::ask(const world& w, const change_mode& what) { ask_for_mode(w, what.to); }
+
+void task_runner::ask(const world& w, const await_arming&) { ask_for_mode(w, flight::mode_kind::mission); }
+
+void task_runner::ask_for_mode(const world& w, flight::mode_kind to) {
+  const auto command = flight::mode_command(w.view.owner(), to);
   if (!command)
-    return fail("this vehicle has no mode " + what_is_asked().substr(std::string("to change to ").size()));
-  expect(w, flight::modes_obeying(w.view.owner(), what.to));
+    return fail("this vehicle has no mode " + std::string(io::name_of(to)));
+  expect(w, flight::modes_obeying(w.view.owner(), to));
   give_order(w, *command);
 }
 

@@ -131,6 +131,8 @@ bool task_runner::is_shown(const world& w) const {
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
     return view.obeys(mode->to) && (tries_ == 0 ? !must_ask_ : view.heartbeats() > asked_at_heartbeat_);
+  if (std::holds_alternative<await_arming>(what))
+    return view.is_in(flight::mode_kind::mission) && !view.is_armed();
   if (std::holds_alternative<stand_by>(what)) {
     const auto status = flight::standing_mode(view.owner());
     return status && view.is_in_one_of({*status});
@@ -188,7 +190,9 @@ std::string task_runner::why_not_now(const vehicle_view& view) const {
   if (std::holds_alternative<start_plan>(way_[at_]) && !view.is_armed())
     return "the vehicle is disarmed";
   const auto* status = std::get_if<stand_by>(&way_[at_]);
-  return status != nullptr && view.is_armed() && !status->is_armed ? "it was armed meanwhile" : "";
+  const bool needs_disarmed =
+      std::holds_alternative<await_arming>(way_[at_]) || (status != nullptr && !status->is_armed);
+  return needs_disarmed && view.is_armed() ? "it was armed meanwhile" : "";
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {

@@ -98,6 +98,7 @@ private:
   void ask(const world& w);
   void ask(const world& w, const change_mode& what);
   void ask(const world& w, const stand_by& what);
+  void ask(const world& w, const await_arming& what);
   void ask(const world& w, const guard& what);
   void ask(const world& w, const bring_plan& what);
   void ask(const world& w, const set_current_item& what);
@@ -107,6 +108,7 @@ private:
   void ask(const world& w, const arm& what);
   void ask(const world& w, const disarm& what);
   void ask(const world& w, const start_plan& what);
+  void ask_for_mode(const world& w, flight::mode_kind to);
   void expect(const world& w, std::vector<std::uint32_t> modes);
   void give_order(const world& w, vehicle_link::send_command what);
   void was_obeyed(const world& w);

@@ -1,6 +1,7 @@
 #include "actors/ground_port/start_dedup.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace godwit::ground_port {
@@ -12,9 +13,12 @@ using io::mavlink::instant;
 using io::mavlink::mav_result;
 using io::mavlink::number;
 
+constexpr std::string_view arm_it = "arm within 15 s to start it"; // at most 50 characters in all: one STATUSTEXT
+
 mav_result result_for(start_verdict verdict) {
   switch (verdict) {
   case start_verdict::started:
+  case start_verdict::awaits_arming:
     return mav_result::accepted;
   case start_verdict::not_ready:
   case start_verdict::too_late:
@@ -31,6 +35,8 @@ mav_result result_for(start_verdict verdict) {
 std::string text_for(const executor::start_answer& answer) {
   if (answer.verdict == start_verdict::started)
     return "Mission started";
+  if (answer.verdict == start_verdict::awaits_arming)
+    return "Mission start: " + std::string(arm_it);
   if (!answer.reason.empty())
     return "Mission start: " + answer.reason;
   switch (answer.verdict) {
@@ -43,6 +49,7 @@ std::string text_for(const executor::start_answer& answer) {
   case start_verdict::too_late:
     return "Mission start: it came too late";
   case start_verdict::started:
+  case start_verdict::awaits_arming:
   case start_verdict::failed:
     break;
   }
@@ -88,6 +95,7 @@ start_record start_dedup::begin(const vehicle_role::order& what, const vehicle_r
   next.asked.plan_id = plan_id;
   next.asked.asked_by = {what.from.system, what.from.component};
   next.asked.obey_until_ns = now.wall_ns + obeyed_within_ns;
+  next.asked.by_mode = what.command != number(io::mavlink::mav_cmd::mission_start);
   next.command = what.command;
   next.asked_component = what.target_component;
   next.first_item = what.param1;

@@ -15,7 +15,8 @@ namespace godwit::executor {
 
 enum class act_kind {
   hold,     // a mode in which the vehicle stays where it is
-  arm,      // and take-off
+  arm,
+  take_off,
   stop,     // disarm, return, land, terminate: it ends what the vehicle does
   stream,   // sticks, positions, attitudes: many a second
   command,  // whatever else moves the vehicle: modes, speeds, heights
@@ -25,6 +26,7 @@ enum class act_kind {
 constexpr auto enum_names(act_kind) {
   return io::names<act_kind>({{act_kind::hold, "hold"},
                               {act_kind::arm, "arm"},
+                              {act_kind::take_off, "take_off"},
                               {act_kind::stop, "stop"},
                               {act_kind::stream, "stream"},
                               {act_kind::command, "command"},

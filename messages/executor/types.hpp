@@ -33,23 +33,27 @@ struct start_mission {
   std::uint32_t plan_id = 0; // of the plan that is meant: the one of the last plan_taken
   station asked_by;
   std::int64_t obey_until_ns = 0; // ns since 1970 (UTC); later it is answered `too_late` and starts nothing
+  bool by_mode = false; // the mission mode was asked for: who stands disarmed in it is armed by its station next
   static constexpr auto fields = io::table(
       "executor.start_mission", io::field("key", &start_mission::key), io::field("first", &start_mission::first),
       io::field("last", &start_mission::last), io::field("plan_id", &start_mission::plan_id),
-      io::field("asked_by", &start_mission::asked_by), io::field("obey_until_ns", &start_mission::obey_until_ns));
+      io::field("asked_by", &start_mission::asked_by), io::field("obey_until_ns", &start_mission::obey_until_ns),
+      io::field("by_mode", &start_mission::by_mode));
 };
 
 enum class start_verdict {
-  started,      // the vehicle is in its mission mode, from the item that was asked for
-  not_ready,    // a preflight check fails or has not ended: `reason` says which
-  disarmed,     // and starting does not arm
-  no_such_item, // or another plan is held by now
-  too_late,     // obey_until_ns had passed
-  failed        // it was tried: `reason` says how far it came
+  started,        // the vehicle is in its mission mode, from the item that was asked for
+  awaits_arming,  // it stands disarmed in its mission mode; by_mode alone. The arm of the same station starts it
+  not_ready,      // a preflight check fails or has not ended: `reason` says which
+  disarmed,       // and starting does not arm
+  no_such_item,   // or another plan is held by now
+  too_late,       // obey_until_ns had passed
+  failed          // it was tried: `reason` says how far it came
 };
 
 constexpr auto enum_names(start_verdict) {
   return io::names<start_verdict>({{start_verdict::started, "started"},
+                                   {start_verdict::awaits_arming, "awaits_arming"},
                                    {start_verdict::not_ready, "not_ready"},
                                    {start_verdict::disarmed, "disarmed"},
                                    {start_verdict::no_such_item, "no_such_item"},

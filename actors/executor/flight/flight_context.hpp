@@ -38,6 +38,13 @@ struct homing_state {
   std::string why;          // failed
 };
 
+// By which station a vehicle that stands disarmed in its mission mode is armed next: see start_by_arming.hpp.
+struct arming_awaited {
+  station by;
+  std::uint16_t sequence = 0; // of the plan on the vehicle: where it is started
+  std::int64_t until_ns = 0;
+};
+
 struct flight_context {
   flight_context(settings configuration, const state& durable) : configured(std::move(configuration)), s(durable) {}
 
@@ -53,6 +60,7 @@ struct flight_context {
   homing_state homing;
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
   std::int64_t arming_until_ns = 0;
+  std::optional<arming_awaited> awaited_arming;
   bool is_home_told = false; // by the vehicle, since it was armed for this flight
   bool was_up = false;       // it has been in the air, as far as this incarnation knows
 

@@ -18,6 +18,7 @@ void flight_end::on_heartbeat(instant now) {
   if (flight_.view.is_armed()) {
     disarmed_since_ns_ = 0;
     has_stood_by_ = false;
+    was_put_there_ = false;
   } else if (disarmed_since_ns_ == 0) {
     disarmed_since_ns_ = now.now_ns;
   }
@@ -89,10 +90,16 @@ void flight_end::close(effects& out) {
 
 bool flight_end::leave_mission_mode(effects& out, instant now) {
   const auto& view = flight_.view;
+  if (flight_.awaited_arming) { // it stands there because its station has said so
+    has_stood_by_ = false;
+    was_put_there_ = true;
+    return false;
+  }
   const auto& paused = flight_.s.progress.paused;
   const bool is_our_plan = flight_.s.flown && paused != progress::pause_reason::vehicle_restarted &&
                            paused != progress::pause_reason::foreign_plan;
-  if (flight_.is_in_flight() || flight_.runner.is_busy() || has_stood_by_ || !is_our_plan || !view.is_connected())
+  if (flight_.is_in_flight() || flight_.runner.is_busy() || has_stood_by_ ||
+      !(is_our_plan || was_put_there_) || !view.is_connected())
     return false;
   if (!view.is_in(mode_kind::mission) || view.is_armed() || disarmed_since_ns_ == 0 ||
       now.now_ns - disarmed_since_ns_ < stands_ns)

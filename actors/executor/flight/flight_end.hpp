@@ -37,6 +37,7 @@ private:
   std::int64_t down_since_ns_ = 0;     // 0: it is not
   std::int64_t disarmed_since_ns_ = 0; // 0: it is armed
   bool has_stood_by_ = false;          // tried, since it was armed last
+  bool was_put_there_ = false;         // in its mission mode, since it was armed last
 };
 
 } // namespace godwit::executor

@@ -54,6 +54,8 @@ bool flight_start::begin_wanted(effects& out, instant now) {
     begin_in_air(out, *what.asked);
   else if (what.asked)
     begin_asked(out, *what.asked, now);
+  else if (what.armed_from && flight_.s.status.now == phase::ready)
+    begin(out, {}, *what.armed_from);
   else if (const auto why = why_not(out, now); !why.empty())
     out.emplace_back(announce{"the flight is not started: " + why, true});
   else
@@ -116,12 +118,14 @@ void flight_start::begin_asked(effects& out, const start_mission& asked, instant
     begin_in_flight(out, asked, now);
   else if (const auto why = why_not_ready(out, now); !why.empty())
     tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
-  else if (const auto disarmed = flight_.why_not_armed(); !disarmed.empty())
+  else if (const auto disarmed = flight_.why_not_armed(); !disarmed.empty() && !asked.by_mode)
     tasks_.answer_start(out, asked.key, start_verdict::disarmed, disarmed);
   else if (const auto sequence = sequence_of(asked); !sequence)
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
   else if (asked.first != 0 && flight_.view.owner().vehicle != flight::vehicle_class::rover)
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "what flies begins with its take-off");
+  else if (!disarmed.empty())
+    arming_.begin(out, asked, *sequence, now);
   else
     begin(out, asked.key, *sequence);
 }

@@ -5,14 +5,16 @@
 #include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/part_choice.hpp"
 #include "actors/executor/flight/preparation.hpp"
+#include "actors/executor/flight/start_by_arming.hpp"
 
 namespace godwit::executor {
 
 class flight_start {
 public:
   flight_start(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
-               preparation& prepared, part_choice& parts)
-      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), preparation_(prepared), parts_(parts) {}
+               preparation& prepared, part_choice& parts, start_by_arming& arming)
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), preparation_(prepared), parts_(parts),
+        arming_(arming) {}
 
   // The one that is wanted.
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
@@ -42,6 +44,7 @@ private:
   control_watch& watch_;
   preparation& preparation_;
   part_choice& parts_;
+  start_by_arming& arming_;
 };
 
 } // namespace godwit::executor

@@ -9,12 +9,14 @@
 //
 // "Taken": from then on it is that station's person who has the vehicle, until a hand-back. A vehicle that is armed or
 // not heard counts as flying. Whoever has it already is followed by the station that acted last: its start or resume is
-// a hand-back, nobody else's. Pure. Thread: one at a time.
+// a hand-back, nobody else's. The arm of a station that has just put the vehicle in its mission mode is its start, which
+// godwit does (start_by_arming.hpp). Pure. Thread: one at a time.
 #pragma once
 
 #include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/operator_control.hpp"
 #include "actors/executor/flight/preparation.hpp"
+#include "actors/executor/flight/start_by_arming.hpp"
 #include "messages/executor/station_act.hpp"
 
 namespace godwit::executor {
@@ -24,8 +26,9 @@ inline constexpr std::int64_t arming_shows_within_ns = 3'000'000'000;
 
 class station_acts {
 public:
-  station_acts(flight_context& flight, control_watch& watch, preparation& preparation, operator_control& operators)
-      : flight_(flight), watch_(watch), preparation_(preparation), operators_(operators) {}
+  station_acts(flight_context& flight, control_watch& watch, preparation& preparation, operator_control& operators,
+               start_by_arming& arming)
+      : flight_(flight), watch_(watch), preparation_(preparation), operators_(operators), arming_(arming) {}
 
   [[nodiscard]] act_answer take(effects& out, const station_act& m, bool has_looked, instant now);
 
@@ -38,6 +41,7 @@ private:
   control_watch& watch_;
   preparation& preparation_;
   operator_control& operators_;
+  start_by_arming& arming_;
 };
 
 } // namespace godwit::executor

@@ -119,7 +119,8 @@ void task_control::end(effects& out, const std::string& why) {
 void task_control::finish(effects& out, const task& what) {
   out.emplace_back(note{task_ended{what.number}});
   if (what.start_key)
-    answer_start(out, *what.start_key, start_verdict::started, {});
+    answer_start(out, *what.start_key,
+                 what.kind == task_kind::await_arming ? start_verdict::awaits_arming : start_verdict::started, {});
   switch (what.kind) {
   case task_kind::deploy:
     finish_deploy(out, what);
@@ -148,6 +149,7 @@ void task_control::finish(effects& out, const task& what) {
     return;
   case task_kind::stand_down:
   case task_kind::stand_by:
+  case task_kind::await_arming:
     return;
   }
 }
@@ -188,6 +190,9 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
     return warn("the vehicle stays armed: ");
   case task_kind::stand_by:
     return warn("do not arm the vehicle: it stands in its mission mode and would move. ");
+  case task_kind::await_arming:
+    flight_.awaited_arming.reset();
+    return warn("the flight is not started: ");
   case task_kind::free_home:
     out.emplace_back(note{home_commanded{false}});
     return warn("the vehicle's home stays where the mission began, also when it is armed elsewhere: set it there. ");

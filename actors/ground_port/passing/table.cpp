@@ -89,12 +89,12 @@ constexpr std::array commands{
     command(17, owned, "Loiter"),
     command(20, person, "Return", kind::stop),
     command(21, person, "Land", kind::stop),
-    command(22, person, "Take off", kind::arm),
+    command(22, person, "Take off", kind::take_off),
     command(23, person, "Land", kind::stop), // NAV_LAND_LOCAL; PX4: NAV_PRECLAND
-    command(24, person, "Take off", kind::arm),
+    command(24, person, "Take off", kind::take_off),
     command(34, person, "Orbit"),
     command(35, person, "Figure eight"),
-    command(84, person, "Take off", kind::arm), // NAV_VTOL_TAKEOFF
+    command(84, person, "Take off", kind::take_off), // NAV_VTOL_TAKEOFF
     command(85, person, "Land", kind::stop),    // NAV_VTOL_LAND
     command(176, person, "Mode"),
     command(178, person, "Speed"),

@@ -172,6 +172,7 @@ public:
   void set_home_by_hand(); // where it is
   // The home that the executor has heard last.
   [[nodiscard]] const std::optional<executor::plan::vehicle_home>& told_home() const { return core_->view().home(); }
+  [[nodiscard]] const flight::mode_owner& owner() const { return owner_; } // once its heartbeat was heard
   // The mode that the executor has heard last.
   [[nodiscard]] std::optional<std::uint32_t> heard_mode() const;
 

@@ -215,7 +215,8 @@ RC_GTEST_PROP(ground_port_property, nothing_that_moves_the_vehicle_goes_on_befor
     port.leaves_act(act.request);
     for (auto i = before; i < port.passed_on.size(); ++i)
       RC_ASSERT(is_reading(port.passed_on[i]) || port.taken_over_told.size() > told);
-    if (act.what.kind == executor::act_kind::arm || act.what.kind == executor::act_kind::command)
+    using enum executor::act_kind;
+    if (act.what.kind == arm || act.what.kind == take_off || act.what.kind == command)
       RC_ASSERT(port.passed_on.size() == before);
   }
   for (const auto& each : port.passed_on)

@@ -88,6 +88,22 @@ TEST_P(station_people, arm_and_start_of_one_station_fly_because_its_start_hands_
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
+// As QGroundControl starts a PX4: it waits for the mission mode, and arms then.
+TEST_P(station_people, the_mission_mode_and_then_the_arm_of_one_station_fly) {
+  ASSERT_TRUE(flight.run_until_phase(phase::ready, 120)) << flight.story();
+  set_mode(godwit::flight::mode_kind::mission);
+  ASSERT_TRUE(flight.run_until([&] { return flight.station().result_of(mav_cmd::do_set_mode).has_value(); }, 10))
+      << flight.story();
+  EXPECT_EQ(flight.station().result_of(mav_cmd::do_set_mode), 0) << flight.story();
+  flight.run_for(1);
+  EXPECT_FALSE(flight.vehicle().describe().armed) << "the mode alone moves nothing";
+  flight.station().command(mav_cmd::component_arm_disarm, 1);
+  EXPECT_TRUE(flight.run_until_phase(phase::flying, 30)) << flight.story();
+  EXPECT_EQ(flight.station().result_of(mav_cmd::component_arm_disarm), 0) << flight.story();
+  EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+}
+
 TEST_P(station_people, a_return_by_a_station_is_the_autopilots_at_once_and_nothing_is_sent_behind_it) {
   ASSERT_TRUE(start());
   flight.run_for(5);

@@ -56,6 +56,7 @@ actor::behavior_type actor::handlers() {
       on_deferred<operators::command, operators::answer>(
           [this](const operators::command& m, std::uint64_t request_id) { obey(m, request_id); }),
       on<get_flight>([this](const get_flight&) { return describe(); }),
+      on<get_missions>([this](const get_missions&) { return core_->missions(); }),
       on<get_plan>([this](const get_plan&) { return plan_view_of(current_state(), core_->view()); }),
       on<get_preflight>(
           [this](const get_preflight&) { return preflight_view_of(current_state().preflight, core_->last_look()); }),
@@ -68,7 +69,10 @@ actor::behavior_type actor::handlers() {
       on<plan_cleared>([this](const plan_cleared& m) { then(core_->on_station(m, now())); }),
       hears<io::mavlink::heartbeat>(),
       hears<io::mavlink::current_mode>(),
-      hears<io::mavlink::sys_status>(),
+      on<io::mavlink::sys_status>([this](const io::mavlink::sys_status& m) {
+        then(core_->on_vehicle(m, now()));
+        show_way_home();
+      }),
       hears<io::mavlink::gps_raw_int>(),
       hears<io::mavlink::global_position_int>(),
       hears<io::mavlink::home_position>(),
@@ -101,6 +105,7 @@ actor::behavior_type actor::handlers() {
         look_at_service();
         ask_for_failsafe_status();
         after_turn();
+        show_missions(); // they change seldom, and what they are takes a look at all items
       })};
 }
 

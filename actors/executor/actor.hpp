@@ -39,6 +39,7 @@ struct peers {
   scan_controller::flight_handle eyes; // none without a camera
   runtime::guardian_handle guardian;
   std::vector<flight_watcher> watchers;
+  std::vector<viewer> viewers;
 };
 
 // The world outside of the actors. May be called by any thread and does not block.
@@ -124,6 +125,8 @@ private:
   void say_all(const std::vector<announce>& sentences);
   void post_health();
   void show_flight();
+  void show_missions();
+  void show_way_home();
   [[nodiscard]] flight_status describe() const;
 
   settings settings_;
@@ -141,6 +144,7 @@ private:
   bool is_asking_children_ = false;
   bool is_sending_table_ = false;
   std::optional<flight_status> shown_flight_;             // to the watchers
+  std::optional<known_missions> shown_missions_;          // to the viewers
   std::optional<preflight::journal_facts> journal_facts_; // as recorded last
   std::optional<preflight::operator_fact> operator_fact_; // the same
   std::optional<scan_controller::survey_progress> told_survey_;

@@ -123,6 +123,23 @@ void actor::show_phase_status(const phase_status& status) {
   });
 }
 
+void actor::show_missions() {
+  if (others_->viewers.empty())
+    return;
+  auto known = core_->missions();
+  if (shown_missions_ == known)
+    return;
+  for (const auto& each : others_->viewers)
+    tell(each, known);
+  shown_missions_ = std::move(known);
+}
+
+// Each time, also when it is as before: who shows it says how old it is.
+void actor::show_way_home() {
+  for (const auto& each : others_->viewers)
+    tell(each, core_->way_home(now()));
+}
+
 void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {

@@ -38,6 +38,7 @@
 #include "actors/executor/flight/gcs_view.hpp"
 #include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/last_line.hpp"
+#include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/flight/operator_control.hpp"
 #include "actors/executor/flight/phase_table.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
@@ -148,6 +149,11 @@ public:
   [[nodiscard]] const std::optional<preflight::dated_report>& last_look() const { return preparation_.last_look(); }
   [[nodiscard]] bool is_coming_down() const { return flight_.is_coming_down(); }
   [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home
+  // What it would take of the battery now.
+  [[nodiscard]] way_home_estimate way_home(instant now) const { return energy_.way_home(now); }
+  [[nodiscard]] known_missions missions() const {
+    return list_missions(flight_, {service_.refusal(), stations_.refused_upload(), service_.is_deleted()});
+  }
   [[nodiscard]] const phase_machine& phases() const { return phases_; }
   [[nodiscard]] std::string sentence() const { return flight_.sentence(); } // how the flight stands, for people
   [[nodiscard]] std::string_view authority() const { return authority_text(flight_); } // who has the vehicle

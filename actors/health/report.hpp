@@ -11,6 +11,7 @@
 
 #include "io/fields/field_table.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/known_missions.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/fleet_link/types.hpp"
 #include "messages/ground_port/description.hpp"
@@ -117,6 +118,7 @@ struct report {
   std::int64_t at_ms = 0;
   health_status health;
   std::optional<executor::flight_status> flight;
+  std::optional<executor::known_missions> missions;
   std::optional<failsafe::failsafe_status> failsafe;
   std::optional<vehicle_link::connection> vehicle;
   std::optional<ground_port::port_description> ground;
@@ -131,12 +133,12 @@ struct report {
   std::vector<unanswered_part> unanswered;
   static constexpr auto fields = io::table(
       "health.report", io::field("at_ms", &report::at_ms), io::field("health", &report::health),
-      io::field("flight", &report::flight), io::field("failsafe", &report::failsafe),
-      io::field("vehicle", &report::vehicle), io::field("ground", &report::ground),
-      io::field("service", &report::service), io::field("map", &report::map), io::field("fleet", &report::fleet),
-      io::field("actors", &report::actors), io::field("mail", &report::mail), io::field("journal", &report::journal),
-      io::field("trace", &report::trace), io::field("process", &report::process),
-      io::field("unanswered", &report::unanswered));
+      io::field("flight", &report::flight), io::field("missions", &report::missions),
+      io::field("failsafe", &report::failsafe), io::field("vehicle", &report::vehicle),
+      io::field("ground", &report::ground), io::field("service", &report::service), io::field("map", &report::map),
+      io::field("fleet", &report::fleet), io::field("actors", &report::actors), io::field("mail", &report::mail),
+      io::field("journal", &report::journal), io::field("trace", &report::trace),
+      io::field("process", &report::process), io::field("unanswered", &report::unanswered));
 };
 
 } // namespace godwit::health

@@ -25,6 +25,8 @@ actor::behavior_type actor::handlers() {
           shows<io::mavlink::home_position>(),
           shows<vehicle_link::connection_changed>(),
           shows<executor::flight_status>(),
+          shows<executor::known_missions>(),
+          shows<executor::way_home_estimate>(),
           shows<health::health_status>(),
           on<scan_controller::point_shown>([this](const scan_controller::point_shown&) { ask_points(); }),
           on<scan_controller::point_closed>([this](const scan_controller::point_closed&) { ask_points(); })};
@@ -37,6 +39,11 @@ void actor::started() {
         others_->flight, answer_timeout, executor::get_flight{},
         [this](const executor::flight_status& m) { publish(core_.take(m, handler_time().monotonic_ns)); },
         [](const runtime::ask_error&) {}); // it tells the next change
+  if (others_->missions)
+    ask(
+        others_->missions, answer_timeout, executor::get_missions{},
+        [this](const executor::known_missions& m) { publish(core_.take(m, handler_time().monotonic_ns)); },
+        [](const runtime::ask_error&) {});
   ask_points();
   on_deadline();
 }

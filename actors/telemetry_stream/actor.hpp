@@ -25,6 +25,7 @@ namespace godwit::telemetry_stream {
 struct peers {
   runtime::mailbox<runtime::asks<mapobjects_store::get_map, mapobjects_store::map_status>> map;
   runtime::mailbox<runtime::asks<executor::get_flight, executor::flight_status>> flight;
+  runtime::mailbox<runtime::asks<executor::get_missions, executor::known_missions>> missions;
   runtime::mailbox<runtime::asks<scan_controller::get_points, scan_controller::points>> points;
 };
 

@@ -118,6 +118,18 @@ publications core::take(const executor::flight_status& m, std::int64_t) {
   return result;
 }
 
+publications core::take(const executor::known_missions& m, std::int64_t) {
+  publications result;
+  show_changed(result, topic::missions, m, missions_);
+  return result;
+}
+
+publications core::take(const executor::way_home_estimate& m, std::int64_t now_ns) {
+  if (!is_due(way_home_ns_, battery_interval_ns, now_ns))
+    return {};
+  return {made(topic::way_home, m)};
+}
+
 publications core::take(const health::health_status& m, std::int64_t) { return {made(topic::health, m)}; }
 
 publications core::take(const mapobjects_store::map_status& m, std::int64_t) {

@@ -2,9 +2,9 @@
 //
 //   what vehicle, executor and others say ──take()──> publication, or nothing
 //
-// Of what comes many times a second (position, attitude, gps, battery) at most one in data_interval_ns is shown; what
-// is told when it changes (flight, authority, progress, home, link, map) is shown when it has changed. Pure: the time
-// comes in, as monotonic nanoseconds. Thread: one owner.
+// Of what comes many times a second (position, attitude, gps, battery, way_home) at most one in data_interval_ns is
+// shown; what is told when it changes (flight, authority, progress, missions, home, link, map) is shown when it has
+// changed. Pure: the time comes in, as monotonic nanoseconds. Thread: one owner.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,8 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/known_missions.hpp"
+#include "messages/executor/way_home.hpp"
 #include "messages/health/types.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "messages/scan_controller/point.hpp"
@@ -43,6 +45,8 @@ public:
   [[nodiscard]] publications take(const io::mavlink::home_position& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const vehicle_link::connection_changed& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const executor::flight_status& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const executor::known_missions& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const executor::way_home_estimate& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const health::health_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const mapobjects_store::map_status& m, std::int64_t now_ns);
   // WALL_NS: since 1970 (UTC).
@@ -62,6 +66,8 @@ private:
   std::optional<flight_update> flight_; // as shown last
   std::optional<authority_update> authority_;
   std::optional<progress_update> progress_;
+  std::optional<executor::known_missions> missions_;
+  std::optional<std::int64_t> way_home_ns_; // when it was shown last
   std::string map_;
   std::optional<points_update> points_; // as shown last, without the ends of windows, which differ by a millisecond
   std::uint64_t beats_ = 0;

@@ -11,9 +11,11 @@
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/known_missions.hpp"
 #include "messages/executor/plan_view.hpp"
 #include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
+#include "messages/executor/way_home.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/operator/types.hpp"
@@ -37,6 +39,12 @@ using operator_handle =
 // What those ask for who show a flight; they can cause nothing.
 using view_handle = runtime::mailbox<runtime::asks<get_plan, plan_view>, runtime::asks<get_preflight, preflight_view>>;
 
+// The missions that it knows.
+using missions_handle = runtime::mailbox<runtime::asks<get_missions, known_missions>>;
+
+// Who shows a flight to people, and is told what changes beside its status.
+using viewer = runtime::mailbox<runtime::tells<known_missions>, runtime::tells<way_home_estimate>>;
+
 // Who is told how the flight stands, when it stands otherwise than before.
 using flight_watcher = runtime::mailbox<runtime::tells<flight_status>>;
 
@@ -51,8 +59,8 @@ using telemetry_handle =
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>>;
 
 // All of it.
-using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, view_handle, station_handle,
-                                    telemetry_handle, scan_controller::subscriber_handle,
+using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, view_handle, missions_handle,
+                                    station_handle, telemetry_handle, scan_controller::subscriber_handle,
                                     runtime::mailbox<runtime::tells<failsafe::failsafe_status>,
                                                      runtime::tells<runtime::child_event>, runtime::tells<tick>>>;
 

@@ -4,6 +4,8 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
+#include "messages/executor/known_missions.hpp"
+#include "messages/executor/way_home.hpp"
 #include "messages/health/types.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/connection.hpp"
@@ -15,7 +17,8 @@ using own_handle = runtime::combine<
     runtime::mailbox<runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::attitude>,
                      runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::gps_raw_int>,
                      runtime::tells<io::mavlink::home_position>, runtime::tells<vehicle_link::connection_changed>,
-                     runtime::tells<executor::flight_status>, runtime::tells<health::health_status>>,
+                     runtime::tells<executor::flight_status>, runtime::tells<executor::known_missions>,
+                     runtime::tells<executor::way_home_estimate>, runtime::tells<health::health_status>>,
     scan_controller::subscriber_handle>;
 
 } // namespace godwit::telemetry_stream

@@ -25,10 +25,12 @@ enum class topic {
   map,       // how much of it there is
   health,    // of all parts
   log,       // a line of godwitd's log
-  points     // of interest
+  points,    // of interest
+  missions,  // that are known
+  way_home   // what it would take of the battery
 };
 
-inline constexpr std::size_t topic_count = 14;
+inline constexpr std::size_t topic_count = 16;
 
 constexpr auto enum_names(topic) {
   return io::names<topic>({{topic::clock, "clock"},
@@ -44,7 +46,9 @@ constexpr auto enum_names(topic) {
                            {topic::map, "map"},
                            {topic::health, "health"},
                            {topic::log, "log"},
-                           {topic::points, "points"}});
+                           {topic::points, "points"},
+                           {topic::missions, "missions"},
+                           {topic::way_home, "way_home"}});
 }
 
 struct clock_update {

@@ -248,6 +248,7 @@ void composition::add_ground_run(control::peers& of_desk) {
 void composition::add_flight(control::peers& of_desk) {
   flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
   of_desk.flight = flight_.executor;
+  of_desk.missions = flight_.executor;
   of_desk.bridge = flight_.bridge;
   if (wanted_.operators)
     operators_.add_desks(host_->actors(), wanted_, flight_, base_.failsafe);

@@ -86,6 +86,30 @@ std::string flight_line(const json& flight) {
   return result;
 }
 
+// "7d1c1f0e-... revision 2 of the service: waiting, 5 items (another mission is flown)"
+std::string mission_line(const json& mission) {
+  const auto id = text(mission, "mission_id");
+  const auto is_told = [&](const char* key) { return mission.contains(key) && mission.at(key).is_number(); };
+  auto result = id.empty() ? std::string("a mission") : id;
+  if (is_told("revision"))
+    result += " revision " + number(mission, "revision");
+  const auto origin = text(mission, "origin");
+  result += (origin == "unknown" ? "" : " (" + origin + ")") + ": " + text(mission, "place");
+  if (const auto outcome = text(mission, "outcome"); !outcome.empty())
+    result += ", " + outcome;
+  if (is_told("items"))
+    result += ", " + (is_told("items_done") ? number(mission, "items_done") + " of " : "") + number(mission, "items") +
+              " items";
+  return result + in_brackets(text(mission, "reason"));
+}
+
+std::string mission_lines(const json& missions) {
+  std::string result;
+  for (const auto& each : missions.value("list", json::array()))
+    result += (result.empty() ? "" : "\n" + std::string(key_width, ' ')) + mission_line(each);
+  return result.empty() ? "none is known" : result;
+}
+
 std::string sightings_line(const json& seen) {
   return number(seen, "recorded") + " recorded, " + number(seen, "refused") + " refused, " +
          number(seen, "unreadable") + " unreadable" +
@@ -195,11 +219,12 @@ struct part_row {
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {
-    {"health", health_line},       {"run", run_line},       {"flight", flight_line},   {"failsafe", failsafe_line},
-    {"operators", operators_line}, {"port", port_line},     {"service", service_line}, {"map", map_line},
-    {"sightings", sightings_line}, {"points", points_line}, {"eyes", eyes_line},       {"fleet", fleet_line},
-    {"vehicle", vehicle_line},     {"ground", ground_line}, {"actors", actor_lines}};
+constexpr part_row parts[] = {{"health", health_line},       {"run", run_line},           {"flight", flight_line},
+                              {"missions", mission_lines},   {"failsafe", failsafe_line}, {"operators", operators_line},
+                              {"port", port_line},           {"service", service_line},   {"map", map_line},
+                              {"sightings", sightings_line}, {"points", points_line},     {"eyes", eyes_line},
+                              {"fleet", fleet_line},         {"vehicle", vehicle_line},   {"ground", ground_line},
+                              {"actors", actor_lines}};
 
 } // namespace
 

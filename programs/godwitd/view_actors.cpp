@@ -17,13 +17,16 @@ telemetry_stream::own_handle add_stream(runtime::system& actors, const std::shar
   const auto of_stream = std::make_shared<telemetry_stream::peers>();
   of_stream->map = base.store;
   of_stream->flight = flight.executor;
+  of_stream->missions = flight.executor;
   of_stream->points = flight.scan;
   auto made =
       actors.add<telemetry_stream::actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, replaceable,
                                           std::shared_ptr<const telemetry_stream::peers>(of_stream), to);
   base.of_vehicle->add(made);
-  if (flight.of_executor)
+  if (flight.of_executor) {
     flight.of_executor->watchers.emplace_back(made);
+    flight.of_executor->viewers.emplace_back(made);
+  }
   if (flight.of_scan)
     flight.of_scan->subscribers.emplace_back(made);
   return made;
@@ -56,6 +59,7 @@ view_actors add_views(runtime::system& actors, const view_surroundings& outside,
   const auto of_health = std::make_shared<health::peers>();
   of_health->guardian = actors.guardian();
   of_health->flight = flight.executor;
+  of_health->missions = flight.executor;
   of_health->failsafe = base.failsafe;
   of_health->vehicle = base.vehicle;
   of_health->ground = flight.ground;

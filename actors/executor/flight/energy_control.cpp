@@ -74,6 +74,27 @@ std::optional<double> energy_control::seconds_home(instant now) const {
                              energy::pace_of(flight_.view.owner().vehicle));
 }
 
+way_home_estimate energy_control::way_home(instant now) const {
+  const auto percent = flight_.view.battery_percent().value_or(-1);
+  const auto seconds = seconds_home(now);
+  const auto rate = drain();
+  way_home_estimate result;
+  result.reserve_percent = flight_.configured.checks.battery_return_percent;
+  if (percent >= 0)
+    result.left_percent = percent;
+  if (!flight_.view.is_under_way())
+    result.why_not_known = "the vehicle is not under way";
+  else if (!seconds)
+    result.why_not_known = "where the vehicle or its home is, is not known";
+  else if (!rate)
+    result.why_not_known = "how fast the battery drains is not known yet";
+  else {
+    result.needs_percent = *rate * *seconds;
+    result.spare_percent = spare(seconds);
+  }
+  return result;
+}
+
 std::optional<double> energy_control::spare_behind(const plan::flight_plan& plan) const {
   const auto& home = flight_.view.home();
   if (!home)

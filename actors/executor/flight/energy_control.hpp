@@ -10,6 +10,7 @@
 
 #include "actors/domain/energy/energy.hpp"
 #include "actors/executor/flight/flight_context.hpp"
+#include "messages/executor/way_home.hpp"
 
 namespace godwit::executor {
 
@@ -21,6 +22,8 @@ public:
   [[nodiscard]] effects on_battery(instant now);
   // Above the level of the failsafe's return, behind PLAN and the way home from its end; none: not known.
   [[nodiscard]] std::optional<double> spare_behind(const plan::flight_plan& plan) const;
+  // What the way home would take now; for people.
+  [[nodiscard]] way_home_estimate way_home(instant now) const;
   // In flight: people have been warned, and it has not got better.
   [[nodiscard]] bool is_short() const { return was_under_way_ && watch_.is_short(); }
 

@@ -21,6 +21,7 @@
 #include "actors/executor/task_runner.hpp"
 #include "actors/executor/view.hpp"
 #include "actors/executor/way_around.hpp"
+#include "messages/executor/known_missions.hpp"
 
 namespace godwit::executor {
 
@@ -57,6 +58,8 @@ struct flight_context {
   bool is_failsafe_gone = false;                            // in this flight: no plan is changed
   bool is_journal_nearly_full = false;                      // what waits for the disk is near its bound
   command_queue wanted;
+  // The last mission, revision or assignment that could not be flown, for people; a new incarnation knows of none.
+  std::optional<known_mission> refused;
   homing_state homing;
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
   std::int64_t arming_until_ns = 0;

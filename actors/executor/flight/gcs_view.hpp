@@ -27,6 +27,8 @@ public:
   [[nodiscard]] effects tell(instant now);
   // The durable state has changed.
   void forget_shown() { shown_.reset(); }
+  // Why the last upload of a station was not taken; empty: it was, or there was none.
+  [[nodiscard]] const std::string& refused_upload() const { return refused_upload_; }
   // ground_port has lost what it was told.
   void forget_told() { told_plan_id_ = 0; }
 

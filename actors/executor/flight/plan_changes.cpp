@@ -6,6 +6,7 @@
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/remaining.hpp"
@@ -332,6 +333,7 @@ bool plan_changes::answer_assignment(effects& out, instant now) {
 }
 
 bool plan_changes::reject(effects& out, const mission::assignment& asked, const std::string& why) {
+  flight_.refused = refused_mission(flight_, flight_.s.mission->mission_id, asked.revision, why);
   out.emplace_back(note{assignment_rejected{asked.assignment_id, why}});
   return true;
 }
@@ -366,6 +368,7 @@ bool plan_changes::deploy_arrived(effects& out, instant now) {
     return true; // until the vehicle has said where it is, and where its home is
   const auto plan = flight_.plan_in_flight(*s.arrived, now);
   if (!plan) {
+    flight_.refused = refused_mission(flight_, s.arrived->mission_id, s.arrived->revision, plan.error());
     out.emplace_back(announce{"revision " + std::to_string(s.arrived->revision) +
                                   " of the mission can not be flown, and the one before stays: " + plan.error(),
                               true});

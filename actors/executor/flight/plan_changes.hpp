@@ -51,7 +51,7 @@ private:
   // Of the service, or by ourselves where there is none.
   void ask_for(effects& out, const plan_change& what, instant now);
   void drop(effects& out, const std::string& why);
-  [[nodiscard]] static bool reject(effects& out, const mission::assignment& asked, const std::string& why);
+  [[nodiscard]] bool reject(effects& out, const mission::assignment& asked, const std::string& why);
   [[nodiscard]] bool take_on_ground(effects& out, const mission::assignment& asked, const mission::document& mission);
   [[nodiscard]] bool deploy_assigned(effects& out, const mission::assignment& asked, const reassigned& wanted,
                                      instant now);

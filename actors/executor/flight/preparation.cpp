@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/preflight/checks/straight_return.hpp"
 #include "io/mavlink/enums.hpp"
@@ -134,6 +135,7 @@ bool preparation::take_arrived(effects& out) {
   const auto& next = *flight_.s.arrived;
   const bool is_over = is_at_rest(flight_.s.status.now);
   if (flight_.has_nothing_left(next) || (is_over && flight_.is_same_mission(next))) {
+    flight_.refused = refused_mission(flight_, next.mission_id, next.revision, "it came when the mission was over");
     out.emplace_back(announce{"revision " + std::to_string(next.revision) + " came when the mission was over", true});
     out.emplace_back(note{arrival_refused{next.revision}});
     return true;

@@ -109,6 +109,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
     collect(ticket, "run", *others_.run, ground_run::get_run{});
   if (others_.flight)
     collect(ticket, "flight", *others_.flight, executor::get_flight{});
+  if (others_.missions)
+    collect(ticket, "missions", *others_.missions, executor::get_missions{});
   if (others_.health)
     collect(ticket, "health", *others_.health, health::get_health{});
   if (others_.failsafe_status)

@@ -64,6 +64,34 @@ TEST_P(energy_flight, one_that_lasts_for_the_plan_by_the_drain_that_was_set_need
   EXPECT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
 }
 
+TEST_P(energy_flight, what_the_way_home_needs_is_told_in_flight_and_why_it_is_not_known) {
+  flight_world world({.who = GetParam(), .speed = 1, .battery_percent = 90, .endurance_s = 700});
+  EXPECT_FALSE(world.way_home().needs_percent);
+  world.load(long_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.way_home().left_percent == 90; }, 60)) << "on the ground";
+  EXPECT_FALSE(world.way_home().needs_percent);
+  EXPECT_EQ(world.way_home().why_not_known, "the vehicle is not under way");
+  ASSERT_TRUE(world.run_until([&] { return world.way_home().why_not_known.find("drains") != std::string::npos; }, 60))
+      << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.way_home().needs_percent.has_value(); }, 300)) << world.story();
+  EXPECT_EQ(world.way_home().why_not_known, "");
+  ASSERT_TRUE(world.run_until([&] { return warnings_in(world) > 0; }, 900)) << world.story();
+  const auto now = world.way_home();
+  ASSERT_TRUE(now.needs_percent && now.left_percent && now.spare_percent);
+  EXPECT_LE(*now.spare_percent, 0.5) << "it is the figure by which people were warned";
+  EXPECT_NEAR(*now.left_percent - now.reserve_percent - *now.needs_percent, *now.spare_percent, 1e-9);
+  EXPECT_GT(*now.needs_percent, 5) << "hundreds of metres, of a battery that lasts for 700 s";
+}
+
+TEST_P(energy_flight, by_the_drain_that_is_set_the_way_home_is_known_from_the_take_off_on) {
+  flight_world world({.who = GetParam(), .drain_percent_per_min = 3});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.way_home().needs_percent.has_value(); }, 90)) << world.story();
+  EXPECT_LT(*world.way_home().needs_percent, 10);
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_FALSE(world.way_home().needs_percent) << "it is down";
+}
+
 INSTANTIATE_TEST_SUITE_P(vehicles, energy_flight, testing::Values(personality::px4, personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 

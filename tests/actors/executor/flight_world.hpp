@@ -173,6 +173,8 @@ public:
   // The home that the executor has heard last.
   [[nodiscard]] const std::optional<executor::plan::vehicle_home>& told_home() const { return core_->view().home(); }
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; } // once its heartbeat was heard
+  [[nodiscard]] executor::known_missions missions() const { return core_->missions(); }
+  [[nodiscard]] executor::way_home_estimate way_home() const { return core_->way_home(now()); }
   // The mode that the executor has heard last.
   [[nodiscard]] std::optional<std::uint32_t> heard_mode() const;
 

@@ -117,6 +117,28 @@ TEST(telemetry_stream_core, of_a_flight_only_what_has_changed_is_shown_and_that_
   EXPECT_EQ(said[0].what, topic::flight);
 }
 
+TEST(telemetry_stream_core, missions_are_shown_when_they_have_changed) {
+  core all;
+  executor::known_missions known;
+  known.list.emplace_back().mission_id = "m";
+  const auto said = all.take(known, 1);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].what, topic::missions);
+  EXPECT_EQ(json::parse(said[0].data).at("list").at(0).at("place"), "prepared");
+  EXPECT_TRUE(all.take(known, 2).empty());
+  known.list[0].reason = "another one is flown";
+  EXPECT_EQ(all.take(known, 3).size(), 1U);
+}
+
+TEST(telemetry_stream_core, the_way_home_is_shown_once_a_second_also_when_it_is_as_before) {
+  core all;
+  const executor::way_home_estimate same{
+      .needs_percent = 23.4, .left_percent = 60, .reserve_percent = 25, .spare_percent = 11.6, .why_not_known = {}};
+  EXPECT_EQ(json::parse(all.take(same, 1).at(0).data).at("needs_percent"), 23.4);
+  EXPECT_TRUE(all.take(same, 900 * ms).empty());
+  EXPECT_EQ(all.take(same, 1001 * ms).size(), 1U) << "so that it does not look old";
+}
+
 TEST(telemetry_stream_core, a_map_is_shown_when_it_has_changed) {
   core all;
   mapobjects_store::map_status map;

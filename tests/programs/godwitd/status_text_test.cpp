@@ -37,6 +37,41 @@ TEST(status_text, a_flight_says_how_it_stands_and_what_waits_for_a_person) {
             "disarmed; preflight report 4 waits for `ctl ack`");
 }
 
+TEST(status_text, each_mission_is_a_line_with_its_place_and_the_reason_for_it) {
+  const json answer{{"ok", true},
+                    {"missions",
+                     {{"list",
+                       {{{"mission_id", "7d1c"},
+                         {"revision", 2},
+                         {"origin", "service"},
+                         {"place", "in_flight"},
+                         {"items", 9},
+                         {"items_done", 3}},
+                        {{"mission_id", "7d1c"},
+                         {"revision", 3},
+                         {"origin", "service"},
+                         {"place", "waiting"},
+                         {"items", 10},
+                         {"items_done", nullptr},
+                         {"reason", "it is brought to the vehicle when what is under way is done"}},
+                        {{"mission_id", ""},
+                         {"revision", nullptr},
+                         {"origin", "station"},
+                         {"place", "refused"},
+                         {"reason", "DO_JUMP"}},
+                        {{"mission_id", "0d2f"},
+                         {"revision", 1},
+                         {"origin", "unknown"},
+                         {"place", "ended"},
+                         {"outcome", "complete"}}}}}}};
+  EXPECT_EQ(status_text(answer),
+            "missions   7d1c revision 2 (service): in_flight, 3 of 9 items\n"
+            "           7d1c revision 3 (service): waiting, 10 items (it is brought to the vehicle "
+            "when what is under way is done)\n"
+            "           a mission (station): refused (DO_JUMP)\n"
+            "           0d2f revision 1: ended, complete");
+}
+
 TEST(status_text, each_actor_is_a_line_with_what_the_guardian_knows_of_it) {
   const json list = json::array({{{"name", "vehicle_link"},
                                   {"phase", "running"},

@@ -83,7 +83,7 @@ export function listen_to_drops(all: page): void {
     event.preventDefault();
     const file = event.dataTransfer?.files[0];
     if (file === undefined) return;
-    all.drawer.open("upload");
+    all.drawer.open("missions");
     void all.uploader.take(file);
   });
 }

@@ -145,6 +145,37 @@ TEST_F(views, a_subscriber_sees_the_flight_and_who_has_the_vehicle_from_its_begi
   EXPECT_EQ(progress.back().at("items_done"), progress.back().at("items"));
 }
 
+TEST_F(views, missions_and_what_the_way_home_needs_are_in_the_stream_and_in_the_report) {
+  flight.run_for(1);
+  using telemetry_stream::topic;
+  const telemetry_stream::queue_bounds endless{1'000'000, 1'000'000'000, 1'000'000, 1'000'000'000};
+  const auto heard = flight.process()
+                         ->stream()
+                         .subscribe(
+                             {{topic::missions, 0}}, [] {}, endless)
+                         .value();
+  const auto ways = flight.process()
+                        ->stream()
+                        .subscribe(
+                            {{topic::way_home, 0}}, [] {}, endless)
+                        .value();
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  flight.run_for(5);
+  ASSERT_TRUE(report()->missions);
+  ASSERT_FALSE(report()->missions->list.empty());
+  EXPECT_EQ(report()->missions->list.front().place, executor::mission_place::in_flight);
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  std::set<std::string> places;
+  for (const auto& each : said_about(*heard, "missions"))
+    if (!each.at("list").empty())
+      places.insert(each.at("list").at(0).at("place"));
+  EXPECT_EQ(places, (std::set<std::string>{"prepared", "in_flight", "ended"}));
+  const auto told = said_about(*ways, "way_home");
+  EXPECT_GT(told.size(), 10U);
+  for (const auto& each : told)
+    EXPECT_EQ(each.at("needs_percent").is_null(), !each.at("why_not_known").get<std::string>().empty()) << each;
+}
+
 TEST_F(views, a_stream_that_crashes_hangs_or_is_given_up_does_not_touch_the_flight) {
   ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
   for (const auto point : {runtime::crash_point::before_handler, runtime::crash_point::after_handler}) {

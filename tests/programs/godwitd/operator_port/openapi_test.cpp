@@ -180,7 +180,8 @@ TEST(operator_port_openapi, describes_the_routes_that_there_are_and_no_others) {
 }
 
 TEST(operator_port_openapi, describes_each_field_of_a_report_and_of_health) {
-  const auto schemas = described().at("components").at("schemas");
+  const auto api = described();
+  const auto schemas = resolved(api.at("components").at("schemas"), api);
   expect_covers(schemas.at("report"), io::json_schema<health::report>(), "report");
   expect_covers(schemas.at("health"), io::json_schema<health::health_status>(), "health");
 }
@@ -201,7 +202,9 @@ TEST(operator_port_openapi, describes_each_topic_of_the_stream) {
                                                {ts::topic::map, io::json_schema<mapobjects_store::map_status>()},
                                                {ts::topic::health, io::json_schema<health::health_status>()},
                                                {ts::topic::log, io::json_schema<ts::log_update>()},
-                                               {ts::topic::points, io::json_schema<ts::points_update>()}};
+                                               {ts::topic::points, io::json_schema<ts::points_update>()},
+                                               {ts::topic::missions, io::json_schema<executor::known_missions>()},
+                                               {ts::topic::way_home, io::json_schema<executor::way_home_estimate>()}};
   EXPECT_EQ(std::size(topics), ts::topic_count);
   for (const auto& [topic, sent] : topics)
     expect_covers(schemas.at("topic_" + std::string(io::name_of(topic))), sent, std::string(io::name_of(topic)));

@@ -54,7 +54,7 @@ before(async () => {
   const config = join(world.folder, "config.json");
   const tiles = join(world.folder, "map.mbtiles");
   write_tiles(tiles);
-  writeFileSync(config, JSON.stringify({ operator: { hosts: "drone.local", tiles } }));
+  writeFileSync(config, JSON.stringify({ operator: { hosts: "drone.local", tiles }, flight: { drain_percent_per_min: 3 } }));
   world.more = ["--config", config];
   await world.begin();
   page = await world.open_browser({ name: "drone.local" }); // no secure context: no crypto.subtle, no randomUUID
@@ -84,6 +84,18 @@ test("what the checks have found is shown", async () => {
   await page.click("#tab-plan");
 });
 
+test("the mission that is prepared is listed with its revision and where it comes from", async () => {
+  await page.click("#tab-missions");
+  await shows('#missions [data-place="prepared"]', "file at the start");
+  await shows('#missions [data-place="prepared"]', "0 of 9");
+  await page.click("#tab-plan");
+});
+
+test("what the way home needs of the battery is not known on the ground, and the page says so", async () => {
+  await shows('[data-value="Way home"]', "not known");
+  await shows('[data-value="Way home"]', "the vehicle is not under way");
+});
+
 test("where there is no camera, and nobody looks for points of interest, the page says so", async () => {
   await page.click("#tab-points");
   await shows("#camera-why", "No picture: The camera shows nothing now");
@@ -92,7 +104,7 @@ test("where there is no camera, and nobody looks for points of interest, the pag
 });
 
 test("a mission is dropped, looked at, shown, refused with the reason where it is none, and handed over", async () => {
-  await page.click("#tab-upload");
+  await page.click("#tab-missions");
   await page.setInputFiles("#mission-file", join(root, "tests/data/missions/wrong_types.plan"));
   await page.waitForSelector("#refusal-mission");
   assert.ok(await page.isDisabled("#hand-over-mission"));
@@ -104,9 +116,10 @@ test("a mission is dropped, looked at, shown, refused with the reason where it i
   await page.click("#take-control");
   await hold(page, "#hand-over-mission");
   await shows(".upload .taken", "fence.plan was handed over");
+  await shows("#missions", "upload");
   await page.click("#tab-plan");
   await until(async () => !(await is_shown("#tab-body", "3b0c5c7e")), "the other mission is the plan");
-  await page.click("#tab-upload");
+  await page.click("#tab-missions");
   await page.setInputFiles("#mission-file", world.mission);
   await hold(page, "#hand-over-mission");
   await shows(".upload .taken", "mission.json was handed over");
@@ -131,6 +144,14 @@ test("what moves the vehicle needs control, and is held down to confirm", async 
   await hold(page, "#command-start");
   await shows("#authority strong", "godwit");
   await until(async () => Number(await value_of(page, "Altitude")) > 5, "it climbs");
+});
+
+test("in flight the mission is listed as flown, and what the way home needs stands beside the battery", async () => {
+  await shows('[data-value="Way home"] .value', "needs");
+  assert.match(await text('[data-value="Way home"]'), /needs \d+\s*%\s*\d+ % to spare above \d+ %/);
+  await page.click("#tab-missions");
+  await shows('#missions [data-place="in_flight"]', "flown now");
+  await page.click("#tab-plan");
 });
 
 test("a refusal stands beside its button with its reason", async () => {

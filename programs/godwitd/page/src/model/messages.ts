@@ -99,6 +99,27 @@ export interface points_update {
   waiting: number; // for their turn
 }
 
+export interface known_mission {
+  mission_id: string; // empty: it has none
+  revision: number | null; // null: not known
+  origin: string; // service, file, upload, station, unknown
+  place: string; // prepared, in_flight, waiting, ended, left, refused
+  outcome: string; // of one that has ended: complete, aborted
+  last_report_at: string; // UTC, RFC 3339; empty: nothing was reported of it
+  items: number | null; // null: they are not kept
+  items_done: number | null;
+  reason: string; // why it waits, was refused or does not go on
+}
+
+// What the way home would take of the battery now, as far as it can be known.
+export interface way_home_update {
+  needs_percent: number | null;
+  left_percent: number | null;
+  reserve_percent: number; // at which the failsafe returns
+  spare_percent: number | null; // left above both
+  why_not_known: string;
+}
+
 export interface topics {
   clock: { beat: number };
   link: { phase: string; reason: string };
@@ -114,12 +135,14 @@ export interface topics {
   points: points_update;
   health: health_update;
   log: log_update;
+  missions: { list: known_mission[] };
+  way_home: way_home_update;
 }
 
 export type topic = keyof topics;
 
 export const topic_names: readonly topic[] = ["clock", "link", "position", "attitude", "battery", "gps", "home", "flight",
-  "authority", "progress", "map", "points", "health", "log"];
+  "authority", "progress", "map", "points", "health", "log", "missions", "way_home"];
 
 export interface text<T extends topic = topic> {
   topic: T;

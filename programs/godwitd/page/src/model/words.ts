@@ -1,5 +1,7 @@
 // The words in which the page says what godwitd says by name. Pure. What has no word here is said as it came.
 
+import type { known_mission, way_home_update } from "./messages.ts";
+
 export type tone = "calm" | "good" | "warn" | "bad" | "none";
 
 interface said {
@@ -30,6 +32,37 @@ const phase_tones: Record<string, tone> = {
 
 export function phase_tone(phase: string | undefined): tone {
   return phase_tones[phase ?? ""] ?? "calm";
+}
+
+// Where a mission stands; of one that has ended how.
+export function mission_words(mission: known_mission): said {
+  switch (mission.place) {
+    case "prepared": return { words: "prepared", tone: mission.reason === "" ? "good" : "warn" };
+    case "in_flight": return { words: "flown now", tone: "calm" };
+    case "waiting": return { words: "waits", tone: "warn" };
+    case "ended": return { words: mission.outcome || "over", tone: mission.outcome === "complete" ? "good" : "warn" };
+    case "left": return { words: "left before its end", tone: "none" };
+    case "refused": return { words: "refused", tone: "bad" };
+    default: return { words: plain(mission.place), tone: "none" };
+  }
+}
+
+const origins: Record<string, string> = { service: "missions service", file: "file at the start", upload: "upload",
+  station: "ground station", unknown: "–" };
+
+export function origin_words(origin: string): string {
+  return origins[origin] ?? plain(origin);
+}
+
+// What the way home needs of the battery, beside what is left of it.
+export function way_home_words(view: way_home_update | undefined): { value: string; unit: string; more: string; is_short: boolean } {
+  if (view === undefined) return { value: "–", unit: "", more: "", is_short: false };
+  if (view.needs_percent === null) return { value: "not known", unit: "", more: view.why_not_known, is_short: false };
+  const { spare_percent } = view;
+  const is_short = spare_percent !== null && spare_percent <= 0;
+  const more = is_short ? `the battery lasts just for it, above ${view.reserve_percent} %`
+    : spare_percent === null ? "" : `${Math.floor(spare_percent)} % to spare above ${view.reserve_percent} %`;
+  return { value: `needs ${Math.ceil(view.needs_percent)}`, unit: "%", more, is_short };
 }
 
 export function plain(name: string): string {

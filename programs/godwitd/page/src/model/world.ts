@@ -8,7 +8,7 @@ export const old_ms = 2_000; // a value that is older looks old
 export const max_log_lines = 1_000; // the oldest goes
 
 // Of these a new text comes all the time: their age is that of the value. What else there is holds until it changes.
-const measured: ReadonlySet<topic> = new Set(["position", "attitude", "battery", "gps"]);
+const measured: ReadonlySet<topic> = new Set(["position", "attitude", "battery", "gps", "way_home"]);
 
 export interface log_line extends log_update {
   number: number;

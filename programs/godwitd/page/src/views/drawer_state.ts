@@ -4,12 +4,12 @@ import type { audit_row, preflight_view, status_report } from "../model/messages
 import { ask } from "../net/api.ts";
 import type { page } from "../page.ts";
 
-export type tab_name = "plan" | "points" | "upload" | "plots" | "preflight" | "failsafe" | "actors" | "log" | "audit";
+export type tab_name = "plan" | "points" | "missions" | "plots" | "preflight" | "failsafe" | "actors" | "log" | "audit";
 
 export const drawer_tabs: readonly { name: tab_name; label: string }[] = [
   { name: "plan", label: "Plan" },
   { name: "points", label: "Points" },
-  { name: "upload", label: "Upload" },
+  { name: "missions", label: "Missions" },
   { name: "plots", label: "Plots" },
   { name: "preflight", label: "Preflight" },
   { name: "failsafe", label: "Failsafe" },

@@ -1,4 +1,4 @@
-// Below the map: plan, points of interest, upload, plots, preflight report, failsafe, actors, log, audit.
+// Below the map: plan, points of interest, missions, plots, preflight report, failsafe, actors, log, audit.
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { repeat } from "lit/directives/repeat.js";
@@ -8,9 +8,9 @@ import type { page } from "../page.ts";
 import { actor_tree } from "./actor_tree.ts";
 import { drawer_tabs } from "./drawer_state.ts";
 import { failsafe_part } from "./failsafe_part.ts";
+import { missions_part } from "./missions_part.ts";
 import { points_part } from "./points_part.ts";
 import { preflight_part } from "./preflight_part.ts";
-import { upload_part } from "./upload_part.ts";
 
 function plan_part(all: page): TemplateResult {
   const mission = all.plan?.mission;
@@ -57,16 +57,18 @@ function plots_part(all: page): TemplateResult {
   return html`${all.history.samples.length === 0 ? html`<p class="empty">No position was heard yet.</p>` : nothing}<div id="plots"></div>`;
 }
 
-const parts = { plan: plan_part, points: points_part, upload: upload_part, plots: plots_part, preflight: preflight_part, failsafe: failsafe_part, actors: actor_tree, log: log_part, audit: audit_part };
+const parts = { plan: plan_part, points: points_part, missions: missions_part, plots: plots_part, preflight: preflight_part, failsafe: failsafe_part, actors: actor_tree, log: log_part, audit: audit_part };
 
 export function drawer_view(all: page): TemplateResult {
   const shown = all.drawer.tab;
   const waiting = all.world.get("points")?.shown.length ?? 0;
+  const refused = all.world.get("missions")?.list.filter((each) => each.place === "refused").length ?? 0;
   const red = all.world.get("health")?.parts.filter((each) => each.health === "red").length ?? 0;
   return html`<section class="drawer ${shown === undefined ? "closed" : ""}" aria-label="Details">
     <div class="tabs" role="tablist">${drawer_tabs.map(({ name, label }, index) => html`<button role="tab" type="button" id="tab-${name}"
         aria-selected=${shown === name} aria-controls="tab-body" @click=${() => all.drawer.show(name)}>${label}
         ${name === "points" && waiting > 0 ? html`<b class="count warn">${waiting}</b>` : nothing}
+        ${name === "missions" && refused > 0 ? html`<b class="count warn">${refused}</b>` : nothing}
         ${name === "actors" && red > 0 ? html`<b class="count bad">${red}</b>` : nothing}<kbd aria-hidden="true">${index + 1}</kbd></button>`)}</div>
     ${shown === undefined ? nothing : html`<div id="tab-body" class="tab-body ${shown}" role="tabpanel" tabindex="0" aria-labelledby="tab-${shown}">
       ${all.drawer.refusal === "" ? nothing : html`<p class="refusal">${all.drawer.refusal}</p>`}${parts[shown](all)}</div>`}

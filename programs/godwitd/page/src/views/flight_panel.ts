@@ -2,15 +2,15 @@
 import { html, nothing } from "lit";
 import type { TemplateResult } from "lit";
 import type { topic } from "../model/messages.ts";
-import { age_words, authority_words, fix_words, number_words, phase_tone, plain } from "../model/words.ts";
+import { age_words, authority_words, fix_words, number_words, phase_tone, plain, way_home_words } from "../model/words.ts";
 import { old_ms } from "../model/world.ts";
 import type { page } from "../page.ts";
 
 // An instrument: its value, or how old it is.
-function instrument(all: page, from: topic, label: string, value: string, unit: string, more = ""): TemplateResult {
+function instrument(all: page, from: topic, label: string, value: string, unit: string, more = "", is_wrong = false): TemplateResult {
   const age = all.world.age_ms(from, all.now());
   const is_old = age > old_ms;
-  return html`<div class="instrument ${is_old ? "old" : ""}" data-value=${label}>
+  return html`<div class="instrument ${is_old ? "old" : ""} ${is_wrong ? "wrong" : ""}" data-value=${label}>
     <dt>${label}</dt>
     <dd><span class="value">${value}</span> <span class="unit">${unit}</span>
       ${more === "" ? nothing : html`<span class="more">${more}</span>`}
@@ -50,6 +50,7 @@ export function instruments(all: page): TemplateResult {
   const gps = world.get("gps");
   const flight = world.get("flight");
   const charge = battery?.remaining_percent ?? null;
+  const home = way_home_words(world.get("way_home"));
   return html`<dl class="instruments" id="instruments">
     ${instrument(all, "position", "Altitude", number_words(position?.altitude_m, 1), "m", "above home")}
     ${instrument(all, "position", "Speed", number_words(position?.ground_speed_mps, 1), "m/s", "over ground")}
@@ -57,6 +58,7 @@ export function instruments(all: page): TemplateResult {
     ${instrument(all, "position", "Heading", number_words(position?.heading_deg, 0), "°")}
     ${instrument(all, "battery", "Battery", number_words(charge, 0), "%",
       battery === undefined ? "" : `${number_words(battery.voltage_v, 1)} V ${number_words(battery.current_a, 1)} A`)}
+    ${instrument(all, "way_home", "Way home", home.value, home.unit, home.more, home.is_short)}
     ${instrument(all, "gps", "GPS", gps === undefined ? "–" : fix_words(gps.fix), "",
       gps === undefined ? "" : `${gps.satellites ?? "–"} satellites${gps.accuracy_m === null ? "" : `, ±${number_words(gps.accuracy_m, 1)} m`}`)}
     ${instrument(all, "flight", "Mode", flight === undefined || flight.mode === "" ? "–" : plain(flight.mode), "",

@@ -75,7 +75,11 @@ void actor::ask_points() {
     return;
   ask(
       others_->points, answer_timeout, scan_controller::get_points{},
-      [this](const scan_controller::points& m) { publish(core_.take(m, handler_time().wall_ns)); },
+      [this](const scan_controller::points& m) {
+        pictured_points now{others_->pictured ? others_->pictured() : std::vector<std::uint64_t>()};
+        observe(now, pictured_);
+        publish(core_.take(m, now.numbers, handler_time().wall_ns));
+      },
       [this](const runtime::ask_error& why) {
         if (why.code == runtime::ask_errc::not_taken)
           publish(core_.take_no_points());

@@ -11,8 +11,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "actors/telemetry_stream/core.hpp"
 #include "actors/telemetry_stream/hub.hpp"
@@ -27,12 +29,20 @@ struct peers {
   runtime::mailbox<runtime::asks<executor::get_flight, executor::flight_status>> flight;
   runtime::mailbox<runtime::asks<executor::get_missions, executor::known_missions>> missions;
   runtime::mailbox<runtime::asks<scan_controller::get_points, scan_controller::points>> points;
+  std::function<std::vector<std::uint64_t>()> pictured; // numbers of points that the camera has shown; does not block
 };
 
 // Whether anybody listens: an input that comes by no mailbox.
 struct audience {
   bool is_there = false;
   static constexpr auto fields = io::table("telemetry_stream.audience", io::field("is_there", &audience::is_there));
+};
+
+// Points that the camera has shown; the same.
+struct pictured_points {
+  std::vector<std::uint64_t> numbers;
+  static constexpr auto fields =
+      io::table("telemetry_stream.pictured_points", io::field("numbers", &pictured_points::numbers));
 };
 
 class actor final : public runtime::actor_base<own_handle> {
@@ -60,7 +70,8 @@ private:
   std::shared_ptr<hub> hub_;
   core core_;
   std::uint64_t beats_ = 0;
-  std::optional<audience> seen_; // as recorded last
+  std::optional<audience> seen_;            // as recorded last
+  std::optional<pictured_points> pictured_; // the same
 };
 
 } // namespace godwit::telemetry_stream

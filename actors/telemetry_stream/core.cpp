@@ -1,5 +1,6 @@
 #include "actors/telemetry_stream/core.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -140,8 +141,9 @@ publications core::take(const mapobjects_store::map_status& m, std::int64_t) {
   return {std::move(now)};
 }
 
-publications core::take(const scan_controller::points& m, std::int64_t wall_ns) {
-  return show_points(update_of(m, wall_ns));
+publications core::take(const scan_controller::points& m, std::span<const std::uint64_t> pictured,
+                        std::int64_t wall_ns) {
+  return show_points(update_of(m, pictured, wall_ns));
 }
 
 publications core::take_no_points() {
@@ -166,14 +168,16 @@ publications core::beat() { return {made(topic::clock, clock_update{++beats_})};
 
 std::string json_of(const log_update& said) { return io::to_json(said); }
 
-points_update update_of(const scan_controller::points& m, std::int64_t wall_ns) {
-  const auto described = [](const scan_controller::point_view& each) {
+points_update update_of(const scan_controller::points& m, std::span<const std::uint64_t> pictured,
+                        std::int64_t wall_ns) {
+  const auto described = [pictured](const scan_controller::point_view& each) {
     return point_of_interest{each.number,
                              each.class_group,
                              each.position.latitude_deg,
                              each.position.longitude_deg,
                              each.confidence,
                              each.has_moved,
+                             std::ranges::find(pictured, each.number) != pictured.end(),
                              0,
                              each.by};
   };

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,9 @@ public:
   [[nodiscard]] publications take(const executor::way_home_estimate& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const health::health_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const mapobjects_store::map_status& m, std::int64_t now_ns);
-  // WALL_NS: since 1970 (UTC).
-  [[nodiscard]] publications take(const scan_controller::points& m, std::int64_t wall_ns);
+  // PICTURED: the numbers of points that the camera has shown. WALL_NS: since 1970 (UTC).
+  [[nodiscard]] publications take(const scan_controller::points& m, std::span<const std::uint64_t> pictured,
+                                  std::int64_t wall_ns);
   [[nodiscard]] publications take_no_points(); // nobody looks for them
   [[nodiscard]] publications beat();
 
@@ -74,7 +76,8 @@ private:
 };
 
 [[nodiscard]] std::string json_of(const log_update& said);
-// As people see them. WALL_NS: since 1970 (UTC).
-[[nodiscard]] points_update update_of(const scan_controller::points& m, std::int64_t wall_ns);
+// As people see them; the same.
+[[nodiscard]] points_update update_of(const scan_controller::points& m, std::span<const std::uint64_t> pictured,
+                                      std::int64_t wall_ns);
 
 } // namespace godwit::telemetry_stream

@@ -3,3 +3,4 @@
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::telemetry_stream::audience);
+GODWIT_DEFINE_MESSAGE(godwit::telemetry_stream::pictured_points);

@@ -170,6 +170,7 @@ struct point_of_interest {
   double longitude_deg = 0;
   double confidence = 0; // 0..1
   bool has_moved = false;
+  bool has_picture = false;         // the camera has shown it: GET /api/v1/points/N/picture
   std::int64_t decide_until_ms = 0; // of one that is shown
   std::string by;                   // of one that is confirmed: who did
   static constexpr auto fields = io::table(
@@ -178,6 +179,7 @@ struct point_of_interest {
       io::field("latitude_deg", &point_of_interest::latitude_deg),
       io::field("longitude_deg", &point_of_interest::longitude_deg),
       io::field("confidence", &point_of_interest::confidence), io::field("has_moved", &point_of_interest::has_moved),
+      io::field("has_picture", &point_of_interest::has_picture),
       io::field("decide_until_ms", &point_of_interest::decide_until_ms), io::field("by", &point_of_interest::by));
   friend bool operator==(const point_of_interest&, const point_of_interest&) = default;
 };

@@ -222,6 +222,7 @@ void composition::surround_views() {
   if (wanted_.operators || wanted_.fleet)
     views_outside_.stream = std::make_shared<telemetry_stream::hub>(outside_.seed);
   views_outside_.read_host = [this] { return read_host(); };
+  views_outside_.pictured_points = pictured_points();
   if (!wanted_.fleet)
     return;
   broker_ = make_broker_access(*wanted_.fleet);
@@ -251,7 +252,7 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.missions = flight_.executor;
   of_desk.bridge = flight_.bridge;
   if (wanted_.operators)
-    operators_.add_desks(host_->actors(), wanted_, flight_, base_.failsafe);
+    operators_.add_desks(host_->actors(), wanted_, flight_, base_.failsafe, pictured_points());
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
@@ -398,6 +399,12 @@ void composition::open_ground() {
                   "\ngodwitd goes on without them; mend it and start godwitd again",
               true},
              "ground_port");
+}
+
+std::function<std::vector<std::uint64_t>()> composition::pictured_points() const {
+  if (!point_pictures_)
+    return {};
+  return [pictures = point_pictures_] { return pictures->points(); };
 }
 
 health::host_figures composition::read_host() const {

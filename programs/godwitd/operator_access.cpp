@@ -33,9 +33,11 @@ operator_port::route_list camera_routes(const operator_access::sources& from, co
 } // namespace
 
 void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const flight_actors& flight,
-                                const failsafe::own_handle& failsafe) {
+                                const failsafe::own_handle& failsafe,
+                                std::function<std::vector<std::uint64_t>()> pictured_points) {
   desk_ = actors.add<operator_port::operator_desk>(
-      {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight.bridge, flight.scan, failsafe}, answers_);
+      {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight.bridge, flight.scan, failsafe, std::move(pictured_points)},
+      answers_);
   page_desks_ = add_page_desks(actors, wanted, flight, answers_);
 }
 

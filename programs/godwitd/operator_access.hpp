@@ -7,9 +7,11 @@
 // Without the port in the settings nothing of it is there. Thread: one owner, but for `note`.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "io/eyes/helper.hpp"
 #include "messages/failsafe/handle.hpp"
@@ -40,9 +42,9 @@ public:
   explicit operator_access(bool uses_tls)
       : answers_(std::make_shared<operator_port::waiting_answers>(uses_tls)) {}
 
-  // Before the actors start; in a daemon that flies.
+  // Before the actors start; in a daemon that flies. PICTURED_POINTS: which the camera has shown; empty: there is none.
   void add_desks(runtime::system& actors, const daemon_settings& wanted, const flight_actors& flight,
-                 const failsafe::own_handle& failsafe);
+                 const failsafe::own_handle& failsafe, std::function<std::vector<std::uint64_t>()> pictured_points);
   // A port that is taken is said, and is no reason not to fly. HOST and SAY outlive it.
   void open(runtime::process& host, const operator_port::settings& wanted, const view_surroundings& shown,
             const view_actors& views, sources from, sayer say);

@@ -12,16 +12,17 @@
 namespace godwit::daemon {
 namespace {
 
-telemetry_stream::own_handle add_stream(runtime::system& actors, const std::shared_ptr<telemetry_stream::hub>& to,
+telemetry_stream::own_handle add_stream(runtime::system& actors, const view_surroundings& outside,
                                         const base_actors& base, const flight_actors& flight) {
   const auto of_stream = std::make_shared<telemetry_stream::peers>();
   of_stream->map = base.store;
   of_stream->flight = flight.executor;
   of_stream->missions = flight.executor;
   of_stream->points = flight.scan;
+  of_stream->pictured = outside.pictured_points;
   auto made =
       actors.add<telemetry_stream::actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, replaceable,
-                                          std::shared_ptr<const telemetry_stream::peers>(of_stream), to);
+                                          std::shared_ptr<const telemetry_stream::peers>(of_stream), outside.stream);
   base.of_vehicle->add(made);
   if (flight.of_executor) {
     flight.of_executor->watchers.emplace_back(made);
@@ -66,7 +67,7 @@ view_actors add_views(runtime::system& actors, const view_surroundings& outside,
   of_health->service = base.client;
   of_health->map = base.store;
   if (outside.stream) {
-    made.stream = add_stream(actors, outside.stream, base, flight);
+    made.stream = add_stream(actors, outside, base, flight);
     of_health->listeners.emplace_back(made.stream);
   }
   if (outside.fleet) {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actors/fleet_link/broker_port.hpp"
 #include "actors/fleet_link/settings.hpp"
@@ -35,9 +36,10 @@ struct fleet_surroundings {
 
 struct view_surroundings {
   std::shared_ptr<health::report_port> reports = std::make_shared<health::report_port>();
-  std::function<health::host_figures()> read_host; // empty: there are none
-  std::shared_ptr<telemetry_stream::hub> stream;   // none: nobody can subscribe, and there is no stream
-  std::optional<fleet_surroundings> fleet;         // with a stream; none: no broker is told anything
+  std::function<health::host_figures()> read_host;             // empty: there are none
+  std::shared_ptr<telemetry_stream::hub> stream;               // none: nobody can subscribe, and there is no stream
+  std::function<std::vector<std::uint64_t>()> pictured_points; // of interest, that the camera has shown; empty: none
+  std::optional<fleet_surroundings> fleet;                     // with a stream; none: no broker is told anything
 };
 
 struct view_actors {

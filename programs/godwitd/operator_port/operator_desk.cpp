@@ -118,7 +118,8 @@ void operator_desk::list_points(const api_request& asked) {
   ask(
       others_.points, answer_timeout, scan_controller::get_points{},
       [this, asked](const scan_controller::points& seen) {
-        answers_->resolve(asked.ticket, answer_of(telemetry_stream::update_of(seen, wall_ns())));
+        const auto pictured = others_.pictured ? others_.pictured() : std::vector<std::uint64_t>();
+        answers_->resolve(asked.ticket, answer_of(telemetry_stream::update_of(seen, pictured, wall_ns())));
       },
       [this, asked](const runtime::ask_error& why) {
         answers_->resolve(asked.ticket, why.code == runtime::ask_errc::not_taken

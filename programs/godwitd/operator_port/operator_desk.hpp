@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "io/fields/field_table.hpp"
 #include "messages/failsafe/types.hpp"
@@ -90,6 +91,8 @@ struct desk_peers {
   bridge_handle bridge;
   scan_controller::operator_handle points;
   override_handle failsafe;
+  // Numbers of points that the camera has shown; empty: there is no camera. Does not block.
+  std::function<std::vector<std::uint64_t>()> pictured = {};
 };
 
 class operator_desk final : public runtime::actor_base<desk_inlet> {

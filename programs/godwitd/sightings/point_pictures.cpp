@@ -30,4 +30,12 @@ std::optional<io::eyes::cutout> point_pictures::of(std::uint64_t point) const {
   return found == points_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::vector<std::uint64_t> point_pictures::points() const {
+  const std::lock_guard guard(mutex_);
+  std::vector<std::uint64_t> result;
+  for (const auto& [point, picture] : points_)
+    result.push_back(point);
+  return result;
+}
+
 } // namespace godwit::daemon

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/eyes/picture_slot.hpp"
 
@@ -28,6 +29,7 @@ public:
   // The sighting has become a part of this point. Of one without a picture nothing happens.
   void belongs(const std::string& sighting_id, std::uint64_t point);
   [[nodiscard]] std::optional<io::eyes::cutout> of(std::uint64_t point) const;
+  [[nodiscard]] std::vector<std::uint64_t> points() const; // that have one, the lowest first
 
 private:
   mutable std::mutex mutex_;                                     // over all that follows

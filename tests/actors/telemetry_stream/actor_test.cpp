@@ -52,6 +52,7 @@ struct process {
   process() : world(disk, 1) {
     const auto others = std::make_shared<peers>();
     others->map = world.actors().add<map_stand_in>({.name = "map"}, {}, &asked);
+    others->pictured = [this] { return pictured; };
     others->points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &seen);
     who = world.actors().add<actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, {},
                                     std::shared_ptr<const peers>(others), all);
@@ -73,6 +74,7 @@ struct process {
   }
   int asked = 0;
   scan_controller::points seen;
+  std::vector<std::uint64_t> pictured; // points that the camera has shown
   std::shared_ptr<hub> all = std::make_shared<hub>(1);
   runtime::simulated_disk disk;
   runtime::simulation world;
@@ -148,6 +150,24 @@ TEST(telemetry_stream, who_comes_hears_all_points_of_interest_and_then_each_chan
   EXPECT_EQ(heard[0].at("confirmed").size(), 2U);
   p.world.advance(10s);
   EXPECT_TRUE(p.texts_of(*place, "points").empty()) << "nothing has changed";
+}
+
+TEST(telemetry_stream, a_point_says_whether_it_has_a_picture_and_again_when_it_gets_one) {
+  process p;
+  p.seen.shown.emplace_back().number = 3;
+  p.seen.shown.emplace_back().number = 4;
+  p.pictured = {4};
+  const auto place = p.all->subscribe({{topic::points, 0}}, [] {}).value();
+  p.world.advance(2500ms);
+  auto heard = p.texts_of(*place, "points");
+  ASSERT_FALSE(heard.empty());
+  EXPECT_EQ(heard.back().at("shown").at(0).at("has_picture"), false);
+  EXPECT_EQ(heard.back().at("shown").at(1).at("has_picture"), true);
+  p.pictured = {3, 4};
+  p.world.advance(2s);
+  heard = p.texts_of(*place, "points");
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard[0].at("shown").at(0).at("has_picture"), true);
 }
 
 } // namespace

@@ -81,7 +81,7 @@ var pc=Object.create;var al=Object.defineProperty;var mc=Object.getOwnPropertyDe
     <canvas id="camera" width="320" height="180" role="img" aria-label="What the camera shows"></canvas>
     <figcaption id="camera-age">${l===""?q:A`<span class=${r?"age":""}>${l}</span>`}
       ${i.why_none===""?q:A`<span id="camera-why">No picture: ${i.why_none}</span>`}
-      ${l===""&&i.why_none===""?"The camera is asked\u2026":q}</figcaption></figure>`}var fh=n=>({latitude:n.latitude_deg,longitude:n.longitude_deg});function Pd(n){let i=s=>r=>{r.target.hidden=!s};return A`<img class="cut-out" src="/api/v1/points/${n.number}/picture" alt="Point ${n.number}" hidden
+      ${l===""&&i.why_none===""?"The camera is asked\u2026":q}</figcaption></figure>`}var fh=n=>({latitude:n.latitude_deg,longitude:n.longitude_deg});function Pd(n){if(!n.has_picture)return q;let i=s=>r=>{r.target.hidden=!s};return A`<img class="cut-out" src="/api/v1/points/${n.number}/picture" alt="Point ${n.number}" hidden
       @load=${i(!0)} @error=${i(!1)}>`}function ph(n,i){let s=n.vehicle();return A`<td><b>${i.number}</b></td><td>${Pd(i)}</td><td>${qt(i.class_group)}${i.has_moved?A` <small>has moved</small>`:q}</td>
     <td>${Math.round(100*i.confidence)} %</td><td>${s===void 0?"\u2013":er(ko(s,fh(i)))}</td>`}function kd(n,i){let s=En(n,!1),r=`point-${i.number}`,l=Math.max(0,Math.ceil((i.decide_until_ms-n.world.godwit_ms(n.now()))/1e3)),c=(d,v)=>A`<button class="act small" type="button" id="${d}-${i.number}"
       ?disabled=${s!==""||n.commander.under_way.has(r)} title=${s||(d==="confirm"?"of interest; nothing flies there by it":"of no interest: such things there are not shown again")}

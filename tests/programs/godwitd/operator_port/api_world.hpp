@@ -162,8 +162,8 @@ public:
     points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &decided);
     const auto failsafe = world.actors().add<failsafe_stand_in>({.name = "failsafe"}, {}, &overridden);
     answers = std::make_shared<waiting_answers>(wanted.is_secure);
-    desk =
-        world.actors().add<operator_desk>({.name = "operator_desk"}, {}, desk_peers{bridge, points, failsafe}, answers);
+    desk = world.actors().add<operator_desk>(
+        {.name = "operator_desk"}, {}, desk_peers{bridge, points, failsafe, [this] { return pictured; }}, answers);
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
     const auto uploads = world.actors().add<mission_desk>(
         {.name = "mission_desk"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
@@ -265,6 +265,7 @@ public:
   runtime::simulation world;
   std::vector<operators::command> obeyed;
   std::vector<scan_controller::decide_point> decided;
+  std::vector<std::uint64_t> pictured; // points of interest that the camera has shown
   std::vector<failsafe::override_rule> overridden;
   std::vector<mission::document> missions; // that were handed over
   bool is_in_flight = false;

@@ -138,6 +138,10 @@ TEST(operator_api, points_of_interest_are_shown_to_who_is_logged_in) {
   EXPECT_EQ(seen.status, 200U);
   EXPECT_EQ(seen.body.at("is_looking"), true);
   EXPECT_EQ(seen.body.at("shown").at(0).at("number"), 4);
+  EXPECT_EQ(seen.body.at("shown").at(0).at("has_picture"), false);
+  world.pictured = {4};
+  EXPECT_EQ(world.ask_as(world.log_in("anna", role::operator_), "GET", points).body.at("shown").at(0).at("has_picture"),
+            true);
   EXPECT_EQ(world.ask("GET", points).status, 401U);
 }
 

@@ -75,6 +75,10 @@ test("in flight the newest picture is shown with its age", async () => {
   assert.equal(await page.evaluate("document.getElementById('camera').width"), 320);
 });
 
+test("no picture is asked for of a point that the camera has not shown", () => {
+  assert.deepEqual(page.said.filter((each) => /404/.test(each)), []);
+});
+
 test("a confirmed point is flown to by a second word, which shows the way and is held down", async () => {
   await page.click("[id^=visit-]");
   await shows(".going", "from the vehicle");

@@ -21,6 +21,7 @@ TEST(point_pictures, a_point_has_the_newest_picture_of_its_sightings) {
   ASSERT_TRUE(all.of(1));
   EXPECT_EQ(all.of(1)->captured_ns, 300);
   EXPECT_FALSE(all.of(2));
+  EXPECT_EQ(all.points(), std::vector<std::uint64_t>{1}) << "of others nobody needs to ask";
 }
 
 TEST(point_pictures, of_sightings_that_wait_and_of_points_the_oldest_go) {

@@ -87,6 +87,7 @@ export interface point_of_interest {
   longitude_deg: number;
   confidence: number; // 0..1
   has_moved: boolean;
+  has_picture: boolean; // the camera has shown it
   decide_until_ms: number; // of one that is shown
   by: string; // of one that is confirmed: who did
 }

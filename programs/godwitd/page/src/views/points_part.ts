@@ -25,7 +25,8 @@ function picture_part(all: page): TemplateResult {
 const place_of = (point: point_of_interest): place => ({ latitude: point.latitude_deg, longitude: point.longitude_deg });
 
 // What the camera saw of it, where there is a picture.
-function cut_out(point: point_of_interest): TemplateResult {
+function cut_out(point: point_of_interest): TemplateResult | typeof nothing {
+  if (!point.has_picture) return nothing;
   const show = (shown: boolean) => (event: Event) => { (event.target as HTMLElement).hidden = !shown; };
   return html`<img class="cut-out" src="/api/v1/points/${point.number}/picture" alt="Point ${point.number}" hidden
       @load=${show(true)} @error=${show(false)}>`;

@@ -18,7 +18,7 @@ function opened(): world {
   return all;
 }
 
-const point = (n: number) => ({ number: n, class_group: "person", latitude_deg: 47, longitude_deg: 8, confidence: 0.9, has_moved: false,
+const point = (n: number) => ({ number: n, class_group: "person", latitude_deg: 47, longitude_deg: 8, confidence: 0.9, has_moved: false, has_picture: false,
   decide_until_ms: 1_060_000, by: "" });
 const points = (...numbers: number[]) => said("points", { is_looking: true, mission_id: "m", shown: numbers.map(point), confirmed: [], waiting: 0 });
 

@@ -12,9 +12,14 @@
 #include "io/fields/json_schema.hpp"
 #include "io/json_schema/compiled_schema.hpp"
 #include "programs/godwitd/operator_port/camera_api.hpp"
+#include "programs/godwitd/operator_port/log_api.hpp"
+#include "programs/godwitd/operator_port/mission_api.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
+#include "programs/godwitd/operator_port/page_files.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
+#include "programs/godwitd/operator_port/tile_file.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
+#include "programs/godwitd/operator_port/view_desk.hpp"
 #include "tests/programs/godwitd/operator_port/api_world.hpp"
 
 namespace {
@@ -28,6 +33,7 @@ json described() {
   return json::parse(file, nullptr, true, true);
 }
 
+// All but the files of the page, as the description says.
 std::set<std::string> served() {
   boost::asio::io_context io;
   const auto view =
@@ -35,7 +41,9 @@ std::set<std::string> served() {
   const auto stream = std::make_shared<stream_api>(io, std::make_shared<telemetry_stream::hub>());
   std::set<std::string> result;
   const auto camera = std::make_shared<camera_api>(camera_parts{});
-  for (const auto& routes : {view->routes(), camera->routes(), stream->routes(), routes_of(nullptr)})
+  const auto log = std::make_shared<log_api>();
+  for (const auto& routes : {view->routes(), camera->routes(), stream->routes(), routes_of(nullptr), log->routes(),
+                             view_routes(nullptr, {}), mission_routes(nullptr, {}), tile_routes(nullptr)})
     for (const auto& each : routes)
       result.insert(std::string(each.method) + " " + std::string(each.path));
   return result;
@@ -168,6 +176,8 @@ TEST(operator_port_openapi, describes_what_is_really_answered) {
   ask(anna, "GET", "/api/v1/audit?rows=5", 200);
   ask(anna, "GET", "/api/v1/audit?rows=0", 400);
   ask(eve, "GET", "/api/v1/audit", 403);
+  ask(anna, "GET", "/api/v1/plan", 200);
+  ask(anna, "GET", "/api/v1/preflight", 200);
   ask(anna, "GET", "/api/v1/session", 200);
   ask("nobody", "POST", "/api/v1/session", 401, {{"link", "none"}});
   ask("nobody", "POST", "/api/v1/session", 400, {{"name", "anna"}});
@@ -175,15 +185,46 @@ TEST(operator_port_openapi, describes_what_is_really_answered) {
   ask(anna, "GET", "/api/v1/session", 401);
 }
 
-TEST(operator_port_openapi, describes_the_routes_that_there_are_and_no_others) {
-  EXPECT_EQ(described_routes(), served());
+TEST(operator_port_openapi, describes_what_is_answered_to_who_brings_a_mission) {
+  tests::api_world world;
+  const auto anna = world.log_in("anna", operators::role::operator_);
+  const auto eve = world.log_in("eve", operators::role::viewer);
+  const auto send = [&](const std::string& who, const std::string& target, const std::string& file, unsigned status) {
+    const auto answer = world.send_file(target, file, who);
+    EXPECT_EQ(answer.status, status) << target << " " << answer.body.dump();
+    expect_described(answer, "post", target.substr(0, target.find('?')));
+  };
+  std::ifstream file(GODWIT_TEST_DATA "/missions/simple.plan");
+  const std::string plan(std::istreambuf_iterator<char>(file), {});
+  for (const std::string path : {"/api/v1/missions/check", "/api/v1/missions"}) {
+    send(anna, path, plan, 400);
+    send(anna, path + "?format=plan", "{", 422);
+  }
+  send(anna, "/api/v1/missions/check?format=plan", plan, 200);
+  send(anna, "/api/v1/missions?format=plan", plan, 423);
+  send(eve, "/api/v1/missions?format=plan", plan, 403);
+  send({}, "/api/v1/missions?format=plan", plan, 401);
+  EXPECT_EQ(world.ask_as(anna, "POST", "/api/v1/control", {{"act", "take"}}).status, 200U);
+  send(anna, "/api/v1/missions?format=plan", plan, 200);
+  world.is_in_flight = true;
+  send(anna, "/api/v1/missions?format=plan", plan, 409);
 }
 
-TEST(operator_port_openapi, describes_each_field_of_a_report_and_of_health) {
+TEST(operator_port_openapi, describes_the_routes_that_there_are_but_the_files_of_the_page_and_no_others) {
+  EXPECT_EQ(described_routes(), served());
+  const auto rule = described().at("info").at("description").get<std::string>();
+  for (const auto& each : page_files()) {
+    EXPECT_FALSE(described_routes().contains("GET " + std::string(each.path))) << each.path;
+    EXPECT_NE(rule.find(each.path), std::string::npos) << each.path << " is left out, and not said to be";
+  }
+}
+
+TEST(operator_port_openapi, describes_each_field_of_a_report_of_health_and_of_the_checks) {
   const auto api = described();
   const auto schemas = resolved(api.at("components").at("schemas"), api);
   expect_covers(schemas.at("report"), io::json_schema<health::report>(), "report");
   expect_covers(schemas.at("health"), io::json_schema<health::health_status>(), "health");
+  expect_covers(schemas.at("preflight"), io::json_schema<executor::preflight_view>(), "preflight");
 }
 
 TEST(operator_port_openapi, describes_each_topic_of_the_stream) {

@@ -7,6 +7,7 @@
 #include "actors/mapobjects_store/ignore_list.hpp"
 #include "actors/mapobjects_store/map_summary.hpp"
 #include "actors/mapobjects_store/mission_scope.hpp"
+#include "actors/mapobjects_store/object_view.hpp"
 #include "actors/mapobjects_store/orphans.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
 
@@ -95,6 +96,12 @@ actor::behavior_type actor::handlers() {
           on_change<get_owed, owed_list>(
               [](map_tables& t, const get_owed&) { return all_owed(t.q); },
               [](owed_list& answer, const std::vector<owed>& found) { answer.missions = found; }),
+          on_change<get_objects, shown_objects>(look_at_objects,
+                                                [](shown_objects& answer, const objects_found& found) {
+                                                  answer.list = found.list;
+                                                  answer.counted = found.counted;
+                                                  answer.is_all = found.is_all;
+                                                }),
           on_change<get_map, map_status>([](map_tables& t, const get_map&) { return summary(t); }, whole_answer),
           on<wake>([this](const wake&) { give_answers(); }),
           on<look>([this](const look& due) {

@@ -12,7 +12,7 @@ namespace godwit::mapobjects_store {
 
 // All that an ask can be answered with.
 using any_answer = std::variant<sighting_answer, pass_answer, verdict_answer, map_answer, load_answer, batch,
-                                open_batches, moved_rows, owed_list, map_status>;
+                                open_batches, moved_rows, owed_list, map_status, shown_objects>;
 
 [[nodiscard]] map_failure failure_of(map_errc code);
 

@@ -19,6 +19,9 @@ using operator_handle =
                      runtime::asks<requeue_mission, moved_rows>, runtime::asks<get_owed, owed_list>,
                      runtime::asks<get_map, map_status>>;
 
+// Who shows the map to people.
+using viewer_handle = runtime::mailbox<runtime::asks<get_objects, shown_objects>>;
+
 // Who talks with the missions service.
 using client_handle =
     runtime::mailbox<runtime::asks<choose_mission, map_answer>, runtime::asks<begin_load, load_answer>,
@@ -46,6 +49,7 @@ using handle =
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
 // All of it.
-using own_handle = runtime::combine<handle, runtime::mailbox<runtime::tells<wake>, runtime::tells<look>>>;
+using own_handle =
+    runtime::combine<handle, viewer_handle, runtime::mailbox<runtime::tells<wake>, runtime::tells<look>>>;
 
 } // namespace godwit::mapobjects_store

@@ -6,6 +6,7 @@
 #include "messages/mapobjects_store/operator_verdict.hpp"
 #include "messages/mapobjects_store/pass.hpp"
 #include "messages/mapobjects_store/scope.hpp"
+#include "messages/mapobjects_store/shown.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "messages/mapobjects_store/wake.hpp"
 #include "runtime/define_message.hpp"
@@ -19,6 +20,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::delete_mission);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::finish_load);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::get_batches);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::get_map);
+GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::get_objects);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::get_owed);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::load_answer);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::load_page);
@@ -35,6 +37,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::pass_end);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::pull_failed);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::requeue_mission);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::return_batch);
+GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::shown_objects);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::sighting);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::sighting_answer);
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::take_batch);

@@ -9,6 +9,7 @@
 #include "messages/mapobjects_store/operator_verdict.hpp"
 #include "messages/mapobjects_store/pass.hpp"
 #include "messages/mapobjects_store/scope.hpp"
+#include "messages/mapobjects_store/shown.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "messages/mapobjects_store/sync_state.hpp"
 #include "messages/mapobjects_store/wake.hpp"

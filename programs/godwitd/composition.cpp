@@ -252,7 +252,7 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.missions = flight_.executor;
   of_desk.bridge = flight_.bridge;
   if (wanted_.operators)
-    operators_.add_desks(host_->actors(), wanted_, flight_, base_.failsafe, pictured_points());
+    operators_.add_desks(host_->actors(), wanted_, base_, flight_, pictured_points());
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;

@@ -32,13 +32,13 @@ operator_port::route_list camera_routes(const operator_access::sources& from, co
 
 } // namespace
 
-void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const flight_actors& flight,
-                                const failsafe::own_handle& failsafe,
+void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
+                                const flight_actors& flight,
                                 std::function<std::vector<std::uint64_t>()> pictured_points) {
   desk_ = actors.add<operator_port::operator_desk>(
-      {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight.bridge, flight.scan, failsafe, std::move(pictured_points)},
+      {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe, std::move(pictured_points)},
       answers_);
-  page_desks_ = add_page_desks(actors, wanted, flight, answers_);
+  page_desks_ = add_page_desks(actors, wanted, base, flight, answers_);
 }
 
 void operator_access::make_apis(runtime::process& host, const view_surroundings& shown, const view_actors& views) {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "io/eyes/helper.hpp"
-#include "messages/failsafe/handle.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/control/port_view.hpp"
 #include "programs/godwitd/operator_port/log_api.hpp"
@@ -43,8 +42,8 @@ public:
       : answers_(std::make_shared<operator_port::waiting_answers>(uses_tls)) {}
 
   // Before the actors start; in a daemon that flies. PICTURED_POINTS: which the camera has shown; empty: there is none.
-  void add_desks(runtime::system& actors, const daemon_settings& wanted, const flight_actors& flight,
-                 const failsafe::own_handle& failsafe, std::function<std::vector<std::uint64_t>()> pictured_points);
+  void add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
+                 const flight_actors& flight, std::function<std::vector<std::uint64_t>()> pictured_points);
   // A port that is taken is said, and is no reason not to fly. HOST and SAY outlive it.
   void open(runtime::process& host, const operator_port::settings& wanted, const view_surroundings& shown,
             const view_actors& views, sources from, sayer say);

@@ -20,11 +20,12 @@ std::string why_no_missions(const daemon_settings& settings) {
 
 } // namespace
 
-page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings, const flight_actors& flight,
-                          const answers_ptr& answers) {
+page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings, const base_actors& base,
+                          const flight_actors& flight, const answers_ptr& answers) {
   page_desks made;
   made.views = actors.add<operator_port::view_desk>({.name = "view_desk", .policy = runtime::on_crash::lose},
-                                                    replaceable, executor::view_handle(flight.executor), answers);
+                                                    replaceable, executor::view_handle(flight.executor),
+                                                    mapobjects_store::viewer_handle(base.store), answers);
   made.missions = actors.add<operator_port::mission_desk>(
       {.name = "mission_desk", .policy = runtime::on_crash::lose}, replaceable,
       operator_port::mission_peers{flight.bridge, flight.executor, flight.executor}, answers,

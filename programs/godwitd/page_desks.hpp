@@ -23,7 +23,8 @@ struct page_desks {
 using answers_ptr = std::shared_ptr<operator_port::waiting_answers>;
 
 [[nodiscard]] page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings,
-                                        const flight_actors& flight, const answers_ptr& answers);
+                                        const base_actors& base, const flight_actors& flight,
+                                        const answers_ptr& answers);
 
 [[nodiscard]] operator_port::route_list page_desk_routes(runtime::system& actors, const page_desks& desks,
                                                          const answers_ptr& answers);

@@ -1,35 +1,75 @@
-// Asks the executor what people look at, for GET /api/v1/plan and GET /api/v1/preflight.
+// Asks for what people look at: GET /api/v1/plan and GET /api/v1/preflight of the executor, GET /api/v1/map/objects of
+// the map.
 //
-//   request ──ticket──> view_desk ──get_plan, get_preflight──> executor ──> view as JSON ──> answer
+//   request ──ticket──> view_desk ──get_plan, get_preflight──> executor ──────────> view as JSON ──> answer
+//                                 ──get_objects──────────────> mapobjects_store ──>
 //
-// It causes nothing, nothing waits for it, and it is not essential. Errors: 503 and 504. Thread: as actor_base.
+//   /api/v1/map/objects?bbox=WEST,SOUTH,EAST,NORTH&limit=N     in degrees; both can be left out
+//
+// It causes nothing, nothing waits for it, and it is not essential. Errors: 400, 503 and 504. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
 
 #include "io/fields/field_table.hpp"
 #include "messages/executor/handle.hpp"
+#include "messages/mapobjects_store/handle.hpp"
 #include "programs/godwitd/operator_port/route.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
 #include "runtime/actor_base.hpp"
 
 namespace godwit::operator_port {
 
-enum class view_kind { plan, preflight };
+enum class view_kind { plan, preflight, objects };
 
 constexpr auto enum_names(view_kind) {
-  return io::names<view_kind>({{view_kind::plan, "plan"}, {view_kind::preflight, "preflight"}});
+  return io::names<view_kind>(
+      {{view_kind::plan, "plan"}, {view_kind::preflight, "preflight"}, {view_kind::objects, "objects"}});
 }
 
 struct view_request {
   std::uint64_t ticket = 0;
   view_kind what = view_kind::plan;
-  static constexpr auto fields = io::table("operator_port.view_request", io::field("ticket", &view_request::ticket),
-                                           io::field("what", &view_request::what));
+  mapobjects_store::get_objects objects = {}; // of `objects`
+  static constexpr auto fields =
+      io::table("operator_port.view_request", io::field("ticket", &view_request::ticket),
+                io::field("what", &view_request::what), io::field("objects", &view_request::objects));
 };
+
+// What is answered of objects of the map. Times are milliseconds since 1970 (UTC).
+struct object_on_map {
+  std::string class_group;
+  double latitude_deg = 0;
+  double longitude_deg = 0;
+  double confidence = 0; // 0..1
+  std::int64_t last_seen_ms = 0;
+  bool is_seen_here = false; // found or moved by this vehicle since the map was pulled
+  static constexpr auto fields = io::table(
+      "operator_port.object_on_map", io::field("class_group", &object_on_map::class_group),
+      io::field("latitude_deg", &object_on_map::latitude_deg),
+      io::field("longitude_deg", &object_on_map::longitude_deg), io::field("confidence", &object_on_map::confidence),
+      io::field("last_seen_ms", &object_on_map::last_seen_ms), io::field("is_seen_here", &object_on_map::is_seen_here));
+};
+
+struct objects_on_map {
+  std::vector<object_on_map> objects; // the newest first
+  std::uint64_t counted = 0;          // that lie there, those among them
+  bool is_all = true;                 // false: there are more, which nobody has looked at
+  static constexpr auto fields =
+      io::table("operator_port.objects_on_map", io::field("objects", &objects_on_map::objects),
+                io::field("counted", &objects_on_map::counted), io::field("is_all", &objects_on_map::is_all));
+};
+
+// Of "?bbox=...&limit=..."; the error is a sentence.
+[[nodiscard]] tl::expected<mapobjects_store::get_objects, std::string> read_objects_query(std::string_view target);
 
 using view_inlet = runtime::mailbox<runtime::tells<view_request>>;
 
@@ -37,7 +77,8 @@ class view_desk final : public runtime::actor_base<view_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
 
-  view_desk(runtime::spawn_context context, executor::view_handle flight, std::shared_ptr<waiting_answers> answers);
+  view_desk(runtime::spawn_context context, executor::view_handle flight, mapobjects_store::viewer_handle map,
+            std::shared_ptr<waiting_answers> answers);
   ~view_desk() override;
 
 protected:
@@ -46,8 +87,10 @@ protected:
 private:
   template <class Question, class View>
   void show(std::uint64_t ticket);
+  void show_objects(const view_request& asked);
 
   executor::view_handle flight_;
+  mapobjects_store::viewer_handle map_;
   std::shared_ptr<waiting_answers> answers_;
 };
 

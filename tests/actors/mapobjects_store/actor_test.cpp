@@ -98,6 +98,11 @@ TEST_F(mapobjects_store_actor, a_mission_is_pulled_flown_and_delivered) {
   ASSERT_TRUE(review.reviewed);
   EXPECT_EQ(review.reviewed->in_view, 1U);
 
+  const auto objects = p.ask(get_objects{});
+  EXPECT_EQ(objects.failure, map_failure::none);
+  ASSERT_EQ(objects.list.size(), 1U) << "where it was moved to";
+  EXPECT_TRUE(objects.list[0].is_seen_here);
+
   const auto status = p.ask(get_map{});
   EXPECT_EQ(status.objects, 1U);
   EXPECT_EQ(status.seen_here, 1U);

@@ -14,6 +14,7 @@ import { ask } from "./net/api.ts";
 import { stream } from "./net/stream.ts";
 import { commander } from "./commander.ts";
 import { camera } from "./camera.ts";
+import { objects } from "./objects.ts";
 import { beep } from "./sound.ts";
 import { uploader } from "./uploader.ts";
 import { drawer } from "./views/drawer_state.ts";
@@ -33,6 +34,10 @@ export class page {
   readonly commander = new commander(this);
   readonly uploader = new uploader(this);
   readonly camera = new camera(() => this.draw());
+  readonly objects = new objects(() => this.map?.shown_part(), (seen) => {
+    this.map?.show_objects(seen.objects);
+    this.draw();
+  });
   me: who | undefined;
   control: control_view | undefined;
   login_refusal = "";
@@ -56,7 +61,7 @@ export class page {
     document.documentElement.dataset["theme"] = this.theme;
     this.draw_now();
     const where = document.getElementById("map");
-    if (where !== null) this.map = new chart(where, (at) => this.commander.point_at(at), () => this.drawer.open("points"));
+    if (where !== null) this.map = new chart(where, (at) => this.commander.point_at(at), () => this.drawer.open("points"), () => this.objects.refresh());
     void this.find_tiles();
     setInterval(() => this.look(), look_ms);
     void this.log_in_by_address().then(() => this.find_session());
@@ -75,6 +80,7 @@ export class page {
     void this.fetch_log();
     void this.find_session();
     this.drawer.refresh();
+    this.objects.refresh();
     this.draw();
   }
 
@@ -90,6 +96,7 @@ export class page {
     if (heard.topic === "progress") void this.fetch_plan();
     if (heard.topic === "home") this.show_home();
     if (heard.topic === "points") this.map?.show_points((heard as text<"points">).data);
+    if (heard.topic === "map") this.objects.refresh();
     if (heard.topic === "log") this.crashes.hear((heard as text<"log">).data, this.now());
     if (heard.topic === "health" || heard.topic === "log" || heard.topic === "flight") this.drawer.hear(heard.topic);
     this.look();
@@ -250,6 +257,7 @@ export class page {
     localStorage.setItem("theme", wanted);
     document.documentElement.dataset["theme"] = wanted;
     this.map?.set_theme();
+    if (this.objects.seen !== undefined) this.map?.show_objects(this.objects.seen.objects);
     if (this.plan !== undefined) this.map?.show_plan(this.plan);
     this.draw();
   }

@@ -77,6 +77,26 @@ private:
   std::vector<scan_controller::decide_point>* heard_;
 };
 
+// Has one object, or can not be looked at.
+class map_stand_in final : public runtime::actor_base<mapobjects_store::viewer_handle> {
+public:
+  map_stand_in(runtime::spawn_context context, mapobjects_store::shown_objects* seen,
+               std::vector<mapobjects_store::get_objects>* heard)
+      : actor_base(std::move(context)), seen_(seen), heard_(heard) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<mapobjects_store::get_objects>([this](const mapobjects_store::get_objects& m) {
+      heard_->push_back(m);
+      return *seen_;
+    })};
+  }
+
+private:
+  mapobjects_store::shown_objects* seen_;
+  std::vector<mapobjects_store::get_objects>* heard_;
+};
+
 // Takes what a failsafe takes: not of a critical battery.
 class failsafe_stand_in final : public runtime::actor_base<override_handle> {
 public:
@@ -167,7 +187,11 @@ public:
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
     const auto uploads = world.actors().add<mission_desk>(
         {.name = "mission_desk"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
-    const auto views = world.actors().add<view_desk>({.name = "view_desk"}, {}, executor::view_handle(flight), answers);
+    objects.list.push_back({"person", {47.4, 8.5, {}}, 1'795'459'713'049'000'000, 0.9, true});
+    objects.counted = 1;
+    const auto map = world.actors().add<map_stand_in>({.name = "map"}, {}, &objects, &looked_at);
+    const auto views = world.actors().add<view_desk>({.name = "view_desk"}, {}, executor::view_handle(flight),
+                                                     mapobjects_store::viewer_handle(map), answers);
     world.start();
     world.run_until_idle();
     const auto tell = [this](api_request asked) { world.tell(desk, std::move(asked)); };
@@ -265,6 +289,8 @@ public:
   runtime::simulation world;
   std::vector<operators::command> obeyed;
   std::vector<scan_controller::decide_point> decided;
+  mapobjects_store::shown_objects objects; // what the map answers
+  std::vector<mapobjects_store::get_objects> looked_at;
   std::vector<std::uint64_t> pictured; // points of interest that the camera has shown
   std::vector<failsafe::override_rule> overridden;
   std::vector<mission::document> missions; // that were handed over

@@ -178,6 +178,10 @@ TEST(operator_port_openapi, describes_what_is_really_answered) {
   ask(eve, "GET", "/api/v1/audit", 403);
   ask(anna, "GET", "/api/v1/plan", 200);
   ask(anna, "GET", "/api/v1/preflight", 200);
+  ask(anna, "GET", "/api/v1/map/objects?limit=5", 200);
+  ask(anna, "GET", "/api/v1/map/objects?limit=none", 400);
+  world.objects.failure = mapobjects_store::map_failure::broken;
+  ask(anna, "GET", "/api/v1/map/objects", 503);
   ask(anna, "GET", "/api/v1/session", 200);
   ask("nobody", "POST", "/api/v1/session", 401, {{"link", "none"}});
   ask("nobody", "POST", "/api/v1/session", 400, {{"name", "anna"}});
@@ -224,6 +228,7 @@ TEST(operator_port_openapi, describes_each_field_of_a_report_of_health_and_of_th
   const auto schemas = resolved(api.at("components").at("schemas"), api);
   expect_covers(schemas.at("report"), io::json_schema<health::report>(), "report");
   expect_covers(schemas.at("health"), io::json_schema<health::health_status>(), "health");
+  expect_covers(schemas.at("objects"), io::json_schema<objects_on_map>(), "objects");
   expect_covers(schemas.at("preflight"), io::json_schema<executor::preflight_view>(), "preflight");
 }
 

@@ -13,6 +13,7 @@ import { flight_world, free_port, hold, root, until, wait } from "./flight_world
 const names = ["person", "vehicle", "<b>boat</b>"];
 let world;
 let page;
+let boat_mark; // where it stood on the screen
 before(async () => {
   const uri = `rtsp://127.0.0.1:${await free_port()}/camera`;
   world = new flight_world({ speed: 3, mission: join(root, "missions/search.json"), has_service: true,
@@ -55,17 +56,20 @@ test("points of interest sound, stand on the map, and one is confirmed, one decl
   assert.ok(await page.locator(".mark-point.shown").count() >= names.length);
   assert.equal(await page.locator("#tab-body table b", { hasText: "boat" }).count(), 0);
   const number_of = (name) => page.locator("tr.open", { hasText: name }).getAttribute("data-point");
-  const [person, vehicle] = [await number_of("person"), await number_of("vehicle")];
+  const [person, boat] = [await number_of("person"), await number_of("boat")];
   if (process.env.GODWIT_PICTURES) {
     await until(async () => (await age_s()) < 1, "a picture");
     await page.click("#see-all");
     await wait(300);
     writeFileSync(join(process.env.GODWIT_PICTURES, "page_search.png"), await page.screenshot());
   }
-  await page.click(`#decline-${vehicle}`);
+  await page.click("#see-all");
+  await wait(300);
+  boat_mark = await page.locator(".mark-point.shown", { hasText: boat }).boundingBox();
+  await page.click(`#decline-${boat}`);
   await page.click(`#confirm-${person}`);
   await shows(`[data-point="${person}"]`, "confirmed by anna");
-  await until(async () => (await page.locator("tr.open", { hasText: "vehicle" }).count()) === 0, "what is declined is gone");
+  await until(async () => (await page.locator("tr.open", { hasText: "boat" }).count()) === 0, "what is declined is gone");
   assert.equal(await page.locator(".mark-point.confirmed").count(), 1);
 });
 
@@ -73,6 +77,18 @@ test("in flight the newest picture is shown with its age", async () => {
   await until(async () => (await age_s()) < 2, "a new picture", () => world.daemon.heard.slice(-1_500));
   assert.ok((await colours()) > 50);
   assert.equal(await page.evaluate("document.getElementById('camera').width"), 320);
+});
+
+test("objects of the map are drawn, and say what they are and when they were seen, as text", async () => {
+  await page.mouse.move(boat_mark.x + boat_mark.width / 2, boat_mark.y + boat_mark.height / 2);
+  await shows(".leaflet-tooltip", "<b>boat</b>, 90 %, seen 20");
+  assert.equal(await page.locator(".leaflet-tooltip b").count(), 0);
+  await page.mouse.move(5, 5);
+  const { objects, counted, is_all } = await page.evaluate(async () => (await fetch("/api/v1/map/objects")).json());
+  assert.deepEqual(objects.map((each) => each.class_group).sort(), [...names].sort());
+  assert.equal(counted, names.length);
+  assert.equal(is_all, true);
+  assert.equal(await page.locator("#objects-left-out").count(), 0);
 });
 
 test("no picture is asked for of a point that the camera has not shown", () => {

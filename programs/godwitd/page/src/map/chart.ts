@@ -2,10 +2,12 @@
 // nothing of it is made anew while the vehicle moves, and no request goes to another host.
 import * as L from "leaflet";
 import { extent_of, is_place, items_of, way_of } from "../model/geometry.ts";
-import type { mission_document, place, plan_view, points_update, tile_view } from "../model/messages.ts";
+import type { shown_part } from "../model/geometry.ts";
+import type { mission_document, object_on_map, place, plan_view, points_update, tile_view } from "../model/messages.ts";
 import type { track } from "../model/track.ts";
+import { object_words } from "../model/words.ts";
 import { metre_grid } from "./grid.ts";
-import { fence_style, item_style, mark_icon, style_of } from "./styles.ts";
+import { fence_style, item_style, mark_icon, object_style, style_of } from "./styles.ts";
 
 // Names come from missions: they stay text, whatever they look like.
 function plain_text(words: string): HTMLElement {
@@ -26,6 +28,7 @@ export class chart {
   private readonly plan = L.layerGroup();
   private readonly going = L.layerGroup();
   private readonly points = L.layerGroup();
+  private readonly objects = L.layerGroup();
   private readonly preview = L.layerGroup();
   private readonly way: L.Polyline;
   private readonly way_open: L.Polyline;
@@ -38,7 +41,8 @@ export class chart {
   private shown_done = -1;
   follows = true;
 
-  constructor(where: HTMLElement, private readonly on_click: (at: place) => void, private readonly on_point: () => void) {
+  constructor(where: HTMLElement, private readonly on_click: (at: place) => void, private readonly on_point: () => void,
+    on_moved: () => void) {
     this.map = L.map(where, { renderer: L.canvas({ padding: 0.3 }), preferCanvas: true, zoomControl: false, maxZoom: 22,
       minZoom: 3, zoomSnap: 0.5, attributionControl: false, zoomAnimation: false, fadeAnimation: false,
       markerZoomAnimation: false, keyboard: true }).setView([0, 0], 3);
@@ -48,6 +52,7 @@ export class chart {
     this.grid.addTo(this.map);
     L.control.zoom({ position: "topleft" }).addTo(this.map);
     L.control.scale({ imperial: false, maxWidth: 140, position: "bottomright" }).addTo(this.map);
+    this.objects.addTo(this.map);
     this.plan.addTo(this.map);
     this.way = L.polyline([], style_of("track", { weight: 2, renderer: this.behind })).addTo(this.map);
     this.way_open = L.polyline([], style_of("track", { weight: 2, renderer: this.moving })).addTo(this.map);
@@ -57,6 +62,7 @@ export class chart {
     this.vehicle = L.marker([0, 0], { icon: mark_icon("vehicle", "vehicle"), interactive: false, keyboard: false,
       zIndexOffset: 1000 });
     this.map.on("click", (event) => on_click({ latitude: event.latlng.lat, longitude: event.latlng.lng }));
+    this.map.on("moveend", on_moved);
     this.map.on("dragstart", () => { this.follows = false; });
     new ResizeObserver(() => this.map.invalidateSize({ animate: false })).observe(where);
   }
@@ -145,6 +151,21 @@ export class chart {
           .on("click", () => (this.map.getContainer().classList.contains("pointing") ? this.on_click(at) : this.on_point()))
           .addTo(this.points);
       }
+  }
+
+  // Nothing before it was placed.
+  shown_part(): shown_part | undefined {
+    if (!this.is_placed) return undefined;
+    const all = this.map.getBounds();
+    return { west: all.getWest(), south: all.getSouth(), east: all.getEast(), north: all.getNorth() };
+  }
+
+  // What lies on the map, below all else: at each change of it, and not with the vehicle.
+  show_objects(all: object_on_map[]): void {
+    this.objects.clearLayers();
+    for (const each of all)
+      L.circleMarker([each.latitude_deg, each.longitude_deg], object_style(each.is_seen_here))
+        .bindTooltip(() => plain_text(object_words(each)), { direction: "top" }).addTo(this.objects).bringToBack();
   }
 
   // A mission that was not handed over yet, in another colour; none: it is left.

@@ -111,3 +111,20 @@ export function extent_of(view: plan_view | undefined, vehicle: place | undefine
   for (const fence of view.mission?.geofences ?? []) if (fence.kind === "INCLUSION") result.push(...fence.vertices);
   return result;
 }
+
+// What a map shows: moved around the world, a longitude may be any number.
+export interface shown_part {
+  west: number;
+  south: number;
+  east: number;
+  north: number;
+}
+
+// As the API takes it.
+export function bbox_of(part: shown_part): string {
+  const is_all = part.east - part.west >= 360;
+  const wrapped = (degrees: number) => ((((degrees + 180) % 360) + 360) % 360) - 180;
+  const [west, east] = is_all ? [-180, 180] : [wrapped(part.west), wrapped(part.east)];
+  const clamped = (degrees: number) => Math.max(-90, Math.min(90, degrees));
+  return [west, clamped(part.south), east, clamped(part.north)].map((each) => each.toFixed(6)).join(",");
+}

@@ -191,6 +191,21 @@ export interface plan_view {
   kept: (place & { above_sea_m: number }) | null;
 }
 
+export interface object_on_map {
+  class_group: string;
+  latitude_deg: number;
+  longitude_deg: number;
+  confidence: number; // 0..1
+  last_seen_ms: number;
+  is_seen_here: boolean; // found or moved by this vehicle since the map was pulled
+}
+
+export interface objects_view {
+  objects: object_on_map[]; // the newest first
+  counted: number; // that lie there, those among them
+  is_all: boolean; // false: there are more, which nobody has looked at
+}
+
 export interface tile_view {
   attribution: string;
   name: string;

@@ -1,6 +1,6 @@
 // The words in which the page says what godwitd says by name. Pure. What has no word here is said as it came.
 
-import type { known_mission, way_home_update } from "./messages.ts";
+import type { known_mission, object_on_map, objects_view, way_home_update } from "./messages.ts";
 
 export type tone = "calm" | "good" | "warn" | "bad" | "none";
 
@@ -63,6 +63,19 @@ export function way_home_words(view: way_home_update | undefined): { value: stri
   const more = is_short ? `the battery lasts just for it, above ${view.reserve_percent} %`
     : spare_percent === null ? "" : `${Math.floor(spare_percent)} % to spare above ${view.reserve_percent} %`;
   return { value: `needs ${Math.ceil(view.needs_percent)}`, unit: "%", more, is_short };
+}
+
+// An object of the map, for who points at it.
+export function object_words(each: object_on_map): string {
+  const seen = new Date(each.last_seen_ms).toISOString();
+  return `${plain(each.class_group)}, ${Math.round(100 * each.confidence)} %, seen ${seen.slice(0, 10)} ${seen.slice(11, 19)} UTC${each.is_seen_here ? "" : ", of the map that was pulled"}`;
+}
+
+// What is not drawn of what lies there; empty: all of it is.
+export function left_out_words(view: objects_view | undefined): string {
+  if (view === undefined || (view.is_all && view.objects.length >= view.counted)) return "";
+  const count = view.counted.toLocaleString("en");
+  return `${view.objects.length} of ${view.is_all ? count : `more than ${count}`} objects are drawn, the newest; zoom in for the rest`;
 }
 
 export function plain(name: string): string {

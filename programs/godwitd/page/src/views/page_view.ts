@@ -3,7 +3,7 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { TemplateResult } from "lit";
-import { age_words, time_words } from "../model/words.ts";
+import { age_words, left_out_words, time_words } from "../model/words.ts";
 import type { page, theme } from "../page.ts";
 import { command_panel } from "./command_panel.ts";
 import { drawer_view } from "./drawer_view.ts";
@@ -46,6 +46,7 @@ function alarm_list(all: page): TemplateResult {
 }
 
 export function page_view(all: page): TemplateResult {
+  const left_out = left_out_words(all.objects.seen);
   const is_silent = all.world.session !== "" && !all.world.is_heard(all.now());
   return html`${top_bar(all)}
     <main class=${is_silent ? "silent" : ""}>
@@ -53,6 +54,7 @@ export function page_view(all: page): TemplateResult {
         <div class="north" aria-hidden="true"><b>N</b></div>
         <div class="map-keys"><button class="plain" type="button" id="see-all" @click=${() => all.see_all()}>all <kbd aria-hidden="true">f</kbd></button>
           <button class="plain" type="button" id="follow" @click=${() => all.follow()}>follow <kbd aria-hidden="true">v</kbd></button></div>
+        ${left_out === "" ? nothing : html`<p class="map-note" id="objects-left-out">${left_out}</p>`}
         ${alarm_list(all)}</section>
       <aside class="panel" aria-label="Flight">${authority_block(all)}${phase_block(all)}${instruments(all)}${command_panel(all)}</aside>
       ${drawer_view(all)}

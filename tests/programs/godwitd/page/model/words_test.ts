@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { known_mission, way_home_update } from "../../../../../programs/godwitd/page/src/model/messages.ts";
-import { mission_words, origin_words, way_home_words } from "../../../../../programs/godwitd/page/src/model/words.ts";
+import { left_out_words, mission_words, object_words, origin_words, way_home_words } from "../../../../../programs/godwitd/page/src/model/words.ts";
 
 const known: way_home_update = { needs_percent: 22.1, left_percent: 60, reserve_percent: 25, spare_percent: 12.9, why_not_known: "" };
 
@@ -19,6 +19,20 @@ test("what is not known is said as such, with the reason", () => {
   const words = way_home_words({ ...known, needs_percent: null, spare_percent: null, why_not_known: "how fast the battery drains is not known yet" });
   assert.deepEqual(words, { value: "not known", unit: "", more: "how fast the battery drains is not known yet", is_short: false });
   assert.equal(way_home_words(undefined).value, "–");
+});
+
+test("an object is named with its class and when it was seen", () => {
+  const object = { class_group: "small_boat", latitude_deg: 47, longitude_deg: 8, confidence: 0.9, last_seen_ms: 1_795_459_713_049, is_seen_here: true };
+  assert.equal(object_words(object), "small boat, 90 %, seen 2026-11-23 18:48:33 UTC");
+  assert.match(object_words({ ...object, is_seen_here: false }), /of the map that was pulled$/);
+});
+
+test("objects that are not drawn are counted and said, and nothing is said when all are drawn", () => {
+  const objects = Array(500).fill({});
+  assert.equal(left_out_words(undefined), "");
+  assert.equal(left_out_words({ objects, counted: 500, is_all: true }), "");
+  assert.equal(left_out_words({ objects, counted: 1_234, is_all: true }), "500 of 1,234 objects are drawn, the newest; zoom in for the rest");
+  assert.match(left_out_words({ objects, counted: 10_000, is_all: false }), /^500 of more than 10,000 objects/);
 });
 
 test("a mission that has ended is called by its outcome, and one that can not start yet is no good one", () => {

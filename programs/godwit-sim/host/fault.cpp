@@ -14,10 +14,12 @@ namespace {
 namespace mavlink = io::mavlink;
 
 constexpr std::uint64_t most_refusals = 1'000'000;
+constexpr std::size_t max_said_bytes = 250; // five frames of STATUSTEXT
 
 constexpr std::string_view forms =
     "; one of: faults loss=0.1,delay=15ms | cut | cut 5s | restore | reboot | gps lost | "
-    "gps back | way blocked | way free | battery 20 | camera cut | camera back | refuse COMMAND=RESULT TIMES | accept "
+    "gps back | way blocked | way free | battery 20 | camera cut | camera back | say TEXT | "
+    "refuse COMMAND=RESULT TIMES | accept "
     "COMMAND";
 
 using parsed = tl::expected<fault::any, std::string>;
@@ -80,6 +82,12 @@ parsed read_camera(std::string_view rest) {
   return mistake(rest, "does not say what becomes of the camera: cut or back");
 }
 
+parsed read_say(std::string_view rest) {
+  if (!rest.empty() && rest.size() <= max_said_bytes)
+    return fault::say{std::string(rest)};
+  return mistake(rest, "is not what an autopilot says: 1 to 250 bytes");
+}
+
 parsed read_accept(std::string_view rest) {
   return read_command(rest).map([](std::uint16_t command) { return fault::any(fault::refuse{command, 0, 0}); });
 }
@@ -98,6 +106,7 @@ constexpr word words[] = {{"faults",
                           {"way", read_way},
                           {"battery", read_battery},
                           {"camera", read_camera},
+                          {"say", read_say},
                           {"refuse",
                            [](std::string_view rest) -> parsed {
                              return parse_refusal(rest).map(
@@ -123,6 +132,7 @@ struct for_people {
   std::string operator()(const fault::camera& it) const {
     return it.is_cut ? "the camera sends nothing" : "the camera is back";
   }
+  std::string operator()(const fault::say& it) const { return "the autopilot says: " + it.words; }
   std::string operator()(const fault::refuse& it) const {
     const auto command = "the command " + std::to_string(it.command);
     if (it.times == 0)

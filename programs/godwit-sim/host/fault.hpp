@@ -8,6 +8,7 @@
 //   way blocked   way free
 //   battery 20                    percent
 //   camera cut   camera back      it is there, and sends nothing
+//   say PreArm: low voltage       a STATUSTEXT of the autopilot, of 250 bytes at most
 //   refuse MISSION_START=DENIED   the command is answered so from now on; a number will do for either
 //   refuse 300 2                  so often; DENIED when no answer is named
 //   accept MISSION_START          no longer
@@ -61,13 +62,17 @@ struct camera {
   bool is_cut = false;
   bool operator==(const camera&) const = default;
 };
+struct say {
+  std::string words;
+  bool operator==(const say&) const = default;
+};
 struct refuse {
   std::uint16_t command = 0;
   std::uint8_t result = 0; // MAV_RESULT
   int times = -1;          // -1: from now on; 0: no longer
   bool operator==(const refuse&) const = default;
 };
-using any = std::variant<set_line, cut, restore, reboot, gps, way, battery, camera, refuse>;
+using any = std::variant<set_line, cut, restore, reboot, gps, way, battery, camera, say, refuse>;
 
 } // namespace fault
 

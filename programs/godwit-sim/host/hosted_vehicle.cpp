@@ -110,6 +110,7 @@ struct hosted_vehicle::apply_to {
     if (self.around_.cut_camera)
       self.around_.cut_camera(it.is_cut);
   }
+  void operator()(const fault::say& it) const { self.vehicle_.say(it.words, now_ns); }
   void operator()(const fault::refuse& it) const { self.vehicle_.refuse_command(it.command, it.result, it.times); }
 };
 

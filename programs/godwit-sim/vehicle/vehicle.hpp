@@ -16,6 +16,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "io/mavlink/frame.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
@@ -75,6 +76,7 @@ public:
   void lose_position(bool lost, std::int64_t now_ns); // GPS
   void block(bool is_blocked, std::int64_t now_ns);   // something holds it where it is; not a fixed wing in the air
   void set_battery(double percent, std::int64_t now_ns);
+  void say(std::string_view words, std::int64_t now_ns);                      // as a STATUSTEXT, a warning
   void refuse_command(std::uint16_t command, std::uint8_t result, int times); // times < 0: from now on; 0: no longer
 
   [[nodiscard]] vehicle_picture describe() const;

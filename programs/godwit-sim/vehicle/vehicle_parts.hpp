@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <string_view>
 
 #include "actors/ground_port/mission_server/server.hpp"
 #include "actors/ground_port/vehicle_role/current_report.hpp"
@@ -34,6 +35,7 @@ public:
   void lose_position(bool lost, std::int64_t now_ns);
   void block(bool is_blocked, std::int64_t now_ns);
   void set_battery(double percent, std::int64_t now_ns);
+  void say(std::string_view words, std::int64_t now_ns);
   void refuse_command(std::uint16_t command, std::uint8_t result, int times);
 
   [[nodiscard]] vehicle_picture describe() const;

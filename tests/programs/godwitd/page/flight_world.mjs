@@ -122,6 +122,10 @@ export class flight_world {
     page.asked_elsewhere = [];
     page.on("console", (line) => line.type() === "error" && page.said.push(line.text()));
     page.on("pageerror", (error) => page.said.push(String(error)));
+    page.on("dialog", (shown) => {
+      page.said.push(`a dialog: ${shown.message()}`); // of a script that came as a name
+      void shown.dismiss();
+    });
     page.on("request", (asked) => new URL(asked.url()).hostname === name || asked.url().startsWith("data:") ||
       page.asked_elsewhere.push(asked.url()));
     page.address = `http://${name}:${this.address.split(":")[1]}/`;

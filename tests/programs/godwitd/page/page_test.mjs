@@ -84,6 +84,19 @@ test("what the checks have found is shown", async () => {
   await page.click("#tab-plan");
 });
 
+test("what the vehicle says stays text, in what the checks have found and in the log", async () => {
+  await world.vehicle_does("gps lost");
+  await world.vehicle_does(`say PreArm: ${markup}`);
+  for (const tab of ["preflight", "log"]) {
+    await page.click(`#tab-${tab}`);
+    await shows("#tab-body", `PreArm: ${markup}`);
+    assert.equal(await page.locator("#tab-body img").count(), 0);
+  }
+  await world.vehicle_does("gps back");
+  await shows("#phase", "ready");
+  await page.click("#tab-plan");
+});
+
 test("the mission that is prepared is listed with its revision and where it comes from", async () => {
   await page.click("#tab-missions");
   await shows('#missions [data-place="prepared"]', "file at the start");
@@ -258,6 +271,8 @@ test("log and audit can be filtered", async () => {
   await until(async () => (await page.locator("#tab-body tr").count()) === 0, "no line");
   await page.click("#tab-audit");
   await shows("#tab-body", "hand_back");
+  await shows("#tab-body", "we walk <b>over</b> the hill");
+  assert.equal(await page.locator("#tab-body b").count(), 0, "a reason stays text");
 });
 
 test("axe finds nothing serious, by day, in sunlight and at night", async () => {

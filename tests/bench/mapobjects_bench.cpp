@@ -24,6 +24,7 @@
 #include "actors/mapobjects_store/deliveries.hpp"
 #include "actors/mapobjects_store/map_load.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
+#include "actors/mapobjects_store/object_view.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
 #include "runtime/assert.hpp"
 
@@ -282,6 +283,30 @@ private:
   std::binary_semaphore all_ended_{0};
 };
 
+// What people are shown of a part of the map: one that shows all of it, and those that show some of it. Decisions wait
+// as long.
+void look(benchmark::State& state) {
+  constexpr int looks = 200;
+  const auto writer = bench_map::instance().writer();
+  asker viewer(*writer);
+  source made(11);
+  std::vector<double> times_ms;
+  for (auto _ : state) {
+    for (int i = 0; i < looks; ++i) {
+      get_objects asked;
+      const auto at = made.place();
+      const auto degrees = 0.001 * (i % 20); // to 0.02: 4 km, and some thousand objects
+      if (i % 10 != 0)
+        asked.within = {at.longitude_deg - degrees, at.latitude_deg - degrees, at.longitude_deg + degrees,
+                        at.latitude_deg + degrees};
+      const auto start = steady_clock::now();
+      benchmark::DoNotOptimize(viewer.ask([=](map_tables& t) { return look_at_objects(t, asked); }));
+      times_ms.push_back(ms_since(start));
+    }
+  }
+  report(state, std::move(times_ms));
+}
+
 void durable(benchmark::State& state, std::size_t count, std::chrono::nanoseconds each) {
   auto writer = bench_map::instance().writer();
   std::vector<double> times_ms;
@@ -388,6 +413,7 @@ const bool are_registered = [] {
     benchmark::RegisterBenchmark(name, run)->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(1);
   };
   add("mapobjects/decision/1000000", decision);
+  add("mapobjects/look/1000000", look);
   add("mapobjects/durable/30_per_s", [](benchmark::State& state) { durable(state, 300, 33ms); });
   add("mapobjects/durable/2000_per_s", [](benchmark::State& state) { durable(state, 10'000, 500us); });
   add("mapobjects/durable/all_at_once", [](benchmark::State& state) { durable(state, 9'000, 0ns); });

@@ -1,0 +1,61 @@
+// ./dev demo --page, flown to its end with a browser that looks at its page: a replan by the service, a crash of an actor
+// and a kill of godwitd are on the way, and what the page shows at the end is how it ended.
+//
+//   GODWITD=... node --test demo_test.mjs
+//
+// The world runs several times as fast as in the demo. With GODWIT_PICTURES=FOLDER the end is written there as a picture.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { after, test } from "node:test";
+import { load, root, until, wait } from "./flight_world.mjs";
+
+const speed = 6;
+const flight_ms = 150_000;
+let heard = "";
+let browser;
+const demo = spawn(join(root, "scripts/demo"), ["--page", "--speed", String(speed), "--bin", dirname(process.env.GODWITD)],
+  { stdio: ["ignore", "pipe", "pipe"] });
+for (const out of [demo.stdout, demo.stderr]) out.on("data", (some) => { heard += some; });
+const ended = new Promise((then) => demo.once("exit", then));
+after(async () => {
+  await browser?.close();
+  if (demo.exitCode === null) demo.kill("SIGTERM");
+  await ended;
+});
+
+test("the page of the demo shows its end as it was", async () => {
+  const [, address] = await until(() => /the page: (\S+)/.exec(heard), "the address of the page", () => heard);
+  const { chromium } = load("playwright-core");
+  browser = await chromium.launch({ executablePath: "/usr/bin/chromium-headless-shell", args: ["--no-sandbox", "--disable-gpu"] });
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const said = [];
+  page.on("pageerror", (error) => said.push(String(error)));
+  await page.goto(address);
+  await page.waitForSelector("#me");
+  const shows = async (where, words) => ((await page.textContent(where)) ?? "").includes(words);
+  await until(() => shows("#phase strong", "flying"), "it flies", () => heard);
+  assert.ok(await shows("#authority strong", "godwit"));
+  for (const end = Date.now() + flight_ms; Date.now() < end && !heard.includes("the flight is over"); ) await wait(200);
+  assert.match(heard, /the flight is over/);
+  await until(() => shows("#phase strong", "done"), "done", () => heard);
+  assert.ok(await shows("#line", "live"));
+  assert.ok(await shows("#authority strong", "nobody"));
+  const [, done, items] = /(\d+) of (\d+) items/.exec(await page.textContent("#progress"));
+  assert.equal(done, items);
+  assert.equal(await page.locator("#tab-body tr.done").count(), Number(items));
+  await page.click("#tab-missions");
+  const missions = page.locator("#missions tbody tr");
+  assert.equal(await missions.count(), 1);
+  assert.match(await missions.first().textContent(), /complete.*missions service/s);
+  assert.equal(await page.locator(".instrument.old").count(), 0);
+  await page.waitForSelector(".mark-vehicle:not(.old)");
+  await page.click("#see-all");
+  if (process.env.GODWIT_PICTURES) {
+    await wait(300);
+    writeFileSync(join(process.env.GODWIT_PICTURES, "page_demo_end.png"), await page.screenshot());
+  }
+  assert.deepEqual(said, []);
+  assert.equal(await ended, 0, heard.slice(-2_000));
+});

@@ -28,7 +28,8 @@ namespace godwit::telemetry_stream {
 
 inline constexpr std::int64_t data_interval_ns = 100'000'000; // 10 a second: more than a person sees
 inline constexpr std::int64_t gps_interval_ns = 500'000'000;
-inline constexpr std::int64_t battery_interval_ns = 1'000'000'000; // it does not change faster
+// Vehicles tell of it each second: no second one of these is left out because it came a moment early.
+inline constexpr std::int64_t battery_interval_ns = 500'000'000;
 
 struct publication {
   topic what = topic::clock;

@@ -36,7 +36,7 @@ void append(std::vector<mission_item_int>& to, const mission::geofence& fence) {
 
 fence_list fence_items(const std::vector<mission::geofence>& fences, io::mavlink::mav_autopilot autopilot) {
   fence_list result;
-  const auto inclusions = std::ranges::count(fences, fence_kind::inclusion, &geofence::kind);
+  const auto inclusions = std::ranges::count(fences, fence_kind::inclusion, &mission::geofence::kind);
   const bool means_all = autopilot == io::mavlink::mav_autopilot::ardupilotmega && inclusions > 1;
   bool has_block_of_air = false;
   for (const auto& each : fences) {

@@ -117,7 +117,7 @@ TEST_P(mission_list, a_mission_that_the_service_does_not_give_is_refused_with_th
 TEST_P(mission_list, the_plan_of_a_station_is_named_as_such_and_one_that_was_not_taken_says_why) {
   flight_world world(by_stations(GetParam()));
   auto items = station_items(GetParam());
-  auto jump = item_of(mav_cmd::do_jump, {});
+  auto jump = item_of(mav_cmd::do_jump, mission::position{});
   jump.frame = number(mav_frame::mission);
   items.push_back(jump);
   world.station_says(taken(numbered(items)));

@@ -1,3 +1,4 @@
+#include "actors/mapobjects_store/geo_point.hpp"
 #include "actors/mapobjects_store/ignore_list.hpp"
 
 #include "actors/domain/geo/mgrs.hpp"

@@ -9,6 +9,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/mgrs.hpp"
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/mapobjects_store/geo_point.hpp"
 #include "actors/mapobjects_store/ignore_list.hpp"
 #include "actors/mapobjects_store/mission_scope.hpp"
 #include "actors/mapobjects_store/object_table.hpp"

@@ -1,3 +1,4 @@
+#include "actors/mapobjects_store/geo_point.hpp"
 #include "actors/mapobjects_store/object_table.hpp"
 
 #include <algorithm>

@@ -86,9 +86,11 @@ TEST_F(object_view, of_a_large_map_no_more_than_the_bound_is_looked_at_and_that_
   const auto load_number = begin_load();
   std::uint64_t id = 0;
   for (std::int64_t page = 0; page < 3; ++page) {
-    load_page next{load_number, static_cast<std::uint64_t>(page), {}, {}};
-    for (int i = 0; i < 4'000; ++i)
-      next.objects.push_back(object(++id, place(static_cast<double>(id % 100), static_cast<double>(id / 100))));
+    load_page next{load_number, page, {}, {}};
+    for (int i = 0; i < 4'000; ++i) {
+      ++id;
+      next.objects.push_back(object(id, place(static_cast<double>(id % 100), static_cast<double>(id / 100))));
+    }
     ASSERT_TRUE(add_page(std::move(next)));
   }
   ASSERT_TRUE(finish(load_number, 12'000));

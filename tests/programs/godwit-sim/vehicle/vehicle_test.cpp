@@ -56,11 +56,11 @@ TEST(vehicle, px4_streams_at_the_rates_that_were_recorded) {
 TEST(vehicle, says_what_it_is_made_to_say) {
   vehicle_world world(personality::ardupilot);
   world.run_for(2 * s);
-  const std::string words = "PreArm: <img src=x onerror=alert(1)>";
-  EXPECT_EQ(std::ranges::count(world.texts(), words), 0);
-  world.subject().say(words, world.now_ns());
+  const std::string text = "PreArm: <img src=x onerror=alert(1)>";
+  EXPECT_EQ(std::ranges::count(world.texts(), text), 0);
+  world.subject().say(text, world.now_ns());
   world.run_for(1 * s);
-  EXPECT_EQ(std::ranges::count(world.texts(), words), 1);
+  EXPECT_EQ(std::ranges::count(world.texts(), text), 1);
 }
 
 TEST(vehicle, streams_faster_by_its_factor_but_for_the_heartbeat) {

@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "programs/godwit-eyes/detection/detector.hpp"
+#include "tests/bench/eyes/clip.hpp"
 #include "tests/bench/eyes/measure.hpp"
+#include "tests/bench/eyes/process.hpp"
 
 namespace {
 
@@ -20,6 +22,8 @@ struct options {
   int width = 1280;
   std::string folder;
   std::vector<std::string> tiers{"a", "b"};
+  clip_options clip;
+  process_options process;
   std::vector<std::string> parts{"scores", "quiet", "pan", "places"};
 };
 
@@ -111,11 +115,57 @@ void print_places() {
   std::fflush(stdout);
 }
 
-} // namespace
+void print_pair(const char* name, const pair_of_scores& of) {
+  std::printf("| %s: recall, precision at 0.5; at 0.25 | %.2f, %.2f; %.2f, %.2f (F1 %.3f / %.3f) |\n", name,
+              of.half.recall(), of.half.precision(), of.quarter.recall(), of.quarter.precision(), of.half.f1(),
+              of.quarter.f1());
+}
 
-int main(int argc, char** argv) {
-  options chosen;
-  CLI::App app{"Measures the detector of godwit-eyes on generated scenes.", "bench_eyes"};
+bool print_clip(const options& chosen) {
+  auto wanted = chosen.clip;
+  wanted.folder = chosen.folder;
+  const auto found = measure_clip(wanted);
+  if (!found) {
+    std::fprintf(stderr, "bench_eyes: clip: %s\n", found.error().c_str());
+    return false;
+  }
+  const auto& counted = found->detector.half;
+  std::printf("\n| %s, %d pictures as 640 x 480, moved by seed %llu, %d of use | |\n|---|---|\n", wanted.clip.c_str(),
+              found->frames, static_cast<unsigned long long>(wanted.seed), found->usable);
+  std::printf("| labelled by hand | %d pictures, %d people that count |\n", found->labelled,
+              counted.found + counted.missed);
+  print_pair("detector, moved camera", found->detector);
+  print_pair("naive, tuned, moved camera", found->naive);
+  print_pair("MOG2, the clip itself", found->still);
+  std::printf("| the other pictures, against MOG2 on the clip itself | %d |\n", found->rest_frames);
+  print_pair("detector, moved camera", found->rest);
+  std::printf("| corner error of the homography, median / p99; fastest corner | %.2f / %.2f px; %.1f px a picture |\n",
+              quantile(found->corner_errors_px, 0.5), quantile(found->corner_errors_px, 0.99), found->fastest_px);
+  std::printf("| processor time a picture, p50 / p99 | %.1f / %.1f ms |\n", quantile(found->milliseconds, 0.5),
+              quantile(found->milliseconds, 0.99));
+  return true;
+}
+
+bool print_process(const options& chosen) {
+  const auto found = measure_process(chosen.process);
+  if (!found) {
+    std::fprintf(stderr, "bench_eyes: process: %s\n", found.error().c_str());
+    return false;
+  }
+  std::printf("\n| godwit-eyes, a recording of 1280 x 720 at 30 a second, %.0f s%s | |\n|---|---|\n", found->seconds,
+              chosen.process.has_recording ? ", and it records" : "");
+  std::printf("| pictures; dropped; that said something; shown | %llu; %llu; %llu; %llu |\n",
+              static_cast<unsigned long long>(found->frames), static_cast<unsigned long long>(found->dropped),
+              static_cast<unsigned long long>(found->usable), static_cast<unsigned long long>(found->pictures));
+  std::printf("| capture to candidate, p50 / p99 / most of %zu | %.1f / %.1f / %.1f ms |\n", found->latencies_ms.size(),
+              quantile(found->latencies_ms, 0.5), quantile(found->latencies_ms, 0.99),
+              quantile(found->latencies_ms, 1));
+  std::printf("| processor, decoding too | %.1f %% of a core |\n", found->share * 100);
+  std::printf("| resident; at most | %.0f MB; %.0f MB |\n", found->resident_mb, found->most_resident_mb);
+  return true;
+}
+
+void add_options(CLI::App& app, options& chosen) {
   app.add_flag("--tuning", chosen.is_tuning, "seeds for tuning; else those that are held back");
   app.add_option("--seeds", chosen.seeds, "flights for each table")->check(CLI::Range(1, 1000));
   app.add_option("--frames", chosen.frames, "pictures of each flight")->check(CLI::Range(31, 1800));
@@ -123,21 +173,43 @@ int main(int argc, char** argv) {
   app.add_option("--draw", chosen.folder, "draws what was seen into this folder, one picture of fifteen");
   app.add_option("--tier", chosen.tiers, "a: planes; b: what stands on them, too; both if not said")
       ->check(CLI::IsMember({"a", "b"}));
-  app.add_option("parts", chosen.parts, "what to measure: scores, quiet, pan, places")
-      ->check(CLI::IsMember({"scores", "quiet", "pan", "places"}));
+  app.add_option("--clip", chosen.clip.clip, "clip: vtest.avi of the package opencv-doc");
+  app.add_option("--labels", chosen.clip.labels, "clip: who is in it");
+  app.add_option("--motion", chosen.clip.seed, "clip: the seed of the camera's motion");
+  app.add_option("--eyes", chosen.process.program, "process: the program");
+  app.add_option("--seconds", chosen.process.seconds, "process: of the flight")->check(CLI::Range(10, 60));
+  app.add_flag("--record", chosen.process.has_recording, "process: it records, too");
+  app.add_option("parts", chosen.parts,
+                 "what to measure: scores, quiet, pan, places (these if not said), clip, process")
+      ->check(CLI::IsMember({"scores", "quiet", "pan", "places", "clip", "process"}));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  options chosen;
+  CLI::App app{"Measures the detector of godwit-eyes on generated scenes.", "bench_eyes"};
+  chosen.clip.labels = GODWIT_TEST_DATA "/eyes/vtest_labels.json";
+  chosen.process.program = GODWIT_EYES_PROGRAM;
+  add_options(app, chosen);
   CLI11_PARSE(app, argc, argv);
   godwit::eyes::use_one_thread();
   std::printf("seeds: %s\n", chosen.is_tuning ? "for tuning" : "held back");
+  bool is_well = true;
   for (const auto& part : chosen.parts) {
     if (part == "pan")
       print_pan(chosen);
     if (part == "places")
       print_places();
+    if (part == "clip")
+      is_well = print_clip(chosen) && is_well;
+    if (part == "process")
+      is_well = print_process(chosen) && is_well;
     for (const auto& name : chosen.tiers)
       if (part == "scores")
         print_scores(chosen, name == "a" ? tier::a : tier::b);
       else if (part == "quiet")
         print_quiet(chosen, name == "a" ? tier::a : tier::b);
   }
-  return 0;
+  return is_well ? 0 : 1;
 }

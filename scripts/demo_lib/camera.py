@@ -1,4 +1,5 @@
-"""The camera in the demo: what goes wrong with it and with godwit-eyes, and a scripted operator who decides."""
+"""The camera in the demo: what goes wrong with it and with godwit-eyes, and a scripted operator who decides, and who
+sends the vehicle to what was confirmed."""
 
 import json
 import os
@@ -11,6 +12,8 @@ from demo_lib.children import Trouble
 
 CUT_S = 10
 SETTLES_S = 6  # from the start of the survey, and between two troubles
+VISIT_M = 40  # above the place of take-off
+VISIT_S = 120  # there from anywhere over the meadow, and back
 
 
 def free_tcp_port():
@@ -67,6 +70,24 @@ class Operator:
         self.waits_s = waits_s
         self.seen_at = {}
         self.decided = {}
+        self.visited = []
+
+    def confirmed(self):
+        """The number of a point that was confirmed, by the script or by somebody at the page; None: there is none."""
+        points = self.daemon.status().get("points") or {}
+        return next((point["number"] for point in points.get("confirmed", [])), None)
+
+    def send(self, number):
+        """The same words as a person's. False: somebody at the page has the vehicle in hand."""
+        try:
+            self.daemon.ctl("insert", "--point", str(number), "--altitude", str(VISIT_M))
+        except Trouble as trouble:
+            if self.waits_s == 0:
+                raise
+            self.line.tell(f"operator: point {number} is not flown to: {trouble}")
+            return False
+        self.line.tell(f"operator: fly to point {number}, at {VISIT_M} m, and then on with the survey")
+        return True
 
     def look(self):
         points = self.daemon.status().get("points") or {}
@@ -116,3 +137,42 @@ def trouble(watch, camera, operator, seconds):
     watch.wait_for("the end of the cut", flown_for(CUT_S), seconds)
     camera.do("camera back")
     watch.line.tell("the camera is back")
+
+
+def visit(watch, service, operator, seconds):
+    """The vehicle is sent to what was confirmed, and from there back to the survey that it was flying."""
+
+    def item_of(flight):
+        return service.mission()["items"][min(flight["items_done"], flight["items"] - 1)]
+
+    def is_moment(flight):
+        operator.look()
+        is_survey = flight["phase"] == "flying" and item_of(flight)["kind"] == "survey"
+        return is_survey and operator.confirmed() is not None
+
+    flight = watch.wait_for("something to fly to in the survey", is_moment, seconds)
+    survey, number, done = item_of(flight), operator.confirmed(), flight["items_done"]
+    if not operator.send(number):
+        return
+
+    def is_on_its_way(now):
+        operator.look()
+        return now["phase"] == "flying" and now["items"] > flight["items"] and service.has_item(done, "waypoint")
+
+    there = item_of(watch.wait_for("the way to the point", is_on_its_way, VISIT_S))
+
+    def is_there(now):
+        operator.look()
+        return service.is_reached(there["id"]) and now["items_done"] == done + 1
+
+    watch.wait_for("the vehicle at the point", is_there, VISIT_S)
+    place = there["at"]
+    watch.line.tell(f"the vehicle is at point {number}: {place['latitude']:.5f},{place['longitude']:.5f}")
+
+    def is_back(now):
+        operator.look()
+        return now["phase"] == "flying" and now["items_done"] > done and item_of(now)["id"] == survey["id"]
+
+    watch.wait_for("the survey again", is_back, VISIT_S)
+    operator.visited.append(number)
+    watch.line.tell(f"the vehicle goes on with '{survey['id']}'")

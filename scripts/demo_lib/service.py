@@ -59,6 +59,15 @@ class Service:
         """The mission at its newest revision: that of the last assignment that was accepted."""
         return json.loads(self.rows("SELECT text FROM missions")[0][0])
 
+    def has_item(self, index, kind):
+        """Whether the newest revision has an item of KIND there."""
+        items = self.mission()["items"]
+        return index < len(items) and items[index]["kind"] == kind
+
+    def is_reached(self, item_id):
+        """As the reports say that were delivered."""
+        return any(each["kind"] == "reached" and each.get("item_id") == item_id for each, _ in self.delivered("progress"))
+
     def assign(self, after, items):
         return self.ask({"do": "assign", "assignment": {"replace_after_item_id": after, "items": items}})
 

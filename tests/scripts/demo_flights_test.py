@@ -2,7 +2,7 @@
 """The demo flies: demo_flights_test.py FOLDER_OF_PROGRAMS [TIMES_REAL_TIME].
 
 Three combinations of vehicle and mission, and QGroundControl's plan; with TEST_FULL=1 each shipped mission with each
-vehicle. Mission progress has to come whole over another tail, a crash and a kill; executor and failsafe, run again from
+vehicle, and the search with a camera, in real time. Mission progress has to come whole over another tail, a crash and a kill; executor and failsafe, run again from
 the trace, do the same; what is exported of a flight can be opened by others."""
 
 import json
@@ -105,6 +105,13 @@ class Flights(unittest.TestCase):
                 self.assertEqual(summary["process_kills"], 1)
                 self.assertGreaterEqual(summary["actor_restarts"], 1)
                 self.assertGreater(summary["observations_pushed"], 0)
+
+    @unittest.skipUnless(os.environ.get("TEST_FULL") and (PROGRAMS / "godwit-eyes").exists(), "real time: TEST_FULL=1")
+    def test_a_search_finds_two_things_and_the_vehicle_flies_to_one_and_back(self):
+        summary = self.fly("--camera", "--speed", "1")  # the last --speed counts
+        self.assertEqual(set(summary), KEYS | {"eyes_kills", "decided", "visited"})
+        self.assertEqual((summary["outcome"], summary["reports_lost"]), ("complete", 0))
+        self.assertEqual((summary["eyes_kills"], summary["decided"], summary["visited"]), (2, 2, 1))
 
     def test_without_faults_nothing_is_restarted(self):
         summary = self.fly("--no-faults", look=self.read_exports)

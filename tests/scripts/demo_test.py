@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 sys.dont_write_bytecode = True
 
-from demo_lib import children, faults, restarts, service, sightings, tail, watch  # noqa: E402
+from demo_lib import camera, children, faults, restarts, service, sightings, tail, watch  # noqa: E402
 
 MISSION = {"items": [{"id": "up", "kind": "takeoff"}, {"id": "w1", "kind": "waypoint"}]}
 HOME = {"latitude": 47.4, "longitude": 8.5, "altitude_m": 0}
@@ -152,6 +152,88 @@ class Moments(unittest.TestCase):
         self.assertFalse(self.is_moment(1, phase="paused"))
         self.assertFalse(self.is_moment(1, revision=2))
         self.assertFalse(self.is_moment(1, is_armed=False))
+
+
+class SearchedMeadow:
+    """Watch, service and operator of a search in which the operator's word is obeyed, or is not."""
+
+    ITEMS = [{"id": "up", "kind": "takeoff"}, {"id": "meadow", "kind": "survey"}, {"id": "home", "kind": "return"}]
+    EXTRA = {"id": "extra1", "kind": "waypoint", "at": {"latitude": 47.4, "longitude": 8.5}}
+
+    def __init__(self, flights, is_obeyed=True, refusal=None, waits_s=0):
+        self.flights = [{"phase": "flying", **flight} for flight in flights]
+        self.is_obeyed, self.refusal = is_obeyed, refusal
+        self.told, self.said, self.items, self.reached = [], [], list(self.ITEMS), []
+        self.line = self
+        self.operator = camera.Operator(self, self, waits_s)
+
+    def tell(self, text):
+        self.told.append(text)
+
+    def status(self):
+        return {"points": {"shown": [], "confirmed": [{"number": 3}]}}
+
+    def ctl(self, *words):
+        if self.refusal:
+            raise children.Trouble(self.refusal)
+        self.said.append(words)
+        if self.is_obeyed:
+            self.items.insert(1, self.EXTRA)
+
+    def mission(self):
+        return {"items": self.items}
+
+    def has_item(self, index, kind):
+        return self.items[index]["kind"] == kind
+
+    def is_reached(self, item_id):
+        return item_id in self.reached
+
+    def wait_for(self, what, is_there, _seconds):
+        while self.flights:
+            flight = self.flights.pop(0)
+            self.reached = flight.get("reached", [])
+            if is_there(flight):
+                return flight
+        raise children.Trouble(f"{what} did not come")
+
+    def visit(self):
+        camera.visit(self, self, self.operator, 1)
+
+
+class Visiting(unittest.TestCase):
+    CLIMBING, SEARCHING = {"items_done": 0, "items": 3}, {"items_done": 1, "items": 3}
+    THERE = {"items_done": 2, "items": 4, "reached": ["extra1"]}
+
+    def test_the_vehicle_is_sent_from_the_survey_to_the_point_and_back_to_it(self):
+        on_its_way = {"items_done": 1, "items": 4}
+        world = SearchedMeadow([self.CLIMBING, self.SEARCHING, self.SEARCHING, on_its_way, self.THERE, self.THERE])
+        world.visit()
+        self.assertEqual(world.said, [("insert", "--point", "3", "--altitude", "40")])
+        self.assertEqual(world.operator.visited, [3])
+        self.assertEqual(world.told[-1], "the vehicle goes on with 'meadow'")
+
+    def test_one_that_never_gets_there_is_no_visit(self):
+        world = SearchedMeadow([self.SEARCHING, *[{"items_done": 1, "items": 4}] * 3])
+        with self.assertRaisesRegex(children.Trouble, "the vehicle at the point did not come"):
+            world.visit()
+        self.assertEqual(world.operator.visited, [])
+
+    def test_one_that_does_not_go_on_with_the_survey_is_no_visit(self):
+        paused = {**self.THERE, "phase": "paused"}
+        world = SearchedMeadow([self.SEARCHING, {"items_done": 1, "items": 4}, self.THERE, paused])
+        with self.assertRaisesRegex(children.Trouble, "the survey again did not come"):
+            world.visit()
+
+    def test_who_has_control_at_the_page_is_not_disturbed(self):
+        world = SearchedMeadow([self.SEARCHING], refusal="anna has control", waits_s=20)
+        world.visit()
+        self.assertEqual((world.said, world.operator.visited), ([], []))
+        self.assertIn("anna has control", world.told[-1])
+
+    def test_a_refusal_without_a_person_ends_the_demo(self):
+        with self.assertRaises(children.Trouble):
+            SearchedMeadow([self.SEARCHING], refusal="no").visit()
 
 
 class StandingStill(unittest.TestCase):

@@ -27,7 +27,7 @@ namespace {
 
 const cv::Size seen_size(640, 480); // of a clip of 768 x 576
 constexpr double frame_s = 0.1;
-constexpr int not_scored = 45; // the first labelled frame; by then all three know the ground
+constexpr int first_scored = 45; // the first labelled frame; by then all three know the ground
 
 // -- the camera
 
@@ -205,7 +205,7 @@ public:
       add(truth_of(known->second, cv::Matx33d::eye(), clip_frame.size()), boxes_of(still), clip_frame.size(),
           figures_.still);
       draw(number, view, said, real);
-    } else if (number >= not_scored) {
+    } else if (number >= first_scored) {
       ++figures_.rest_frames;
       add(truth_of(still, by, seen_size), boxes_of(said), seen_size, figures_.rest);
     }

@@ -53,8 +53,8 @@ struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, stand_by, await_arming, guard, bring_plan, set_current_item, set_home, see_home, free_home,
-                          arm, disarm, start_plan>;
+using step = std::variant<change_mode, stand_by, await_arming, guard, bring_plan, set_current_item, set_home, see_home,
+                          free_home, arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                             // of each step

@@ -14,7 +14,7 @@
 namespace godwit::executor {
 
 enum class act_kind {
-  hold,     // a mode in which the vehicle stays where it is
+  hold, // a mode in which the vehicle stays where it is
   arm,
   take_off,
   stop,     // disarm, return, land, terminate: it ends what the vehicle does

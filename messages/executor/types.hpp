@@ -42,13 +42,13 @@ struct start_mission {
 };
 
 enum class start_verdict {
-  started,        // the vehicle is in its mission mode, from the item that was asked for
-  awaits_arming,  // it stands disarmed in its mission mode; by_mode alone. The arm of the same station starts it
-  not_ready,      // a preflight check fails or has not ended: `reason` says which
-  disarmed,       // and starting does not arm
-  no_such_item,   // or another plan is held by now
-  too_late,       // obey_until_ns had passed
-  failed          // it was tried: `reason` says how far it came
+  started,       // the vehicle is in its mission mode, from the item that was asked for
+  awaits_arming, // it stands disarmed in its mission mode; by_mode alone. The arm of the same station starts it
+  not_ready,     // a preflight check fails or has not ended: `reason` says which
+  disarmed,      // and starting does not arm
+  no_such_item,  // or another plan is held by now
+  too_late,      // obey_until_ns had passed
+  failed         // it was tried: `reason` says how far it came
 };
 
 constexpr auto enum_names(start_verdict) {

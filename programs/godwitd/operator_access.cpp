@@ -36,8 +36,8 @@ void operator_access::add_desks(runtime::system& actors, const daemon_settings& 
                                 const flight_actors& flight,
                                 std::function<std::vector<std::uint64_t>()> pictured_points) {
   desk_ = actors.add<operator_port::operator_desk>(
-      {.name = "operator_desk"}, replaceable, operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe, std::move(pictured_points)},
-      answers_);
+      {.name = "operator_desk"}, replaceable,
+      operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe, std::move(pictured_points)}, answers_);
   page_desks_ = add_page_desks(actors, wanted, base, flight, answers_);
 }
 

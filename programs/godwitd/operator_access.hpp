@@ -38,8 +38,7 @@ public:
   };
   using sayer = std::function<void(const std::string& sentence, bool is_warning)>;
 
-  explicit operator_access(bool uses_tls)
-      : answers_(std::make_shared<operator_port::waiting_answers>(uses_tls)) {}
+  explicit operator_access(bool uses_tls) : answers_(std::make_shared<operator_port::waiting_answers>(uses_tls)) {}
 
   // Before the actors start; in a daemon that flies. PICTURED_POINTS: which the camera has shown; empty: there is none.
   void add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,

@@ -38,7 +38,7 @@ struct start_flight {
   bool has_taken_off = false;         // under that station, which gives the vehicle back in the air
   // Its station has put it in its mission mode and said arm: it is armed and started from here.
   std::optional<std::uint16_t> armed_from = {};
-  std::int64_t part_until_ns = 0;     // it waits for so long until its part of the plan is ready; 0: it does not
+  std::int64_t part_until_ns = 0; // it waits for so long until its part of the plan is ready; 0: it does not
 };
 
 struct command_queue {

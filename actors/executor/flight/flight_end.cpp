@@ -98,8 +98,8 @@ bool flight_end::leave_mission_mode(effects& out, instant now) {
   const auto& paused = flight_.s.progress.paused;
   const bool is_our_plan = flight_.s.flown && paused != progress::pause_reason::vehicle_restarted &&
                            paused != progress::pause_reason::foreign_plan;
-  if (flight_.is_in_flight() || flight_.runner.is_busy() || has_stood_by_ ||
-      !(is_our_plan || was_put_there_) || !view.is_connected())
+  if (flight_.is_in_flight() || flight_.runner.is_busy() || has_stood_by_ || !(is_our_plan || was_put_there_) ||
+      !view.is_connected())
     return false;
   if (!view.is_in(mode_kind::mission) || view.is_armed() || disarmed_since_ns_ == 0 ||
       now.now_ns - disarmed_since_ns_ < stands_ns)

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "actors/domain/control_authority/mode_tables.hpp"
+
 namespace godwit::executor {
 
 void start_by_arming::begin(effects& out, const start_mission& asked, std::uint16_t sequence, instant now) {
@@ -16,8 +18,9 @@ std::optional<act_answer> start_by_arming::take(effects& out, const station_act&
   if (m.kind == act_kind::arm && m.by == flight_.awaited_arming->by)
     return start(out, now);
   if (m.kind == act_kind::arm)
-    return act_answer{act_verdict::refused, "the vehicle would start its mission: " + name_of(flight_.awaited_arming->by) +
-                                                " has put it in its mission mode, and arms it"};
+    return act_answer{act_verdict::refused,
+                      "the vehicle would start its mission: " + name_of(flight_.awaited_arming->by) +
+                          " has put it in its mission mode, and arms it"};
   flight_.awaited_arming.reset();
   return std::nullopt;
 }
@@ -26,6 +29,9 @@ act_answer start_by_arming::start(effects& out, instant now) {
   const auto awaited = *std::exchange(flight_.awaited_arming, {});
   if (auto why = preparation_.why_not_start(out, now); !why.empty())
     return {act_verdict::refused, "the mission is not started: " + why};
+  // Who watches from the arming on has not seen the mode that it waited in: it comes once more, behind the start.
+  const auto modes = flight::modes_obeying(flight_.view.owner(), flight::mode_kind::mission);
+  out.emplace_back(say_to_failsafe{failsafe::expect_mode{modes, 0, true}});
   flight_.wanted.start.emplace();
   flight_.wanted.start->armed_from = awaited.sequence;
   return {act_verdict::done, {}};

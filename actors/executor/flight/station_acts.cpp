@@ -41,8 +41,8 @@ bool station_acts::holds(bool has_looked, instant now) {
 }
 
 bool station_acts::is_done_already(const station_act& m) const {
-  return (m.kind == act_kind::arm || m.kind == act_kind::take_off) && !flight_.has_person() && flight_.view.is_armed() &&
-         (flight_.is_in_flight() || flight_.is_starting());
+  return (m.kind == act_kind::arm || m.kind == act_kind::take_off) && !flight_.has_person() &&
+         flight_.view.is_armed() && (flight_.is_in_flight() || flight_.is_starting());
 }
 
 } // namespace godwit::executor

@@ -9,8 +9,8 @@
 //
 // "Taken": from then on it is that station's person who has the vehicle, until a hand-back. A vehicle that is armed or
 // not heard counts as flying. Whoever has it already is followed by the station that acted last: its start or resume is
-// a hand-back, nobody else's. The arm of a station that has just put the vehicle in its mission mode is its start, which
-// godwit does (start_by_arming.hpp). Pure. Thread: one at a time.
+// a hand-back, nobody else's. The arm of a station that has just put the vehicle in its mission mode is its start,
+// which godwit does (start_by_arming.hpp). Pure. Thread: one at a time.
 #pragma once
 
 #include "actors/executor/flight/control_watch.hpp"

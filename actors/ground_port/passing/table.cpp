@@ -95,7 +95,7 @@ constexpr std::array commands{
     command(34, person, "Orbit"),
     command(35, person, "Figure eight"),
     command(84, person, "Take off", kind::take_off), // NAV_VTOL_TAKEOFF
-    command(85, person, "Land", kind::stop),    // NAV_VTOL_LAND
+    command(85, person, "Land", kind::stop),         // NAV_VTOL_LAND
     command(176, person, "Mode"),
     command(178, person, "Speed"),
     command(179, disarmed, "Home"),

@@ -88,7 +88,7 @@ TEST_P(mission_list, an_assignment_that_can_not_be_carried_out_is_refused_with_t
   world.load(mission);
   ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
   mission::assignment assignment;
-  assignment.assignment_id = "a2";
+  assignment.assignment_id = "22222222-2222-4333-8444-555555555555";
   assignment.base_revision = 7;
   assignment.revision = 8;
   assignment.items = mission.items;
@@ -134,6 +134,7 @@ TEST_P(mission_list, a_mission_that_was_called_home_is_aborted) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
+  world.run_for(5); // a rover that stands at home has returned before anybody sees it
   ASSERT_TRUE(world.say(operators::command_kind::come_home).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::aborted, 900)) << world.story();
   EXPECT_EQ(the_one(world, mission_place::ended)->outcome, "aborted");

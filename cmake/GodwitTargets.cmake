@@ -32,7 +32,7 @@ endif()
 
 # The presets that build everything compile several files of a target as one (unity build): the headers that they share
 # are what takes the time, and a whole build takes a fifth of it so. Names in unnamed namespaces must therefore differ
-# within a target. In the others (dev, fuzz, lint) each file stands alone, and shows what it forgot to include.
+# within a target. In the others (dev, lint) each file stands alone, and shows what it forgot to include.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 
 # The linker of LLVM takes a third of the time of GNU's for the sixty test programs.

@@ -78,12 +78,17 @@ class Journal(World):
         self.lose(lambda file: os.truncate(file + "-wal", 0))
 
 
+def is_served(path):
+    with socket.socket(socket.AF_UNIX) as client:
+        return client.connect_ex(path) == 0
+
+
 class Control(World):
     def test_a_stopped_daemon_with_a_full_backlog_keeps_its_socket(self):
         godwitd = self.start()
         self.until_it_says(godwitd, "mission ")
         path = self.path("godwit.control")
-        self.until(lambda: os.path.exists(path), "there is no control socket")
+        self.until(lambda: is_served(path), "nobody serves the control socket")
         godwitd.send_signal(signal.SIGSTOP)
         waiting = []
         for _ in range(64):

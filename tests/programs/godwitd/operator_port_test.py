@@ -10,7 +10,7 @@ import unittest
 
 from service_test import OK, PATIENCE_S, PROGRAM, USAGE, World
 
-PARTS_OF_STATUS = {"at_ms", "health", "flight", "failsafe", "vehicle", "ground", "service", "map", "fleet", "actors",
+PARTS_OF_STATUS = {"at_ms", "health", "flight", "missions", "failsafe", "vehicle", "ground", "service", "map", "fleet", "actors",
                    "mail", "journal", "trace", "process", "unanswered"}
 
 

@@ -77,7 +77,7 @@ test("in flight, too: control is kept, the flight goes on, and no failsafe takes
     return (await answer.json()).verdict;
   });
   assert.equal(verdict, "taken");
-  await until(() => /^flight +flying/m.test(control()), "it flies", control);
+  await until(() => /^flight +flying/m.test(control()) && /^failsafe +watches$/m.test(control()), "it flies, guarded", control);
   for (const end = Date.now() + hidden_ms; Date.now() < end; await wait(500)) {
     const now = control();
     for (const part of [/anna has control/, /^flight +flying.*godwit has the vehicle; mission, armed/m, /^failsafe +watches$/m])

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "messages/flight/flight_mode.hpp"
+#include "actors/domain/flight_mode/flight_modes.hpp"
 
 namespace godwit::flight::tests {
 

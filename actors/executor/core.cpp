@@ -83,6 +83,7 @@ effects core::advance(instant now) {
   effects out;
   service_.ask_again(out, now);
   standstill_.look(out, now);
+  messages_.look(out, now.now_ns);
   parts_.give_up_late(out, now);
   arming_.look(out, now);
   for (bool goes_on = true; goes_on;) {
@@ -172,7 +173,9 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
 effects core::on_vehicle(const io::mavlink::statustext& m, instant now) {
   flight_.view.take(m, now.now_ns);
   flight_.authority.on_text(flight_.view.owner(), flight::text_of(m), now.now_ns);
-  return {};
+  effects out;
+  messages_.take(out, m, now.now_ns);
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::sys_status& m, instant now) {

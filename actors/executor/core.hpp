@@ -51,6 +51,7 @@
 #include "actors/executor/flight/start_by_arming.hpp"
 #include "actors/executor/flight/station_acts.hpp"
 #include "actors/executor/flight/task_control.hpp"
+#include "actors/executor/flight/vehicle_messages.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/operator/types.hpp"
 
@@ -191,6 +192,7 @@ private:
   control_watch watch_{flight_, phases_, tasks_};
   recovery recovery_{flight_, phases_, tasks_, watch_};
   energy_control energy_{flight_};
+  vehicle_messages messages_;
   standstill_watch standstill_{flight_};
   service_view service_{flight_};
   preparation preparation_{flight_, phases_, tasks_, energy_, service_};

@@ -24,8 +24,9 @@ struct settings {
 
   std::string tiles = {}; // an MBTiles file for the page's map; empty: none
 
-  std::size_t max_clients = 32;
-  std::size_t max_clients_an_address = 8;
+  // A browser opens up to seven connections for a page: three pages of one computer, and a program beside them.
+  std::size_t max_clients = 48;
+  std::size_t max_clients_an_address = 24;
 };
 
 // "127.0.0.1:8088", "[::1]:8088", "localhost:8088"; with TLS "0.0.0.0:8443" and others.

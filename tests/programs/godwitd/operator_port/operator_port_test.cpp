@@ -121,14 +121,14 @@ TEST_F(open_port, each_answer_has_the_security_headers_also_a_refusal_of_the_ser
   }
 }
 
-TEST_F(open_port, an_address_has_eight_clients_and_a_place_is_free_when_one_has_gone) {
+TEST_F(open_port, an_address_has_so_many_clients_and_a_place_is_free_when_one_has_gone) {
   std::vector<std::unique_ptr<raw_client>> all;
   for (std::size_t i = 0; i < settings().max_clients_an_address; ++i) {
     all.push_back(std::make_unique<raw_client>(number));
     EXPECT_TRUE(is_let_in(*all.back())) << i;
   }
-  raw_client ninth(number);
-  EXPECT_EQ(ninth.read_to_end(), "");
+  raw_client too_many(number);
+  EXPECT_EQ(too_many.read_to_end(), "");
   all.pop_back();
   for (int tries = 0; tries < 200; ++tries) {
     raw_client next(number);

@@ -12,7 +12,8 @@ import { after, test } from "node:test";
 import { load, root, until, wait } from "./flight_world.mjs";
 
 const speed = 6;
-const flight_ms = 150_000;
+const ready_ms = 60_000; // for all programs to be there; and from there to flying: fetch, checks, upload
+const flight_ms = 240_000; // 70 s on a machine that has nothing else to do
 let heard = "";
 let browser;
 const demo = spawn(join(root, "scripts/demo"), ["--page", "--speed", String(speed), "--bin", dirname(process.env.GODWITD)],
@@ -26,7 +27,7 @@ after(async () => {
 });
 
 test("the page of the demo shows its end as it was", async () => {
-  const [, address] = await until(() => /the page: (\S+)/.exec(heard), "the address of the page", () => heard);
+  const [, address] = await until(() => /the page: (\S+)/.exec(heard), "the address of the page", () => heard, ready_ms);
   const { chromium } = load("playwright-core");
   browser = await chromium.launch({ executablePath: "/usr/bin/chromium-headless-shell", args: ["--no-sandbox", "--disable-gpu"] });
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
@@ -35,13 +36,12 @@ test("the page of the demo shows its end as it was", async () => {
   await page.goto(address);
   await page.waitForSelector("#me");
   const shows = async (where, words) => ((await page.textContent(where)) ?? "").includes(words);
-  await until(() => shows("#phase strong", "flying"), "it flies", () => heard);
-  assert.ok(await shows("#authority strong", "godwit"));
-  for (const end = Date.now() + flight_ms; Date.now() < end && !heard.includes("the flight is over"); ) await wait(200);
-  assert.match(heard, /the flight is over/);
-  await until(() => shows("#phase strong", "done"), "done", () => heard);
-  assert.ok(await shows("#line", "live"));
-  assert.ok(await shows("#authority strong", "nobody"));
+  const all_heard = () => heard;
+  await until(() => shows("#phase strong", "flying"), "it flies", all_heard, ready_ms);
+  await until(() => shows("#authority strong", "godwit"), "godwit has the vehicle", all_heard);
+  await until(() => heard.includes("the flight is over"), "the flight is over", all_heard, flight_ms);
+  for (const [where, words] of [["#phase strong", "done"], ["#line", "live"], ["#authority strong", "nobody"]])
+    await until(() => shows(where, words), `${words} in ${where}`, all_heard);
   const [, done, items] = /(\d+) of (\d+) items/.exec(await page.textContent("#progress"));
   assert.equal(done, items);
   assert.equal(await page.locator("#tab-body tr.done").count(), Number(items));
@@ -49,7 +49,7 @@ test("the page of the demo shows its end as it was", async () => {
   const missions = page.locator("#missions tbody tr");
   assert.equal(await missions.count(), 1);
   assert.match(await missions.first().textContent(), /complete.*missions service/s);
-  assert.equal(await page.locator(".instrument.old").count(), 0);
+  await until(async () => (await page.locator(".instrument.old").count()) === 0, "no value is old");
   await page.waitForSelector(".mark-vehicle:not(.old)");
   await page.click("#see-all");
   if (process.env.GODWIT_PICTURES) {

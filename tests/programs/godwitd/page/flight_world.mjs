@@ -41,8 +41,8 @@ class child {
   }
 }
 
-export async function until(condition, what, more = () => "") {
-  for (const end = Date.now() + patience_ms; Date.now() < end; await wait(20)) {
+export async function until(condition, what, more = () => "", within_ms = patience_ms) {
+  for (const end = Date.now() + within_ms; Date.now() < end; await wait(20)) {
     const found = await condition();
     if (found) return found;
   }

@@ -84,6 +84,14 @@ test("what the checks have found is shown", async () => {
   await page.click("#tab-plan");
 });
 
+test("what the vehicle says is in the log, and stays text", async () => {
+  await world.vehicle_does(`say ${markup}`);
+  await page.click("#tab-log");
+  await shows("#tab-body", `the vehicle says: ${markup}`);
+  assert.equal(await page.locator("#tab-body img").count(), 0);
+  await page.click("#tab-plan");
+});
+
 test("the mission that is prepared is listed with its revision and where it comes from", async () => {
   await page.click("#tab-missions");
   await shows('#missions [data-place="prepared"]', "file at the start");

@@ -30,14 +30,16 @@ const message_type& type_of() noexcept {
       []() { return io::json_schema<T>(); },
       [](std::string& out, const void* body) { io::append_json(out, *static_cast<const T*>(body)); },
       [](const nlohmann::json& document, void* body) {
-        const auto read = io::read_json(document, *static_cast<T*>(body));
-        return read ? std::string() : read.error().message();
+        io::json_reading reading;
+        (void)io::read_fields(reading, document, *static_cast<T*>(body));
+        return reading.message();
       },
       [](const nlohmann::json& document, message_body& body) {
         T value{};
-        const auto read = io::read_json(document, value);
+        io::json_reading reading;
+        (void)io::read_fields(reading, document, value);
         body = message_body::of(std::move(value));
-        return read ? std::string() : read.error().message();
+        return reading.message();
       },
   };
   return made;

@@ -109,9 +109,13 @@ concept named_enum = std::is_enum_v<E> && requires(E value) {
   enum_names(value);
 };
 
+// One for the program, and not one on the stack of each use.
+template <named_enum E>
+inline constexpr auto enum_table = enum_names(E{});
+
 template <named_enum E>
 constexpr std::string_view name_of(E value) {
-  for (const auto& [each, text] : enum_names(value))
+  for (const auto& [each, text] : enum_table<E>)
     if (each == value)
       return text;
   return {};
@@ -119,7 +123,7 @@ constexpr std::string_view name_of(E value) {
 
 template <named_enum E>
 constexpr std::optional<E> value_of(std::string_view text) {
-  for (const auto& [each, name] : enum_names(E{}))
+  for (const auto& [each, name] : enum_table<E>)
     if (name == text)
       return each;
   return std::nullopt;

@@ -9,8 +9,9 @@
 
 namespace godwit::io {
 
-class byte_sink;   // binary.hpp
-class byte_source; // binary.hpp
+class byte_sink;    // binary.hpp
+class byte_source;  // binary.hpp
+class json_reading; // json_value.hpp
 
 template <class V>
 [[nodiscard]] nlohmann::json json_schema(); // json_schema.hpp

@@ -1,5 +1,8 @@
 #include "io/fields/json_text.hpp"
 
+#include <charconv>
+#include <cmath>
+
 namespace godwit::io {
 
 namespace {
@@ -31,6 +34,20 @@ std::size_t utf8_sequence_length(std::string_view text) {
   return 0;
 }
 
+template <class N>
+void append_number(std::string& out, N value) {
+  char digits[32];
+  out.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+template <class N>
+void append_floating(std::string& out, N value) {
+  if (std::isfinite(value))
+    append_number(out, value);
+  else
+    out += "null";
+}
+
 void append_escaped_control(std::string& out, unsigned char c) {
   constexpr char hex[] = "0123456789abcdef";
   switch (c) {
@@ -51,6 +68,19 @@ void append_escaped_control(std::string& out, unsigned char c) {
 }
 
 } // namespace
+
+void append_json_double(std::string& out, double value) { append_floating(out, value); }
+void append_json_float(std::string& out, float value) { append_floating(out, value); }
+void append_json_signed(std::string& out, std::int64_t value) { append_number(out, value); }
+void append_json_unsigned(std::string& out, std::uint64_t value) { append_number(out, value); }
+
+void append_json_name(std::string& out, std::string_view name) {
+  if (out.back() != '{')
+    out += ',';
+  out += '"';
+  out += name;
+  out += "\":";
+}
 
 void append_json_string(std::string& out, std::string_view text) {
   out += '"';

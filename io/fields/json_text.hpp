@@ -6,8 +6,7 @@
 // pure.
 #pragma once
 
-#include <charconv>
-#include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -23,34 +22,35 @@ void append_json_value(std::string& out, const V& value);
 
 inline void append_json_value(std::string& out, bool value) { out += value ? "true" : "false"; }
 
+void append_json_double(std::string& out, double value); // as few digits as bring it back
+void append_json_float(std::string& out, float value);
+void append_json_signed(std::string& out, std::int64_t value);
+void append_json_unsigned(std::string& out, std::uint64_t value);
+
 template <class N>
 requires std::is_arithmetic_v<N>
 void append_json_number(std::string& out, N value) {
-  if constexpr (std::is_floating_point_v<N>) {
-    if (!std::isfinite(value)) {
-      out += "null";
-      return;
-    }
-  }
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  out.append(digits, end);
+  if constexpr (std::is_same_v<N, float>)
+    append_json_float(out, value);
+  else if constexpr (std::is_floating_point_v<N>)
+    append_json_double(out, value);
+  else if constexpr (std::is_signed_v<N>)
+    append_json_signed(out, value);
+  else
+    append_json_unsigned(out, value);
 }
+
+// ,"NAME": behind the value before it, or without the comma behind the brace that begins the object.
+void append_json_name(std::string& out, std::string_view name);
 
 // {"name":VALUE,...} for the open fields of T, in the order of the table; APPEND(entry) writes each VALUE.
 template <has_fields T, class Append>
 void append_json_object(std::string& out, Append append) {
   out += '{';
-  bool first = true;
   for_each_field<T>([&](const auto& entry) {
     if (entry.is_secret)
       return;
-    if (!first)
-      out += ',';
-    first = false;
-    out += '"';
-    out += entry.name;
-    out += "\":";
+    append_json_name(out, entry.name);
     append(entry);
   });
   out += '}';

@@ -1,5 +1,6 @@
 #include "messages/mission/item_fields.hpp"
 
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -31,31 +32,31 @@ void append_json_value(std::string& out, const item& value) {
 
 namespace {
 
-// OUT becomes the alternative T if FOUND is its kind. Returns whether it was.
+// OUT becomes the alternative T if FOUND is its kind; nothing: it is not.
 template <class T>
-[[nodiscard]] bool read_as(const nlohmann::json& found, const nlohmann::json& document, item& out,
-                           const std::string& path, io::json_read_result& result) {
+[[nodiscard]] std::optional<bool> read_as(io::json_reading& reading, const nlohmann::json& found,
+                                          const nlohmann::json& document, item& out) {
   if (found != T::kind)
-    return false;
+    return {};
   auto rest = document;
   rest.erase("kind");
   T value;
-  result = io::read_json(rest, value, path);
+  const bool is_read = io::read_fields(reading, rest, value);
   out = std::move(value);
-  return true;
+  return is_read;
 }
 
 } // namespace
 
-io::json_read_result read_json_value(const nlohmann::json& document, item& out, const std::string& path) {
-  if (!document.is_object())
-    return io::mismatch(path, "an object", document);
+bool read_value(io::json_reading& reading, const nlohmann::json& document, item& out) {
+  if (!reading.expect_object(document))
+    return false;
   const auto kind = document.value("kind", nlohmann::json());
-  io::json_read_result result;
+  std::optional<bool> result;
   const bool known = [&]<class... T>(std::type_identity<std::variant<T...>>) {
-    return (read_as<T>(kind, document, out, path, result) || ...);
+    return ((result = read_as<T>(reading, kind, document, out)) || ...);
   }(std::type_identity<item>{});
-  return known ? result : io::mismatch(path + ".kind", "a kind of item", kind);
+  return known ? *result : reading.fail_at("kind", "a kind of item", kind);
 }
 
 // In the trace an item is its JSON text: its fields differ from kind to kind.

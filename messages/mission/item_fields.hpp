@@ -13,7 +13,7 @@
 namespace godwit::mission {
 
 void append_json_value(std::string& out, const item& value);
-[[nodiscard]] io::json_read_result read_json_value(const nlohmann::json& document, item& out, const std::string& path);
+[[nodiscard]] bool read_value(io::json_reading& reading, const nlohmann::json& document, item& out);
 
 // In the trace an item is its JSON text: its fields differ from kind to kind.
 void encode_value(io::byte_sink& sink, const item& value);

@@ -78,8 +78,8 @@ tl::expected<account_list, std::string> load(const std::string& file) {
   if (!document.is_object() || document.value("version", 0) != 1)
     return wrong(file, "this is no file of accounts of version 1");
   account_list result;
-  if (const auto read = io::read_json_value(document.value("accounts", json()), result, "accounts"); !read)
-    return wrong(file, read.error().message());
+  if (io::json_reading reading("accounts"); !io::read_value(reading, document.value("accounts", json()), result))
+    return wrong(file, reading.message());
   if (auto problem = problem_of(result); !problem.empty())
     return wrong(file, problem);
   return result;

@@ -1,4 +1,4 @@
-// The surface towards ground stations: which messages ground_port takes and sends. Each is one list.
+// Towards ground stations: which messages ground_port takes and sends. Each is one list.
 //
 // | Taken from a station                                        | For                                            |
 // |-------------------------------------------------------------|------------------------------------------------|

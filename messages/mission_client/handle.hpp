@@ -1,4 +1,4 @@
-// Who may say what to mission_client, and what the one who flies the mission has to understand.
+// Who may say what to mission_client, and what the executor has to understand.
 //
 // What mission_client tells its listener is a durable effect each time: once in effect, also over crashes of both.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace godwit::mission_client {
 
-// What the one who flies the mission may ask for.
+// What the executor may ask for.
 using flight_handle =
     runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<pull_map>, runtime::tells<accept_copy>,
                      runtime::tells<push_map>, runtime::tells<report_progress>, runtime::tells<respond_to_assignment>,

@@ -1,4 +1,4 @@
-// What is said to mission_client, and what it tells the one who flies the mission.
+// What is said to mission_client, and what it tells the executor.
 //
 // All ids and keys are UUIDs in small letters; times are nanoseconds since 1970 (UTC). What is owed to the service is
 // told as a durable effect by whoever owes it, so that it comes once in effect; its key was made before the first try
@@ -155,7 +155,7 @@ struct service_status {
       io::field("lost_reports", &service_status::lost_reports));
 };
 
-// -- told to the one who flies --------------------------------------------------------------------
+// -- told to the executor -------------------------------------------------------------------------
 
 enum class load_cause { fetched, changed, looked_up };
 

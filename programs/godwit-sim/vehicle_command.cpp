@@ -125,7 +125,7 @@ exit_code run(const vehicle_arguments& given) {
 }
 
 void add_vehicle_options(CLI::App& app, vehicle_arguments& given) {
-  app.add_option("--personality", given.personality, "Whose habits it has: rover, px4, ardupilot or plane")
+  app.add_option("--personality", given.personality, "The autopilot that it behaves as: rover, px4, ardupilot or plane")
       ->type_name("NAME")
       ->required();
   app.add_option("--link", given.link, "How stations reach it, such as udpin://0.0.0.0:14540 or tcpin://0.0.0.0:5760")

@@ -27,7 +27,7 @@
 
 namespace godwit::executor::supervision {
 
-// Of this process; see start_ledger.
+// Of this process; see crash_loop_guard.
 struct circumstances {
   bool may_end_fast = true; // no process before it has ended fast within ten minutes
   bool is_reduced = false;  // too many ended abnormally in flight: only what flies runs

@@ -1,4 +1,4 @@
-// What a vehicle tells people about transfers, by STATUSTEXT: a table for each set of habits.
+// What a vehicle tells people about transfers, by STATUSTEXT: a table for each autopilot.
 //
 // A sentence may have {who} (the station), {whom} (the one that has the transfer), {plan}, {count}, {item}, {room} and
 // {reason} in it. With names as long as they get it still fits into one STATUSTEXT. What autopilots say is quoted, the

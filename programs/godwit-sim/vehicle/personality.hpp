@@ -1,4 +1,4 @@
-// Whose habits a simulated vehicle has. Thread: values.
+// Which autopilot a simulated vehicle behaves as. Thread: values.
 #pragma once
 
 #include "io/fields/field_table.hpp"

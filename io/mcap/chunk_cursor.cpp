@@ -16,24 +16,32 @@ bool allowed_in_chunk(opcode op) {
 
 } // namespace
 
-result<chunk_cursor> chunk_cursor::open(const record_reader& reader, const raw_record& chunk) {
+result<chunk_cursor> chunk_cursor::open(const record_reader& reader, const raw_record& chunk, memory& memory) {
   const std::optional<chunk_record> fields = parse_chunk(chunk.content());
   if (!fields) {
     return tl::make_unexpected(reader.failure(errc::malformed, chunk.offset, "chunk record"));
   }
-  if (!fields->compression.empty()) {
+  const bool is_compressed = fields->compression == zstd_name;
+  if (!is_compressed && !fields->compression.empty()) {
     const std::string what = "compression " + std::string{fields->compression.substr(0, 32)} + " not supported";
     return tl::make_unexpected(reader.failure(errc::unsupported, chunk.offset, what));
   }
-  if (fields->uncompressed_bytes != fields->records.size()) {
+  if (is_compressed && (fields->uncompressed_bytes > reader.limits().record_bytes ||
+                        !memory.unpack.decompress(fields->records, fields->uncompressed_bytes, memory.records))) {
+    return tl::make_unexpected(reader.failure(errc::malformed, chunk.offset, "chunk that can not be decompressed"));
+  }
+  const byte_view records = is_compressed ? byte_view{memory.records} : fields->records;
+  if (fields->uncompressed_bytes != records.size()) {
     return tl::make_unexpected(reader.failure(errc::malformed, chunk.offset, "chunk with two different sizes"));
   }
-  if (fields->crc != 0 && crc_of(fields->records) != fields->crc) {
+  if (fields->crc != 0 && crc_of(records) != fields->crc) {
     return tl::make_unexpected(reader.failure(errc::crc_mismatch, chunk.offset, "chunk"));
   }
   chunk_cursor cursor;
   cursor.reader_ = &reader;
-  cursor.records_ = fields->records;
+  cursor.records_ = records;
+  cursor.compression_ = fields->compression;
+  cursor.compressed_bytes_ = fields->records.size();
   cursor.records_offset_ = chunk.offset + static_cast<std::uint64_t>(fields->records.data() - chunk.whole.data());
   return cursor;
 }

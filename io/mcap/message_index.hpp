@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "io/mcap/format.hpp"
@@ -21,7 +22,9 @@ struct chunk_index_entry {
   std::uint64_t chunk_bytes = 0;
   std::map<channel_id, std::uint64_t> index_offsets; // empty: the chunk has no message index
   std::uint64_t index_bytes = 0;
-  std::uint64_t records_bytes = 0;
+  std::uint64_t records_bytes = 0;    // as they are when they are read
+  std::uint64_t compressed_bytes = 0; // as they stand in the file
+  std::string compression;            // empty: they stand there as they are
 };
 
 class message_index {

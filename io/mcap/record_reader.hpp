@@ -52,6 +52,7 @@ public:
   // The CRC starts anew behind the record that was read last.
   void restart_crc();
 
+  [[nodiscard]] const read_limits& limits() const { return limits_; }
   [[nodiscard]] error failure(errc code, std::uint64_t offset, std::string what) const;
 
 private:

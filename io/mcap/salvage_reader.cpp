@@ -108,11 +108,9 @@ salvage_reader::step salvage_reader::step_record() {
   }
   const auto op = load<std::uint8_t>(prefix->data());
   const auto content_bytes = load<std::uint64_t>(prefix->data() + 1);
-  if (!is_known(op)) {
-    return lose_from(offset_, "no record begins here");
-  }
   if (content_bytes > limits_.record_bytes || content_bytes > left - record_prefix_bytes) {
-    return lose_from(offset_, "a record of " + std::to_string(content_bytes) + " bytes does not fit");
+    return lose_from(offset_, is_known(op) ? "a record of " + std::to_string(content_bytes) + " bytes does not fit"
+                                           : std::string("no record begins here"));
   }
   const std::uint64_t whole_bytes = record_prefix_bytes + content_bytes;
   const auto is_chunk = is_chunk_by_another_name(opcode{op}, whole_bytes);
@@ -127,6 +125,9 @@ salvage_reader::step salvage_reader::step_record() {
     return lose_from(offset_, "the file has become shorter");
   }
   next_offset_ = offset_ + whole_bytes;
+  if (!is_known(op) && !*is_chunk) { // of a later version of the format, or no record at all
+    return op == 0 ? lose_from(offset_, "no record begins here") : lose_record("no record that is known begins here");
+  }
   return on_record(*is_chunk ? opcode::chunk : opcode{op}, whole->subspan(record_prefix_bytes));
 }
 
@@ -169,12 +170,8 @@ salvage_reader::step salvage_reader::on_record(opcode op, byte_view content) {
     return tell(parse_metadata(content));
   case opcode::chunk:
     return on_chunk(content);
-  case opcode::message_index: // its length is said twice; a wrong one would hide what stands behind it
-    if (content.size() < index_fields_bytes ||
-        load<std::uint32_t>(content.data() + 2) != content.size() - index_fields_bytes) {
-      return lose_from(offset_, "an index has two different sizes");
-    }
-    break;
+  case opcode::message_index:
+    return on_message_index(content);
   case opcode::data_end:
     is_behind_data_ = true;
     break;
@@ -187,29 +184,72 @@ salvage_reader::step salvage_reader::on_record(opcode op, byte_view content) {
   return std::nullopt;
 }
 
+// Its length is said twice; a wrong one would hide what stands behind it. Where a record stands behind both, the one
+// that the format goes by counts.
+salvage_reader::step salvage_reader::on_message_index(byte_view content) {
+  constexpr std::string_view why = "an index has two different sizes";
+  if (content.size() < index_fields_bytes) {
+    return lose_record(std::string(why));
+  }
+  const auto said_bytes = load<std::uint32_t>(content.data() + 2);
+  if (said_bytes == content.size() - index_fields_bytes) {
+    offset_ = next_offset_;
+    return std::nullopt;
+  }
+  const auto as_said = offset_ + message_index_header_bytes + said_bytes;
+  const auto stands = stands_record_at(next_offset_);
+  const auto stands_as_said = as_said < next_offset_ ? stands_record_at(as_said) : result<bool>{false};
+  if (!stands || !stands_as_said) {
+    return tl::make_unexpected(!stands ? stands.error() : stands_as_said.error());
+  }
+  if (!*stands && *stands_as_said) {
+    next_offset_ = as_said;
+  }
+  return lose_record(std::string(why));
+}
+
 salvage_reader::step salvage_reader::on_chunk(byte_view content) {
   const auto chunk = parse_chunk(content);
   if (!chunk) {
     return lose_record(fields_do_not_fit(opcode::chunk));
   }
-  if (!chunk->compression.empty()) {
+  if (!chunk->compression.empty() && chunk->compression != zstd_name) {
     return lose_record("a chunk is compressed (" + std::string{chunk->compression.substr(0, 32)} +
                        "), which is not read");
   }
-  if (chunk->uncompressed_bytes != chunk->records.size()) {
+  const auto records = records_of(*chunk);
+  if (!records) {
+    return lose_record("a chunk can not be decompressed");
+  }
+  if (chunk->uncompressed_bytes != records->size()) {
     return lose_record("a chunk has two different sizes");
   }
-  if (chunk->crc != 0 && crc_of(chunk->records) != chunk->crc) {
+  if (chunk->crc != 0 && crc_of(*records) != chunk->crc) {
     return lose_record("the checksum of a chunk is wrong");
   }
-  chunk_ = chunk->records;
+  chunk_ = *records;
+  is_compressed_ = !chunk->compression.empty();
+  chunk_offset_ = offset_;
   offset_ = next_offset_;
   return std::nullopt;
 }
 
+// As they were written. Nothing: they can not be decompressed.
+std::optional<byte_view> salvage_reader::records_of(const chunk_record& chunk) {
+  if (chunk.compression.empty()) {
+    return chunk.records;
+  }
+  if (chunk.uncompressed_bytes > limits_.record_bytes ||
+      !unpack_.decompress(chunk.records, chunk.uncompressed_bytes, unpacked_)) {
+    return std::nullopt;
+  }
+  return byte_view{unpacked_};
+}
+
 salvage_reader::step salvage_reader::step_in_chunk() {
   const auto give_up = [this](std::string why) -> step {
-    const auto bytes = std::exchange(chunk_, {}).size();
+    const auto rest = std::exchange(chunk_, {}).size();
+    const auto bytes = is_compressed_ ? next_offset_ - chunk_offset_ : rest; // where in it is not known
     return item{lost(next_offset_ - bytes, bytes, std::move(why))};
   };
   if (chunk_.size() < record_prefix_bytes ||
@@ -327,26 +367,31 @@ result<std::optional<std::uint64_t>> salvage_reader::find_chunk(std::uint64_t fr
   return std::nullopt;
 }
 
-// HEAD: as many bytes of it as a chunk has before its records.
+// HEAD: as many bytes of it as a chunk that is not compressed has before its records.
 result<bool> salvage_reader::is_sound_chunk(std::uint64_t offset, byte_view head) {
   const std::byte* at = head.data();
   const auto content_bytes = load<std::uint64_t>(at + 1);
   const auto uncompressed_bytes = load<std::uint64_t>(at + record_prefix_bytes + 16);
   const auto crc = load<std::uint32_t>(at + record_prefix_bytes + 24);
   const auto compression_bytes = load<std::uint32_t>(at + record_prefix_bytes + 28);
-  const auto records_bytes = load<std::uint64_t>(at + record_prefix_bytes + 32);
   constexpr std::size_t fields_bytes = chunk_header_bytes - record_prefix_bytes;
-  if (compression_bytes != 0 || crc == 0 || records_bytes != uncompressed_bytes ||
-      content_bytes > limits_.record_bytes || content_bytes != fields_bytes + records_bytes ||
-      records_bytes > size_bytes_ - offset - chunk_header_bytes) {
+  const bool is_compressed =
+      compression_bytes == zstd_name.size() &&
+      std::ranges::equal(head.subspan(record_prefix_bytes + 32, zstd_name.size()), bytes_of(zstd_name));
+  const bool has_one_size =
+      is_compressed || (compression_bytes == 0 && content_bytes == fields_bytes + uncompressed_bytes);
+  if (!has_one_size || crc == 0 || content_bytes > limits_.record_bytes || uncompressed_bytes > limits_.record_bytes ||
+      content_bytes > size_bytes_ - offset - record_prefix_bytes) {
     return false;
   }
-  if (searched_bytes_ + records_bytes > search_factor * size_bytes_) {
+  if (searched_bytes_ + std::max(content_bytes, uncompressed_bytes) > search_factor * size_bytes_) {
     return false;
   }
-  searched_bytes_ += records_bytes;
-  return view(offset + chunk_header_bytes, records_bytes).map([&](byte_view records) {
-    return records.size() == records_bytes && crc_of(records) == crc;
+  searched_bytes_ += std::max(content_bytes, uncompressed_bytes);
+  return view(offset + record_prefix_bytes, content_bytes).map([&](byte_view content) {
+    const auto chunk = content.size() == content_bytes ? parse_chunk(content) : std::nullopt;
+    const auto records = chunk ? records_of(*chunk) : std::nullopt;
+    return records && records->size() == uncompressed_bytes && crc_of(*records) == crc;
   });
 }
 

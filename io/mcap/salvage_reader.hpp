@@ -16,6 +16,7 @@
 #include <string>
 #include <variant>
 
+#include "io/mcap/compression.hpp"
 #include "io/mcap/record_reader.hpp"
 #include "io/mcap/records.hpp"
 #include "io/mcap/stream_reader.hpp"
@@ -52,8 +53,10 @@ private:
   [[nodiscard]] step step_record();
   [[nodiscard]] step step_in_chunk();
   [[nodiscard]] step on_record(opcode op, byte_view content);
+  [[nodiscard]] step on_message_index(byte_view content);
   [[nodiscard]] step on_chunk(byte_view content);
   [[nodiscard]] step on_end_mark();
+  [[nodiscard]] std::optional<byte_view> records_of(const chunk_record& chunk);
   [[nodiscard]] step lose_from(std::uint64_t offset, std::string why);
   [[nodiscard]] step lose_record(std::string why);
   [[nodiscard]] result<bool> is_chunk_by_another_name(opcode op, std::uint64_t whole_bytes);
@@ -69,9 +72,13 @@ private:
   byte_buffer window_; // a part of the file
   std::uint64_t window_offset_ = 0;
   std::size_t window_bytes_ = 0;
-  std::uint64_t offset_;          // of the next record
-  std::uint64_t next_offset_ = 0; // behind the record that is being looked at
-  byte_view chunk_;               // what is left of the records in a chunk
+  std::uint64_t offset_;           // of the next record
+  std::uint64_t next_offset_ = 0;  // behind the record that is being looked at
+  byte_view chunk_;                // what is left of the records in a chunk
+  bool is_compressed_ = false;     // they stand in unpacked_
+  std::uint64_t chunk_offset_ = 0; // of its record
+  decompressor unpack_;
+  byte_buffer unpacked_;
   std::uint64_t searched_bytes_ = 0;
   bool has_started_;
   bool is_behind_data_ = false; // the end of the data section was seen

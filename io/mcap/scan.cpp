@@ -49,6 +49,7 @@ private:
   record_reader reader_;
   definitions definitions_;
   summary summary_;
+  chunk_cursor::memory memory_;
   message_index index_; // of chunk_
   std::optional<open_chunk> chunk_;
   bool has_header_ = false;
@@ -139,7 +140,7 @@ result<bool> scanner::on_record(const raw_record& raw) {
 }
 
 result<void> scanner::on_chunk(const raw_record& raw) {
-  auto cursor = chunk_cursor::open(reader_, raw);
+  auto cursor = chunk_cursor::open(reader_, raw, memory_);
   if (!cursor) {
     return tl::make_unexpected(cursor.error());
   }
@@ -161,6 +162,8 @@ result<void> scanner::on_chunk(const raw_record& raw) {
   chunk.entry.chunk_offset = raw.offset;
   chunk.entry.chunk_bytes = raw.whole.size();
   chunk.entry.records_bytes = cursor->records_bytes();
+  chunk.entry.compressed_bytes = cursor->compressed_bytes();
+  chunk.entry.compression = cursor->compression();
   chunk.crc_after = crc_of(raw.whole, reader_.crc());
   chunk_ = std::move(chunk);
   return {};

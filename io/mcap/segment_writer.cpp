@@ -113,7 +113,7 @@ result<void> segment_writer::flush() {
   }
   if (!chunk_.empty()) {
     const chunk_index_entry entry = chunk_.finish(file_.size_bytes());
-    if (auto written = put(chunk_.buffer()); !written) {
+    if (auto written = put(chunk_.encoded()); !written) {
       return written;
     }
     summary_.add_chunk(entry, chunk_.index());
@@ -180,7 +180,7 @@ void segment_writer::forget() {
 std::uint64_t segment_writer::closed_bytes() const {
   // The open chunk is counted also while it is empty: the next message needs one.
   const std::uint64_t chunk_index =
-      chunk_index_header_bytes + chunk_.index().channel_count() * channel_to_u64_entry_bytes;
+      chunk_index_header_bytes + zstd_name.size() + chunk_.index().channel_count() * channel_to_u64_entry_bytes;
   const std::uint64_t counts = chunk_.index().channel_count() * channel_to_u64_entry_bytes;
   return file_.size_bytes() + chunk_.encoded_bytes() + metadata_.size() + summary_.tail_bytes() + chunk_index + counts +
          metadata_index_bytes_;

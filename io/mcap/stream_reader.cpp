@@ -97,7 +97,7 @@ stream_reader::step stream_reader::on_record(const raw_record& raw) {
     if (!in_data) {
       return malformed(raw, "data behind the data section");
     }
-    auto opened = chunk_cursor::open(reader_, raw);
+    auto opened = chunk_cursor::open(reader_, raw, memory_);
     if (!opened) {
       return tl::make_unexpected(opened.error());
     }

@@ -1,5 +1,5 @@
 // Reads an MCAP file from front to back: schemas, channels, messages and metadata in the order of the file, out of
-// uncompressed chunks and outside of chunks, then how the file ends.
+// chunks (as they are, or compressed with Zstandard) and outside of chunks, then how the file ends.
 //
 // Checked: structure, ids, the CRC of every chunk, of the data section and of the summary. A file that is still being
 // written, or whose writer was killed, ends with `truncated`: everything before it is whole (a torn chunk is left out
@@ -53,6 +53,7 @@ private:
 
   record_reader reader_;
   definitions definitions_;
+  chunk_cursor::memory memory_; // of chunk_
   std::optional<chunk_cursor> chunk_;
   part part_ = part::start;
   std::uint64_t summary_start_ = 0;

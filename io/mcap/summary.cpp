@@ -33,9 +33,9 @@ void summary::add_chunk(const chunk_index_entry& entry, const message_index& ind
     append_integer(chunk_indexes_, offset);
   }
   append_integer(chunk_indexes_, entry.index_bytes);
-  append_string(chunk_indexes_, "");
-  append_integer(chunk_indexes_, entry.records_bytes); // compressed size
-  append_integer(chunk_indexes_, entry.records_bytes); // uncompressed size
+  append_string(chunk_indexes_, entry.compression);
+  append_integer(chunk_indexes_, entry.compressed_bytes);
+  append_integer(chunk_indexes_, entry.records_bytes);
   end_record(chunk_indexes_, start);
 }
 

@@ -11,15 +11,19 @@ import { parseArgs } from "node:util";
 
 let mcap;
 let crc32;
+let zstd;
 try {
   mcap = await import("@mcap/core");
+  zstd = await import("fzstd");
   ({ crc32 } = await import("@foxglove/crc"));
 } catch (error) {
-  console.error("mcap_check: @mcap/core and @foxglove/crc can not be loaded from tests/peers; run ./dev test, which " +
+  console.error("mcap_check: @mcap/core, @foxglove/crc and fzstd can not be loaded from tests/peers; run ./dev test, which " +
     `installs them. (${error.message})`);
   process.exit(1);
 }
 
+// The size is given so that what is longer or shorter is not taken.
+const decompressHandlers = { zstd: (bytes, size) => zstd.decompress(bytes, new Uint8Array(Number(size))) };
 const data_end_opcode = 0x0f;
 const magic_bytes = 8;
 const prefix_bytes = 9;
@@ -83,7 +87,7 @@ class message_checker {
 }
 
 function read_stream(bytes) {
-  const reader = new mcap.McapStreamReader({ validateCrcs: true });
+  const reader = new mcap.McapStreamReader({ validateCrcs: true, decompressHandlers });
   const checker = new message_checker();
   reader.append(bytes);
   for (let record; (record = reader.nextRecord()); ) checker.add(record);
@@ -104,7 +108,7 @@ async function check_index(bytes, streamed) {
     size: async () => BigInt(bytes.length),
     read: async (offset, size) => bytes.subarray(Number(offset), Number(offset + size)),
   };
-  const reader = await mcap.McapIndexedReader.Initialize({ readable });
+  const reader = await mcap.McapIndexedReader.Initialize({ readable, decompressHandlers });
   let messages = 0;
   let last_time = 0n;
   for await (const message of reader.readMessages({ validateCrcs: true })) {

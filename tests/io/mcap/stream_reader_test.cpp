@@ -49,13 +49,23 @@ TEST(mcap_stream_reader, messages_outside_of_chunks_are_read) {
   EXPECT_EQ(seen.messages.size(), 1U);
 }
 
-TEST(mcap_stream_reader, compression_is_an_explicit_error) {
+TEST(mcap_stream_reader, another_compression_is_an_explicit_error) {
   byte_buffer data;
-  append_chunk(data, "zstd", 100);
+  append_chunk(data, "lz4", 100);
   const reading seen = read_all(file_with(data));
   EXPECT_EQ(seen.end, ending::error);
   EXPECT_EQ(seen.failure.code, errc::unsupported);
-  EXPECT_NE(seen.failure.message().find("compression zstd not supported"), std::string::npos);
+  EXPECT_NE(seen.failure.message().find("compression lz4 not supported"), std::string::npos);
+}
+
+TEST(mcap_stream_reader, what_can_not_be_decompressed_or_would_not_fit_is_an_error) {
+  for (const auto claimed : {std::uint64_t{100}, std::uint64_t{1} << 62U}) {
+    byte_buffer data;
+    append_chunk(data, "zstd", claimed);
+    const reading seen = read_all(file_with(data));
+    EXPECT_EQ(seen.end, ending::error);
+    EXPECT_EQ(seen.failure.code, errc::malformed);
+  }
 }
 
 TEST(mcap_stream_reader, records_unknown_to_us_are_skipped) {

@@ -20,7 +20,7 @@ class Daemon:
             folder,
         )
         self.kills = 0
-        self.restarts = Restarts(folder / "trace")
+        self.restarts = Restarts(programs / "godwit-trace", folder / "trace")
 
     def status(self):
         """What it tells of itself; empty while it does not answer."""

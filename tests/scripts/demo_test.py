@@ -284,21 +284,20 @@ class Pipe(unittest.TestCase):
 
 
 class Trace(unittest.TestCase):
-    EVENT = '{"actor":"executor","message":{"name":"executor","kind":"%s","incarnation":%d,"reason":""}}'
+    LINE = '{"run":%d,"id":%d,"message":{"name":"executor","kind":"up","incarnation":%d,"reason":""}}\n'
 
     def test_incarnations_behind_the_first_are_counted_once_while_the_trace_grows(self):
         with tempfile.TemporaryDirectory() as folder:
-            counted = restarts.Restarts(Path(folder))
+            told = Path(folder) / "told"
+            program = Path(folder) / "godwit-trace"
+            program.write_text(f"#!/bin/sh\ncat {told}\n", encoding="utf-8")
+            program.chmod(0o755)
+            counted = restarts.Restarts(program, Path(folder))
             self.assertEqual(counted.count(), 0)
-            again = self.EVENT % ("up", 2)
-            pieces = [self.EVENT % ("up", 1) + self.EVENT % ("crashed", 1) + again[:60], again[60:], "x" * 1000]
-            with open(Path(folder) / "1.mcap", "a", encoding="utf-8") as record:
-                for piece, count in zip(pieces, (0, 1, 1)):
-                    record.write(piece)
-                    record.flush()
-                    self.assertEqual(counted.count(), count)
-            (Path(folder) / "2.mcap").write_text(self.EVENT % ("up", 3), encoding="utf-8")
-            self.assertEqual(counted.count(), 2)
+            first, again, other = self.LINE % (1, 5, 1), self.LINE % (1, 9, 2), self.LINE % (2, 9, 3)
+            for lines, count in ((first, 0), (first + again, 1), (first + again + other, 2), (other, 2)):
+                told.write_text(lines, encoding="utf-8")
+                self.assertEqual(counted.count(), count)
 
 
 class CommandLine(unittest.TestCase):

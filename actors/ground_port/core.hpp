@@ -31,6 +31,7 @@
 #include "actors/ground_port/message_allowlist.hpp"
 #include "actors/ground_port/mission_server/server.hpp"
 #include "actors/ground_port/passing/act_queue.hpp"
+#include "actors/ground_port/passing/act_series.hpp"
 #include "actors/ground_port/passing/budget.hpp"
 #include "actors/ground_port/passing/table.hpp"
 #include "actors/ground_port/settings.hpp"
@@ -197,6 +198,7 @@ private:
 
   // core_principals.cpp
   void tell_audit(decision_context& t, mavlink::sender who, std::string what, std::string outcome, std::string reason);
+  void audit_act(decision_context& t, const passing::waiting_act& what, const std::string& outcome, std::string reason);
   [[nodiscard]] std::optional<station_rules::objection> object_to(decision_context& t, mavlink::sender who,
                                                                   const std::string& what);
   // True: it has its answer.
@@ -264,6 +266,7 @@ private:
   start_dedup starts_;
   command_dedup words_;
   passing::act_queue acts_;
+  passing::act_series audited_acts_;
   bool is_hold_asked_ = false; // through a station, and not shown by the progress yet
   passing::budget to_vehicle_{to_vehicle_most};
   passing::budget to_stations_{to_stations_most};

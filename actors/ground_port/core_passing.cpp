@@ -6,6 +6,8 @@
 //                                       ├──refused──> TEMPORARILY_REJECTED, and the reason
 //                                       └──no answer──> what ends the vehicle's motion goes on, with the failsafe told
 //                                                       first; all else is refused
+// What people do is a row of the audit: one when a stream of sticks or of parameters begins (passing/act_series.hpp).
+//
 //   mission mode ──> as MISSION_START, or a resume where the flight is paused; hold ──> the executor decides
 #include <algorithm>
 #include <array>
@@ -19,6 +21,7 @@
 #include "actors/ground_port/decision_context.hpp"
 #include "actors/ground_port/number_reading.hpp"
 #include "actors/ground_port/passing/file_transfer.hpp"
+#include "io/fields/field_table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 
 namespace godwit::ground_port {
@@ -37,6 +40,8 @@ using vehicle_link::relayed_frame;
 // Streams of these are what fences and the flight are judged by: no station makes them slower than this.
 constexpr std::array<std::uint8_t, 5> streams_that_are_needed{0, 2, 6, 10, 12}; // all, status, position, extra 1 and 3
 constexpr std::uint16_t least_rate_hz = 4;
+
+constexpr const char* audited_as_taken = "taken";
 
 constexpr std::uint32_t custom_flag = 1;  // MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
 constexpr std::uint32_t armed_flag = 128; // MAV_MODE_FLAG_SAFETY_ARMED
@@ -270,7 +275,8 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
                   owner_ == flight::mode_owner{} ? "Mode: the vehicle is not heard"
                                                  : "Mode: only custom modes are taken");
   const auto mode = flight::mode_of(owner_, custom_mode);
-  executor::station_act act{act_kind::command, by(what.from), "mode " + std::to_string(custom_mode)};
+  executor::station_act act{act_kind::command, by(what.from),
+                            "Mode " + std::string(io::name_of(mode.kind)) + " (" + std::to_string(custom_mode) + ")"};
   switch (mode.kind) {
   case mode_kind::mission:
     if ((base_mode & armed_flag) == 0)
@@ -319,12 +325,16 @@ void core::ask(decision_context& t, passing::waiting_act what) {
 effects core::on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now) {
   decision_context t(*this, now);
   if (auto asked = acts_.resolve(request)) {
-    if (m.verdict == act_verdict::pass)
-      pass(t, std::move(asked->frame));
-    else if (m.verdict == act_verdict::refused)
+    if (m.verdict == act_verdict::refused) {
       refuse_act(t, *asked, m.reason);
-    else if (asked->order)
-      answer(t, *asked->order, mav_result::accepted);
+    } else if (m.verdict == act_verdict::pass) {
+      audit_act(t, *asked, audited_as_taken, "it goes on to the vehicle");
+      pass(t, std::move(asked->frame));
+    } else {
+      audit_act(t, *asked, audited_as_taken, {});
+      if (asked->order)
+        answer(t, *asked->order, mav_result::accepted);
+    }
     if (m.verdict == act_verdict::done && asked->act.kind == act_kind::hold)
       is_hold_asked_ = true;
   }
@@ -347,12 +357,14 @@ void core::pass_unanswered(decision_context& t, const passing::waiting_act& what
     return refuse_act(t, what, reason);
   t.done.emplace_back(tell_taken_over{});
   pass(t, what.frame);
+  audit_act(t, what, audited_as_taken, "it goes on to the vehicle although " + reason);
   if (what.act.kind != act_kind::stream)
     t.say(mav_severity::critical, what.act.what + " is passed on although " + reason);
 }
 
 void core::refuse_act(decision_context& t, const passing::waiting_act& what, const std::string& reason) {
   ++counts_.passing_refused;
+  audit_act(t, what, "refused", reason);
   const mavlink::sender to{what.frame.system, what.frame.component};
   if (what.order)
     answer(t, *what.order, mav_result::temporarily_rejected);

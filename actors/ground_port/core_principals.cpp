@@ -2,7 +2,7 @@
 //
 //   a station's start, resume, go to, item, plan ──look──> refused with the name of who has control, one row
 //                                                  └─────> on its way; one row when it is known what came of it
-//   its hold, its return, what a person does by hand: not asked about
+//   its hold, its return, what a person does by hand: not asked about, and a row of its own (core_passing.cpp)
 #include <string>
 #include <utility>
 
@@ -24,6 +24,13 @@ void core::tell_audit(decision_context& t, mavlink::sender who, std::string what
                       std::string reason) {
   if (settings_.stations_are)
     t.done.emplace_back(audit_row_to_tell{who, std::move(what), std::move(outcome), std::move(reason)});
+}
+
+// Of a stream of sticks, or of many parameters, the beginning.
+void core::audit_act(decision_context& t, const passing::waiting_act& what, const std::string& outcome,
+                     std::string reason) {
+  if (audited_acts_.begins(what.act, outcome, t.now.monotonic_ns))
+    tell_audit(t, {what.act.by.system, what.act.by.component}, what.act.what, outcome, std::move(reason));
 }
 
 std::optional<station_rules::objection> core::object_to(decision_context& t, mavlink::sender who,

@@ -137,6 +137,78 @@ TEST(ground_port_principals, when_control_is_free_again_stations_are_heard_and_e
   EXPECT_EQ(port.rows[0].outcome, "taken");
 }
 
+// -- what people do by hand --------------------------------------------------------------------------
+
+struct passing_port : port_fixture {
+  passing_port() : port_fixture(configured()) {
+    mavlink::heartbeat copter{.type = 2, .autopilot = 3, .base_mode = 1};
+    vehicle_says(copter);
+    has_control("anna");
+  }
+  static settings configured() {
+    auto result = beside_operators();
+    result.as.component = 1;
+    result.passes = true;
+    return result;
+  }
+  void expect_row(const std::string& what, const std::string& outcome) {
+    ASSERT_EQ(rows.size(), 1U) << what;
+    EXPECT_EQ(rows[0].what, what);
+    EXPECT_EQ(rows[0].outcome, outcome) << what;
+    EXPECT_EQ(rows[0].who, station_id) << what;
+    rows.clear();
+  }
+};
+
+TEST(ground_port_principals, what_a_person_does_by_hand_is_one_row_each_whoever_has_control) {
+  passing_port port;
+  port.say(command(mav_cmd::component_arm_disarm, 1));
+  port.executor_says(executor::act_verdict::pass);
+  port.expect_row("Arm", "taken");
+  port.say(command(mav_cmd::component_arm_disarm, 0));
+  port.executor_says(executor::act_verdict::pass);
+  port.expect_row("Disarm", "taken");
+  port.say(command(mav_cmd::nav_takeoff));
+  port.executor_says(executor::act_verdict::done);
+  port.expect_row("Take off", "taken");
+  port.say(command(mav_cmd::nav_land));
+  port.executor_says(executor::act_verdict::refused, "not now");
+  port.expect_row("Land", "refused");
+  port.say(command(mav_cmd::do_set_mode, 1, 6));
+  port.executor_says(executor::act_verdict::pass);
+  port.expect_row("Mode returning (6)", "taken");
+}
+
+TEST(ground_port_principals, what_goes_on_without_the_executors_word_is_a_row_too) {
+  passing_port port;
+  port.say(command(mav_cmd::nav_land));
+  port.executor_is_silent();
+  port.expect_row("Land", "taken");
+  port.say(command(mav_cmd::component_arm_disarm, 1));
+  port.executor_is_silent();
+  port.expect_row("Arm", "refused");
+}
+
+TEST(ground_port_principals, sticks_and_parameters_are_one_row_when_they_begin) {
+  passing_port port;
+  const auto stick = [&](std::int16_t x) {
+    std::vector<std::uint8_t> payload(11, 1);
+    payload[0] = static_cast<std::uint8_t>(x);
+    const mavlink::frame_buffer frame(69, mavlink::find_message(69)->crc_extra, std::as_bytes(std::span(payload)),
+                                      station_id, 0, false);
+    port.bytes(io::link::only_peer, frame.span());
+    port.executor_says(executor::act_verdict::pass);
+  };
+  for (std::int16_t i = 0; i < 50; ++i) {
+    stick(i);
+    port.advance(s / 10);
+  }
+  port.expect_row("MANUAL_CONTROL", "taken");
+  port.advance(6 * s); // let go of
+  stick(1);
+  port.expect_row("MANUAL_CONTROL", "taken");
+}
+
 TEST(ground_port_principals, without_operators_beside_them_nothing_is_asked_and_nothing_written) {
   port_fixture port;
   port.say(go_to_command());

@@ -57,6 +57,7 @@ constexpr std::array messages{
     message(122, passes, 0, "LOG_REQUEST_END"),
     message(123, passes, 0, "GPS_INJECT_DATA"),
     message(126, setting, no_target, "SERIAL_CONTROL"),
+    message(134, setting, no_target, "TERRAIN_DATA"), // heights that a return may be flown by
     message(139, setting, 41, "SET_ACTUATOR_CONTROL_TARGET"),
     message(144, person, no_target, "FOLLOW_TARGET"),
     message(149, person, no_target, "LANDING_TARGET"),
@@ -69,6 +70,7 @@ constexpr std::array messages{
     message(232, setting, no_target, "GPS_INPUT"),
     message(233, passes, no_target, "GPS_RTCM_DATA"),
     message(243, disarmed, 52, "SET_HOME_POSITION", alone),
+    message(246, setting, no_target, "ADSB_VEHICLE"), // an autopilot that avoids traffic leaves its way for it
     message(253, passes, no_target, "STATUSTEXT"),
     message(282, passes, 32, "GIMBAL_MANAGER_SET_ATTITUDE"),
     message(287, passes, 20, "GIMBAL_MANAGER_SET_PITCHYAW"),
@@ -77,6 +79,7 @@ constexpr std::array messages{
     message(321, passes, 0, "PARAM_EXT_REQUEST_LIST"),
     message(323, passes, 0, "PARAM_EXT_SET"), // of cameras: no autopilot has such parameters
     message(331, setting, no_target, "ODOMETRY"),
+    message(385, setting, 2, "TUNNEL"), // what is in it nobody here can tell
     message(412, passes, 4, "REQUEST_EVENT"),
 };
 
@@ -96,6 +99,7 @@ constexpr std::array commands{
     command(35, person, "Figure eight"),
     command(84, person, "Take off", kind::take_off), // NAV_VTOL_TAKEOFF
     command(85, person, "Land", kind::stop),         // NAV_VTOL_LAND
+    command(115, person, "Heading"),
     command(176, person, "Mode"),
     command(178, person, "Speed"),
     command(179, disarmed, "Home"),
@@ -106,7 +110,12 @@ constexpr std::array commands{
     command(191, person, "Go around"),
     command(192, owned, "Go to"),
     command(193, owned, "Pause"),
+    command(195, person, "Region of interest"), // without a gimbal it turns the vehicle
+    command(196, person, "Region of interest"),
+    command(197, person, "Region of interest"),
+    command(198, person, "Region of interest"),
     command(200, passes, "DO_CONTROL_VIDEO"),
+    command(201, person, "Region of interest"),
     command(202, passes, "DO_DIGICAM_CONFIGURE"),
     command(203, passes, "DO_DIGICAM_CONTROL"),
     command(204, passes, "DO_MOUNT_CONFIGURE"),

@@ -93,7 +93,7 @@ TEST_F(ground_port_passing, clocks_are_answered_here) {
 }
 
 TEST_F(ground_port_passing, what_is_on_no_list_is_refused_counted_and_said_once) {
-  say_frame(134, {1, 2, 3}); // TERRAIN_DATA
+  say_frame(131, {1, 2, 3}); // ENCAPSULATED_DATA
   say_command(2'600);        // CONTROL_HIGH_LATENCY
   say_command(2'600);
   EXPECT_TRUE(port.passed_on.empty());

@@ -21,11 +21,19 @@ TEST(passing_table, nothing_of_the_mission_protocol_passes) {
 }
 
 TEST(passing_table, keys_and_what_is_not_known_are_on_no_list) {
-  EXPECT_EQ(find_message(256), nullptr); // SETUP_SIGNING
-  EXPECT_EQ(find_message(109), nullptr); // RADIO_STATUS
-  EXPECT_EQ(find_message(246), nullptr); // ADSB_VEHICLE
-  EXPECT_EQ(find_command(115), nullptr); // CONDITION_YAW
-  EXPECT_EQ(find_command(195), nullptr); // DO_SET_ROI_LOCATION turns a vehicle that has no gimbal
+  EXPECT_EQ(find_message(256), nullptr);   // SETUP_SIGNING
+  EXPECT_EQ(find_message(109), nullptr);   // RADIO_STATUS
+  EXPECT_EQ(find_command(2'600), nullptr); // CONTROL_HIGH_LATENCY
+}
+
+TEST(passing_table, what_turns_the_vehicle_is_a_persons) {
+  for (const std::uint16_t each : {115, 195, 196, 197, 198, 201})
+    EXPECT_EQ(find_command(each)->on, pass_list::person) << each;
+}
+
+TEST(passing_table, terrain_traffic_and_tunnels_pass_where_the_settings_name_them) {
+  for (const auto* const each : {"TERRAIN_DATA", "ADSB_VEHICLE", "TUNNEL"})
+    EXPECT_TRUE(is_for_setting(each)) << each;
 }
 
 // A frame of each with a byte of its own at each place.

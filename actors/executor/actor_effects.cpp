@@ -154,6 +154,8 @@ void actor::dispatch(const durable_core::effect& each) {
         } else if constexpr (std::is_same_v<M, start_answer>) {
           if (!answer_current(m) && others_->port)
             tell(*others_->port, m);
+        } else if constexpr (std::is_same_v<M, ground_port::plan_judged>) {
+          carry_out(say_to_port{m});
         } else if constexpr (std::is_same_v<M, phase_status>) {
           show_phase_status(m);
         } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {

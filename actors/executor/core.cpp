@@ -86,6 +86,7 @@ effects core::advance(instant now) {
   messages_.look(out, now.now_ns);
   parts_.give_up_late(out, now);
   arming_.look(out, now);
+  clearing_.look(out, recovery_.has_looked(), now);
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(std::ranges::any_of(rules, [&](rule each) { return (this->*each)(out, now); }));

@@ -128,7 +128,9 @@ public:
 
   // -- people
   [[nodiscard]] effects on_station(const start_mission& m, instant now) { return stations_.on_start(m, now); }
-  [[nodiscard]] effects on_station(const plan_taken& m, instant now) { return stations_.on_plan(m, now); }
+  [[nodiscard]] effects on_station(const plan_taken& m, instant now) {
+    return stations_.on_plan(m, recovery_.has_looked(), now);
+  }
   [[nodiscard]] effects on_station(const plan_cleared& m, instant now);
   // As a start in flight: what it is answered with comes as a start_answer with KEY, or at once.
   [[nodiscard]] effects on_station(const set_current& m, std::uint64_t key, instant now);

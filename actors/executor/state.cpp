@@ -6,6 +6,7 @@
 
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/station_plan.hpp"
+#include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -41,11 +42,20 @@ void resolve_change(state& s, bool is_done) {
   s.change.reset();
 }
 
+// What the station hears that has uploaded it in flight.
+void judge_upload(effects& out, const state& s, ground_port::plan_verdict how) {
+  if (s.brings && s.brings->is_upload)
+    out.emplace_back(ground_port::plan_judged{io::mavlink::mav_mission_type::mission, s.brings->station->plan_id, how});
+}
+
 // An upload that is over leaves either the new mission or the one before.
-void settle_deployment(state& s, std::uint32_t generation_before, bool was_assigned) {
+void settle_deployment(effects& out, state& s, std::uint32_t generation_before, bool was_assigned) {
+  using ground_port::plan_verdict;
   if (s.progress.upload || !s.brings)
     return;
-  if (s.progress.last_generation != generation_before) {
+  const bool has_come = s.progress.last_generation != generation_before;
+  judge_upload(out, s, has_come ? plan_verdict::taken : plan_verdict::refused);
+  if (has_come) {
     s.mission = s.brings->mission;
     if (was_assigned)
       s.set_aside.clear(); // the service wants something else now
@@ -56,6 +66,7 @@ void settle_deployment(state& s, std::uint32_t generation_before, bool was_assig
     if (s.brings->station)
       s.station = std::exchange(s.brings->station, {});
     s.flown = std::move(s.brings);
+    s.flown->is_upload = false;
   }
   s.brings.reset();
 }
@@ -108,7 +119,7 @@ effects take(state& s, const M& happened, std::int64_t now_ns) {
   else if (was_assigned && !s.progress.upload)
     s.cut_off_uploads = 0; // it is answered
   if (was_uploading)
-    settle_deployment(s, generation, was_assigned);
+    settle_deployment(out, s, generation, was_assigned);
   return out;
 }
 
@@ -261,7 +272,12 @@ effects take(state& s, const task_begun& happened, std::int64_t) {
 effects take(state& s, const task_ended& happened, std::int64_t) {
   if (s.doing && s.doing->number == happened.number)
     s.doing.reset();
-  return {};
+  effects out;
+  if (s.brings && s.brings->is_upload && !s.progress.upload) { // it ended before anything went to the vehicle
+    judge_upload(out, s, ground_port::plan_verdict::refused);
+    s.brings.reset();
+  }
+  return out;
 }
 
 effects take(state& s, const phase_status& happened, std::int64_t) {

@@ -9,7 +9,7 @@
 //   station_plan_taken, _dropped, and station_fence_taken, station_rally_taken, last_line_brought: none
 //   change_asked                  what the service is to change; _resolved: none
 //   task_begun, task_ended        none; a task is on the disk before its first order goes out, but for hold,
-//                                 return and stand down
+//                                 return and stand down. Of an upload in flight plan_judged, as of its upload's end
 //   phase_status                  the flight's phase and why, to whoever watches
 //   start_resolved                 start_answer to who asked
 //   station_took_over             none
@@ -37,6 +37,7 @@
 #include "messages/executor/types.hpp"
 #include "messages/flight/flight_mode.hpp"
 #include "messages/flight/home_place.hpp"
+#include "messages/ground_port/plan_judged.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/types.hpp"
 #include "runtime/effect_kind.hpp"
@@ -107,11 +108,12 @@ struct station_plan {
   std::uint16_t items = 0;               // of the upload
   std::vector<std::uint16_t> places;     // for each item of the mission: of the item in the upload that it was made of
   std::optional<station_part> part = {}; // that the mission is; none: it is the whole upload
+  station by = {};                       // who has uploaded it
   static constexpr auto fields =
       io::table("executor.station_plan", io::field("mission_id", &station_plan::mission_id),
                 io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
                 io::field("items", &station_plan::items), io::field("places", &station_plan::places),
-                io::field("part", &station_plan::part));
+                io::field("part", &station_plan::part), io::field("by", &station_plan::by));
 };
 
 // The plan that an upload brings, until the upload is resolved.
@@ -121,11 +123,13 @@ struct deployment {
   std::optional<std::uint16_t> landing_sequence;
   std::vector<plan::planned_survey> surveys;
   std::optional<mission::assignment> asked = {}; // that it carries out in flight, until the upload is resolved
-  std::optional<station_plan> station = {};      // the same of a part that a station's start asks for
-  static constexpr auto fields = io::table(
-      "executor.deployment", io::field("mission", &deployment::mission), io::field("items", &deployment::items),
-      io::field("landing_sequence", &deployment::landing_sequence), io::field("surveys", &deployment::surveys),
-      io::field("asked", &deployment::asked), io::field("station", &deployment::station));
+  std::optional<station_plan> station = {};      // the same of a part that a station's start asks for, or of an upload
+  bool is_upload = false;                        // of a station, which waits for what becomes of it
+  static constexpr auto fields =
+      io::table("executor.deployment", io::field("mission", &deployment::mission),
+                io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence),
+                io::field("surveys", &deployment::surveys), io::field("asked", &deployment::asked),
+                io::field("station", &deployment::station), io::field("is_upload", &deployment::is_upload));
 };
 
 // -- events besides those of the progress -----------------------------------------------------------
@@ -382,7 +386,7 @@ struct durable_core {
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,
                               preflight::phase_changed, preflight::report_opened, preflight::acknowledgement_answered,
-                              phase_status, start_answer>;
+                              phase_status, start_answer, ground_port::plan_judged>;
 
   [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   // Of earlier versions.

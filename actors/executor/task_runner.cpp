@@ -324,7 +324,9 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
   const bool was_refused = stage_ == stage::asked;
   if (!is_final && tries_ < (is_stop() || was_lost_ ? max_tries_of_lost : max_tries))
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
-  const auto sentence = "the vehicle was asked " + what_is_asked() + ", and did not: " + why;
+  const auto warned = w.view.warned_since(asked_ns_);
+  const auto sentence = "the vehicle was asked " + what_is_asked() + ", and did not: " + why +
+                        (warned.empty() ? "" : "; it says \"" + warned + "\"");
   if (!has_intent())
     return fail(sentence);
   why_failed_ = sentence;

@@ -89,6 +89,12 @@ void vehicle_view::take(const io::mavlink::statustext& m, std::int64_t now_ns) {
   const auto text = flight::text_of(m);
   if (flight::tells_why_not_armed(text))
     why_not_armed_ = {std::string(text), now_ns};
+  if (m.severity <= io::mavlink::number(io::mavlink::mav_severity::warning) && !text.empty())
+    warned_ = {std::string(text), now_ns};
+}
+
+std::string vehicle_view::warned_since(std::int64_t ns) const {
+  return warned_ && warned_->at_ns >= ns ? warned_->what : std::string();
 }
 
 preflight::estimate vehicle_view::estimate(std::int64_t now_ns) const {

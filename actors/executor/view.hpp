@@ -92,6 +92,8 @@ public:
   [[nodiscard]] preflight::estimate estimate(std::int64_t now_ns) const;
   // In its own words; empty: it has said nothing of the kind of late.
   [[nodiscard]] std::string why_not_armed(std::int64_t now_ns) const;
+  // What it has warned of last; empty: of nothing since then.
+  [[nodiscard]] std::string warned_since(std::int64_t ns) const;
   [[nodiscard]] std::int64_t place_heard_ns() const { return place_heard_ns_; }
 
 private:
@@ -128,6 +130,7 @@ private:
   std::int64_t heard_since_ns_ = 0; // the first heartbeat since the link was up last
   std::optional<estimated> estimate_;
   std::optional<said> why_not_armed_;
+  std::optional<said> warned_;
 };
 
 } // namespace godwit::executor

@@ -60,6 +60,8 @@ using mavlink::signing_settings;
 inline constexpr std::size_t max_waiting_for_disk = 16;
 // The executor has said by then what became of a plan; a station waits for about as long.
 inline constexpr std::int64_t judged_within_ns = 1'000'000'000;
+// The same of a plan that goes to a vehicle in flight: longer than the executor tries it.
+inline constexpr std::int64_t brought_within_ns = 30'000'000'000;
 // The same of a clear, which goes to the vehicle and comes back from it, more than once where frames are lost.
 inline constexpr std::int64_t cleared_within_ns = 5'000'000'000;
 // What is to be told when they are on the disk.
@@ -238,6 +240,7 @@ private:
   [[nodiscard]] bool repeats_clear(const mission_server::reaction& next) const;
   void tell_verdict(decision_context& t, held& what);
   void take_back(decision_context& t, const awaited_verdict& refused);
+  void answer_late(decision_context& t, const plan_resolved& m);
   void choose_current(decision_context& t, const set_current_request& set_current);
   void refuse_current(decision_context& t, const set_current_request& set_current, mavlink::mav_result result,
                       const std::string& text);
@@ -284,6 +287,7 @@ private:
     mavlink::mav_mission_type type = mavlink::mav_mission_type::mission;
     std::uint32_t plan_id = 0; // 0: of a clear
     std::optional<plan_verdict> verdict = {};
+    bool is_brought = false; // to a vehicle in flight, and the verdict follows
   };
   struct held {
     std::uint64_t ticket = 0;
@@ -296,6 +300,7 @@ private:
     [[nodiscard]] std::int64_t judged_by_ns() const;         // of what is on the disk
   };
   std::deque<held> held_;
+  std::optional<plan_judged> unawaited_verdict_; // the last one: the answer that it is for may be owed by a crash
   std::uint64_t first_ticket_;
   std::uint64_t next_ticket_;
   std::size_t waiting_for_disk_ = 0;

@@ -52,7 +52,10 @@ bool take_verdict(Verdicts& of, const plan_judged& m) {
       of, [&](const auto& each) { return each.type == m.type && each.plan_id == m.plan_id && !each.verdict; });
   if (found == of.end())
     return false;
-  found->verdict = m.verdict;
+  if (m.verdict == plan_verdict::bringing)
+    found->is_brought = true;
+  else
+    found->verdict = m.verdict;
   return true;
 }
 
@@ -103,7 +106,7 @@ core::held core::held_for(mission_server::reaction&& next) const {
   for (const auto& each : result.reaction.changes) {
     result.is_clear = result.is_clear || each.kind == mission_server::plan_change_kind::cleared;
     if (has_executor_)
-      result.verdicts.push_back({each.type, each.plan_id, {}});
+      result.verdicts.push_back({each.type, each.plan_id});
   }
   return result;
 }
@@ -151,7 +154,7 @@ effects core::on_durable(const plan_resolved& m, instant now) {
   if (!is_of_this_life(m.ticket)) {
     // The station has not been answered, unless it was between the answer and the crash.
     if (m.ack && now.wall_ns - m.at_ns < answer_is_worth_ns)
-      t.send(mavlink::sender{m.ack->target_system, m.ack->target_component}, *m.ack);
+      answer_late(t, m);
     finish(t);
     return std::move(t.done);
   }
@@ -166,11 +169,25 @@ effects core::on_durable(const plan_resolved& m, instant now) {
   return std::move(t.done);
 }
 
+// Of an earlier life. The executor may have judged it by now; else it does, or the station hears that nobody knows.
+void core::answer_late(decision_context& t, const plan_resolved& m) {
+  if (!has_executor_)
+    return t.send(mavlink::sender{m.ack->target_system, m.ack->target_component}, *m.ack);
+  held late{m.ticket, {}};
+  late.reaction.messages.emplace_back(*m.ack);
+  late.verdicts.push_back({m.type, m.plan_id});
+  late.is_clear = m.plan_id == 0;
+  late.on_disk_ns = t.now.monotonic_ns;
+  if (const auto judged = std::exchange(unawaited_verdict_, std::nullopt))
+    (void)take_verdict(late.verdicts, *judged);
+  held_.push_back(std::move(late));
+  tell_judged(t);
+}
+
 effects core::on_plan_judged(const plan_judged& m, instant now) {
   decision_context t(*this, now);
-  for (auto& each : held_)
-    if (take_verdict(each.verdicts, m))
-      break;
+  if (std::ranges::none_of(held_, [&](held& each) { return take_verdict(each.verdicts, m); }))
+    unawaited_verdict_ = m;
   tell_judged(t);
   finish(t);
   return std::move(t.done);
@@ -190,7 +207,8 @@ std::optional<plan_verdict> core::held::worst() const {
 }
 
 std::int64_t core::held::judged_by_ns() const {
-  return on_disk_ns.value_or(0) + (is_clear ? cleared_within_ns : judged_within_ns);
+  const bool is_brought = std::ranges::any_of(verdicts, [](const awaited_verdict& each) { return each.is_brought; });
+  return on_disk_ns.value_or(0) + (is_brought ? brought_within_ns : is_clear ? cleared_within_ns : judged_within_ns);
 }
 
 // In order: what is on the disk, and judged where the executor has to say what became of it.
@@ -306,7 +324,7 @@ mavlink::mission_current core::current() const {
   const auto state = is_known ? progress_->state : mission_state::not_started;
   const bool is_under_way = state == mission_state::active || state == mission_state::paused;
   auto seq = is_known ? progress_->current : std::uint16_t{0};
-  if (start_item_ && !is_under_way)
+  if (start_item_ && state != mission_state::active)
     seq = *start_item_;
   result.total = static_cast<std::uint16_t>(mission.items);
   result.seq = std::min(seq, static_cast<std::uint16_t>(mission.items - 1));
@@ -354,8 +372,7 @@ void core::choose_current(decision_context& t, const set_current_request& set_cu
                    is_same ? "" : "Set current: another item was just asked for");
     return;
   }
-  const auto state = static_cast<mission_state>(current().mission_state);
-  if (state != mission_state::active && state != mission_state::paused) {
+  if (static_cast<mission_state>(current().mission_state) != mission_state::active) {
     if (start_item_ == set_current.index) { // nothing to write
       if (set_current.by_command)
         answer(t, *set_current.by_command, mav_result::accepted);

@@ -27,6 +27,8 @@ void core::say_word(decision_context& t, const vehicle_role::order& what) {
   const auto command = read_word(what, home_altitude_m());
   if (!command)
     return refuse(t, what, command.error().result, command.error().text);
+  if (command->kind == operators::command_kind::resume && noted_start_item_)
+    return start_or_resume(t, what); // at the item that was chosen while it was paused
   begin_word(t, what, *command);
 }
 

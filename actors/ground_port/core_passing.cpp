@@ -305,7 +305,8 @@ void core::start_or_resume(decision_context& t, vehicle_role::order what) {
     return answer(t, what, mav_result::accepted);
   what.param1 = what.param2 = 0;
   const auto state = progress_ ? progress_->state : mavlink::mission_state::unknown;
-  if (is_armed_ && (is_held || state == mavlink::mission_state::paused))
+  const bool is_paused = is_armed_ && (is_held || state == mavlink::mission_state::paused);
+  if (is_paused && !noted_start_item_)
     return say_word_of(t, what, operators::command_kind::resume);
   start(t, what);
 }

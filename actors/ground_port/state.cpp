@@ -26,7 +26,7 @@ effects decide(state& s, const plan_noted& what, std::int64_t now_ns) {
     result.emplace_back(executor::plan_cleared{what.type, what.by});
   else if (!what.from_executor)
     result.emplace_back(executor::plan_taken{what.type, what.plan_id, restore(what.items), what.by});
-  result.emplace_back(plan_resolved{what.ticket, what.ack, now_ns});
+  result.emplace_back(plan_resolved{what.ticket, what.ack, now_ns, what.type, what.items.empty() ? 0 : what.plan_id});
   return result;
 }
 

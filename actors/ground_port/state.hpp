@@ -57,9 +57,12 @@ struct plan_resolved {
   std::uint64_t ticket = 0;
   std::optional<io::mavlink::mission_ack> ack;
   std::int64_t at_ns = 0; // ns since 1970 (UTC)
+  io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
+  std::uint32_t plan_id = 0; // 0: of a clear
   static constexpr auto fields =
       io::table("ground_port.plan_settled", io::field("ticket", &plan_resolved::ticket),
-                io::field("ack", &plan_resolved::ack), io::field("at_ns", &plan_resolved::at_ns));
+                io::field("ack", &plan_resolved::ack), io::field("at_ns", &plan_resolved::at_ns),
+                io::field("type", &plan_resolved::type), io::field("plan_id", &plan_resolved::plan_id));
 };
 
 // A MISSION_START that was given to the executor, and what became of it.

@@ -11,12 +11,15 @@ namespace godwit::ground_port {
 enum class plan_verdict {
   taken,   // it is the one from now on; a clear: the vehicle has no plan any more
   refused, // the plan from before is still the one
-  failed   // a clear: it is gone here, and may still be on the vehicle
+  failed,  // a clear: it is gone here, and may still be on the vehicle
+  bringing // in flight: it goes to the vehicle now, and another word follows
 };
 
 constexpr auto enum_names(plan_verdict) {
-  return io::names<plan_verdict>(
-      {{plan_verdict::taken, "taken"}, {plan_verdict::refused, "refused"}, {plan_verdict::failed, "failed"}});
+  return io::names<plan_verdict>({{plan_verdict::taken, "taken"},
+                                  {plan_verdict::refused, "refused"},
+                                  {plan_verdict::failed, "failed"},
+                                  {plan_verdict::bringing, "bringing"}});
 }
 
 // The answer to plan_taken and plan_cleared, which are told and not asked: the station hears it as the answer to its

@@ -176,11 +176,11 @@ private:
     }
     case 1:
       return take(port_->on_plan_judged(
-          {static_cast<mavlink::mav_mission_type>(byte() % 3), judged_id_, static_cast<plan_verdict>(byte() % 3)},
+          {static_cast<mavlink::mav_mission_type>(byte() % 3), judged_id_, static_cast<plan_verdict>(byte() % 4)},
           now()));
     default:
       return take(port_->on_plan_judged(
-          {static_cast<mavlink::mav_mission_type>(byte() % 3), 0, static_cast<plan_verdict>(byte() % 3)}, now()));
+          {static_cast<mavlink::mav_mission_type>(byte() % 3), 0, static_cast<plan_verdict>(byte() % 4)}, now()));
     }
   }
   void pass_time() {

@@ -4,7 +4,6 @@
 #include <span>
 #include <utility>
 
-#include "actors/domain/mission/convert/item_list_import.hpp"
 #include "actors/domain/mission/rules.hpp"
 #include "actors/executor/station_part.hpp"
 #include "actors/executor/station_plan.hpp"
@@ -34,24 +33,21 @@ bool prepare_again(flight_context& flight) {
 
 // -- what they upload -------------------------------------------------------------------------------
 
-effects gcs_view::on_plan(const plan_taken& m, instant now) {
-  auto out = take(m, now);
-  const bool is_noted = std::ranges::any_of(out, [](const effect& each) { return std::holds_alternative<note>(each); });
-  out.emplace_back(say_to_port{ground_port::plan_judged{m.type, m.plan_id,
-                                                        is_noted || counts(m) ? ground_port::plan_verdict::taken
-                                                                              : ground_port::plan_verdict::refused}});
+effects gcs_view::on_plan(const plan_taken& m, bool has_looked, instant now) {
+  effects out;
+  auto how = take(out, m, has_looked, now);
+  if (how == verdict::refused && counts(m))
+    how = verdict::taken;
+  out.emplace_back(say_to_port{ground_port::plan_judged{m.type, m.plan_id, how}});
   return out;
 }
 
-effects gcs_view::take(const plan_taken& m, instant now) {
-  switch (m.type) {
-  case mav_mission_type::mission:
-    return take_plan(m, now);
-  case mav_mission_type::fence:
-    return take_fence(m.items);
-  default:
-    return take_rally(m.items);
-  }
+gcs_view::verdict gcs_view::take(effects& out, const plan_taken& m, bool has_looked, instant now) {
+  if (m.type == mav_mission_type::mission)
+    return take_plan(out, m, has_looked, now);
+  out = m.type == mav_mission_type::fence ? take_fence(m.items) : take_rally(m.items);
+  const bool is_noted = std::ranges::any_of(out, [](const effect& each) { return std::holds_alternative<note>(each); });
+  return is_noted ? verdict::taken : verdict::refused;
 }
 
 // That it counted before makes no difference to who has uploaded it. What comes of rally points is said.
@@ -93,34 +89,67 @@ bool gcs_view::begins_with_home(const std::vector<io::mavlink::mission_item_int>
          (frame == mav_frame::global || frame == mav_frame::global_int);
 }
 
-effects gcs_view::take_plan(const plan_taken& m, instant now) {
+std::string gcs_view::why_no_plan(const plan_taken& m, bool has_looked) const {
   if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
-    return not_taken("missions come from " + elsewhere + " here");
+    return "missions come from " + elsewhere + " here";
   if (is_flight_begun(flight_.s))
-    return not_taken("another one is flown; upload it after the flight");
+    return uploads_.why_not(m.by, has_looked);
   if (flight_.has_person() && flight_.s.person != m.by) // its own is kept, and brought behind the hand-back
-    return not_taken("the vehicle has to be handed back first");
+    return "the vehicle has to be handed back first";
+  return {};
+}
+
+// In flight it is the next revision of what is flown, with the fences of the flight.
+tl::expected<mission::imported_list, mission::conversion_error> gcs_view::import_plan(const plan_taken& m,
+                                                                                      instant now) const {
+  const auto* const flown = is_flight_begun(flight_.s) ? &*flight_.s.mission : nullptr;
   mission::item_list_options options;
-  options.mission_id = new_mission_id(m.plan_id, now.wall_ns);
+  options.mission_id = flown != nullptr ? flown->mission_id : new_mission_id(m.plan_id, now.wall_ns);
   options.allow_partial = flight_.configured.allow_partial;
   if (const auto& home = flight_.view.home()) {
     options.home = mission::position{home->latitude, home->longitude, 0};
     options.home_altitude_m = home->above_sea_m;
   }
-  options.geofences = flight_.s.station_fences;
+  options.geofences = flown != nullptr ? flown->geofences : flight_.s.station_fences;
   auto taken = mission::import_item_list(std::span(m.items).subspan(begins_with_home(m.items) ? 1 : 0), options);
+  if (taken && flown != nullptr)
+    taken->mission.revision = flown->revision + 1;
+  return taken;
+}
+
+gcs_view::verdict gcs_view::take_plan(effects& out, const plan_taken& m, bool has_looked, instant now) {
+  const auto refuse = [&](const std::string& why) {
+    out = not_taken(why);
+    return verdict::refused;
+  };
+  if (const auto why = why_no_plan(m, has_looked); !why.empty())
+    return refuse(why);
+  const bool is_flown = is_flight_begun(flight_.s);
+  if (is_flown && counts(m) && !flight_.is_plan_finished())
+    return verdict::taken; // it goes on where it was
+  auto taken = import_plan(m, now);
   if (!taken)
-    return not_taken(taken.error().message());
+    return refuse(taken.error().message());
+  station_plan plan;
+  plan.mission_id = taken->mission.mission_id;
+  plan.revision = taken->mission.revision;
+  plan.plan_id = m.plan_id;
+  plan.items = static_cast<std::uint16_t>(m.items.size());
+  plan.places = std::move(taken->places);
+  plan.by = m.by;
+  station_plan_taken next{std::move(plan), std::move(taken->mission)};
+  if (is_flown)
+    if (const auto why = uploads_.begin(out, next, now); !why.empty())
+      return refuse(why);
   refused_upload_.clear();
-  effects out;
   if (!taken->losses.empty())
     out.emplace_back(announce{"the plan is taken without this: " + taken->losses.message(), true});
-  station_plan plan{taken->mission.mission_id, taken->mission.revision, m.plan_id,
-                    static_cast<std::uint16_t>(m.items.size()), std::move(taken->places)};
-  out.emplace_back(note{station_plan_taken{std::move(plan), std::move(taken->mission)}});
+  if (is_flown)
+    return verdict::bringing;
+  out.emplace_back(note{std::move(next)});
   if (flight_.s.status.now == phase::paused && !flight_.has_person())
     phases_.go(out, trigger::mission_changed);
-  return out;
+  return verdict::taken;
 }
 
 effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
@@ -165,7 +194,7 @@ effects gcs_view::on_start(const start_mission& m, instant now) {
     tasks_.answer_start(out, m.key, start_verdict::not_ready, flight_.s.status.reason);
   else if (hand_back(); fly_again(out, m, now) || prepare_again(flight_))
     tasks_.answer_start(out, m.key, start_verdict::not_ready, "it is prepared anew; start it when it is ready");
-  else if (flight_.wanted.start || flight_.runner.is_busy())
+  else if (flight_.wanted.start || (flight_.runner.is_busy() && !uploads_.is_under_way()))
     tasks_.answer_start(out, m.key, start_verdict::not_ready, "something else is under way: " + flight_.sentence());
   else
     flight_.wanted.start = start_flight{m, has_taken_off};

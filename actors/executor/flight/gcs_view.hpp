@@ -6,8 +6,12 @@
 #include <string>
 #include <vector>
 
+#include <tl/expected.hpp>
+
+#include "actors/domain/mission/convert/item_list_import.hpp"
 #include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/plan_clearing.hpp"
+#include "actors/executor/flight/upload_in_flight.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/mission.hpp"
 
@@ -17,10 +21,10 @@ class gcs_view {
 public:
   gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
            plan_clearing& clearing)
-      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), clearing_(clearing) {}
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), clearing_(clearing), uploads_(flight, tasks) {}
 
   // Answered with plan_judged to the port.
-  [[nodiscard]] effects on_plan(const plan_taken& m, instant now);
+  [[nodiscard]] effects on_plan(const plan_taken& m, bool has_looked, instant now);
   [[nodiscard]] effects on_cleared(const plan_cleared& m, bool has_looked, instant now);
   [[nodiscard]] effects on_start(const start_mission& m, instant now);
   // What stations are to be told, when it has changed and once a second.
@@ -39,9 +43,13 @@ private:
     bool is_upload = false; // as it came; else as the vehicle has it
   };
   [[nodiscard]] const shown_plan& shown();
-  [[nodiscard]] effects take(const plan_taken& m, instant now);
+  using verdict = ground_port::plan_verdict;
+  [[nodiscard]] verdict take(effects& out, const plan_taken& m, bool has_looked, instant now);
   [[nodiscard]] bool counts(const plan_taken& m) const; // it is the one here
-  [[nodiscard]] effects take_plan(const plan_taken& m, instant now);
+  [[nodiscard]] verdict take_plan(effects& out, const plan_taken& m, bool has_looked, instant now);
+  [[nodiscard]] std::string why_no_plan(const plan_taken& m, bool has_looked) const; // is taken; empty: it may be
+  [[nodiscard]] tl::expected<mission::imported_list, mission::conversion_error> import_plan(const plan_taken& m,
+                                                                                            instant now) const;
   [[nodiscard]] effects take_fence(const std::vector<io::mavlink::mission_item_int>& items);
   [[nodiscard]] effects take_rally(const std::vector<io::mavlink::mission_item_int>& items);
   [[nodiscard]] effects not_taken(const std::string& why);
@@ -55,6 +63,7 @@ private:
   task_control& tasks_;
   control_watch& watch_;
   plan_clearing& clearing_;
+  upload_in_flight uploads_;
   std::optional<shown_plan> shown_;
   std::uint32_t told_plan_id_ = 0;
   std::string refused_upload_; // why the last upload of a station was not taken; empty: it was

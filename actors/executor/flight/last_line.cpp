@@ -34,7 +34,7 @@ bool last_line::is_moment() const {
   const bool has_plan = at == phase::ready && s.mission && s.flown;
   const bool has_none = !s.mission && (at == phase::connected || is_at_rest(at));
   return stands() && !s.arrived && !s.doing && !flight_.has_open_intent() && !clearing_.is_under_way() &&
-         (has_plan || has_none);
+         !clearing_.is_waiting() && (has_plan || has_none);
 }
 
 last_line::occasion last_line::occasion_now() const {

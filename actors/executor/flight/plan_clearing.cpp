@@ -26,28 +26,48 @@ std::string plan_clearing::why_not_vehicle() const {
   return flight_.view.is_armed() ? "the vehicle is armed" : "";
 }
 
-std::string plan_clearing::why_not(bool has_looked) const {
+std::string plan_clearing::why_never() const {
   if (GODWIT_PLANTED(clear_while_armed))
     return {};
   if (const auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
     return "missions come from " + elsewhere + " here";
-  if (auto why = why_not_vehicle(); !why.empty())
-    return why;
+  return why_not_vehicle();
+}
+
+bool plan_clearing::is_busy(bool has_looked) const {
   const auto at = flight_.s.status.now;
   const bool is_between = at == phase::uploading || at == phase::starting || at == phase::post_flight;
-  const bool is_busy =
-      flight_.s.doing || flight_.has_open_intent() || flight_.wanted.start || flight_.authority.is_unclear();
-  if (!has_looked || is_busy || is_between)
-    return "something else is under way: " + flight_.sentence();
-  return {};
+  return !has_looked || is_between || flight_.s.doing || flight_.has_open_intent() || flight_.wanted.start ||
+         flight_.authority.is_unclear();
+}
+
+void plan_clearing::refuse(effects& out, const std::string& why) {
+  waits_until_ns_ = 0;
+  out.emplace_back(announce{"the plan is not cleared: " + why, true});
+  out.emplace_back(judged(plan_verdict::refused));
 }
 
 void plan_clearing::begin(effects& out, bool has_looked, instant now) {
-  if (const auto why = why_not(has_looked); !why.empty()) {
-    out.emplace_back(announce{"the plan is not cleared: " + why, true});
-    out.emplace_back(judged(plan_verdict::refused));
+  if (const auto why = why_never(); !why.empty())
+    return refuse(out, why);
+  if (!is_waiting())
+    waits_until_ns_ = now.now_ns + waits_ns;
+  look(out, has_looked, now);
+}
+
+void plan_clearing::look(effects& out, bool has_looked, instant now) {
+  if (!is_waiting())
     return;
-  }
+  if (const auto why = why_never(); !why.empty())
+    refuse(out, why);
+  else if (!is_busy(has_looked) || GODWIT_PLANTED(clear_while_armed))
+    clear(out, now);
+  else if (now.now_ns >= waits_until_ns_)
+    refuse(out, "something else is under way: " + flight_.sentence());
+}
+
+void plan_clearing::clear(effects& out, instant now) {
+  waits_until_ns_ = 0;
   drop_plan(out);
   if (is_under_way_)
     return;

@@ -9,6 +9,19 @@ namespace godwit::executor {
 
 using flight::mode_kind;
 
+namespace {
+
+deployment deployment_of(const mission::document& mission, const plan::flight_plan& what) {
+  deployment result;
+  result.mission = mission;
+  result.items = what.items;
+  result.landing_sequence = what.landing_sequence;
+  result.surveys = what.surveys;
+  return result;
+}
+
+} // namespace
+
 void task_control::answer_start(effects& out, std::uint64_t key, start_verdict verdict, const std::string& reason) {
   out.emplace_back(note{start_resolved{{key, verdict, reason}}});
 }
@@ -25,33 +38,43 @@ void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on, 
 
 void task_control::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                                 const std::optional<std::string>& assignment, bool goes_on) {
-  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, mission, what, assignment);
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, deployment_of(mission, what), what.map,
+             assignment);
 }
 
 void task_control::begin_part(effects& out, const station_plan_taken& part, const plan::flight_plan& what,
                               std::uint64_t key) {
-  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, true, key}, part.mission, what, {}, part.plan);
+  auto brings = deployment_of(part.mission, what);
+  brings.station = part.plan;
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, true, key}, std::move(brings), what.map);
+}
+
+void task_control::begin_upload(effects& out, const station_plan_taken& next, const plan::flight_plan& what) {
+  auto brings = deployment_of(next.mission, what);
+  brings.station = next.plan;
+  brings.is_upload = true;
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, false, {}}, std::move(brings), what.map);
 }
 
 void task_control::begin_way_home(effects& out, const plan::flight_plan& what) {
-  begin_plan(out, {flight_.s.last_task + 1, task_kind::come_home_by_plan, true, {}}, *flight_.s.mission, what, {});
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::come_home_by_plan, true, {}},
+             deployment_of(*flight_.s.mission, what), what.map);
 }
 
-void task_control::begin_plan(effects& out, const task& doing, const mission::document& mission,
-                              const plan::flight_plan& what, const std::optional<std::string>& assignment,
-                              const std::optional<station_plan>& station) {
-  progress::upload_intended intent{mission.revision, what.map, {}, {}};
+void task_control::begin_plan(effects& out, const task& doing, deployment brings, const progress::plan_map& map,
+                              const std::optional<std::string>& assignment) {
+  progress::upload_intended intent{brings.mission.revision, map, {}, {}};
   if (flight_.view.keeps_plan_ids() && flight_.view.current())
     intent.id_before = flight_.view.current()->mission_id;
   if (assignment)
-    intent.assignment = progress::assignment_key{*assignment, ids::derived_uuid(*assignment, mission.mission_id)};
-  out.emplace_back(
-      note{task_begun{doing, deployment{mission, what.items, what.landing_sequence, what.surveys, {}, station}}});
+    intent.assignment =
+        progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};
+  out.emplace_back(note{task_begun{doing, std::move(brings)}});
   flight_.wanted.set_current_item = false;
   flight_.wanted.finish_replan = flight_.wanted.finish_replan && !doing.goes_on;
   deploying_over_ = flight_.s.progress.last_generation;
   deploys_behind_end_ = flight_.is_plan_finished();
-  flight_.runner.begin(doing, deploy_steps(flight_, what.map, doing.goes_on), std::move(intent));
+  flight_.runner.begin(doing, deploy_steps(flight_, map, doing.goes_on), std::move(intent));
 }
 
 void task_control::begin_start(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence) {

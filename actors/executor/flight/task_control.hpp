@@ -23,6 +23,8 @@ public:
                     const std::optional<std::string>& assignment, bool goes_on);
   // In flight: a part of a station's plan, for the station that waits for the answer to its start.
   void begin_part(effects& out, const station_plan_taken& part, const plan::flight_plan& what, std::uint64_t key);
+  // In flight, held: the plan that a station has uploaded. It stays held.
+  void begin_upload(effects& out, const station_plan_taken& next, const plan::flight_plan& what);
   // In flight: of no mission, and flown at once.
   void begin_way_home(effects& out, const plan::flight_plan& what);
   // At SEQUENCE of the vehicle.
@@ -40,8 +42,8 @@ public:
   [[nodiscard]] steps guarded(steps way);
 
 private:
-  void begin_plan(effects& out, const task& doing, const mission::document& mission, const plan::flight_plan& what,
-                  const std::optional<std::string>& assignment, const std::optional<station_plan>& station = {});
+  void begin_plan(effects& out, const task& doing, deployment brings, const progress::plan_map& map,
+                  const std::optional<std::string>& assignment = {});
   void finish_way_home(effects& out);
   [[nodiscard]] bool is_pointless(const task& what) const;
   void finish(effects& out, const task& what);

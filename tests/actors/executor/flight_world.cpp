@@ -383,6 +383,8 @@ void flight_world::dispatch(const executor::durable_core::effect& each) {
           change_mission(m.tail.idempotency_key, m.tail.after_item_id, m.tail.items, false);
         else if constexpr (std::is_same_v<M, executor::start_answer>)
           start_answers_.push_back(m);
+        else if constexpr (std::is_same_v<M, ground_port::plan_judged>)
+          judged_.push_back(m);
         else if constexpr (std::is_same_v<M, executor::phase_status>)
           said_.push_back(std::to_string(time_.now_ns() / 1'000'000) + " ms: " + std::string(io::name_of(m.now)) +
                           (m.reason.empty() ? "" : ": " + m.reason));

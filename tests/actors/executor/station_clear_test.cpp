@@ -79,6 +79,31 @@ TEST_P(clear_by_station, in_flight_it_is_refused_and_the_plan_is_shown_again) {
   EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(items));
 }
 
+TEST_P(clear_by_station, while_a_plan_is_brought_it_waits_for_that_and_is_done_behind_it) {
+  flight_world world(by_stations(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
+  world.station_says(taken(station_items(GetParam())));
+  ASSERT_TRUE(world.run_until([&] { return world.is_uploading(); }, 30)) << world.story();
+  const auto so_far = world.judged().size();
+  world.station_says(clear_mission);
+  EXPECT_EQ(world.judged().size(), so_far) << "neither taken nor refused yet";
+  ASSERT_TRUE(world.run_until([&] { return world.judged().size() > so_far; }, 5)) << world.story();
+  EXPECT_EQ(world.judged().back().verdict, plan_verdict::taken) << world.story();
+  EXPECT_FALSE(world.durable().mission);
+  EXPECT_LE(world.vehicle().describe().mission_count, 1) << world.story();
+}
+
+TEST_P(clear_by_station, what_takes_too_long_before_it_is_said_and_the_plan_stays) {
+  flight_world world(by_stations(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
+  world.lose_message(io::mavlink::mission_count::message_id);
+  world.station_says(taken(station_items(GetParam())));
+  ASSERT_TRUE(world.run_until([&] { return world.is_uploading(); }, 30)) << world.story();
+  ASSERT_TRUE(ends_with(world, plan_verdict::refused));
+  EXPECT_TRUE(was_said(world, "something else is under way")) << world.story();
+  EXPECT_TRUE(world.durable().mission);
+}
+
 TEST_P(clear_by_station, an_armed_vehicle_and_one_that_a_person_has_are_not_cleared) {
   auto wanted = by_stations(GetParam());
   wanted.arm_on_start = false;

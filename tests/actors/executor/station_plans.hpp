@@ -11,6 +11,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_checksum.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/station_items.hpp"
 
 namespace godwit::executor {
 
@@ -20,53 +21,11 @@ using io::mavlink::mav_mission_type;
 using io::mavlink::mission_item_int;
 using io::mavlink::number;
 using tests::flight_world;
-
-using upload = std::vector<mission_item_int>;
-
-inline mission_item_int item_of(mav_cmd command, const mission::position& at) {
-  mission_item_int result;
-  result.command = number(command);
-  result.frame = number(mav_frame::global_relative_alt_int);
-  result.autocontinue = 1;
-  result.x = static_cast<std::int32_t>(at.latitude * 1e7);
-  result.y = static_cast<std::int32_t>(at.longitude * 1e7);
-  result.z = static_cast<float>(at.altitude_m);
-  return result;
-}
-
-inline mission_item_int waypoint_at(sim::personality who, double north_m, double east_m) {
-  return item_of(mav_cmd::nav_waypoint, std::get<mission::waypoint>(tests::place(who, "", north_m, east_m)).at);
-}
-
-inline upload numbered(upload items) {
-  for (std::size_t i = 0; i < items.size(); ++i)
-    items[i].seq = static_cast<std::uint16_t>(i);
-  return items;
-}
-
-// Take-off, speed, two waypoints, return; as a station writes it.
-inline upload station_items(sim::personality who) {
-  const bool drives = who == sim::personality::rover;
-  const double up_m = drives ? 0 : 20;
-  upload result;
-  if (!drives)
-    result.push_back(item_of(mav_cmd::nav_takeoff, {0, 0, up_m}));
-  auto speed = item_of(mav_cmd::do_change_speed, {});
-  speed.frame = number(mav_frame::mission);
-  speed.param1 = 1;
-  speed.param2 = 4;
-  result.push_back(speed);
-  result.push_back(waypoint_at(who, 60, 0));
-  result.push_back(waypoint_at(who, 60, 60));
-  if (who == sim::personality::plane) {
-    result.push_back(item_of(mav_cmd::nav_land, std::get<mission::land>(tests::way_home(who)).at));
-  } else if (!drives) {
-    auto back = item_of(mav_cmd::nav_return_to_launch, {});
-    back.frame = number(mav_frame::mission);
-    result.push_back(back);
-  }
-  return numbered(result);
-}
+using tests::item_of;
+using tests::numbered;
+using tests::station_items;
+using tests::upload;
+using tests::waypoint_at;
 
 inline upload fence_around(sim::personality who, double half_side_m) {
   upload result;

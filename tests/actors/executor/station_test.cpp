@@ -111,7 +111,7 @@ TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item) << "it is another plan now";
   ASSERT_TRUE(fly_two_items(world, second));
   world.station_says(taken(first));
-  EXPECT_TRUE(was_said(world, "upload it after the flight")) << world.story();
+  EXPECT_TRUE(was_said(world, "pause it, then upload, then start")) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(second)) << world.story();
 }
@@ -144,6 +144,27 @@ TEST_P(flight_by_station, FR_00089_a_start_while_it_flies_restarts_at_the_item_t
   EXPECT_TRUE(world.run_until([&] { return world.shown_progress().back().current == first_waypoint; }, 5))
       << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(flight_by_station, what_the_vehicle_says_of_a_refusal_is_in_the_answer_and_in_the_reason_of_the_pause) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(world, items));
+  world.lose_command(number(mav_cmd::component_arm_disarm), 100);
+  world.vehicle_says("Arm: an old warning");
+  world.run_for(1);
+  world.station_says(start_of(world, items));
+  ASSERT_TRUE(world.run_until(
+      [&] {
+        if (world.start_answers().empty())
+          world.vehicle_says("Arm: Throttle too high");
+        return !world.start_answers().empty();
+      },
+      60))
+      << world.story();
+  EXPECT_NE(world.start_answers().back().reason.find("\"Arm: Throttle too high\""), std::string::npos)
+      << world.start_answers().back().reason;
+  EXPECT_NE(world.durable().status.reason.find("Throttle too high"), std::string::npos) << world.story();
 }
 
 // -- a start behind what the station has done itself --------------------------------------------------

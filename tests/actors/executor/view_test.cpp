@@ -33,6 +33,20 @@ TEST(vehicle_view, stands_at_home_is_near_it_and_not_moving) {
   EXPECT_FALSE(vehicle_view().stands_at_home(now_ns));
 }
 
+TEST(vehicle_view, what_it_has_warned_of_counts_from_then_on) {
+  vehicle_view seen;
+  const auto says = [&](const std::string& words, io::mavlink::mav_severity how, std::int64_t at_ns) {
+    io::mavlink::statustext text;
+    text.severity = io::mavlink::number(how);
+    std::ranges::copy(words, text.text.begin());
+    seen.take(text, at_ns);
+  };
+  says("Arm: Throttle too high", io::mavlink::mav_severity::critical, 5);
+  says("Mission: 1 WP", io::mavlink::mav_severity::info, 6);
+  EXPECT_EQ(seen.warned_since(5), "Arm: Throttle too high");
+  EXPECT_EQ(seen.warned_since(6), "");
+}
+
 TEST(vehicle_view, plan_ids_are_kept_by_px4_and_by_who_has_told_one) {
   vehicle_view seen;
   seen.take(io::mavlink::heartbeat{.autopilot = io::mavlink::number(io::mavlink::mav_autopilot::generic)}, now_ns);

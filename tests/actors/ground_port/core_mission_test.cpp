@@ -131,6 +131,23 @@ TEST(ground_port_core, an_acknowledgement_that_a_crash_has_cut_off_is_sent_by_th
   EXPECT_EQ(port.last<mavlink::mission_ack>().target_system, station_id.system);
 }
 
+TEST(ground_port_core, what_the_executor_makes_of_it_is_asked_also_where_a_crash_has_cut_off_the_acknowledgement) {
+  port_fixture refused;
+  refused.upload(3);
+  refused.forget();
+  refused.objects = true;
+  refused.crash(true);
+  EXPECT_EQ(refused.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::denied));
+  port_fixture unknown;
+  unknown.upload(3);
+  unknown.forget();
+  unknown.judges = false;
+  unknown.crash(true);
+  EXPECT_TRUE(unknown.sent<mavlink::mission_ack>().empty());
+  unknown.advance(judged_within_ns);
+  EXPECT_EQ(unknown.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::error));
+}
+
 TEST(ground_port_core, an_acknowledgement_that_is_long_overdue_is_not_sent) {
   port_fixture port;
   port.upload(3);
@@ -473,6 +490,34 @@ TEST(ground_port_core, mission_set_current_is_confirmed_by_mission_current) {
   EXPECT_TRUE(port.sent<mavlink::command_ack>().empty());
 }
 
+TEST(ground_port_core, set_current_while_paused_is_where_the_mission_goes_on) {
+  const auto paused_at_3 = [](port_fixture& port) {
+    port.upload(5);
+    port.vehicle_says(mavlink::heartbeat{.base_mode = 128});
+    port.executor_says(mission_progress{port.shown().plans[0].plan_id, 1, mavlink::mission_state::paused});
+    port.say(set_current(3));
+    EXPECT_EQ(port.last_result(), accepted);
+    EXPECT_TRUE(port.set_currents.empty()) << "nothing goes there now";
+    port.advance(1 * s);
+    EXPECT_EQ(port.last<mission_current>().seq, 3);
+    EXPECT_EQ(port.last<mission_current>().mission_state, mavlink::number(mavlink::mission_state::paused));
+  };
+  port_fixture started;
+  paused_at_3(started);
+  started.say(start_command());
+  ASSERT_EQ(started.starts.size(), 1U);
+  EXPECT_EQ(started.starts[0].first, 3);
+  port_fixture continued;
+  paused_at_3(continued);
+  continued.say(command(mavlink::mav_cmd::do_pause_continue, 1));
+  ASSERT_EQ(continued.starts.size(), 1U);
+  EXPECT_EQ(continued.starts[0].first, 3);
+  EXPECT_TRUE(continued.words.empty());
+  continued.executor_answers(executor::start_verdict::started);
+  EXPECT_EQ(continued.last<mavlink::command_ack>().command, mavlink::number(mavlink::mav_cmd::do_pause_continue));
+  EXPECT_EQ(continued.last_result(), accepted);
+}
+
 TEST(ground_port_core, set_current_while_running_asks_the_executor_to_go_there_now) {
   port_fixture port;
   port.upload(5);
@@ -545,6 +590,36 @@ TEST(ground_port_plans, an_upload_is_not_accepted_before_the_executor_has_taken_
   const auto plan = port.taken.back();
   port.judge({plan.type, plan.plan_id, plan_verdict::taken});
   EXPECT_EQ(port.last<mavlink::mission_ack>().type, 0);
+}
+
+TEST(ground_port_plans, a_plan_that_goes_to_a_vehicle_in_flight_is_waited_for_until_it_is_there_or_not) {
+  for (const auto last_word : {plan_verdict::taken, plan_verdict::refused}) {
+    port_fixture port;
+    const auto before = port.upload(2);
+    port.judges = false;
+    (void)port.upload(3);
+    port.forget();
+    const auto plan = port.taken.back();
+    port.judge({plan.type, plan.plan_id, plan_verdict::bringing});
+    port.advance(10 * s);
+    EXPECT_TRUE(port.sent<mavlink::mission_ack>().empty());
+    EXPECT_EQ(port.shown().plans[0].plan_id, before.opaque_id) << "what is flown";
+    port.judge({plan.type, plan.plan_id, last_word});
+    const bool is_taken = last_word == plan_verdict::taken;
+    EXPECT_EQ(port.last<mavlink::mission_ack>().type, is_taken ? ack_accepted : ack_denied);
+    EXPECT_EQ(port.shown().plans[0].plan_id, is_taken ? plan.plan_id : before.opaque_id);
+  }
+}
+
+TEST(ground_port_plans, a_vehicle_in_flight_that_is_never_heard_of_again_is_an_error) {
+  port_fixture port;
+  port.judges = false;
+  (void)port.upload(3);
+  port.forget();
+  const auto plan = port.taken.back();
+  port.judge({plan.type, plan.plan_id, plan_verdict::bringing});
+  port.advance(brought_within_ns);
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::error));
 }
 
 TEST(ground_port_plans, an_executor_that_does_not_answer_is_an_error_and_not_an_acceptance) {

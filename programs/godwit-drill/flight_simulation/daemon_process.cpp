@@ -46,7 +46,8 @@ struct daemon_process::parts {
   void surround(std::uint64_t seed) {
     meets.vehicle = vehicle_wire;
     meets.map = map_port;
-    meets.service = service_port;
+    if (outside.settings.service)
+      meets.service = service_port;
     meets.ground = ground_wire;
     meets.sightings = feed;
     meets.eyes = eyes;
@@ -64,7 +65,8 @@ struct daemon_process::parts {
   void open_ports() {
     map_port->attach(std::shared_ptr<mapobjects_store::map_access>(map),
                      [this] { world.tell(base.store, mapobjects_store::wake{}); });
-    service_port->attach([this] { world.tell(base.client, mission_client::wake{}); });
+    if (meets.service)
+      service_port->attach([this] { world.tell(base.client, mission_client::wake{}); });
     world.start();
     vehicle_wire->open([this] { world.tell(base.vehicle, vehicle_link::wake{}); });
     ground_wire->open([this] { world.tell(flight.ground, ground_port::wake{}); });

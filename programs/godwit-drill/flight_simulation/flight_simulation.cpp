@@ -24,11 +24,12 @@ constexpr std::int64_t asked_again_ns = 10'000'000'000;
 
 // As an operator writes them; addresses are needed, and nobody goes there.
 daemon::daemon_settings settings_for(const std::string& mission_id, const flight_simulation::options& wanted) {
-  daemon::given_texts words{{"service", "https://missions.example.org"},
-                            {"mission-id", mission_id},
-                            {"vehicle", wanted.vehicle_line},
-                            {"ground", "udpin://127.0.0.1:0"},
-                            {"operator-listen", "127.0.0.1:0"}};
+  daemon::given_texts words{
+      {"vehicle", wanted.vehicle_line}, {"ground", "udpin://127.0.0.1:0"}, {"operator-listen", "127.0.0.1:0"}};
+  if (wanted.has_service) {
+    words["service"] = "https://missions.example.org";
+    words["mission-id"] = mission_id;
+  }
   words["arm-on-start"] = wanted.arms_on_start ? "true" : "false";
   words["ground-as-autopilot"] = wanted.speaks_as_autopilot ? "true" : "false";
   if (wanted.starts_by_itself)

@@ -51,6 +51,7 @@ public:
     bool starts_by_itself = true; // else by MISSION_START of the station
     bool arms_on_start = true;
     bool speaks_as_autopilot = false; // to the station
+    bool has_service = true;          // else missions are what the station uploads
     double speed = 10;                // of the vehicle's world
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
     bool beats_at_mode_change = true; // of an ArduPilot

@@ -1,4 +1,5 @@
-// A ground station and its operator in virtual time: heartbeats once a second, MISSION_START on request. Thread: one.
+// A ground station and its operator in virtual time: heartbeats once a second; plans and commands on request. On its
+// line nothing is lost, so it says nothing twice. Thread: one.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,9 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame.hpp"
@@ -30,8 +33,10 @@ public:
   [[nodiscard]] std::int64_t next_deadline_ns() const { return next_heartbeat_ns_; }
   void receive(std::span<const std::byte> bytes);
 
-  void start_mission();
+  void start_mission(float first = 0, float last = 0);
   void clear_mission();
+  // COUNT, and each item that is asked for.
+  void upload(std::vector<io::mavlink::mission_item_int> items);
   // To the autopilot, as a station that knows of no godwit speaks.
   void command(io::mavlink::mav_cmd what, float param1 = 0, float param2 = 0, float param3 = 0, float param7 = 0);
   void ask_for_params();
@@ -50,6 +55,10 @@ public:
   void fall_silent() { is_silent_ = true; }
 
   [[nodiscard]] const std::optional<io::mavlink::command_ack>& start_answer() const { return start_answer_; }
+  // MAV_MISSION_RESULT of the last upload or clear; none: it has not come.
+  [[nodiscard]] std::optional<std::uint8_t> plan_answer() const { return plan_answer_; }
+  [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
+  [[nodiscard]] bool was_told(const std::string& words) const;
 
 private:
   frame_sink send_;
@@ -58,6 +67,12 @@ private:
   std::int64_t next_heartbeat_ns_ = 0;
   bool is_silent_ = false;
   std::optional<io::mavlink::command_ack> start_answer_;
+  void hear_plan(const io::mavlink::frame_view& frame);
+
+  std::vector<io::mavlink::mission_item_int> upload_;
+  std::optional<std::uint8_t> plan_answer_;
+  std::optional<io::mavlink::mission_current> current_;
+  std::vector<std::string> texts_;
   std::map<std::uint16_t, std::uint8_t> results_; // of commands
   std::map<std::uint32_t, std::size_t> heard_;    // frames by message
   std::set<std::uint16_t> params_;                // by index

@@ -17,20 +17,21 @@ actor::behavior_type actor::handlers() {
       on_deferred<send_command, command_outcome>([this](const send_command& what, std::uint64_t request_id) {
         then(core_->on_command(request_id, what, now()));
       }),
-      on<cancel_command>([this](const cancel_command& what) { then(core_->on_cancel(what, now())); }),
       on<set_mode>([this](const set_mode& what) { then(core_->on_set_mode(what, now())); }),
       on_deferred<set_current_item, command_outcome>([this](const set_current_item& what, std::uint64_t request_id) {
         then(core_->on_set_current(request_id, what, now()));
       }),
-      on<set_up_signing>([this](const set_up_signing& what) { then(core_->on_set_up_signing(what, now())); }),
+      on<set_up_signing>([this](const set_up_signing& what) {
+        auto [wanted, answer] = core_->on_set_up_signing(what, now());
+        then(wanted);
+        return answer;
+      }),
       on_deferred<upload_plan, transfer::outcome>([this](const upload_plan& what, std::uint64_t request_id) {
         then(core_->on_upload(request_id, what, now()));
       }),
       on_deferred<download_plan, transfer::outcome>([this](const download_plan& what, std::uint64_t request_id) {
         then(core_->on_download(request_id, what, now()));
       }),
-      on_deferred<clear_plan, transfer::outcome>(
-          [this](const clear_plan& what, std::uint64_t request_id) { then(core_->on_clear(request_id, what, now())); }),
       on<cancel_transfer>([this](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
       on<relayed_frame>([this](const relayed_frame& what) { then(core_->on_relayed(what, now())); }),
       on<liveness_report>([this](const liveness_report& what) {

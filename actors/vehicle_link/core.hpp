@@ -56,10 +56,9 @@ public:
   [[nodiscard]] effects on_time(instant now);
 
   [[nodiscard]] effects on_command(std::uint64_t request_id, const send_command& what, instant now);
-  [[nodiscard]] effects on_cancel(const cancel_command& what, instant now);
   [[nodiscard]] effects on_set_mode(const set_mode& what, instant now);
   [[nodiscard]] effects on_set_current(std::uint64_t request_id, const set_current_item& what, instant now);
-  [[nodiscard]] effects on_set_up_signing(const set_up_signing& what, instant now);
+  [[nodiscard]] std::pair<effects, signing_answer> on_set_up_signing(const set_up_signing& what, instant now);
   [[nodiscard]] effects on_upload(std::uint64_t request_id, const upload_plan& what, instant now);
   [[nodiscard]] effects on_download(std::uint64_t request_id, const download_plan& what, instant now);
   [[nodiscard]] effects on_clear(std::uint64_t request_id, const clear_plan& what, instant now);
@@ -108,6 +107,7 @@ private:
   void send_out(decision_context& t, const send_command& what);
   void resolve(decision_context& t, const resolved_command& done);
   void ask_for_streams(decision_context& t);
+  [[nodiscard]] std::string why_no_key() const; // is given to the vehicle now; empty: it may be
   void raise_alert(decision_context& t);
   [[nodiscard]] std::string refused_sentence() const;
   [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what, instant now);

@@ -137,14 +137,6 @@ effects core::on_command(std::uint64_t request_id, const send_command& what, ins
   return std::move(t.done);
 }
 
-effects core::on_cancel(const cancel_command& what, instant now) {
-  decision_context t(*this, now);
-  if (commands_.is_waiting(what.command, what.target_component))
-    t.send(mavlink::command_cancel{
-        .target_system = watch_.vehicle()->system, .target_component = what.target_component, .command = what.command});
-  return std::move(t.done);
-}
-
 effects core::on_set_mode(const set_mode& what, instant now) {
   decision_context t(*this, now);
   if (watch_.vehicle() && orders_.why_not(what.only_while, now.monotonic_ns).empty())
@@ -165,10 +157,21 @@ effects core::on_set_current(std::uint64_t request_id, const set_current_item& w
   return std::move(t.done);
 }
 
-effects core::on_set_up_signing(const set_up_signing& what, instant now) {
+// A vehicle that changes its key in flight could leave nobody who commands it.
+std::string core::why_no_key() const {
+  if (!channel_.is_signing())
+    return "godwitd has no key to give (--signing-key)";
+  if (!channel_.may_send_key())
+    return "the line to the vehicle is not marked as one on which nobody can listen (vehicle.secure)";
+  if (watch_.phase() != connection_phase::connected)
+    return "the vehicle is not heard";
+  return orders_.is_surely_disarmed() ? "" : "not while the vehicle is armed";
+}
+
+std::pair<effects, signing_answer> core::on_set_up_signing(const set_up_signing& what, instant now) {
   decision_context t(*this, now);
-  if (!channel_.may_send_key() || !watch_.vehicle())
-    return std::move(t.done);
+  if (auto why = why_no_key(); !why.empty())
+    return {effects{}, {false, std::move(why)}};
   mavlink::setup_signing message{.target_system = watch_.vehicle()->system,
                                  .target_component = watch_.vehicle()->component};
   if (!what.off) {
@@ -177,7 +180,7 @@ effects core::on_set_up_signing(const set_up_signing& what, instant now) {
                    [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
   }
   t.send(message);
-  return std::move(t.done);
+  return {std::move(t.done), {true, {}}};
 }
 
 // -- transfers ------------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ void show(const mavlink::channel_report& of, connection& in) {
   in.parse_errors_total = of.parse_errors_total;
   in.parse_errors = named(of.parse_errors);
   in.kind_errors = named(of.kind_errors);
+  in.signed_in = of.signed_in;
   in.signing_rejected = of.signing_rejected;
   in.signing_errors = named(of.signing_errors);
 }

@@ -54,8 +54,8 @@ using used_messages = mavlink::message_list<mavlink::command_ack, mavlink::missi
                                             mavlink::mission_ack, mavlink::timesync, mavlink::ping>;
 
 using sent_messages =
-    mavlink::message_list<mavlink::heartbeat, mavlink::command_long, mavlink::command_int, mavlink::command_cancel,
-                          mavlink::set_mode, mavlink::mission_count, mavlink::mission_item_int, mavlink::mission_ack,
+    mavlink::message_list<mavlink::heartbeat, mavlink::command_long, mavlink::command_int, mavlink::set_mode,
+                          mavlink::mission_count, mavlink::mission_item_int, mavlink::mission_ack,
                           mavlink::mission_request_list, mavlink::mission_request_int, mavlink::mission_clear_all,
                           mavlink::mission_set_current, mavlink::request_data_stream, mavlink::timesync, mavlink::ping,
                           mavlink::setup_signing>;

@@ -42,6 +42,7 @@ public:
     return {};
   }
 
+  [[nodiscard]] bool is_surely_disarmed() const { return seen_ && !seen_->is_armed; }
   [[nodiscard]] std::uint64_t kept_back() const { return kept_back_; }
 
 private:

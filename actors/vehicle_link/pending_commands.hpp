@@ -53,9 +53,6 @@ public:
   [[nodiscard]] std::vector<resolved_command> end_all(command_verdict verdict, const std::string& reason);
 
   [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const;
-  [[nodiscard]] bool is_waiting(std::uint16_t command, std::uint8_t component) const {
-    return waiting_.contains({command, component});
-  }
   [[nodiscard]] std::size_t in_flight() const { return waiting_.size(); }
   [[nodiscard]] std::uint64_t unmatched() const { return unmatched_; }
 

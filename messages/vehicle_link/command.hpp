@@ -102,15 +102,6 @@ struct command_outcome {
       io::field("round_trip_us", &command_outcome::round_trip_us), io::field("reason", &command_outcome::reason));
 };
 
-// Asks the vehicle to give up a command that it works on. The outcome comes to whoever sent the command.
-struct cancel_command {
-  std::uint16_t command = 0;
-  std::uint8_t target_component = 1;
-  static constexpr auto fields =
-      io::table("vehicle_link.cancel_command", io::field("command", &cancel_command::command),
-                io::field("target_component", &cancel_command::target_component));
-};
-
 // SET_MODE, for vehicles that know no DO_SET_MODE. There is no answer to it: look at the next heartbeat.
 struct set_mode {
   std::uint8_t base_mode = 0; // MAV_MODE_FLAG
@@ -132,10 +123,19 @@ struct set_current_item {
 };
 
 // Gives our signing key to the vehicle, or with `off` an all-zero one that ends signing. Only over a link that is
-// marked secure. There is no answer to it in MAVLink: that it took effect shows in signed frames of the vehicle.
+// marked secure, and to a vehicle that stands disarmed. There is no answer to it in MAVLink: that it took effect shows
+// in signed frames of the vehicle.
 struct set_up_signing {
   bool off = false;
   static constexpr auto fields = io::table("vehicle_link.set_up_signing", io::field("off", &set_up_signing::off));
+};
+
+struct signing_answer {
+  bool is_sent = false;
+  std::string reason; // sentence for people; empty when sent
+  static constexpr auto fields =
+      io::table("vehicle_link.signing_answer", io::field("is_sent", &signing_answer::is_sent),
+                io::field("reason", &signing_answer::reason));
 };
 
 } // namespace godwit::vehicle_link

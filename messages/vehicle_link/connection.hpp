@@ -58,6 +58,7 @@ struct connection {
   std::uint64_t parse_errors_total = 0;
   std::vector<named_count> parse_errors; // by cause
   std::vector<named_count> kind_errors;  // bad checksums by message kind
+  std::uint64_t signed_in = 0;           // of the good frames, with our key
   std::uint64_t signing_rejected = 0;
   std::vector<named_count> signing_errors; // by cause
   std::uint64_t not_accepted = 0;          // good frames that are not on the list of what we take
@@ -84,7 +85,7 @@ struct connection {
       io::field("sequence_gaps", &connection::sequence_gaps),
       io::field("parse_errors_total", &connection::parse_errors_total),
       io::field("parse_errors", &connection::parse_errors), io::field("kind_errors", &connection::kind_errors),
-      io::field("signing_rejected", &connection::signing_rejected),
+      io::field("signed_in", &connection::signed_in), io::field("signing_rejected", &connection::signing_rejected),
       io::field("signing_errors", &connection::signing_errors), io::field("not_accepted", &connection::not_accepted),
       io::field("relayed_to_vehicle", &connection::relayed_to_vehicle),
       io::field("relayed_to_stations", &connection::relayed_to_stations),

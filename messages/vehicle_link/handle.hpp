@@ -10,15 +10,14 @@
 namespace godwit::vehicle_link {
 
 // Commands alone.
-using command_handle = runtime::mailbox<runtime::asks<send_command, command_outcome>, runtime::tells<cancel_command>>;
+using command_handle = runtime::mailbox<runtime::asks<send_command, command_outcome>>;
 
 // Who flies the vehicle.
 using handle =
-    runtime::mailbox<runtime::asks<send_command, command_outcome>, runtime::tells<cancel_command>,
-                     runtime::tells<set_mode>, runtime::asks<set_current_item, command_outcome>,
-                     runtime::asks<upload_plan, transfer::outcome>, runtime::asks<download_plan, transfer::outcome>,
-                     runtime::asks<clear_plan, transfer::outcome>, runtime::tells<cancel_transfer>,
-                     runtime::tells<set_up_signing>, runtime::tells<liveness_report>,
+    runtime::mailbox<runtime::asks<send_command, command_outcome>, runtime::tells<set_mode>,
+                     runtime::asks<set_current_item, command_outcome>, runtime::asks<upload_plan, transfer::outcome>,
+                     runtime::asks<download_plan, transfer::outcome>, runtime::tells<cancel_transfer>,
+                     runtime::asks<set_up_signing, signing_answer>, runtime::tells<liveness_report>,
                      runtime::asks<get_connection, connection>>;
 
 // The link's thread.

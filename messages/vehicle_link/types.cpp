@@ -6,7 +6,6 @@
 #include "messages/vehicle_link/transfer.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::cancel_command);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::cancel_transfer);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::clear_plan);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::command_outcome);
@@ -19,6 +18,7 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::send_command);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_current_item);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_mode);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_up_signing);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_answer);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_alert);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::outcome);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::progress);

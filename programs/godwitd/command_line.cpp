@@ -233,6 +233,11 @@ void add_control(CLI::App& app, invocation& to) {
   add_words(*ctl, to);
   add_operators(*ctl, to);
   add_points(*ctl, to);
+  auto* const sign = ctl->add_subcommand(
+      "sign", "Gives the key of --signing-key to the autopilot, disarmed, over a line that is marked secure.");
+  sign->fallthrough();
+  sign->add_flag("--off", to.ends_signing, "Takes the key from it: it signs no more, and believes everybody");
+  sign->callback([&to] { to.what = task::set_up_signing; });
   auto* const rescue = ctl->add_subcommand(
       "rescue-journal",
       "Writes the journal to a new file beside it when its own was deleted, replaced or cut in flight.");

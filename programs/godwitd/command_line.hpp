@@ -31,6 +31,7 @@ enum class task {
   list_points,
   decide_point,
   rescue_journal,
+  set_up_signing,
   change_control,
   list_audit,
   make_link,
@@ -62,6 +63,7 @@ struct invocation {
   accounts::operator_arguments account;  // keep_accounts
   scan_controller::decide_point decided; // decide_point; by is left empty
   std::uint64_t point = 0;               // say_word, insert: at its place; 0: none
+  bool ends_signing = false;             // set_up_signing
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
 };
 

@@ -75,6 +75,8 @@ checked composition::open_files() {
     return loaded;
   if (auto loaded = load_key(wanted_.signing_key_file, outside_.vehicle_signing); !loaded)
     return loaded;
+  if (wanted_.vehicle_line_is_secure)
+    io::mavlink::mark_secure(outside_.vehicle_signing);
   if (auto loaded = load_key(wanted_.ground_key_file, outside_.ground_signing); !loaded)
     return loaded;
   if (wanted_.service) {

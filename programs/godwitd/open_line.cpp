@@ -22,8 +22,10 @@ int heartbeats_to_begin(const io::link::uri& line, bool is_signed) {
   return can_be_forged && !is_signed ? domain::heartbeats_to_believe : 1;
 }
 
+bool stays_in_vehicle(const io::link::uri& line) { return line.which == kind::serial || is_loopback(line.host); }
+
 std::string open_line_warning(const io::link::uri& line, bool is_signed, std::string_view option) {
-  if (line.which == kind::serial || is_signed || is_loopback(line.host))
+  if (is_signed || stays_in_vehicle(line))
     return {};
   return line.text() + " has no key: whoever is in this network can speak on it; give it one with " +
          std::string(option) + ", or bind it to 127.0.0.1";

@@ -85,6 +85,10 @@ std::string rescued_text(const json& answer) {
 
 std::string taken_text(const json&) { return "done"; }
 
+std::string sent_text(const json&) {
+  return "sent; autopilots do not answer it: `godwitd ctl status` shows whether the vehicle signs";
+}
+
 // Who says it, as far as the system tells: the socket is open to nobody else than the user of the daemon.
 std::string speaker() {
   for (const auto* name : {"SUDO_USER", "USER", "LOGNAME"})
@@ -168,6 +172,9 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
                        asked.json, taken_text);
   case task::rescue_journal:
     return ask_running(*configuration, {{"do", "rescue_journal"}}, asked.json, rescued_text);
+  case task::set_up_signing:
+    return ask_running(*configuration, {{"do", "sign"}, {"by", speaker()}, {"off", asked.ends_signing}}, asked.json,
+                       sent_text);
   case task::crash_actor:
     return ask_running(*configuration, {{"do", "crash"}, {"by", speaker()}, {"actor", asked.actor}}, asked.json,
                        taken_text);

@@ -13,6 +13,7 @@
 #include "io/mavlink/messages/position.hpp"
 #include "io/video/camera_uri.hpp"
 #include "programs/common/redaction.hpp"
+#include "programs/godwitd/open_line.hpp"
 #include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {
@@ -124,6 +125,11 @@ checked read_vehicle(const json& vehicle, daemon_settings& to) {
   to.vehicle = *std::move(parsed);
   to.vehicle_system = vehicle.at("system").get<std::uint8_t>();
   to.signing_key_file = text(vehicle, "key_file");
+  to.vehicle_line_is_secure = vehicle.at("secure").get<bool>();
+  if (to.vehicle_line_is_secure && !stays_in_vehicle(to.vehicle))
+    return tl::make_unexpected("vehicle.secure: " + to.vehicle.text() +
+                               " goes over a network, where others can listen; only a serial line, or an address of "
+                               "this computer, can be marked secure");
   to.link.command_timeout_ms = vehicle.at("command_timeout_ms").get<std::int64_t>();
   to.link.watch.lost_after_ms = vehicle.at("lost_after_ms").get<std::int64_t>();
   if (vehicle.at("as_ground_station").get<bool>())

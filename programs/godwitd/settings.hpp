@@ -40,9 +40,10 @@ struct daemon_settings {
   bool allow_partial = false;
   io::link::uri vehicle;
   std::uint8_t vehicle_system = 0;
-  vehicle_link::settings link;  // without the system
-  std::string signing_key_file; // empty: nothing is signed
-  bool flies = true;            // false: a run on the ground
+  bool vehicle_line_is_secure = false; // nobody else hears it: the key may go over it, and unsigned frames are taken
+  vehicle_link::settings link;         // without the system
+  std::string signing_key_file;        // empty: nothing is signed
+  bool flies = true;                   // false: a run on the ground
   executor::settings flight;
   failsafe::settings failsafe;
   std::optional<io::link::uri> ground; // none: no ground station is spoken to

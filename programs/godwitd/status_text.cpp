@@ -50,8 +50,10 @@ std::string map_line(const json& map) {
 
 std::string vehicle_line(const json& vehicle) {
   const auto system = vehicle.value("system", 0);
+  const bool is_unsigned = vehicle.value("signing_enabled", false) && vehicle.value("connected", false) &&
+                           vehicle.value("signed_in", std::uint64_t{0}) == 0;
   return text(vehicle, "phase") + (system == 0 ? "" : ", system " + std::to_string(system)) +
-         in_brackets(text(vehicle, "reason"));
+         (is_unsigned ? ", its frames are not signed" : "") + in_brackets(text(vehicle, "reason"));
 }
 
 // What was dropped or refused, where there is any.

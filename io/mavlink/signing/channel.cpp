@@ -150,6 +150,7 @@ channel_report channel::report(std::optional<sender> followed) const {
   for (const auto& info : known_ids())
     if (const auto count = kinds[slot_of(info)]; count != 0)
       result.kind_errors.push_back({std::string(info.name), count});
+  result.signed_in = verifier_.counts().of(verdict::accepted_signed);
   result.signing_rejected = rejected();
   for (const auto& [why, name] : enum_names(verdict{}))
     if (!is_accepted(why))

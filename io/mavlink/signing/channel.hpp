@@ -49,6 +49,13 @@ struct signing_settings {
   std::shared_ptr<replay_table> replays = std::make_shared<replay_table>();
 };
 
+// Nobody listens or speaks there but the two ends: the key may be given to the other one, and until that signs its
+// frames come without a signature.
+inline void mark_secure(signing_settings& link) {
+  link.security = link_security::secure;
+  link.unsigned_frames = unsigned_policy::accept_all();
+}
+
 struct channel_count {
   std::string name; // of what it counts
   std::uint64_t count = 0;
@@ -62,6 +69,7 @@ struct channel_report {
   std::uint64_t parse_errors_total = 0;
   std::vector<channel_count> parse_errors; // by cause
   std::vector<channel_count> kind_errors;  // bad checksums by message kind
+  std::uint64_t signed_in = 0;             // of the believed ones
   std::uint64_t signing_rejected = 0;
   std::vector<channel_count> signing_errors; // by cause
   std::uint64_t sequence_gaps = 0;           // of the sender that was asked for

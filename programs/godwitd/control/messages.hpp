@@ -23,7 +23,8 @@ enum class request_kind {
   decide_point,
   control, // who has it
   audit,   // what operators have said
-  login    // a link that logs in once
+  login,   // a link that logs in once
+  sign     // the signing key goes to the vehicle
 };
 
 constexpr auto enum_names(request_kind) {
@@ -37,7 +38,8 @@ constexpr auto enum_names(request_kind) {
                                   {request_kind::decide_point, "decide_point"},
                                   {request_kind::control, "control"},
                                   {request_kind::audit, "audit"},
-                                  {request_kind::login, "login"}});
+                                  {request_kind::login, "login"},
+                                  {request_kind::sign, "sign"}});
 }
 
 struct control_request {
@@ -54,15 +56,17 @@ struct control_request {
   std::string to = {};                                                   // control: hand_over
   std::uint32_t rows = 50;                                               // audit: the newest
   scan_controller::decide_point decided = {};                            // decide_point
-  std::uint64_t point = 0; // insert: at the place of this one, which a person has confirmed; 0: none
-  static constexpr auto fields = io::table(
-      "control.request", io::field("ticket", &control_request::ticket), io::field("what", &control_request::what),
-      io::field("key", &control_request::key), io::field("said", &control_request::said),
-      io::field("overridden", &control_request::overridden), io::field("lasts_s", &control_request::lasts_s),
-      io::field("by", &control_request::by), io::field("id", &control_request::id),
-      io::field("valid_until_ns", &control_request::valid_until_ns), io::field("act", &control_request::act),
-      io::field("to", &control_request::to), io::field("rows", &control_request::rows),
-      io::field("decided", &control_request::decided), io::field("point", &control_request::point));
+  std::uint64_t point = 0;   // insert: at the place of this one, which a person has confirmed; 0: none
+  bool ends_signing = false; // sign: the vehicle has no key from then on
+  static constexpr auto fields =
+      io::table("control.request", io::field("ticket", &control_request::ticket),
+                io::field("what", &control_request::what), io::field("key", &control_request::key),
+                io::field("said", &control_request::said), io::field("overridden", &control_request::overridden),
+                io::field("lasts_s", &control_request::lasts_s), io::field("by", &control_request::by),
+                io::field("id", &control_request::id), io::field("valid_until_ns", &control_request::valid_until_ns),
+                io::field("act", &control_request::act), io::field("to", &control_request::to),
+                io::field("rows", &control_request::rows), io::field("decided", &control_request::decided),
+                io::field("point", &control_request::point), io::field("ends_signing", &control_request::ends_signing));
 };
 
 } // namespace godwit::control

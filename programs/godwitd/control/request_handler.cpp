@@ -92,6 +92,9 @@ void request_handler::take(const control_request& asked) {
   case request_kind::login:
     make_link(asked);
     return;
+  case request_kind::sign:
+    sign(asked);
+    return;
   case request_kind::points:
     list_points(asked.ticket);
     return;
@@ -290,6 +293,15 @@ void request_handler::override_rule(const control_request& asked) {
                                        [](const auto& answer) { return std::pair(answer.taken, answer.reason); });
   else
     answer_with(asked.ticket, on_the_ground());
+}
+
+// The key goes from vehicle_link to the vehicle; here nobody has it.
+void request_handler::sign(const control_request& asked) {
+  if (!others_.bridge)
+    return answer_with(asked.ticket, on_the_ground()); // nobody would keep who has said it
+  pass_on<vehicle_link::signing_answer>(asked, asked.ends_signing ? "end signing" : "give the signing key",
+                                        others_.vehicle, vehicle_link::set_up_signing{asked.ends_signing},
+                                        [](const auto& answer) { return std::pair(answer.is_sent, answer.reason); });
 }
 
 // TAKEN_AND_WHY: of the answer.

@@ -40,7 +40,8 @@
 
 namespace godwit::control {
 
-using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>>;
+using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>,
+                                        runtime::asks<vehicle_link::set_up_signing, vehicle_link::signing_answer>>;
 using request_handle = runtime::mailbox<runtime::tells<control_request>>;
 
 using ground_handle = runtime::mailbox<runtime::asks<ground_port::get_port, ground_port::port_description>>;
@@ -108,6 +109,7 @@ private:
   template <class Then>
   void ask_points(std::uint64_t ticket, Then then);
   void override_rule(const control_request& asked);
+  void sign(const control_request& asked);
   void crash(const control_request& asked);
   void rescue_journal(const control_request& asked);
   template <class Answer, class Handle, class Question, class Reader>

@@ -156,6 +156,18 @@ tl::expected<control_request, std::string> read_login(const json& document) {
   return result;
 }
 
+tl::expected<control_request, std::string> read_sign(const json& document) {
+  auto result = request_of(document, request_kind::sign);
+  if (result.by.empty())
+    return tl::make_unexpected(std::string("sign says whose word it is, such as \"by\": \"anna\""));
+  if (const auto off = document.find("off"); off != document.end()) {
+    if (!off->is_boolean())
+      return tl::make_unexpected(std::string("\"off\" is true or false"));
+    result.ends_signing = off->get<bool>();
+  }
+  return result;
+}
+
 } // namespace
 
 tl::expected<control_request, std::string> read_request(std::string_view line) {
@@ -181,12 +193,14 @@ tl::expected<control_request, std::string> read_request(std::string_view line) {
     return read_audit(document);
   if (what == "login")
     return read_login(document);
+  if (what == "sign")
+    return read_sign(document);
   if (what == "points")
     return request_of(document, request_kind::points);
   if (const auto says = io::value_of<scan_controller::decision>(what))
     return read_decision(document, *says);
-  return tl::make_unexpected("\"do\" is status, audit, control, login, outbox_retry, override, points, confirm, "
-                             "decline, rescue_journal, crash, "
+  return tl::make_unexpected("\"do\" is status, audit, control, login, sign, outbox_retry, override, points, "
+                             "confirm, decline, rescue_journal, crash, "
                              "or a command to the flight: " +
                              all_verbs());
 }

@@ -261,7 +261,9 @@ TEST(vehicle_link, a_transfer_that_nobody_answers_ends_as_timed_out) {
   runtime::simulated_disk disk;
   process p(disk);
   p.connect();
-  const auto asked = p.world.ask(p.link, 60s, clear_plan{});
+  upload_plan plan;
+  plan.items.resize(1);
+  const auto asked = p.world.ask(p.link, 60s, plan);
   p.world.advance(30s);
   ASSERT_EQ(asked->answers, 1);
   EXPECT_EQ(asked->answer.verdict, transfer::verdict::timed_out) << asked->answer.reason;

@@ -432,13 +432,6 @@ TEST(vehicle_link_core, nan_never_reaches_ardupilot) {
   EXPECT_EQ(sent_of<mavlink::command_long>(px4.it.on_command(9, what, at(0))).size(), 1U);
 }
 
-TEST(vehicle_link_core, cancelling_is_for_a_command_that_waits) {
-  connected c;
-  EXPECT_TRUE(c.it.on_cancel({241, 1}, at(0)).empty());
-  (void)c.it.on_command(9, command(241), at(0));
-  EXPECT_EQ(sent_of<mavlink::command_cancel>(c.it.on_cancel({241, 1}, at(0))).at(0).command, 241);
-}
-
 TEST(vehicle_link_core, set_current_falls_back_to_the_message_and_takes_the_broadcast_as_the_answer) {
   connected c;
   EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_set_current(9, {4}, at(0))).at(0).command, 224);
@@ -504,6 +497,7 @@ TEST(vehicle_link_core, signed_frames_of_the_vehicle_are_believed_and_ours_are_s
   auto beat = mavlink::encode(mavlink::heartbeat{.type = 2, .autopilot = 12}, {1, 1}, 0, mavlink::signing::on);
   ASSERT_TRUE(vehicle.sign(beat, at(0).wall_ns));
   EXPECT_EQ(observed<mavlink::heartbeat>(it.on_bytes(1, true, beat.span(), at(0))).size(), 1U);
+  EXPECT_EQ(it.describe(at(0)).signed_in, 1U) << "which shows that the vehicle has the key";
   const auto ours = it.on_time(at(s));
   mavlink::replay_table replays;
   mavlink::verifier check(mavlink::secret_key(signing.key->bytes()), replays);
@@ -517,11 +511,51 @@ TEST(vehicle_link_core, the_key_goes_out_only_over_a_secure_link) {
     auto signing = signed_link(security);
     signing.unsigned_frames = mavlink::unsigned_policy::accept_all();
     connected c(quiet(), signing);
-    const auto sent = sent_of<mavlink::setup_signing>(c.it.on_set_up_signing({}, at(0)));
-    EXPECT_EQ(sent.size(), security == mavlink::link_security::secure ? 1U : 0U);
+    const auto [wanted, answer] = c.it.on_set_up_signing({}, at(0));
+    const auto sent = sent_of<mavlink::setup_signing>(wanted);
+    const bool is_secure = security == mavlink::link_security::secure;
+    EXPECT_EQ(answer.is_sent, is_secure) << answer.reason;
+    EXPECT_EQ(sent.size(), is_secure ? 1U : 0U);
     for (const auto& each : sent)
       EXPECT_EQ(each.secret_key[31], 0x42);
   }
+}
+
+// A secure link on which the vehicle does not sign yet.
+signing_settings link_without_listeners() {
+  auto result = signed_link();
+  mavlink::mark_secure(result);
+  return result;
+}
+
+TEST(vehicle_link_core, the_key_goes_to_no_vehicle_that_is_armed_or_not_heard) {
+  core nobody(quiet(), link_without_listeners(), {});
+  (void)nobody.on_link(link_up(), at(0));
+  const auto unheard = nobody.on_set_up_signing({}, at(0));
+  EXPECT_FALSE(unheard.second.is_sent);
+  EXPECT_TRUE(sent_of<mavlink::setup_signing>(unheard.first).empty());
+  connected c(quiet(), link_without_listeners());
+  (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = 2, .autopilot = 12, .base_mode = 128}, 0);
+  const auto armed = c.it.on_set_up_signing({}, at(0));
+  EXPECT_FALSE(armed.second.is_sent);
+  EXPECT_NE(armed.second.reason.find("armed"), std::string::npos) << armed.second.reason;
+  EXPECT_TRUE(sent_of<mavlink::setup_signing>(armed.first).empty());
+}
+
+TEST(vehicle_link_core, without_a_key_there_is_none_to_give) {
+  connected c;
+  const auto [wanted, answer] = c.it.on_set_up_signing({}, at(0));
+  EXPECT_FALSE(answer.is_sent);
+  EXPECT_NE(answer.reason.find("--signing-key"), std::string::npos) << answer.reason;
+  EXPECT_TRUE(sent_of<mavlink::setup_signing>(wanted).empty());
+}
+
+TEST(vehicle_link_core, signing_is_ended_by_a_key_of_zeros) {
+  connected c(quiet(), link_without_listeners());
+  const auto sent = sent_of<mavlink::setup_signing>(c.it.on_set_up_signing({true}, at(0)).first);
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(sent[0].secret_key, (mavlink::setup_signing{}.secret_key));
+  EXPECT_EQ(sent[0].initial_timestamp, 0U);
 }
 
 TEST(vehicle_link_core, signing_beyond_what_is_reserved_on_the_disk_is_bad_health) {

@@ -143,7 +143,96 @@ class Echo(http.server.BaseHTTPRequestHandler):
         pass
 
 
+class UnsignedCopter:
+    """An ArduPilot copter on the ground that signs nothing: heartbeats to PORT, and what comes back."""
+    SETUP_SIGNING = 256
+
+    def __init__(self, port):
+        self.port = port
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.settimeout(0.2)
+        self.sequence = 0
+        self.keys = []  # payloads of SETUP_SIGNING
+        self.ends = threading.Event()
+        self.thread = threading.Thread(target=self.live, daemon=True)
+        self.thread.start()
+
+    @staticmethod
+    def crc(data):
+        result = 0xFFFF
+        for each in data:
+            each ^= result & 0xFF
+            each = (each ^ (each << 4)) & 0xFF
+            result = ((result >> 8) ^ (each << 8) ^ (each << 3) ^ (each >> 4)) & 0xFFFF
+        return result
+
+    def heartbeat(self):
+        crc_extra = 50
+        payload = bytes([0, 0, 0, 0, 2, 3, 1, 3, 3])  # STABILIZE, quadrotor, ArduPilot, disarmed, standby
+        body = bytes([len(payload), 0, 0, self.sequence, 1, 1, 0, 0, 0]) + payload
+        self.sequence = (self.sequence + 1) % 256
+        return b"\xfd" + body + self.crc(body + bytes([crc_extra])).to_bytes(2, "little")
+
+    def live(self):
+        while not self.ends.is_set():
+            self.socket.sendto(self.heartbeat(), ("127.0.0.1", self.port))
+            try:
+                frame = self.socket.recv(512)
+            except (TimeoutError, ConnectionError):
+                continue
+            if frame[0] == 0xFD and int.from_bytes(frame[7:10], "little") == self.SETUP_SIGNING:
+                self.keys.append(frame[10:10 + frame[1]])
+
+    def end(self):
+        self.ends.set()
+        self.thread.join()
+        self.socket.close()
+
+
 class Secrets(World):
+    def free_port(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+            other.bind(("127.0.0.1", 0))
+            return other.getsockname()[1]
+
+    def ctl(self, *words):
+        return subprocess.run([PROGRAM, "ctl", *words, "--journal", self.path("godwit.db")], capture_output=True,
+                              text=True, timeout=PATIENCE_S, env=self.environment())
+
+    def test_the_signing_key_goes_to_the_vehicle_at_a_persons_word_and_into_no_file(self):
+        key = bytes(range(100, 132))
+        pathlib.Path(self.path("signing.key")).write_text(key.hex() + "\n", encoding="ascii")
+        os.chmod(self.path("signing.key"), 0o600)
+        pathlib.Path(self.path("godwit.json")).write_text('{"vehicle": {"secure": true}}', encoding="ascii")
+        port = self.free_port()
+        godwitd = subprocess.Popen(
+            [PROGRAM, "--config", self.path("godwit.json"), "--mission", MISSION, "--vehicle",
+             f"udpin://127.0.0.1:{port}", "--signing-key", self.path("signing.key"), "--journal",
+             self.path("godwit.db"), "--trace", self.path("trace"), "--log-file", self.path("log")],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=self.environment())
+        self.running.append(godwitd)
+        self.until(lambda: is_served(self.path("godwit.control")), "nobody serves the control socket")
+        early = self.ctl("sign")
+        self.assertEqual((early.returncode, early.stdout), (FAILED, ""))
+        self.assertIn("not heard", early.stderr)
+        copter = UnsignedCopter(port)
+        self.addCleanup(copter.end)
+        self.until(lambda: "its frames are not signed" in self.ctl("status").stdout, "the vehicle is not heard")
+        self.assertEqual(copter.keys, [], "not by itself")
+        done = self.ctl("sign")
+        self.assertEqual(done.returncode, OK, done.stderr)
+        self.until(lambda: copter.keys, "no key came to the vehicle")
+        self.assertIn(key, copter.keys[0])
+        audit = self.ctl("audit")
+        self.assertIn("give the signing key", audit.stdout)
+        self.end(godwitd)
+        said = early.stderr + done.stdout + done.stderr + audit.stdout
+        self.assertNotIn(key.hex(), said)
+        for file in self.folder.rglob("*"):
+            if file.is_file() and file.name != "signing.key":
+                self.assertNotIn(key, file.read_bytes(), file)
+                self.assertNotIn(key.hex().encode(), file.read_bytes().lower(), file)
+
     def test_a_token_that_the_service_echoes_is_in_no_file_and_its_words_are_no_line_of_ours(self):
         service = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Echo)
         self.addCleanup(service.server_close)

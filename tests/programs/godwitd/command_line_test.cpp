@@ -65,6 +65,9 @@ TEST(command_line, an_account_has_a_name_and_a_role_and_never_a_password) {
     EXPECT_FALSE(read(words));
   EXPECT_EQ(read({"operator", "list"})->account.act, accounts::operator_act::list);
   EXPECT_EQ(read({"ctl", "login"})->what, task::make_link);
+  EXPECT_EQ(read({"ctl", "sign"})->what, task::set_up_signing);
+  EXPECT_FALSE(read({"ctl", "sign"})->ends_signing);
+  EXPECT_TRUE(read({"ctl", "sign", "--off"})->ends_signing);
 }
 
 TEST(command_line, a_conversion_has_two_files) {

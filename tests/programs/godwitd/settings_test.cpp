@@ -107,6 +107,26 @@ TEST(daemon_settings, the_link_has_its_own_time_outs_and_poses_as_a_ground_stati
   EXPECT_EQ(other.as.type, 6);
 }
 
+TEST(daemon_settings, only_a_line_that_does_not_leave_the_vehicle_is_secure) {
+  for (const auto* const secure : {"serial:///dev/ttyAMA0:921600", "udpin://127.0.0.1:14550", "tcp://localhost:5760"}) {
+    auto configuration = effective_configuration(usual(), {}).value();
+    configuration["vehicle"]["uri"] = secure;
+    EXPECT_FALSE(settings_from(configuration).value().vehicle_line_is_secure);
+    configuration["vehicle"]["secure"] = true;
+    const auto settings = settings_from(configuration);
+    ASSERT_TRUE(settings) << settings.error();
+    EXPECT_TRUE(settings->vehicle_line_is_secure);
+  }
+  for (const auto* const open : {"udpin://0.0.0.0:14550", "tcp://192.168.1.2:5760"}) {
+    auto configuration = effective_configuration(usual(), {}).value();
+    configuration["vehicle"]["uri"] = open;
+    configuration["vehicle"]["secure"] = true;
+    const auto settings = settings_from(configuration);
+    ASSERT_FALSE(settings);
+    EXPECT_TRUE(settings.error().starts_with("vehicle.secure: ")) << settings.error();
+  }
+}
+
 TEST(daemon_settings, what_follows_when_the_service_has_deleted_the_mission_is_a_setting) {
   auto configuration = effective_configuration(usual(), {}).value();
   EXPECT_EQ(settings_from(configuration).value().flight.deleted_mission, executor::deletion_policy::go_on);

@@ -19,6 +19,7 @@ using nlohmann::json;
 using everybody_handle = runtime::mailbox<runtime::asks<mission_client::retry_outbox, mission_client::retry_answer>,
                                           runtime::asks<mission_client::get_service, mission_client::service_status>,
                                           runtime::asks<vehicle_link::get_connection, vehicle_link::connection>,
+                                          runtime::asks<vehicle_link::set_up_signing, vehicle_link::signing_answer>,
                                           runtime::asks<ground_run::get_run, ground_run::run_status>,
                                           runtime::asks<operators::command, operators::answer>,
                                           runtime::asks<executor::get_flight, executor::flight_status>,
@@ -48,6 +49,9 @@ protected:
         }),
         late<mission_client::get_service>([](const auto&) { return mission_client::service_status{}; }),
         late<vehicle_link::get_connection>([](const auto&) { return vehicle_link::connection{}; }),
+        late<vehicle_link::set_up_signing>([](const auto& m) {
+          return vehicle_link::signing_answer{!m.off, m.off ? "not while the vehicle is armed" : ""};
+        }),
         late<ground_run::get_run>([](const auto&) { return ground_run::run_status{}; }),
         late<operators::command>([](const auto& m) {
           if (m.kind == operators::command_kind::insert)
@@ -279,6 +283,23 @@ TEST(control_requests, an_override_goes_to_the_failsafe_with_its_end) {
   asked.what = request_kind::override_rule;
   asked.lasts_s = 60;
   EXPECT_EQ(process(true, true, true).ask(asked).at("ok"), true);
+}
+
+TEST(control_requests, the_signing_key_is_given_to_the_vehicle_and_the_audit_has_who_said_so) {
+  control_request asked;
+  asked.what = request_kind::sign;
+  asked.by = "anna";
+  process p(true, true, true);
+  EXPECT_EQ(p.ask(asked).at("ok"), true);
+  asked.ends_signing = true;
+  EXPECT_EQ(p.ask(asked).at("error"), "not while the vehicle is armed");
+  ASSERT_EQ(p.notes.size(), 2U);
+  EXPECT_EQ(p.notes[0].what, "give the signing key");
+  EXPECT_EQ(p.notes[0].outcome, "taken");
+  EXPECT_EQ(p.notes[0].who.name, "anna");
+  EXPECT_EQ(p.notes[1].what, "end signing");
+  EXPECT_EQ(p.notes[1].outcome, "refused");
+  EXPECT_EQ(process(true).ask(asked).at("ok"), false) << "on the ground there is no audit";
 }
 
 TEST(control_requests, a_flight_is_a_part_of_the_status) {

@@ -82,6 +82,17 @@ TEST(control_request_line, of_a_link_to_log_in_the_hash_is_told) {
   EXPECT_FALSE(read_request(R"({"do": "login"})"));
 }
 
+TEST(control_request_line, giving_the_signing_key_says_whose_word_it_is) {
+  const auto given = read_request(R"({"do": "sign", "by": "anna"})");
+  ASSERT_TRUE(given) << given.error();
+  EXPECT_EQ(given->what, request_kind::sign);
+  EXPECT_EQ(given->by, "anna");
+  EXPECT_FALSE(given->ends_signing);
+  EXPECT_TRUE(read_request(R"({"do": "sign", "by": "anna", "off": true})")->ends_signing);
+  EXPECT_FALSE(read_request(R"({"do": "sign"})"));
+  EXPECT_FALSE(read_request(R"({"do": "sign", "by": "anna", "off": "yes"})"));
+}
+
 TEST(control_request_line, a_waypoint_at_a_point_has_its_number_and_an_altitude_and_no_place) {
   const auto insert = read_request(R"({"do": "insert", "by": "anna", "point": 3, "altitude_m": 40.5})");
   ASSERT_TRUE(insert) << insert.error();

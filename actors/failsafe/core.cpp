@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -19,6 +20,12 @@ namespace {
 
 // PX4 says so for a moment when a plan has just been replaced.
 constexpr std::uint16_t no_sequence = 65535;
+
+std::string_view handed_back_in_silence(operator_link_policy policy) {
+  if (policy == operator_link_policy::required)
+    return "handed back while the operator's ground station is silent: its silence counts from now on";
+  return "handed back while the operator's ground station is silent: it is not missed again before it was heard";
+}
 
 // That a station was once heard belongs to the flight. After one, it is heard anew or it is not there.
 link_memory memory_for(const standing& restored) { return restored.in_flight ? restored.link : link_memory{}; }
@@ -115,9 +122,10 @@ void core::take_one(const following& what, instant) { link_.on_following(what.on
 effects core::tick(instant now) {
   effects out;
   take_limits(out);
-  const auto seen = look(now);
+  auto seen = look(now);
   follow_flight(seen);
   hear_words(now, out);
+  seen.link = link_.evaluate(now);
   watch_pilot(seen, now, out);
   judge_rules(seen, out);
   drive(seen, now, out);
@@ -156,7 +164,6 @@ core::view core::look(instant now) {
     fences_.begin_flight();
   seen.battery = battery_.judge(now.monotonic_ns);
   seen.fences = fences_.evaluate(now.monotonic_ns, seen.flight.near_ground);
-  seen.link = link_.evaluate(now);
   return seen;
 }
 
@@ -180,6 +187,8 @@ void core::hear_words(instant now, effects& out) {
     pilot_.hand_back();
     latches_.release_all();
     reaction_.drop();
+    if (link_.on_hand_back(now))
+      out.emplace_back(warning{mav_severity::warning, std::string(handed_back_in_silence(settings_.operator_link))});
   }
   overrides_.expire(now);
   auto wanted = std::exchange(wanted_overrides_, {});

@@ -19,16 +19,26 @@ std::int64_t link_ladder::lost_after_ms() const {
 void link_ladder::on_report(bool ever_heard, std::int64_t age_ms, instant now) {
   if (!ever_heard || age_ms < 0)
     return;
+  if (age_ms < settings_.link_degraded_ms)
+    memory_.silence_is_known = false;
   memory_.seen = true;
   if (age_ms < now.monotonic_ns / ns_per_ms) // else older than this computer's run, and than the start
     heard_ns_ = std::max(heard_ns_, now.monotonic_ns - age_ms * ns_per_ms);
+}
+
+bool link_ladder::on_hand_back(instant now) {
+  if (evaluate(now) != link_phase::lost)
+    return false;
+  memory_.silence_is_known = true;
+  heard_ns_ = now.monotonic_ns;
+  return true;
 }
 
 link_phase link_ladder::evaluate(instant now) {
   const auto phase = [&] {
     if (settings_.operator_link == operator_link_policy::off)
       return link_phase::off;
-    if (settings_.operator_link == operator_link_policy::once_seen && !memory_.seen)
+    if (settings_.operator_link == operator_link_policy::once_seen && (!memory_.seen || memory_.silence_is_known))
       return link_phase::never_seen;
     const auto silent_ns = now.monotonic_ns - heard_ns_;
     if (silent_ns >= lost_after_ms() * ns_per_ms)

@@ -5,6 +5,9 @@
 //                         ^                  │                   │
 //                         └──────heard───────┴──────heard────────┘
 //
+// Whoever hands the vehicle back while it is lost knows that, and is there by another way: the silent station counts
+// again when it is heard. Where an operator is required the silence counts from the hand-back.
+//
 // While an object is followed the last step comes 30 s later. Who was never heard is never lost, except where an
 // operator is required: then the silence counts from the start. That the phase goes back to ok cancels nothing; the
 // latch of the rule sees to that. Evaluated at each tick; that nobody reports any more is silence too. Thread: pure.
@@ -29,10 +32,12 @@ struct link_memory {
   bool seen = false;
   std::optional<std::int64_t> silent_since_ns; // wall clock; absent while it is ok
   bool following = false;
+  bool silence_is_known = false; // to the person who has handed the vehicle back in it
 
   static constexpr auto fields = io::table("failsafe.link_memory", io::field("seen", &link_memory::seen),
                                            io::field("silent_since_ns", &link_memory::silent_since_ns),
-                                           io::field("following", &link_memory::following));
+                                           io::field("following", &link_memory::following),
+                                           io::field("silence_is_known", &link_memory::silence_is_known));
   friend bool operator==(const link_memory&, const link_memory&) = default;
 };
 
@@ -42,6 +47,8 @@ public:
 
   // A port that was restarted has never heard anybody: that says nothing of what was before.
   void on_report(bool ever_heard, std::int64_t age_ms, instant now);
+  // True: the link was lost, and is not waited for any more.
+  bool on_hand_back(instant now);
   void on_following(bool following) { memory_.following = following; }
 
   [[nodiscard]] link_phase evaluate(instant now);

@@ -91,8 +91,10 @@ std::vector<flight_case> actor_loss_cases(vehicles which) {
           add(one + "+" + other + "/at_once", "at_once",
               [=](watched_flight& watched) { return end_both(watched, one, other); });
         }
-        // Without ground_port no station is heard: after a while the failsafe brings the vehicle home, again and again.
-        const auto end = one == "ground_port" ? flight_end::or_waits : flight_end::as_planned;
+        // Without ground_port no station is heard, and the failsafe brings the vehicle home: once, until it is handed
+        // back.
+        const auto end =
+            one == "ground_port" && who == sim::personality::plane ? flight_end::or_waits : flight_end::as_planned;
         add(
             one + "/given_up", "given_up", [=](watched_flight& watched) { return give_up(watched, one); }, end);
         add(one + "/hangs", "hangs", [=](watched_flight& watched) { return hang(watched, one); });

@@ -99,4 +99,55 @@ TEST(failsafe_core, a_ground_port_that_is_dead_is_an_operator_who_is_not_heard) 
   EXPECT_EQ(actions_of(world), these{action::return_home});
 }
 
+// A person hands it back, and resumes the mission.
+void go_on(flight_world& world) {
+  world.tell(hand_back{});
+  world.tell(expect_mode{{in_mission.custom_mode}, 5'000});
+  world.mode = in_mission;
+}
+
+// Who hands it back has read why it comes home, and is there without the station.
+TEST(failsafe_core, a_vehicle_that_is_handed_back_is_not_called_home_again_by_the_same_silence) {
+  for (const bool is_port_alive : {true, false}) {
+    flight_world world;
+    world.run_s(10);
+    world.operator_there = false;
+    world.port_alive = is_port_alive;
+    world.run_s(40);
+    ASSERT_EQ(actions_of(world), these{action::return_home});
+    go_on(world);
+    world.run_s(120);
+    EXPECT_EQ(actions_of(world), these{action::return_home}) << "once";
+    EXPECT_TRUE(world.has_warned_of("handed back while the operator's ground station is silent"));
+  }
+}
+
+TEST(failsafe_core, a_station_that_is_heard_again_behind_the_hand_back_is_missed_again) {
+  flight_world world;
+  world.run_s(10);
+  world.operator_there = false;
+  world.run_s(40);
+  go_on(world);
+  world.run_s(60);
+  world.operator_there = true;
+  world.run_s(10);
+  world.operator_there = false;
+  world.run_s(25);
+  EXPECT_EQ(world.sent.size(), 1U);
+  world.run_s(6);
+  EXPECT_EQ(world.sent.size(), 2U);
+}
+
+TEST(failsafe_core, where_an_operator_is_required_the_silence_counts_from_the_hand_back) {
+  flight_world world(vehicle_class::multirotor, {.operator_link = operator_link_policy::required});
+  world.run_s(10);
+  world.operator_there = false;
+  world.run_s(40);
+  go_on(world);
+  world.run_s(28);
+  EXPECT_EQ(world.sent.size(), 1U);
+  world.run_s(4);
+  EXPECT_EQ(world.sent.size(), 2U);
+}
+
 } // namespace

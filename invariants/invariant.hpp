@@ -57,6 +57,12 @@ protected:
       ++not_kept_;
   }
 
+  // What came later explains those for which IS_EXPLAINED(finding).
+  template <class Predicate>
+  void withdraw(Predicate is_explained) {
+    std::erase_if(findings_, is_explained);
+  }
+
 private:
   std::vector<finding> findings_;
   std::uint64_t not_kept_ = 0;

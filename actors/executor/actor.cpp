@@ -38,6 +38,8 @@ actor::behavior_type actor::handlers() {
   return {
       on<mission_client::mission_loaded>(
           [this](const mission_client::mission_loaded& m) { then(core_->on_mission(m, now())); }),
+      on<mission_client::earlier_found>(
+          [this](const mission_client::earlier_found& m) { then(core_->on_earlier(m, now())); }),
       on<mission_client::mission_refused>(
           [this](const mission_client::mission_refused& m) { then(core_->on_refused(m, now())); }),
       on<mission_client::map_pulled>([this](const mission_client::map_pulled& m) { then(core_->on_map(m, now())); }),

@@ -112,6 +112,7 @@ public:
 
   // -- the service
   [[nodiscard]] effects on_mission(const mission_client::mission_loaded& m, instant now);
+  [[nodiscard]] effects on_earlier(const mission_client::earlier_found& m, instant now);
   [[nodiscard]] effects on_refused(const mission_client::mission_refused& m, instant now);
   [[nodiscard]] effects on_map(const mission_client::map_pulled& m, instant now);
   // How the service stands; asked for while a flight is prepared, because a restart forgets what was told.

@@ -41,6 +41,23 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
   return out;
 }
 
+// The journal is an older one than the reports of the service. On the ground a mission that has ended is not flown
+// again; what flies is followed from where the service knows it.
+effects core::on_earlier(const mission_client::earlier_found& m, instant now) {
+  const auto& s = flight_.s;
+  const progress::earlier_reports_told earlier{m.mission_id, m.earlier.last_report_no, m.earlier.last_report};
+  auto told = s.progress;
+  static_cast<void>(progress::apply(told, earlier, now.wall_ns));
+  const bool is_current = s.mission && s.mission->mission_id == m.mission_id;
+  const bool has_ended = is_current && progress::has_ended(told, m.mission_id, s.mission->revision);
+  effects out{note{earlier}, announce{sentence_of(m.earlier, m.mission_id, has_ended), true}};
+  const bool is_flown = told.plan && told.plan->generation.is_finished; // its end is seen as that of a flight
+  const bool stands = !is_flight_begun(s) && !s.doing && !flight_.view.is_under_way();
+  if (has_ended && !is_flown && stands && !is_over(s.status.now))
+    phases_.go(out, trigger::mission_ended, "the missions service says that it has ended");
+  return out;
+}
+
 effects core::on_refused(const mission_client::mission_refused& m, instant now) {
   service_.on_refused(m, now);
   return {announce{"mission " + m.mission_id + ": " + m.reason, true}};

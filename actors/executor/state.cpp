@@ -111,6 +111,8 @@ effects take(state& s, const M& happened, std::int64_t now_ns) {
       keep_wish(s, happened.assignment->assignment_id);
     s.assigned.reset();
   }
+  if constexpr (std::is_same_v<M, progress::earlier_reports_told>) // nobody here remembers its flight
+    s.awaits_word = s.awaits_word || (s.mission && progress::is_begun(s.progress, s.mission->mission_id));
   bool is_tried_again = false;
   if constexpr (requires { happened.is_tried_again; })
     is_tried_again = happened.is_tried_again && s.progress.last_generation == generation;

@@ -374,11 +374,11 @@ struct durable_core {
   using event =
       std::variant<progress::mission_opened, progress::upload_intended, progress::start_intended,
                    progress::earlier_reports_told, progress::mission_aborted, progress::upload_ended,
-                   progress::vehicle_looked_at, progress::plan_read_back, progress::start_ended, progress::current_told,
-                   progress::reached_told, progress::came_down, progress::vehicle_rebooted, preflight::checks_wanted,
-                   preflight::looked, preflight::acknowledged, preflight::mission_changed, preflight::took_off,
-                   preflight::flight_ended, preflight::restarted, mission_arrived, mission_taken, arrival_refused,
-                   deletion_told, change_asked, change_resolved, assignment_kept, assignment_rejected,
+                   progress::vehicle_looked_at, progress::plan_read_back, progress::found_begun, progress::start_ended,
+                   progress::current_told, progress::reached_told, progress::came_down, progress::vehicle_rebooted,
+                   preflight::checks_wanted, preflight::looked, preflight::acknowledged, preflight::mission_changed,
+                   preflight::took_off, preflight::flight_ended, preflight::restarted, mission_arrived, mission_taken,
+                   arrival_refused, deletion_told, change_asked, change_resolved, assignment_kept, assignment_rejected,
                    station_plan_taken, station_fence_taken, station_rally_taken, last_line_brought,
                    station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
                    supervision::failsafe_missed, home_kept, home_commanded>;

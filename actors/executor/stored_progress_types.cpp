@@ -7,6 +7,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::progress::came_down);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::current_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::look_at_vehicle);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::earlier_reports_told);
+GODWIT_DEFINE_MESSAGE(godwit::executor::progress::found_begun);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::mission_aborted);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::mission_opened);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::progress_event);

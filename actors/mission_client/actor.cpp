@@ -89,6 +89,8 @@ void actor::started() {
   planner_.emplace(settings_, seed_ ^ life);
   planner_->on_disk({s.next_order, false});
   service_->cancel_all();
+  if (goes_on_with_mission(s))
+    commit(begun_anew{});
   tell(me(), wake{});
 }
 

@@ -38,18 +38,18 @@ void take(decision_context& t, const mission_fetched& m) {
   auto& note = note_of(s, s.mission_id);
   note.is_deleted = false;
   std::optional<earlier_reports> earlier;
-  if (m.last_report_no.value_or(0) > note.service_report_no) {
+  if (m.last_report_no.value_or(0) > (note.asks_progress ? note.sure_report_no : note.service_report_no)) {
     earlier = earlier_reports{*m.last_report_no, m.last_report};
-    note.service_report_no = earlier->last_report_no;
-    if (note.last_report_no != 0) // what still comes with such a number the service has
-      note.last_report_no = std::max(note.last_report_no, earlier->last_report_no);
+    go_on_behind(t, note, *earlier);
   }
+  note.asks_progress = false;
   s.refused.reset();
   s.revision = m.document.revision;
   s.asks_after = m.document.revision;
   s.schema_version = m.document.schema_version;
   s.last_fetch_ns = t.now_ns;
-  t.tell(mission_loaded{load_cause::fetched, m.document, earlier});
+  const auto last_report_no = std::max(note.last_report_no, note.service_report_no);
+  t.tell(mission_loaded{load_cause::fetched, m.document, earlier, last_report_no});
 }
 
 void take(decision_context& t, const fetch_failed& m) {
@@ -157,6 +157,7 @@ void take(decision_context& t, const mission_gone& m) {
               row_state::orphaned, reason);
   auto& note = note_of(s, m.mission_id);
   note.is_deleted = note.seen_done = note.ignored_done = true;
+  note.asks_progress = false;
   if (s.mission_id == m.mission_id) {
     s.looks_up = false;
     if (s.now == phase::fetching) {

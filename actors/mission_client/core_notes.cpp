@@ -8,7 +8,7 @@ namespace godwit::mission_client {
 namespace {
 
 bool is_forgettable(const state& s, const mission_note& note) {
-  return !note.is_pushing && note.mission_id != s.mission_id &&
+  return !note.is_pushing && !note.asks_progress && note.mission_id != s.mission_id &&
          std::ranges::none_of(s.rows, [&](const outbox_row& each) { return each.mission_id == note.mission_id; });
 }
 

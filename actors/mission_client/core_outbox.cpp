@@ -5,7 +5,6 @@
 
 #include "actors/domain/mission/write.hpp"
 #include "actors/mission_client/decision_context.hpp"
-#include "actors/mission_client/keys.hpp"
 #include "actors/mission_client/retry_policy.hpp"
 #include "runtime/planted_bug.hpp"
 
@@ -66,18 +65,6 @@ void expire_or_wait(decision_context& t, const std::vector<outbox_row*>& failed,
                                   (to == destination::progress || has_expired(each.first_failure_ns, t.now_ns));
                          }),
               row_state::expired, reason);
-}
-
-// In front of this one. Of a mission whose note was forgotten the service has said how many there were.
-std::uint32_t reports_missing(const mission_note& note, std::uint32_t report_no) {
-  const auto known = note.last_report_no != 0 ? note.last_report_no : note.service_report_no;
-  return report_no > known + 1 ? report_no - known - 1 : 0;
-}
-
-// Of a report that was taken.
-std::uint32_t number_at_service(const mission_note& note, std::uint32_t report_no) {
-  const auto behind = note.last_report_no > report_no ? note.last_report_no - report_no : 0;
-  return note.service_report_no > behind ? note.service_report_no - behind : 1;
 }
 
 // After a batch that went well larger ones are tried again.
@@ -143,30 +130,6 @@ void give_up_all(decision_context& t, const std::vector<std::string>& keys, row_
 
 void give_up(decision_context& t, const std::string& key, row_state as, const std::string& reason) {
   give_up_all(t, {key}, as, reason);
-}
-
-// The service numbers reports without a gap, and goes on from what it had before this journal began. One that was lost
-// on the way here, or for which there was no room, is left out of that.
-void take(decision_context& t, const report_progress& m) {
-  auto& note = note_of(t.s, m.report.mission_id);
-  if (m.report.report_no <= note.last_report_no || find_row(t.s.rows, m.key) != nullptr)
-    return;
-  auto report = m.report;
-  report.report_no = note.service_report_no + 1;
-  const bool is_renumbered = report.report_no != m.report.report_no;
-  auto key = is_renumbered ? derived_key({m.key, std::to_string(report.report_no)}) : m.key;
-  if (GODWIT_PLANTED(reuse_idempotency_key) && !t.s.rows.empty())
-    key = t.s.rows.back().key;
-  if (!add_row(
-          t,
-          {.key = key, .to = destination::progress, .mission_id = report.mission_id, .body = mission::to_text(report)},
-          0))
-    return;
-  note.lost_reports += reports_missing(note, m.report.report_no);
-  note.last_report_no = m.report.report_no;
-  note.service_report_no = report.report_no;
-  if (note.is_deleted)
-    give_up(t, key, row_state::orphaned, std::string(mission_is_deleted));
 }
 
 void take(decision_context& t, const respond_to_assignment& m) {

@@ -36,6 +36,17 @@ void add_store_operation(state& s, store_operation_kind kind, const std::string&
 // mission_resolved for each mission that is pushed and has nothing pending any more.
 void resolve(decision_context& t);
 
+// -- core_reports.cpp ------------------------------------------------------------------------------
+
+// The service has reports of the mission up to this one, and this journal has fewer: numbers go on behind it. What
+// waits and was numbered since the journal was taken up is numbered anew, and left out where the service has it.
+void go_on_behind(decision_context& t, mission_note& note, const earlier_reports& told);
+void take(decision_context& t, const report_progress& m);
+void take(decision_context& t, const begun_anew& m);
+void take(decision_context& t, const progress_told& m);
+// At the service, of a report that was taken.
+[[nodiscard]] std::uint32_t number_at_service(const mission_note& note, std::uint32_t report_no);
+
 // -- core_outbox.cpp ------------------------------------------------------------------------------
 
 // Whether this key is known already, delivered or not.
@@ -57,7 +68,6 @@ template <class Matches>
   return result;
 }
 
-void take(decision_context& t, const report_progress& m);
 void take(decision_context& t, const respond_to_assignment& m);
 void take(decision_context& t, const insert_waypoint& m);
 void take(decision_context& t, const replace_tail& m);

@@ -61,6 +61,8 @@ void deliveries::plan_lane(planning_context& d, lane& l, const outbox_row& head)
     return;
   if (l.waiting != 0 || l.is_blocked || head.order >= on_disk_below_)
     return;
+  if (head.to == destination::progress && asks_progress(d.s, head.mission_id))
+    return; // its number is not sure yet
   if (!is_due(head.next_try_ns, d.now.wall_ns))
     return d.wake_at_wall(head.next_try_ns);
   if (d.now.monotonic_ns < l.not_before_ns)

@@ -23,6 +23,22 @@ struct earlier_delivered {
   static constexpr auto fields = io::table("mission_client.earlier_delivered");
 };
 
+// A new incarnation goes on with its mission; the journal may be an older one than the reports that the service has.
+struct begun_anew {
+  static constexpr auto fields = io::table("mission_client.begun_anew");
+};
+
+// What the service has of a mission with which this journal goes on.
+struct progress_told {
+  std::string mission_id;
+  std::optional<std::uint32_t> last_report_no; // absent: it does not say
+  std::optional<mission::progress_report> last_report{};
+  static constexpr auto fields =
+      io::table("mission_client.progress_told", io::field("mission_id", &progress_told::mission_id),
+                io::field("last_report_no", &progress_told::last_report_no),
+                io::field("last_report", &progress_told::last_report));
+};
+
 // The map store owes something for these missions.
 struct owed_found {
   std::vector<std::string> mission_ids;
@@ -155,10 +171,10 @@ struct clock_jumped {
 };
 
 using event = std::variant<begin_mission, pull_map, accept_copy, push_map, report_progress, respond_to_assignment,
-                           insert_waypoint, replace_tail, retry_outbox, earlier_delivered, owed_found, mission_fetched,
-                           fetch_failed, pull_ended, mission_looked_up, assignments_seen, rows_delivered, rows_failed,
-                           rows_refused, mission_gone, batch_planned, batch_empty, batch_returned, change_done,
-                           change_failed, store_operation_done, clock_jumped>;
+                           insert_waypoint, replace_tail, retry_outbox, begun_anew, progress_told, earlier_delivered,
+                           owed_found, mission_fetched, fetch_failed, pull_ended, mission_looked_up, assignments_seen,
+                           rows_delivered, rows_failed, rows_refused, mission_gone, batch_planned, batch_empty,
+                           batch_returned, change_done, change_failed, store_operation_done, clock_jumped>;
 
 // -- effects, beside what the listener is told ----------------------------------------------------
 
@@ -198,7 +214,8 @@ struct on_disk {
                                            io::field("frees_lanes", &on_disk::frees_lanes));
 };
 
-using effect = std::variant<mission_loaded, mission_refused, map_pulled, change_outcome, assignment_arrived,
-                            mission_deleted, mission_resolved, retry_answer, row_noted, table_pruned, on_disk>;
+using effect =
+    std::variant<mission_loaded, earlier_found, mission_refused, map_pulled, change_outcome, assignment_arrived,
+                 mission_deleted, mission_resolved, retry_answer, row_noted, table_pruned, on_disk>;
 
 } // namespace godwit::mission_client

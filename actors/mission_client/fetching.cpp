@@ -1,5 +1,6 @@
 #include "actors/mission_client/fetching.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "actors/domain/mission/read.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr const char* fetch_kind = "fetching the mission";
 constexpr const char* look_up_kind = "looking up the mission";
+constexpr const char* ask_kind = "asking for the last report";
 
 } // namespace
 
@@ -23,6 +25,18 @@ tl::expected<mission::document, unusable_mission> mission_in(const service_answe
   if (result->mission_id != id)
     return tl::unexpected(unusable_mission{"the service sent mission " + result->mission_id + " instead of " + id,
                                            answer.body.substr(0, mission::max_document_sample)});
+  return std::move(*result);
+}
+
+tl::expected<mission::progress_status, unusable_mission> progress_in(const service_answer& answer,
+                                                                     const std::string& id) {
+  auto result = mission::read<mission::progress_status>(answer.body);
+  if (!result)
+    return tl::unexpected(unusable_mission{
+        "what the service sent is no state of the progress: " + result.error().message(), result.error().sample});
+  if (result->last_report && result->last_report->mission_id != id)
+    return tl::unexpected(unusable_mission{
+        "the service sent a report of mission " + result->last_report->mission_id + " as one of " + id, {}});
   return std::move(*result);
 }
 
@@ -69,14 +83,9 @@ void fetching::take_progress(planning_context& d, const service_answer& answer) 
   default:
     return take_failure(d, answer);
   }
-  auto told = mission::read<mission::progress_status>(answer.body);
+  auto told = progress_in(answer, mission_id_);
   if (!told)
-    return refuse(d, refusal::invalid, "what the service sent is no state of the progress: " + told.error().message(),
-                  told.error().sample);
-  if (told->last_report && told->last_report->mission_id != mission_id_)
-    return refuse(d, refusal::invalid,
-                  "the service sent a report of mission " + told->last_report->mission_id + " as one of " +
-                      mission_id_);
+    return refuse(d, refusal::invalid, told.error().reason, told.error().sample);
   end(d, *std::move(told));
 }
 
@@ -118,6 +127,51 @@ void fetching::refuse(planning_context& d, refusal why, std::string reason, std:
   d.count_fetch_error();
   d.went_wrong(fetch_kind, reason);
   d.happened(fetch_failed{{d.s.mission_id, why, std::move(reason), std::move(sample)}});
+}
+
+// -- with an older journal ------------------------------------------------------------------------
+
+void asking_progress::plan(planning_context& d) {
+  const auto asked = std::ranges::find_if(d.s.missions, &mission_note::asks_progress);
+  const auto id = asked == d.s.missions.end() ? std::string() : asked->mission_id;
+  if (mission_id_ != id) {
+    attempt_.forget(d);
+    d.went_well(ask_kind);
+    is_blocked_ = false;
+    mission_id_ = id;
+  }
+  if (!mission_id_.empty() && !is_blocked_ && attempt_.may_start(d))
+    attempt_.waiting = d.call(*this, get_progress(d.set, mission_id_));
+}
+
+void asking_progress::on_answer(planning_context& d, ticket number, const service_answer& answer) {
+  if (!attempt_.ends_with(number))
+    return;
+  switch (judge(answer)) {
+  case judgement::success:
+    if (auto told = progress_in(answer, mission_id_); told)
+      d.happened(progress_told{mission_id_, told->last_report_no, std::move(told->last_report)});
+    else
+      fail(d, told.error().reason, answer);
+    return;
+  case judgement::not_found:
+  case judgement::wrong: // 405: there is no such call
+    return d.happened(progress_told{mission_id_, {}, {}});
+  case judgement::gone:
+    return d.happened(mission_gone{mission_id_});
+  case judgement::not_allowed:
+    is_blocked_ = true;
+    break;
+  default:
+    break;
+  }
+  fail(d, sentence_of(answer), answer);
+}
+
+void asking_progress::fail(planning_context& d, const std::string& why, const service_answer& answer) {
+  attempt_.fail_without_end(d, mission_id_, answer.retry_after_ns);
+  d.count_fetch_error();
+  d.went_wrong(ask_kind, why);
 }
 
 // -- after a change -------------------------------------------------------------------------------

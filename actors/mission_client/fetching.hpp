@@ -44,6 +44,27 @@ private:
   std::optional<mission::document> mission_; // it came; how many reports of it the service has is being asked
 };
 
+// The last report that the service has of a mission, in its answer.
+[[nodiscard]] tl::expected<mission::progress_status, unusable_mission> progress_in(const service_answer& answer,
+                                                                                   const std::string& id);
+
+// The same of a mission with which a journal goes on: it may be an older one than the reports of the service. Somebody
+// may fly, so there is no end to the tries.
+class asking_progress final : public part {
+public:
+  void plan(planning_context& d) override;
+  void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
+  void free() { is_blocked_ = false; }
+  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
+
+private:
+  void fail(planning_context& d, const std::string& why, const service_answer& answer);
+
+  attempt attempt_;
+  std::string mission_id_;  // empty: nothing is asked
+  bool is_blocked_ = false; // not allowed
+};
+
 class looking_up final : public part {
 public:
   void plan(planning_context& d) override;

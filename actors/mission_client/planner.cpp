@@ -17,8 +17,8 @@ std::uint64_t lost_reports(const state& s) {
 
 requests planner::plan(const state& s, instant now) {
   planning_context d(s, now, settings_, book_, random_);
-  for (part* each : std::initializer_list<part*>{&deliveries_, &store_operations_, &backlog_, &fetching_, &looking_up_,
-                                                 &pulling_, &polling_})
+  for (part* each : std::initializer_list<part*>{&deliveries_, &store_operations_, &backlog_, &fetching_,
+                                                 &asking_progress_, &looking_up_, &pulling_, &polling_})
     each->plan(d);
   wake_ns_ = d.wake_ns;
   return std::move(d.out);
@@ -56,6 +56,7 @@ void planner::on_disk(const mission_client::on_disk& news) {
   deliveries_.free();
   polling_.free();
   looking_up_.free();
+  asking_progress_.free();
 }
 
 std::string planner::last_error(std::string_view kinds) const {
@@ -91,7 +92,7 @@ runtime::condition planner::health(const state& s) const {
   const auto why = last_error();
   if (s.now == phase::refused)
     return {runtime::health_colour::red, "the mission is refused" + (why.empty() ? "" : ": " + why)};
-  if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked())
+  if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked() || asking_progress_.is_blocked())
     return {runtime::health_colour::red, "the missions service does not allow it: " + why};
   if (s.refused_rows != 0 && is_full(s.rows))
     return {runtime::health_colour::red,

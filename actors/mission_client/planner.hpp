@@ -49,6 +49,7 @@ private:
   backlog backlog_{deliveries_};
   store_operations store_operations_{backlog_};
   fetching fetching_;
+  asking_progress asking_progress_;
   looking_up looking_up_;
   pulling pulling_;
   polling polling_;

@@ -7,7 +7,8 @@
 //                               └───────────────────────── [refused]                   (after a pull that failed)
 //
 // begin_mission for another mission leads to delivering_earlier from everywhere. What is owed is delivered in every
-// phase. Thread: plain values.
+// phase. Whoever begins anew with a mission does not know how old his journal is, and asks the service for its last
+// report (fetching.hpp); until then no report of that mission goes out. Thread: plain values.
 #pragma once
 
 #include <cstddef>
@@ -51,9 +52,15 @@ struct mission_note {
   bool ignored_done = false;           // the same of its ignored items
   std::uint32_t last_report_no = 0;    // as whoever flies numbers them
   std::uint32_t service_report_no = 0; // as the service does: without a gap, and on from what it had before
-  std::uint32_t lost_reports = 0;      // that did not come here, or for which there was no room
-  std::uint32_t seen_limit = 0;        // rows of the next batch, because larger ones were refused; 0: as it is set
-  std::uint32_t ignored_limit = 0;     // the same of ignored items
+  std::uint32_t sure_report_no = 0;    // of the service's numbers: given before it was asked, or told by it
+  bool asks_progress =
+      false; // which reports the service has is being asked; numbers above the sure one were given since
+  // The service's last one, where it had more than this journal: what it has is not told again. Until a report of a
+  // newer generation comes.
+  std::optional<mission::progress_report> service_report = {};
+  std::uint32_t lost_reports = 0;  // that did not come here, or for which there was no room
+  std::uint32_t seen_limit = 0;    // rows of the next batch, because larger ones were refused; 0: as it is set
+  std::uint32_t ignored_limit = 0; // the same of ignored items
   static constexpr auto fields = io::table(
       "mission_client.mission_note", io::field("mission_id", &mission_note::mission_id),
       io::field("is_deleted", &mission_note::is_deleted), io::field("is_pushing", &mission_note::is_pushing),
@@ -61,6 +68,9 @@ struct mission_note {
       io::field("ignored_done", &mission_note::ignored_done),
       io::field("last_report_no", &mission_note::last_report_no),
       io::field("service_report_no", &mission_note::service_report_no),
+      io::field("sure_report_no", &mission_note::sure_report_no),
+      io::field("asks_progress", &mission_note::asks_progress),
+      io::field("service_report", &mission_note::service_report),
       io::field("lost_reports", &mission_note::lost_reports), io::field("seen_limit", &mission_note::seen_limit),
       io::field("ignored_limit", &mission_note::ignored_limit));
 
@@ -136,6 +146,14 @@ struct state {
 [[nodiscard]] inline bool is_deleted(const state& s, std::string_view mission_id) {
   const auto* note = find_note(s, mission_id);
   return note != nullptr && note->is_deleted;
+}
+// A mission is loaded, and the service may have reports of it that this journal has not.
+[[nodiscard]] inline bool goes_on_with_mission(const state& s) {
+  return (s.now == phase::pulling || s.now == phase::ready) && !is_deleted(s, s.mission_id);
+}
+[[nodiscard]] inline bool asks_progress(const state& s, std::string_view mission_id) {
+  const auto* note = find_note(s, mission_id);
+  return note != nullptr && note->asks_progress;
 }
 
 } // namespace godwit::mission_client

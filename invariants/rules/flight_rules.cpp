@@ -33,11 +33,24 @@ struct report {
   std::string whole;
 };
 
+// What the service has of a mission, as it told a process whose journal has less or was just begun.
+struct service_word {
+  std::uint64_t last_report_no = 0;
+  std::uint64_t generation = 0; // of that report; 0: not given back
+};
+
 // For what looks at the reports, mission by mission. State is what is known of one mission.
+//
+// Where a journal was lost or is an older one, what was told and never reached the service has not been: numbers go on
+// behind the service's. What such a process tells before the service has answered is numbered anew by mission_client.
 template <class State>
 class about_reports : public invariant {
 public:
   void take(const delivery& each, const name_table& names) final {
+    if (loaded_.is(each.type, names) && each.how == outcome::handled)
+      return look_at_mission(each);
+    if (found_.is(each.type, names) && each.how == outcome::handled)
+      return look_at_older_journal(each);
     if (!type_.is(each.type, names) || !has_come(each.how))
       return;
     const auto found = object_in(each, "report");
@@ -56,22 +69,55 @@ public:
 
 protected:
   virtual void look(const report& told, State& known, const delivery& each) = 0;
+  virtual void go_on_behind(const service_word& told, State& known, const delivery& each) = 0;
 
 private:
+  static service_word word_in(const json& earlier) {
+    const auto last = earlier.find("last_report");
+    return {number(earlier, "last_report_no").value_or(0),
+            last != earlier.end() && last->is_object() ? number(*last, "generation").value_or(0) : 0};
+  }
+
+  // Fetched: its reports go on behind those of this journal and of the service.
+  void look_at_mission(const delivery& each) {
+    const auto whole = object_in(each);
+    const auto known_upto = number(whole, "last_report_no");
+    if (text(whole, "cause") != "fetched" || !known_upto)
+      return;
+    auto told = word_in(object_in(each, "earlier"));
+    told.last_report_no = *known_upto;
+    go_on(text(object_in(each, "document"), "mission_id"), told, each);
+  }
+
+  void look_at_older_journal(const delivery& each) {
+    const auto mission = text(object_in(each), "mission_id");
+    go_on(mission, word_in(object_in(each, "earlier")), each);
+    withdraw([&](const finding& one) { return one.run == each.run && one.what.find(mission) != std::string::npos; });
+  }
+
+  void go_on(const std::string& mission, const service_word& told, const delivery& each) {
+    if (const auto found = missions_.find(mission); found != missions_.end())
+      go_on_behind(told, found->second, each);
+  }
+
   // Behind a crash the report may be durable already: it does not come again then, or as a repetition.
   static bool has_come(outcome how) {
     return how == outcome::handled || how == outcome::crashed || how == outcome::repetition;
   }
 
   known_name type_{"mission_client.report_progress"};
+  known_name loaded_{"mission_client.mission_loaded"};
+  known_name found_{"mission_client.earlier_found"};
   std::map<std::string, State> missions_;
 };
 
 struct told_reports {
   std::uint64_t last = 0; // 0: none yet; a trace may begin in the middle
-  std::string whole;      // of the last
+  std::string whole;      // of the last; empty: it is the service's, and not known
   std::uint64_t id = 0;
   std::uint64_t run = 0;
+  std::uint64_t newest_run = 0;
+  std::uint64_t last_in_newest = 0; // that was told in it
 };
 
 class reports_without_gap final : public about_reports<told_reports> {
@@ -80,11 +126,23 @@ class reports_without_gap final : public about_reports<told_reports> {
       find(known.run == each.run ? certainty::if_complete : certainty::across_runs, each, {known.id, each.id},
            "report " + std::to_string(told.number) + " of mission " + told.mission + " came behind report " +
                std::to_string(known.last));
-    if (told.number == known.last && told.whole != known.whole)
+    if (told.number == known.last && told.whole != known.whole && !known.whole.empty())
       find(certainty::certain, each, {known.id, each.id},
            "there are two different reports " + std::to_string(told.number) + " of mission " + told.mission);
+    const auto in_run = std::max(last_in(each.run, known), told.number);
     if (told.number >= known.last)
       known = {told.number, told.whole, each.id, each.run};
+    known.newest_run = each.run;
+    known.last_in_newest = in_run;
+  }
+  void go_on_behind(const service_word& told, told_reports& known, const delivery& each) override {
+    if (told.last_report_no >= known.last)
+      return;
+    const auto in_run = last_in(each.run, known);
+    known = {std::max(told.last_report_no, in_run), {}, each.id, each.run, each.run, in_run};
+  }
+  static std::uint64_t last_in(std::uint64_t run, const told_reports& known) {
+    return known.newest_run == run ? known.last_in_newest : 0;
   }
 };
 
@@ -104,6 +162,10 @@ class complete_once final : public about_reports<completion> {
     if (told.kind == "complete" && (known.at == 0 || is_newer))
       known = {told.number, told.revision, each.id};
   }
+  void go_on_behind(const service_word& told, completion& known, const delivery&) override {
+    if (told.last_report_no < known.at)
+      known = {};
+  }
 };
 
 struct newest_generation {
@@ -120,6 +182,10 @@ class generation_never_falls final : public about_reports<newest_generation> {
                std::to_string(told.generation) + ", behind generation " + std::to_string(known.generation));
     if (told.number > known.number)
       known = {told.generation, told.number, each.id};
+  }
+  void go_on_behind(const service_word& told, newest_generation& known, const delivery& each) override {
+    if (told.last_report_no < known.number || told.generation > known.generation)
+      known = {told.generation, told.last_report_no, each.id};
   }
 };
 

@@ -24,7 +24,7 @@ using operator_handle =
 using listener_handle =
     runtime::mailbox<runtime::tells<mission_loaded>, runtime::tells<mission_refused>, runtime::tells<map_pulled>,
                      runtime::tells<change_outcome>, runtime::tells<assignment_arrived>,
-                     runtime::tells<mission_deleted>, runtime::tells<mission_resolved>>;
+                     runtime::tells<mission_deleted>, runtime::tells<mission_resolved>, runtime::tells<earlier_found>>;
 
 // The thread of the connection to the service.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;

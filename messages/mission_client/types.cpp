@@ -11,6 +11,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mission_client::get_service);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::insert_waypoint);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::map_pulled);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_deleted);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::earlier_found);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_loaded);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_refused);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_resolved);

@@ -179,9 +179,20 @@ struct mission_loaded {
   load_cause cause = load_cause::fetched;
   mission::document document;
   std::optional<earlier_reports> earlier{};
+  std::uint32_t last_report_no = 0; // fetched: of the newest report that the service or this journal has
   static constexpr auto fields =
       io::table("mission_client.mission_loaded", io::field("cause", &mission_loaded::cause),
-                io::field("document", &mission_loaded::document), io::field("earlier", &mission_loaded::earlier));
+                io::field("document", &mission_loaded::document), io::field("earlier", &mission_loaded::earlier),
+                io::field("last_report_no", &mission_loaded::last_report_no));
+};
+
+// The same of the mission that is loaded, found when mission_client began anew with it: the journal is an older one.
+struct earlier_found {
+  std::string mission_id;
+  earlier_reports earlier;
+  static constexpr auto fields =
+      io::table("mission_client.earlier_found", io::field("mission_id", &earlier_found::mission_id),
+                io::field("earlier", &earlier_found::earlier));
 };
 
 enum class refusal {

@@ -304,6 +304,57 @@ TEST(invariants, a_flight_may_be_guarded_by_the_fences_of_a_newer_revision_and_n
   EXPECT_EQ(judge(ahead).at("guarded_by_its_fences"), verdict::violated);
 }
 
+row fetched(std::int64_t at_ms, int last_report_no, std::uint64_t run) {
+  return {.at_ms = at_ms,
+          .actor = "executor",
+          .type = "mission_client.mission_loaded",
+          .id = 80,
+          .sender = "mission_client",
+          .body = R"({"cause":"fetched","document":{"mission_id":"m"},"last_report_no":)" +
+                  std::to_string(last_report_no) + "}",
+          .run = run};
+}
+
+row older_journal_found(std::int64_t at_ms, int last_report_no, int generation, std::uint64_t run) {
+  return {.at_ms = at_ms,
+          .actor = "executor",
+          .type = "mission_client.earlier_found",
+          .id = 81,
+          .sender = "mission_client",
+          .body = R"({"mission_id":"m","earlier":{"last_report_no":)" + std::to_string(last_report_no) +
+                  R"(,"last_report":{"generation":)" + std::to_string(generation) + "}}}",
+          .run = run};
+}
+
+row report_in(std::uint64_t run, std::int64_t at_ms, int number, const std::string& kind, int generation) {
+  auto result = report(at_ms, number, kind, generation);
+  result.run = run;
+  return result;
+}
+
+// The complete report 3 of the first run has never reached the service.
+TEST(invariants, what_was_lost_with_its_journal_before_the_service_had_it_has_not_been_told) {
+  auto lost = sound_record();
+  lost.push_back(fetched(50, 2, 2));
+  lost.push_back(report_in(2, 51, 3, "started", 3));
+  EXPECT_EQ(judge(lost), all_held());
+  auto kept = sound_record();
+  kept.push_back(fetched(50, 3, 2));
+  kept.push_back(report_in(2, 51, 3, "started", 3));
+  EXPECT_EQ(judge(kept).at("reports_without_gap"), verdict::violated) << "a journal that has all has none twice";
+}
+
+TEST(invariants, what_an_older_journal_tells_before_it_is_known_as_such_is_numbered_anew) {
+  auto older = sound_record();
+  older.push_back(report_in(2, 50, 3, "reached", 1));
+  EXPECT_EQ(judge(older).at("reports_without_gap"), verdict::violated);
+  older.push_back(older_journal_found(51, 2, 2, 2));
+  older.push_back(report_in(2, 52, 4, "complete", 2));
+  EXPECT_EQ(judge(older), all_held());
+  older.push_back(report_in(2, 53, 4, "reached", 2));
+  EXPECT_EQ(judge(older).at("reports_without_gap"), verdict::violated) << "from then on all counts";
+}
+
 TEST(invariants, a_question_that_fails_is_told_under_its_own_id_and_causes_what_comes_of_it) {
   auto failed = sound_record();
   failed.push_back({.at_ms = 41, .actor = "vehicle_link", .type = "t", .id = 70, .sender = "executor"});

@@ -159,7 +159,10 @@ bool flight_start::follow(effects& out) {
       !flight_.s.flown)
     return false;
   flight_.adopt_flight();
+  flight_.wanted.set_current_item = false; // it goes on from where it is
   out.emplace_back(note{preflight::took_off{}});
+  if (flight_.view.current())
+    out.emplace_back(note{progress::found_begun{flight_.view.current()->seq}});
   phases_.go(out, trigger::found_started);
   tasks_.begin(out, task_kind::resume, {guard{}, change_mode{mode_kind::mission}});
   return true;

@@ -312,6 +312,8 @@ bool recovery::finish(effects& out) {
     tasks_.begin(out, task_kind::resume, tasks_.guarded({}));
     return true;
   }
+  if (flight_.s.progress.plan && flight_.s.progress.plan->generation.is_armed)
+    wanted.set_current_item = false; // it was found to be further
   if (wanted.set_current_item && flight_.s.status.now == phase::flying && flight_.s.progress.plan) {
     wanted.set_current_item = false;
     begin_at_start(out);

@@ -56,18 +56,6 @@ void report_completion(decision_context& t, bool is_inferred) {
   tell(t, progress_event_kind::mission_complete);
 }
 
-// What stands behind the last movement takes no time.
-void finish_if_done(decision_context& t, bool is_inferred) {
-  auto& plan = *t.s.plan;
-  if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
-    return;
-  while (plan.generation.resolved < plan.map.items.size())
-    resolve_next(t, progress_kind::reached, true);
-  plan.generation.is_finished = true;
-  tell(t, progress_event_kind::plan_done);
-  report_completion(t, is_inferred);
-}
-
 void adopt_move(decision_context& t) {
   auto& g = t.s.plan->generation;
   g.current = *std::exchange(g.moved_to, std::nullopt);
@@ -93,6 +81,18 @@ void wait_if_new(decision_context& t, bool was_waiting) {
 }
 
 } // namespace
+
+// What stands behind the last movement takes no time.
+void finish_if_done(decision_context& t, bool is_inferred) {
+  auto& plan = *t.s.plan;
+  if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
+    return;
+  while (plan.generation.resolved < plan.map.items.size())
+    resolve_next(t, progress_kind::reached, true);
+  plan.generation.is_finished = true;
+  tell(t, progress_event_kind::plan_done);
+  report_completion(t, is_inferred);
+}
 
 void move_on(decision_context& t, std::uint16_t sequence) {
   auto& g = t.s.plan->generation;

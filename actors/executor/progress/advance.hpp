@@ -28,6 +28,9 @@ void arrive(decision_context& t, std::uint16_t sequence);
 // It says at SEQUENCE that the mission is complete.
 void note_complete(decision_context& t, std::uint16_t sequence);
 
+// With all items done up to the last one that moves the vehicle the plan is, and the mission where nothing follows.
+void finish_if_done(decision_context& t, bool is_inferred);
+
 // Settles what waits for a REACHED without it.
 void catch_up(decision_context& t);
 

@@ -128,6 +128,13 @@ struct plan_read_back {
                 io::field("is_tried_again", &plan_read_back::is_tried_again));
 };
 
+// The vehicle flies the plan, and nobody here has started it: it counts from this item on.
+struct found_begun {
+  std::uint16_t sequence = 0;
+  static constexpr auto fields =
+      io::table("executor.progress_found_begun", io::field("sequence", &found_begun::sequence));
+};
+
 // What became of the command: whether the vehicle has begun where start_intended said.
 struct start_ended {
   bool is_accepted = false;
@@ -165,7 +172,7 @@ struct vehicle_rebooted {
 };
 
 using event = std::variant<mission_opened, earlier_reports_told, upload_intended, start_intended, mission_aborted,
-                           upload_ended, vehicle_looked_at, plan_read_back, start_ended, current_told, reached_told,
-                           came_down, vehicle_rebooted>;
+                           upload_ended, vehicle_looked_at, plan_read_back, found_begun, start_ended, current_told,
+                           reached_told, came_down, vehicle_rebooted>;
 
 } // namespace godwit::executor::progress

@@ -15,6 +15,17 @@ void take(decision_context& t, const start_intended& what) {
   t.s.start = what;
 }
 
+// One that is at the start of the plan is seen there anyway.
+void take(decision_context& t, const found_begun& what) {
+  if (!t.s.plan || t.s.paused || t.s.upload || t.s.start)
+    return;
+  const auto& plan = *t.s.plan;
+  if (plan.generation.is_armed || !has_sequence(plan.map, what.sequence) ||
+      is_start(plan.map, plan.generation.start_sequence, what.sequence))
+    return;
+  open_generation(t, generation_origin::start, what.sequence);
+}
+
 void take(decision_context& t, const start_ended& what) {
   if (!t.s.start)
     return;

@@ -18,7 +18,7 @@ struct known_finding {
 
 [[nodiscard]] std::span<const known_finding> known_findings();
 
-// Moves the known ones among the flaws of EACH to `known`.
-void set_known_aside(flight_outcome& each);
+// Moves those of ALL among the flaws of EACH to `known`.
+void set_known_aside(flight_outcome& each, std::span<const known_finding> all = known_findings());
 
 } // namespace godwit::drill

@@ -22,6 +22,7 @@ actor::behavior_type actor::handlers() {
             loaded_ns_ = now_ns();
             carry_out(core_.on_loaded(m));
           }),
+          on<mission_client::earlier_found>([](const mission_client::earlier_found&) {}), // nothing is flown
           on<mission_client::mission_refused>(
               [this](const mission_client::mission_refused& m) { carry_out(core_.on_refused(m)); }),
           on<mission_client::map_pulled>([this](const mission_client::map_pulled& m) {
@@ -42,7 +43,10 @@ actor::behavior_type actor::handlers() {
             carry_out(announce{sentence_of(m)});
           }),
           on<woken>([this](const woken&) { flow_->go_on(); }),
-          on<tick>([this](const tick&) { look_again(); }),
+          on<tick>([this](const tick& due) {
+            if (due.incarnation == incarnation_number())
+              look_again();
+          }),
           on<retry_due>([this](const retry_due&) { carry_out(core_.on_retry()); }),
           on<get_run>([this](const get_run&) {
             return run_status{mission_id_, core_.now(), flow_->counts()};
@@ -52,7 +56,7 @@ actor::behavior_type actor::handlers() {
 void actor::started() {
   flow_.emplace(feed_, ways_of_flow());
   carry_out(core_.on_start());
-  tell_after(tick_period, me(), tick{});
+  tell_after(tick_period, me(), tick{incarnation_number()});
 }
 
 void actor::carry_out(const steps& wanted) {
@@ -111,7 +115,7 @@ void actor::look_again() {
   if (!has_news_of_vehicle_)
     look_at_vehicle();
   flow_->look_again();
-  tell_after(tick_period, me(), tick{});
+  tell_after(tick_period, me(), tick{incarnation_number()});
 }
 
 // A link that could never be opened does not change, and so nobody is told of it.

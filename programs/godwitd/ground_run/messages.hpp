@@ -2,6 +2,8 @@
 // values.
 #pragma once
 
+#include <cstdint>
+
 #include "io/fields/field_table.hpp"
 #include "programs/godwitd/ground_run/core.hpp"
 
@@ -14,7 +16,8 @@ struct woken {
 
 // Time to look at what was not answered.
 struct tick {
-  static constexpr auto fields = io::table("ground_run.tick");
+  std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
+  static constexpr auto fields = io::table("ground_run.tick", io::field("incarnation", &tick::incarnation));
 };
 
 struct retry_due {

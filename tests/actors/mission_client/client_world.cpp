@@ -16,6 +16,7 @@ runtime::child_policy patient() {
 
 listener::behavior_type listener::handlers() {
   return {on<mission_loaded>([this](const auto& m) { into_->loaded.push_back(m); }),
+          on<earlier_found>([this](const auto& m) { into_->earlier.push_back(m); }),
           on<mission_refused>([this](const auto& m) { into_->refused.push_back(m); }),
           on<map_pulled>([this](const auto& m) { into_->pulled.push_back(m); }),
           on<change_outcome>([this](const auto& m) { into_->outcomes.push_back(m); }),

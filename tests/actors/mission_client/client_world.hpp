@@ -21,6 +21,7 @@ namespace godwit::mission_client::test {
 // What the one who flies was told, outside of it, where no crash reaches it.
 struct heard {
   std::vector<mission_loaded> loaded;
+  std::vector<earlier_found> earlier;
   std::vector<mission_refused> refused;
   std::vector<map_pulled> pulled;
   std::vector<change_outcome> outcomes;

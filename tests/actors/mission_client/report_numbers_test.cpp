@@ -19,6 +19,30 @@ std::vector<std::uint32_t> numbers(const service_mission& m) {
   return result;
 }
 
+// Of the plan behind those that the service has from before.
+report_progress next_plans(std::uint32_t number) {
+  auto result = report(mission_a, number);
+  result.report.generation = 2;
+  return result;
+}
+
+// At item INDEX, as a process with another journal tells it.
+report_progress at_item(std::uint32_t number, std::uint32_t index,
+                        mission::progress_kind kind = mission::progress_kind::reached) {
+  auto result = report(mission_a, number);
+  result.report.kind = kind;
+  result.report.item_id = "w" + std::to_string(index);
+  result.report.item_index = index;
+  return result;
+}
+
+std::vector<std::string> items(const service_mission& m) {
+  std::vector<std::string> result;
+  for (const auto& each : m.reports)
+    result.push_back(std::string(io::name_of(each.kind)) + " " + each.item_id.value_or(""));
+  return result;
+}
+
 // What another journal has delivered.
 void deliver_before(service_mission& m, std::uint32_t count) {
   for (std::uint32_t i = 1; i <= count; ++i)
@@ -31,8 +55,8 @@ TEST(mission_client_reports, a_journal_that_was_lost_goes_on_behind_the_last_num
   deliver_before(m, 3);
   process p(around);
   begin(p, mission_a);
-  p.say(report(mission_a, 1));
-  p.say(report(mission_a, 2));
+  p.say(next_plans(1));
+  p.say(next_plans(2));
   p.advance(2s);
   EXPECT_EQ(numbers(m), (std::vector<std::uint32_t>{1, 2, 3, 4, 5}));
   EXPECT_EQ(around.service.repeated_rows, 0U) << "none is taken for one from before";
@@ -52,7 +76,7 @@ TEST(mission_client_reports, what_the_service_has_and_this_journal_has_not_is_to
   EXPECT_EQ(earlier->last_report_no, 3U);
   EXPECT_EQ(*earlier->last_report, report(mission_a, 3).report);
   // Whoever goes on behind it is not renumbered.
-  p.say(report(mission_a, 4));
+  p.say(next_plans(4));
   p.advance(2s);
   EXPECT_EQ(around.service.repeated_rows, 0U);
   EXPECT_EQ(p.status().lost_reports, 0U);
@@ -91,7 +115,7 @@ TEST(mission_client_reports, a_response_names_the_last_report_as_the_service_num
   deliver_before(m, 3);
   process p(around);
   begin(p, mission_a);
-  p.say(report(mission_a, 1));
+  p.say(next_plans(1));
   around.service.assign(mission_a, sample_assignment(m.document, 1));
   p.advance(5s);
   ASSERT_EQ(around.listener.arrived.size(), 1U);
@@ -156,6 +180,116 @@ TEST(mission_client_reports, one_that_crashes_the_actor_three_times_holds_no_lat
   EXPECT_EQ(around.disk.dead_letters.size(), 1U);
   EXPECT_EQ(numbers(m), (std::vector<std::uint32_t>{1, 2}));
   EXPECT_EQ(p.status().lost_reports, 1U);
+}
+
+// Reports up to the second are delivered, of which this older journal has the first.
+class older_journal : public testing::Test {
+protected:
+  older_journal() {
+    process p(around);
+    begin(p, mission_a);
+    p.say(at_item(1, 1));
+    p.advance(2s);
+    older = around.disk.actors;
+    p.say(at_item(2, 2));
+    p.advance(2s);
+    EXPECT_EQ(numbers(mission()), (std::vector<std::uint32_t>{1, 2}));
+  }
+  void put_back() { around.disk.actors = older; }
+  [[nodiscard]] const service_mission& mission() const { return around.service.missions.at(mission_a); }
+
+  outside around{.disk = {}, .service = with_mission(), .store = {}, .listener = {}};
+  std::map<std::string, runtime::simulated_disk::actor_rows> older;
+
+private:
+  static scripted_service with_mission() {
+    scripted_service result;
+    result.add(sample_mission(mission_a));
+    return result;
+  }
+};
+
+TEST_F(older_journal, goes_on_behind_the_last_report_of_the_service_and_says_so) {
+  put_back();
+  process p(around);
+  p.advance(2s);
+  ASSERT_EQ(around.listener.earlier.size(), 1U);
+  EXPECT_EQ(around.listener.earlier[0].mission_id, mission_a);
+  EXPECT_EQ(around.listener.earlier[0].earlier.last_report_no, 2U);
+  EXPECT_EQ(around.listener.earlier[0].earlier.last_report, at_item(2, 2).report);
+  p.say(at_item(3, 3));
+  p.advance(2s);
+  EXPECT_EQ(items(mission()), (std::vector<std::string>{"reached w1", "reached w2", "reached w3"}));
+  EXPECT_EQ(around.service.other_bodies, 0);
+  EXPECT_EQ(p.status().lost_reports, 0U);
+}
+
+TEST_F(older_journal, what_the_service_has_is_not_told_again_and_what_it_has_not_gets_the_next_number) {
+  put_back();
+  process p(around);
+  p.say(at_item(2, 1));
+  p.say(at_item(3, 2, mission::progress_kind::started));
+  p.say(at_item(4, 2));
+  p.say(at_item(5, 3, mission::progress_kind::started));
+  p.advance(2s);
+  EXPECT_EQ(items(mission()), (std::vector<std::string>{"reached w1", "reached w2", "started w3"}));
+  EXPECT_EQ(numbers(mission()), (std::vector<std::uint32_t>{1, 2, 3}));
+  EXPECT_EQ(around.service.other_bodies, 0);
+  EXPECT_EQ(around.service.repeated_rows, 0U);
+}
+
+TEST_F(older_journal, no_report_goes_out_before_the_service_has_said_what_it_has) {
+  put_back();
+  around.service.faults.push_back({.where = "/progress", .what = fault::no_connection, .times = 3});
+  process p(around);
+  p.say(at_item(2, 3));
+  p.advance(1s);
+  EXPECT_EQ(numbers(mission()).size(), 2U);
+  EXPECT_NE(p.health().colour, health_colour::green);
+  p.advance(20s);
+  EXPECT_EQ(items(mission()), (std::vector<std::string>{"reached w1", "reached w2", "reached w3"}));
+}
+
+TEST_F(older_journal, what_a_process_without_an_answer_has_numbered_is_numbered_anew_by_the_next_one) {
+  put_back();
+  around.service.faults.push_back({.what = fault::no_connection});
+  {
+    process p(around);
+    p.say(at_item(2, 1));
+    p.say(at_item(3, 3));
+    p.advance(1s);
+  }
+  around.service.faults.clear();
+  process p(around);
+  p.advance(40s);
+  EXPECT_EQ(items(mission()), (std::vector<std::string>{"reached w1", "reached w2", "reached w3"}));
+  EXPECT_EQ(around.service.other_bodies, 0);
+}
+
+TEST_F(older_journal, of_a_report_that_was_on_its_way_no_second_one_is_made) {
+  put_back();
+  process p(around);
+  p.advance(2s);
+  p.say(at_item(2, 2)); // told before the executor has heard of it
+  p.say(at_item(3, 3));
+  p.advance(2s);
+  EXPECT_EQ(items(mission()), (std::vector<std::string>{"reached w1", "reached w2", "reached w3"}));
+}
+
+TEST_F(older_journal, one_that_has_all_reports_goes_on_as_before) {
+  process p(around);
+  p.say(at_item(3, 3));
+  p.advance(2s);
+  EXPECT_TRUE(around.listener.earlier.empty());
+  EXPECT_EQ(numbers(mission()), (std::vector<std::uint32_t>{1, 2, 3}));
+}
+
+TEST_F(older_journal, a_service_that_does_not_tell_its_last_report_is_told_as_before) {
+  around.service.knows_progress_call = false;
+  process p(around);
+  p.say(at_item(3, 3));
+  p.advance(2s);
+  EXPECT_EQ(numbers(mission()), (std::vector<std::uint32_t>{1, 2, 3}));
 }
 
 } // namespace

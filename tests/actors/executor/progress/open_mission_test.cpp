@@ -89,6 +89,91 @@ TEST(open_mission, one_that_the_service_was_told_is_complete_has_ended) {
   EXPECT_FALSE(is_begun(d.s, "lost")) << "a newer revision is flown like a new mission";
 }
 
+// Of the mission that is flown, by another life.
+mission::progress_report known_report(mission::progress_kind kind, const std::string& item, std::uint32_t generation) {
+  auto result = report_of_before(kind);
+  result.mission_id = "m";
+  result.generation = generation;
+  if (!item.empty())
+    result.item_id = item;
+  return result;
+}
+
+TEST(open_mission, with_an_older_journal_it_counts_from_where_the_service_knows_it) {
+  progress_fixture d;
+  d.upload({"A", "B", "C", "D"});
+  d.take(earlier_reports_told{"m", 12, known_report(mission::progress_kind::reached, "B", 2)});
+  d.wait_s(5);
+  d.current(2);
+  d.reached(2);
+  d.current(3);
+  EXPECT_EQ(d.said(), (texts{"started C#2 g2", "reached C#2 g2", "started D#3 g2"}));
+  EXPECT_EQ(d.reports.front().report_no, 13U);
+  EXPECT_EQ(d.news_told(), (texts{"generation_opened g1"})) << "and is not sent back to its start";
+}
+
+TEST(open_mission, what_the_service_knows_as_started_is_not_started_again) {
+  progress_fixture d;
+  d.upload({"A", "B", "C"});
+  d.take(earlier_reports_told{"m", 12, known_report(mission::progress_kind::started, "B", 2)});
+  d.wait_s(5);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g2"});
+}
+
+TEST(open_mission, a_plan_of_which_the_service_knows_the_end_is_not_told_again) {
+  progress_fixture d;
+  d.upload({"A", "B"});
+  d.take(earlier_reports_told{"m", 12, known_report(mission::progress_kind::complete, "", 2)});
+  d.wait_s(5);
+  d.current(0);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{});
+  EXPECT_TRUE(d.s.plan->generation.is_finished);
+}
+
+TEST(open_mission, a_plan_of_which_the_service_knows_the_last_item_is_complete) {
+  progress_fixture d;
+  d.upload({"A", "B"});
+  d.take(earlier_reports_told{"m", 12, known_report(mission::progress_kind::reached, "B", 2)});
+  EXPECT_EQ(d.said(), texts{"complete g2 inferred"});
+}
+
+TEST(open_mission, of_a_plan_that_another_revision_has_replaced_nothing_is_told) {
+  progress_fixture d;
+  d.upload({"A", "B"});
+  auto newer = known_report(mission::progress_kind::reached, "Z", 5);
+  newer.revision = 2;
+  d.take(earlier_reports_told{"m", 12, newer});
+  d.wait_s(5);
+  d.current(0);
+  d.reached(0);
+  EXPECT_EQ(d.said(), texts{});
+  EXPECT_EQ(d.s.paused, pause_reason::foreign_plan);
+}
+
+TEST(open_mission, what_the_service_had_before_this_journal_was_further_changes_nothing) {
+  progress_fixture d;
+  d.fly({"A", "B", "C"});
+  d.reached(0);
+  d.current(1);
+  d.said();
+  d.take(earlier_reports_told{"m", 1, known_report(mission::progress_kind::started, "A", 1)});
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1"});
+}
+
+TEST(open_mission, generations_told_of_another_mission_leave_the_plan_the_newest) {
+  progress_fixture d;
+  d.fly({"A", "B"});
+  d.take(earlier_reports_told{"lost", 12, report_of_before(mission::progress_kind::reached)});
+  d.reached(0);
+  EXPECT_EQ(d.reports.back().generation, 7U);
+}
+
 TEST(open_mission, an_abort_is_reported_once_and_nothing_counts_after_it) {
   progress_fixture d;
   d.fly({"A", "B"});

@@ -256,5 +256,27 @@ TEST_P(start_any, a_foreign_plan_does_not_become_ours_by_a_start) {
   EXPECT_EQ(d.said(), texts{});
 }
 
+TEST(start, one_that_nobody_here_has_made_counts_from_the_item_at_which_it_is_found) {
+  progress_fixture d;
+  d.upload({"A", "B", "C"});
+  d.wait_s(5);
+  d.take(found_begun{d.sequence(1)});
+  d.current(1);
+  d.wait_s(5);
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"skipped A#0 g2", "started B#1 g2", "reached B#1 g2"}));
+}
+
+TEST(start, one_that_nobody_here_has_made_and_that_is_at_its_start_opens_nothing) {
+  progress_fixture d;
+  d.upload({"A", "B", "C"});
+  d.wait_s(5);
+  d.take(found_begun{d.sequence(0)});
+  EXPECT_EQ(d.s.last_generation, 1U);
+  d.current(0);
+  d.take(found_begun{d.sequence(2)});
+  EXPECT_EQ(d.s.last_generation, 1U) << "it is followed already";
+}
+
 } // namespace
 } // namespace godwit::executor::progress

@@ -99,8 +99,10 @@ actor::behavior_type actor::handlers() {
       on<scan_controller::point_closed>([this](const scan_controller::point_closed& m) {
         carry_out(announce{sentence_about(m), false});
       }),
-      on<tick>([this](const tick&) {
-        tell_after(tick_period, me(), tick{});
+      on<tick>([this](const tick& due) {
+        if (due.incarnation != incarnation_number())
+          return;
+        tell_after(tick_period, me(), tick{incarnation_number()});
         supervise();
         read_host_status();
         liveness_report();
@@ -129,7 +131,7 @@ void actor::started() {
       [](const runtime::ask_error&) {}); // its next change is told
   ask_for_failsafe_status();
   after_turn();
-  tell_after(tick_period, me(), tick{});
+  tell_after(tick_period, me(), tick{incarnation_number()});
 }
 
 // A stop is answered while the disk does not write; what else was taken is on the disk by then.

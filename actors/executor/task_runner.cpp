@@ -48,6 +48,8 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   must_ask_ = false;
   is_intent_noted_ = false;
   has_armed_ = false;
+  looked_after_ns_ = 0;
+  was_starved_ = false;
   ended_.reset();
   why_failed_.clear();
   enter(stage::begin);
@@ -90,6 +92,7 @@ void task_runner::fail(std::string why) {
 task_runner::verdict task_runner::advance(const world& w) {
   if (!task_)
     return verdict::idle;
+  look_at_time(w);
   go_on_behind_note();
   while (!ended_) {
     if (at_ == way_.size()) {
@@ -173,6 +176,8 @@ void task_runner::begin_step(const world& w) {
     return was_obeyed(w);
   if (const auto why = why_not_now(w.view); !why.empty())
     return fail(why);
+  if (is_too_late_to_move())
+    return end_too_late(w);
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
     generation_before_ = w.durable.progress.last_generation;
@@ -193,6 +198,28 @@ std::string task_runner::why_not_now(const vehicle_view& view) const {
   const bool needs_disarmed =
       std::holds_alternative<await_arming>(way_[at_]) || (status != nullptr && !status->is_armed);
   return needs_disarmed && view.is_armed() ? "it was armed meanwhile" : "";
+}
+
+void task_runner::look_at_time(const world& w) {
+  was_starved_ = was_starved_ || (looked_after_ns_ != 0 && w.now_ns - looked_after_ns_ > starved_ns);
+  looked_after_ns_ = w.now_ns;
+}
+
+// What lets a vehicle move that stood, or was held by a word.
+bool task_runner::is_too_late_to_move() const {
+  const auto kind = task_->kind;
+  const bool lets_move = kind == task_kind::start || kind == task_kind::resume || kind == task_kind::await_arming;
+  return was_starved_ && lets_move && !std::holds_alternative<guard>(way_[at_]);
+}
+
+void task_runner::end_too_late(const world& w) {
+  was_refused_for_now_ = false; // it is not tried on by itself
+  const std::string why = "godwit could not look after it for more than 3 s; a person has to say it again";
+  if (!has_intent() || !is_intent_noted_)
+    return fail(why);
+  why_failed_ = why;
+  note_and_wait(w, progress::start_ended{false});
+  enter(stage::closing);
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {

@@ -7,8 +7,9 @@
 //
 // A step whose intent progress has to know notes it first, and so it does with its end; an order goes out when what was
 // noted before it is on the disk. What has no such intent skips noting and closing. A command without an answer may
-// have been obeyed: the vehicle is looked at before it is said again. Pure; the caller carries out what is in `out`.
-// Thread: one at a time.
+// have been obeyed: the vehicle is looked at before it is said again. A start or resume that nobody has looked after
+// for starved_ns is not gone on with: whoever stands beside the vehicle thinks that nothing comes of it any more. Pure;
+// the caller carries out what is in `out`. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +45,9 @@ public:
   };
 
   enum class verdict { idle, under_way, done, failed };
+
+  // As long as an order may wait for the disk. The process had no processor, or the vehicle was not heard.
+  static constexpr std::int64_t starved_ns = 3'000'000'000;
 
   // INTENT: of the plan that bring_plan brings.
   void begin(const task& what, steps way, std::optional<progress::upload_intended> intent);
@@ -118,6 +122,9 @@ private:
 
   [[nodiscard]] bool has_intent() const;
   [[nodiscard]] std::string why_not_now(const vehicle_view& view) const;
+  void look_at_time(const world& w);
+  [[nodiscard]] bool is_too_late_to_move() const;
+  void end_too_late(const world& w);
   [[nodiscard]] bool is_overdue(const world& w) const;
   [[nodiscard]] bool is_shown(const world& w) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
@@ -146,6 +153,8 @@ private:
   std::vector<std::uint32_t> last_expected_; // by the last order, and by no earlier one
   int outdated_ = 0;                         // the step under way, so often
   std::uint32_t generation_before_ = 0;
+  std::int64_t looked_after_ns_ = 0; // the task, last; 0: not yet
+  bool was_starved_ = false;
   std::string last_reason_;
   std::optional<verdict> ended_;
   std::string why_failed_;

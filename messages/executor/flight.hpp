@@ -45,7 +45,8 @@ struct flight_status {
 
 // To itself: something may be due.
 struct tick {
-  static constexpr auto fields = io::table("executor.tick");
+  std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
+  static constexpr auto fields = io::table("executor.tick", io::field("incarnation", &tick::incarnation));
 };
 
 } // namespace godwit::executor

@@ -190,4 +190,10 @@ int starts_since(const flight_simulation& flight, std::int64_t since_ns) {
   }));
 }
 
+int missions_started_since(const flight_simulation& flight, std::int64_t since_ns) {
+  return static_cast<int>(std::ranges::count_if(flight.orders(), [&](const vehicle_order& each) {
+    return each.at_ns >= since_ns && each.command == mavlink::number(mavlink::mav_cmd::mission_start);
+  }));
+}
+
 } // namespace godwit::drill

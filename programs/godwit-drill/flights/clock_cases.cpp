@@ -2,6 +2,7 @@
 // of them. And the process gets no processor for 10 s, while a person may take the vehicle.
 #include <array>
 
+#include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flights/disturbed_flight.hpp"
 #include "programs/godwit-drill/flights/left_alone.hpp"
 
@@ -19,9 +20,18 @@ struct named_jump {
 constexpr std::array jumps{named_jump{"day_ahead", day_ns}, named_jump{"year_back", -365 * day_ns}};
 constexpr double suspended_s = 10;
 
+// A start that was under way is not gone on with by itself: who stands there has seen that nothing came of it.
 std::string suspend(watched_flight& watched) {
-  watched.flight().suspend_process(suspended_s);
-  watched.flight().run_for(suspended_s);
+  constexpr double nobody_says_anything_s = 5;
+  auto& flight = watched.flight();
+  const bool was_starting = flight.status().now == phase::starting;
+  flight.suspend_process(suspended_s);
+  flight.run_for(suspended_s);
+  const auto awake_ns = flight.now_ns();
+  if (was_starting) {
+    flight.run_for(nobody_says_anything_s);
+    watched.expect(missions_started_since(flight, awake_ns) == 0 ? "" : "a start went on 10 s late");
+  }
   return {};
 }
 

@@ -14,8 +14,10 @@ actor::~actor() = default;
 actor::behavior_type actor::handlers() {
   return {on<io::mavlink::heartbeat>(
               [this](const io::mavlink::heartbeat& m) { core_.on_heartbeat(io::mavlink::is_armed(m), now_ns()); }),
-          on<tick>([this](const tick&) {
-            tell_after(tick_period, me(), tick{});
+          on<tick>([this](const tick& due) {
+            if (due.incarnation != incarnation_number())
+              return;
+            tell_after(tick_period, me(), tick{incarnation_number()});
             look();
           })};
 }

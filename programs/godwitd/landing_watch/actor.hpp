@@ -29,7 +29,7 @@ public:
 
 protected:
   behavior_type handlers() override;
-  void started() override { tell_after(tick_period, me(), tick{}); }
+  void started() override { tell_after(tick_period, me(), tick{incarnation_number()}); }
 
 private:
   void look();

@@ -1,6 +1,8 @@
 // What is said to the landing watch. Thread: plain values.
 #pragma once
 
+#include <cstdint>
+
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "runtime/seam.hpp"
@@ -8,7 +10,8 @@
 namespace godwit::landing_watch {
 
 struct tick {
-  static constexpr auto fields = io::table("landing_watch.tick");
+  std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
+  static constexpr auto fields = io::table("landing_watch.tick", io::field("incarnation", &tick::incarnation));
 };
 
 using own_handle = runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<tick>>;

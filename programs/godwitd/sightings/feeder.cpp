@@ -41,14 +41,16 @@ feeder::feeder(runtime::spawn_context context, feeder_settings configured, store
 feeder::~feeder() = default;
 
 feeder::behavior_type feeder::handlers() {
-  return {on<woken>([this](const woken&) { look(); }), on<tick>([this](const tick&) {
+  return {on<woken>([this](const woken&) { look(); }), on<tick>([this](const tick& due) {
+            if (due.incarnation != incarnation_number())
+              return;
             if (settings_.chooses_mission && !is_chosen_)
               choose();
             look();
             if (has_begun_)
               flow_->look_again();
             offer_again();
-            tell_after(tick_period, me(), tick{});
+            tell_after(tick_period, me(), tick{incarnation_number()});
           }),
           on<mapobjects_store::sighting>([this](const mapobjects_store::sighting& seen) { take(seen); }),
           on<get_sightings>([this](const get_sightings&) { return flow_->counts(); })};
@@ -56,7 +58,7 @@ feeder::behavior_type feeder::handlers() {
 
 void feeder::started() {
   flow_.emplace(feed_, ways_of_flow());
-  tell(me(), tick{});
+  tell(me(), tick{incarnation_number()});
 }
 
 // Of the camera. What finds no room is counted as refused; the file is read more slowly instead.

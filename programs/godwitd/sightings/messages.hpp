@@ -1,6 +1,8 @@
 // What is said to the feeder. Thread: plain values.
 #pragma once
 
+#include <cstdint>
+
 #include "io/fields/field_table.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "programs/godwitd/sightings/sighting_counts.hpp"
@@ -14,7 +16,8 @@ struct woken {
 };
 
 struct tick {
-  static constexpr auto fields = io::table("sightings.tick");
+  std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
+  static constexpr auto fields = io::table("sightings.tick", io::field("incarnation", &tick::incarnation));
 };
 
 struct get_sightings {

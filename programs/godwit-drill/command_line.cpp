@@ -45,6 +45,8 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
       ->check(CLI::Range(1U, 256U));
   command.add_option("--json", given.json_file, "Writes the figures to this file");
   command.add_option("--html", given.html_file, "Writes a page with table, plots and failing flights to this file");
+  command.add_option("--trace", given.trace_folder,
+                     "Keeps what the actors of the one flight did in this folder; of several flights, those that fail");
   command.add_option("--plant", given.planted, "Every flight does this wrong, to see that it is found")
       ->transform(CLI::CheckedTransformer(words_of(planted_flaw{})));
   if (which == flight_drill::simulate) {
@@ -56,6 +58,9 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
         ->check([](const std::string& text) {
           return seed_range_from(text) ? std::string() : "seeds are A..B or A, and A is not behind B: " + text;
         });
+    command
+        .add_option("--stream-hz", given.stream_hz, "Positions a second that the vehicle tells; as fast as its world")
+        ->check(CLI::Range(0.1, 1000.0));
     command.add_option("--without", given.without,
                        "Leaves out fault N of each flight: 0 a bad line, 1 and up in order");
     return;

@@ -31,6 +31,8 @@ tick_scale::tick_scale(std::chrono::microseconds resolve)
 }
 
 void tick_scale::adjust() noexcept {
+  if (!is_measured_)
+    return;
   const auto ticks = tick_clock::now();
   const auto ns = tick_clock::monotonic_ns();
   if (ticks <= first_ticks_ || ns <= first_ns_)

@@ -44,6 +44,9 @@ public:
   // Watches both clocks for SETTLE; longer is more exact until the first adjust().
   explicit tick_scale(std::chrono::microseconds resolve = std::chrono::milliseconds(2));
 
+  // Of a clock that counts nanoseconds by itself, as that of a simulation.
+  [[nodiscard]] static tick_scale of_nanoseconds() noexcept { return tick_scale(unmeasured{}); }
+
   // Measures again over all the time since the start.
   void adjust() noexcept;
 
@@ -55,8 +58,12 @@ public:
   }
 
 private:
-  std::int64_t first_ticks_;
-  std::int64_t first_ns_;
+  struct unmeasured {};
+  explicit tick_scale(unmeasured) noexcept : is_measured_(false) {}
+
+  bool is_measured_ = true;
+  std::int64_t first_ticks_ = 0;
+  std::int64_t first_ns_ = 0;
   std::int64_t last_ticks_ = 0;
   std::int64_t last_ns_ = 0;
   double ns_per_tick_ = 1;

@@ -40,8 +40,9 @@ void append_member(std::string& out, std::string_view name, std::uint64_t value)
 } // namespace
 
 tl::expected<std::unique_ptr<trace_renderer>, std::string>
-trace_renderer::open(trace_options options, const directory& names, const time_source& time, health_board& health) {
-  std::unique_ptr<trace_renderer> result(new trace_renderer(names, time, health));
+trace_renderer::open(trace_options options, const directory& names, const time_source& time, health_board& health,
+                     tick_scale scale) {
+  std::unique_ptr<trace_renderer> result(new trace_renderer(names, time, health, scale));
   io::mcap::rotating_writer_options files;
   files.segments.folder = options.folder;
   files.segments.segment_bytes = options.segment_bytes;

@@ -27,8 +27,10 @@ struct trace_loss {
 
 class trace_renderer {
 public:
+  // SCALE: of the ticks in the entries.
   [[nodiscard]] static tl::expected<std::unique_ptr<trace_renderer>, std::string>
-  open(trace_options options, const directory& names, const time_source& time, health_board& health);
+  open(trace_options options, const directory& names, const time_source& time, health_board& health,
+       tick_scale scale = tick_scale());
 
   void write(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload, bool oversize);
   // The total of records that never reached this place; a change is written into the trace.
@@ -53,8 +55,9 @@ private:
     std::uint32_t sequence = 0;
   };
 
-  trace_renderer(const directory& names, const time_source& time, health_board& health)
-      : names_(names), time_(time), health_(health), wall_offset_ns_(time.wall_ns() - time.monotonic_ns()) {}
+  trace_renderer(const directory& names, const time_source& time, health_board& health, tick_scale scale)
+      : names_(names), time_(time), health_(health), scale_(scale),
+        wall_offset_ns_(time.wall_ns() - time.monotonic_ns()) {}
   channel* channel_for(const trace_entry& entry, const message_type& type);
   void render(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload, bool oversize);
   [[nodiscard]] const std::string& quoted_name(std::uint32_t actor); // as a JSON text

@@ -1,6 +1,9 @@
 #include "programs/godwit-drill/flight_simulation/flight_record.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <span>
+#include <utility>
 
 #include "io/fields/binary.hpp"
 
@@ -11,6 +14,22 @@ void flight_record::begin_process(const runtime::directory& names, const runtime
   time_ = &time;
   incarnations_.clear();
   ++run_;
+  if (!trace_folder_.empty())
+    open_trace(names, time);
+}
+
+void flight_record::open_trace(const runtime::directory& names, const runtime::time_source& time) {
+  trace_.reset(); // that of the process before has its end
+  runtime::trace_options options;
+  options.folder = trace_folder_;
+  options.run = run_;
+  options.program = "godwit-drill";
+  auto opened = runtime::trace_renderer::open(std::move(options), names, time, trace_health_,
+                                              runtime::tick_scale::of_nanoseconds());
+  if (opened)
+    trace_ = *std::move(opened);
+  else
+    std::fprintf(stderr, "godwit-drill: %s\n", opened.error().c_str());
 }
 
 void flight_record::record(const runtime::trace_entry& entry, const runtime::message_type& type,
@@ -43,6 +62,8 @@ void flight_record::record(const runtime::trace_entry& entry, const runtime::mes
     type.append_decoded(text_, source);
   }
   each.body = text_;
+  if (trace_)
+    trace_->write(entry, type, std::span<const std::byte>(memory_.data(), sink.used()), sink.overflow());
   checker_.take(each, names_);
   if (!listen_)
     return;

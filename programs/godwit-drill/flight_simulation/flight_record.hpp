@@ -1,11 +1,14 @@
 // What the actors of a flight did, over all of its processes: each delivery is held against the promises of invariants/
-// as it happens, and none is kept. Times are those of the flight. Thread: the flight's.
+// as it happens. None is kept but in a trace, where one is asked for. Times are those of the flight. Thread: the
+// flight's.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +16,8 @@
 #include "invariants/checker.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/directory.hpp"
+#include "runtime/health_board.hpp"
+#include "runtime/trace/trace_renderer.hpp"
 #include "runtime/trace/trace_sink.hpp"
 
 namespace godwit::drill {
@@ -23,6 +28,9 @@ public:
   void begin_process(const runtime::directory& names, const runtime::time_source& time);
   // The second report to mission_client is left out, so that the promises are seen to be looked for.
   void forget_second_report() { reports_until_forgotten_ = 2; }
+
+  // What they do is also written into this folder, as the trace of the daemon; each process is a run. Before the first.
+  void keep_trace(std::filesystem::path folder) { trace_folder_ = std::move(folder); }
 
   // LISTEN hears of each delivery, too; its run counts processes, and its time is since 1970. Before the first.
   using listener = std::function<void(const runtime::delivery& each)>;
@@ -39,7 +47,9 @@ public:
   [[nodiscard]] std::uint64_t deliveries() const { return deliveries_; }
 
 private:
-  static constexpr std::size_t max_body_bytes = 64 * 1024; // as the trace of the daemon takes them
+  static constexpr std::size_t max_body_bytes = runtime::ring_trace::max_payload;
+
+  void open_trace(const runtime::directory& names, const runtime::time_source& time);
 
   const runtime::directory* directory_ = nullptr;
   const runtime::time_source* time_ = nullptr;
@@ -52,6 +62,9 @@ private:
   std::string text_;
   std::map<std::string, std::uint32_t> incarnations_;
   listener listen_;
+  std::filesystem::path trace_folder_; // empty: none is kept
+  runtime::health_board trace_health_;
+  std::unique_ptr<runtime::trace_renderer> trace_; // of the process that runs
 };
 
 } // namespace godwit::drill

@@ -53,6 +53,26 @@ mission::document short_mission(sim::personality who) {
   return result;
 }
 
+mission::document long_mission(sim::personality who) {
+  constexpr int lines = 15;
+  constexpr double apart_m = 20;
+  constexpr double reach_m = 140; // to each side of home
+  auto result = short_mission(who);
+  const bool drives = who == sim::personality::rover;
+  result.items.clear();
+  if (!drives)
+    result.items.emplace_back(mission::takeoff{"up", 20});
+  for (int i = 0; i < lines; ++i) {
+    const double north_m = apart_m * i - reach_m;
+    const double begins_m = i % 2 == 0 ? -reach_m : reach_m;
+    result.items.push_back(place(who, "w" + std::to_string(2 * i + 1), north_m, begins_m));
+    result.items.push_back(place(who, "w" + std::to_string(2 * i + 2), north_m, -begins_m));
+  }
+  if (!drives)
+    result.items.push_back(way_home(who));
+  return result;
+}
+
 mission::document with_landing_on_the_way() {
   auto result = short_mission(sim::personality::px4);
   const auto w1 = std::get<mission::waypoint>(result.items[1]).at;

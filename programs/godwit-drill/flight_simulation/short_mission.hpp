@@ -10,6 +10,8 @@ namespace godwit::drill {
 
 // Takes off, flies three waypoints, returns; a rover only drives, and a plane lands at home.
 [[nodiscard]] mission::document short_mission(sim::personality who);
+// The same around 15 lines of 280 m: some ten times as long.
+[[nodiscard]] mission::document long_mission(sim::personality who);
 // The n-th waypoint around there.
 [[nodiscard]] mission::item place(const std::string& id, double north_m, double east_m, double up_m);
 // The same for this vehicle, at 20 m unless it drives: a plane needs more room, and is sent so many times as far.

@@ -1,10 +1,13 @@
 #include "programs/godwit-drill/flights/flight_drill.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -26,8 +29,8 @@ using programs::exit_code;
 
 constexpr std::array all_vehicles{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
                                   sim::personality::plane};
-constexpr std::size_t most_shrunk = 5;   // failing flights of one run that are flown again with fewer faults
-constexpr std::size_t most_stories = 10; // of one run; a failing flight behind these is named without its story
+constexpr std::size_t most_explained = 5; // failing flights of one run that are flown again, for their trace
+constexpr std::size_t most_stories = 10;  // of one run; a failing flight behind these is named without its story
 
 std::vector<sim::personality> vehicles_of(const flight_drill_options& options) {
   if (options.who)
@@ -90,6 +93,8 @@ std::string words_of(const flight_drill_options& options) {
   std::string result = "godwit-drill " + std::string(io::name_of(options.which));
   if (options.who && options.which == flight_drill::simulate)
     result += " --personality " + std::string(io::name_of(*options.who));
+  if (options.stream_hz)
+    result += " --stream-hz " + std::to_string(*options.stream_hz);
   if (options.planted != planted_flaw::none)
     result += " --plant " + std::string(io::name_of(options.planted));
   return result;
@@ -126,7 +131,8 @@ public:
     return result;
   }
   [[nodiscard]] flight_outcome fly(std::size_t index) const {
-    const flight_wishes wishes{options_.planted, size() == 1};
+    const flight_wishes wishes{options_.planted, size() == 1, options_.stream_hz,
+                               size() == 1 ? options_.trace_folder : std::string()};
     if (is_by_seed())
       return fly_random(options_.seeds.first + index, options_.who, wishes, options_.without);
     return cases_[index].fly(wishes);
@@ -163,25 +169,54 @@ bool write_files(const drill_book& book, const flight_drill_options& options, do
   return write_file(options.html_file, to_html({words_of(options), took_s, book})) && is_json_written;
 }
 
-// Flies failing flights again with fewer and fewer faults, each in a worker, and says with which they still fail.
-void say_shrunk(const flight_drill_options& options, const std::vector<flight_outcome>& failing) {
+// What else has to be left out of a random flight, so that it still fails with all that is left.
+std::vector<std::uint64_t> not_needed(const flight_drill_options& one, std::uint64_t faults) {
+  const auto fails = [&](const std::vector<std::uint64_t>& without) {
+    bool is_failing = false;
+    run_cases(
+        1, {},
+        [&](std::size_t) {
+          return fly_random(one.seeds.first, one.who, {one.planted, false, one.stream_hz}, without);
+        },
+        [&](std::size_t, const flight_outcome& outcome) { is_failing = !outcome.held(); });
+    return is_failing;
+  };
+  return not_needed_to_fail(faults, fails);
+}
+
+std::filesystem::path folder_for_traces(const flight_drill_options& options) {
+  if (!options.trace_folder.empty())
+    return options.trace_folder;
+  return std::filesystem::temp_directory_path() / ("godwit-drill-" + std::to_string(::getpid()));
+}
+
+std::string as_file_name(std::string name) {
+  std::ranges::replace_if(
+      name, [](char each) { return each == '/' || each == ' '; }, '_');
+  return name;
+}
+
+// Flies failing flights again, each in a worker: random ones with fewer and fewer faults, and then each once more with
+// the trace of its actors.
+void explain(const flight_drill_options& options, const std::vector<flight_outcome>& failing) {
   for (const auto& each : failing) {
     auto one = options;
-    one.seeds.first = one.seeds.last = std::stoull(each.name.substr(std::string_view("seed ").size()));
-    const auto fails = [&](const std::vector<std::uint64_t>& without) {
-      bool is_failing = false;
-      run_cases(
-          1, {},
-          [&](std::size_t) {
-            return fly_random(one.seeds.first, one.who, {one.planted, false}, without);
-          },
-          [&](std::size_t, const flight_outcome& outcome) { is_failing = !outcome.held(); });
-      return is_failing;
-    };
-    one.without = not_needed_to_fail(each.faults, fails);
-    std::printf("%s fails with %llu of %llu faults: %s\n", each.name.c_str(),
-                static_cast<unsigned long long>(each.faults - one.without.size()),
-                static_cast<unsigned long long>(each.faults), flight_list(one).again(0).c_str());
+    one.sample.reset();
+    one.trace_folder = (folder_for_traces(options) / as_file_name(each.name)).string();
+    if (options.which == flight_drill::simulate) {
+      one.seeds.first = one.seeds.last = std::stoull(each.name.substr(std::string_view("seed ").size()));
+      one.without = not_needed(one, each.faults);
+    } else {
+      one.only = each.name;
+    }
+    const flight_list list(one);
+    if (options.which == flight_drill::simulate)
+      std::printf("%s fails with %llu of %llu faults: %s\n", each.name.c_str(),
+                  static_cast<unsigned long long>(each.faults - one.without.size()),
+                  static_cast<unsigned long long>(each.faults), list.again(0).c_str());
+    run_cases(
+        1, {}, [&](std::size_t index) { return list.fly(index); }, [](std::size_t, const flight_outcome&) {});
+    std::printf("%s has left its trace: godwit-trace log %s\n", each.name.c_str(), one.trace_folder.c_str());
   }
 }
 
@@ -235,7 +270,7 @@ int run_flight_drill(const flight_drill_options& options) {
   std::fflush(stdout);
   drill_book book(options.which != flight_drill::simulate);
   progress_bar bar(flights.size());
-  std::vector<flight_outcome> to_shrink;
+  std::vector<flight_outcome> to_explain;
   const auto began = std::chrono::steady_clock::now();
   run_cases(
       flights.size(), {.jobs = options.jobs}, [&](std::size_t index) { return flights.fly(index); },
@@ -249,8 +284,10 @@ int run_flight_drill(const flight_drill_options& options) {
           outcome.again = flights.again(index);
         book.take(outcome);
         const auto failed = book.total().failed;
-        if (!outcome.held() && outcome.faults > 0 && options.without.empty() && to_shrink.size() < most_shrunk)
-          to_shrink.push_back(outcome);
+        const bool is_explained =
+            options.which == flight_drill::simulate ? options.without.empty() : flights.size() > 1;
+        if (!outcome.held() && is_explained && to_explain.size() < most_explained)
+          to_explain.push_back(outcome);
         if (!outcome.held()) {
           if (failed > most_stories)
             outcome.story.clear();
@@ -263,7 +300,7 @@ int run_flight_drill(const flight_drill_options& options) {
       });
   bar.finish();
   const auto took_s = seconds_since(began);
-  say_shrunk(options, to_shrink);
+  explain(options, to_explain);
   return say_end(book, flights, options, took_s);
 }
 

@@ -39,10 +39,13 @@ struct flight_drill_options {
   std::string only;                    // name of the one case that is flown, and its story told
   std::optional<std::uint64_t> sample; // so many of the cases, drawn by sample_seed; else all
   std::uint64_t sample_seed = 1;
+  std::optional<double> stream_hz; // of simulate: positions a second
   unsigned jobs = 1;
   planted_flaw planted = planted_flaw::none;
   std::string json_file; // empty: none
   std::string html_file; // empty: none
+  std::string
+      trace_folder; // of the one flight, or with a folder for each that fails; empty: one is made when it is needed
 };
 
 // Says it on stdout, and on stderr how far it is. The exit code: 0, 1 (a flight has a flaw, or the file can not be

@@ -5,10 +5,13 @@
 #include <random>
 #include <string>
 
+#include "io/mavlink/messages/position.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/scan_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 #include "programs/godwit-drill/flights/actor_names.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/stream_table.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -34,13 +37,35 @@ constexpr std::size_t most_troubles = most_faults - 1;
 constexpr std::uint64_t far_from_other_seeds = 0x9e37'79b9'7f4a'7c15;
 constexpr double on_its_way_s = 0.3; // at most, what was sent before somebody was seen: the delay of a line, overtaken
 constexpr std::uint64_t known_vehicles = 3; // the plane is not among them (docs/roadmap.md)
+// By the seed itself, so that the others stay as they are.
+constexpr std::uint64_t one_in_is_long = 100;
+constexpr std::uint64_t one_in_has_survey = 10;
+constexpr double long_takes_longer = 5; // and what happens in it lies farther apart
+
+enum class flown { short_mission, long_mission, survey };
+
+flown what_is_flown(std::uint64_t seed) {
+  if (seed % one_in_is_long == 0)
+    return flown::long_mission;
+  return seed % one_in_has_survey == 1 ? flown::survey : flown::short_mission;
+}
+
+// With which the vehicle tells so many positions in a second of its world.
+double stream_factor_of(sim::personality who, double hz) {
+  const auto streams = who == sim::personality::px4         ? sim::px4_streams()
+                       : who == sim::personality::ardupilot ? sim::ardupilot_streams()
+                                                            : sim::rover_streams();
+  const auto position = std::ranges::find(streams, std::uint32_t{io::mavlink::global_position_int::message_id},
+                                          &sim::role::streamed_message::id);
+  return hz * static_cast<double>(position->interval_ns) * 1e-9;
+}
 
 class random_flight {
 public:
   random_flight(std::uint64_t seed, std::optional<sim::personality> who, const flight_wishes& wishes,
                 const std::vector<std::uint64_t>& without)
-      : seed_(seed), without_(without), test_rng_(seed),
-        who_(drawn(who)), watched_{any_flight(), any_mission(), wishes, "seed " + std::to_string(seed),
+      : seed_(seed), flown_(what_is_flown(seed)), without_(without), test_rng_(seed),
+        who_(drawn(who)), watched_{any_flight(wishes), any_mission(), wishes, "seed " + std::to_string(seed),
                                    std::string(io::name_of(who_))},
         flight_(watched_.flight()) {}
 
@@ -49,7 +74,10 @@ public:
     watched_.so_far().faults = troubles + 1;
     for (std::uint64_t number = 1; number <= troubles && !executor::is_at_rest(flight_.status().now); ++number) {
       test_rng_.seed(seed_ + number * far_from_other_seeds);
-      flight_.run_for(0.05 * static_cast<double>(test_rng_() % 200));
+      const double apart = flown_ == flown::short_mission ? 1 : long_takes_longer;
+      flight_.run_for(apart * 0.05 * static_cast<double>(test_rng_() % 200));
+      if (flown_ == flown::survey)
+        look_around(number);
       const auto what = static_cast<trouble>(test_rng_() % kinds_of_trouble);
       if (is_made(number))
         make(what);
@@ -69,8 +97,10 @@ private:
   }
 
   // Half of the lines lose, double, delay and mix up frames.
-  flight_simulation::options any_flight() {
+  flight_simulation::options any_flight(const flight_wishes& wishes) {
     flight_simulation::options result{.who = who_, .seed = seed_};
+    if (wishes.stream_hz)
+      result.stream_factor = stream_factor_of(who_, *wishes.stream_hz / result.speed);
     const bool is_good = test_rng_() % 2 == 0;
     sim::line_settings line;
     line.loss = 0.01 * static_cast<double>(test_rng_() % 6);
@@ -87,10 +117,29 @@ private:
 
   // Half of them inside a fence.
   mission::document any_mission() {
-    auto result = short_mission(who_);
-    if (test_rng_() % 2 == 0)
+    auto result = flown_ == flown::long_mission ? long_mission(who_)
+                  : flown_ == flown::survey     ? scan_mission(who_)
+                                                : short_mission(who_);
+    if (test_rng_() % 2 == 0 && flown_ != flown::survey) // which is wider
       result.geofences.push_back(fence_around(250));
     return result;
+  }
+
+  // Something is seen; of what was seen before, a person has something to say.
+  void look_around(std::uint64_t number) {
+    constexpr double apart_m = 40;
+    const auto seen = seen_in_survey(flight_, "00000000-0000-4000-8000-00000000000" + std::to_string(number),
+                                     apart_m * static_cast<double>(number), 0.9);
+    auto* process = flight_.process();
+    if (process == nullptr) {
+      flight_.outside().seen.push_back(seen);
+      return;
+    }
+    process->see(seen);
+    if (number > 1 && process->points())
+      (void)process->decide({number - 1,
+                             number % 2 == 0 ? scan_controller::decision::confirm : scan_controller::decision::decline,
+                             "drill"});
   }
 
   const char* any_actor() { return actor_names[test_rng_() % actor_names.size()]; }
@@ -176,6 +225,7 @@ private:
   }
 
   std::uint64_t seed_;
+  flown flown_;
   const std::vector<std::uint64_t>& without_;
   std::mt19937_64 test_rng_;
   sim::personality who_;

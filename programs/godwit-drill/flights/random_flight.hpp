@@ -1,5 +1,7 @@
 // Any order of kills, throws, pilots, pauses, assignments, cut lines and faults of the service, drawn from a seed.
 //
+// One seed in ten flies a survey in which something is seen and decided, and one in a hundred a long mission.
+//
 // Its faults are numbered: 0 is a bad line, 1 and up are what happens one after the other. Each is drawn for itself, so
 // that a flight can be flown again without some of them and the others stay as they were. Thread: one.
 #pragma once

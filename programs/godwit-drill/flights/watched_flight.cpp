@@ -39,6 +39,8 @@ watched_flight::watched_flight(flight_simulation::options wanted, const mission:
     : wishes_(wishes), flight_(recorded(std::move(wanted), wishes), mission) {
   outcome_.name = std::move(name);
   outcome_.group = std::move(group);
+  if (!wishes_.trace_folder.empty())
+    flight_.record().keep_trace(wishes_.trace_folder);
 }
 
 void watched_flight::expect(const std::string& flaw) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
@@ -14,6 +15,9 @@ namespace godwit::drill {
 struct flight_wishes {
   planted_flaw planted = planted_flaw::none;
   bool tells_story = false; // also of a flight without a flaw
+  // Positions a second; as the vehicle's world is fast, when it is not set. Of random flights.
+  std::optional<double> stream_hz = {};
+  std::string trace_folder = {}; // what its actors did is kept there; empty: it is not
 };
 
 class watched_flight {

@@ -82,6 +82,19 @@ class Flights(unittest.TestCase):
                 self.assertNotIn("fails with", again.stdout)
                 self.assertNotIn("killed at", again.stdout)
 
+    def test_a_failing_flight_leaves_the_trace_of_its_actors(self):
+        folder = self.folder / "traces"
+        result = run("simulate", "--seeds", "1..2", "--plant", "lose_report", "--trace", folder)
+        self.assertEqual(result.returncode, FAILED, result)
+        self.assertIn(f"seed 1 has left its trace: godwit-trace log {folder}/seed_1", result.stdout)
+        self.assertTrue(list((folder / "seed_1").glob("godwit-*.mcap")))
+
+    def test_one_flight_leaves_its_trace_where_it_is_asked_for(self):
+        folder = self.folder / "trace"
+        result = run("simulate", "--seeds", "7", "--trace", folder)
+        self.assertEqual(result.returncode, 0, result)
+        self.assertTrue(list(folder.glob("godwit-*.mcap")))
+
     def test_each_drill_of_cases_flies_a_sample(self):
         for drill in ("actors", "process", "disk", "links", "people", "clock"):
             with self.subTest(drill):

@@ -2,6 +2,7 @@
 
 #include "invariants/invariant.hpp"
 #include "invariants/rules/flight_rules.hpp"
+#include "invariants/rules/journal_rules.hpp"
 #include "invariants/rules/runtime_rules.hpp"
 #include "invariants/rules/scan_rules.hpp"
 
@@ -14,7 +15,7 @@ std::span<const rule> all_rules() {
   static constexpr const char* executor = "docs/actors/executor.md";
   static constexpr const char* failsafe = "docs/actors/failsafe.md";
   static constexpr const char* scan = "docs/actors/scan_controller.md";
-  static constexpr std::array<rule, 14> rules{{
+  static constexpr std::array<rule, 18> rules{{
       {"cause_before_effect", "A message is taken after the one that caused it, which its sender took.", inside,
        make_cause_before_effect},
       {"one_handler_at_a_time", "An actor is in one handler at a time.", inside, make_one_handler_at_a_time},
@@ -41,6 +42,13 @@ std::span<const rule> all_rules() {
        make_points_within_rate},
       {"point_closed_once", "A point of interest is confirmed, declined or passed over, and stays so.", scan,
        make_point_closed_once},
+      {"reports_are_kept", "A report that was taken is in the journal, or is still owed there.", progress,
+       make_reports_are_kept, true},
+      {"outbox_numbers_once", "No two reports of a mission in the outbox have the same number.", progress,
+       make_outbox_numbers_once, true},
+      {"outbox_was_told", "The outbox has no report that nobody made.", progress, make_outbox_was_told, true},
+      {"given_up_is_written", "A message that is given up after its crashes is among the dead letters.", crash,
+       make_given_up_is_written, true},
   }};
   return rules;
 }

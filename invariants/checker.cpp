@@ -12,6 +12,12 @@ void checker::take(const runtime::delivery& each, const runtime::name_table& nam
     one->take(each, names);
 }
 
+void checker::take_journal(const journal_record& journal) {
+  has_journal_ = true;
+  for (const auto& one : invariants_)
+    one->take_journal(journal);
+}
+
 bool checker::is_explained(const finding& each) const {
   return each.how_sure == certainty::across_runs ||
          (each.how_sure == certainty::if_complete && holes_.contains(each.run));
@@ -28,7 +34,7 @@ std::vector<judged> checker::judge() const {
         one.findings.push_back(each);
     if (!one.findings.empty()) {
       one.how = verdict::violated;
-    } else if (!found.empty() || !holes_.empty()) {
+    } else if (!found.empty() || !holes_.empty() || (rules[n].asks_journal && !has_journal_)) {
       one.how = verdict::undecided;
       one.findings = found;
     }

@@ -1,6 +1,7 @@
 // Looks for every promise in one pass over a record, and says of each: held, violated, or undecided.
 //
-// Undecided: nothing was found, or nothing that a missing record does not explain, and records are missing. Findings
+// Undecided: nothing was found, or nothing that a missing record does not explain, and records are missing, or there is
+// no journal where one is asked. Findings
 // that a missing record can explain count only in runs without holes. Thread: one at a time.
 #pragma once
 
@@ -34,6 +35,8 @@ public:
 
   // In the order of time within a run, runs in their order.
   void take(const runtime::delivery& each, const runtime::name_table& names);
+  // Behind the last delivery, and read behind it: what the journal beside the record has.
+  void take_journal(const journal_record& journal);
   // Records of this run are missing between others that are there.
   void note_hole(std::uint64_t run) { holes_.insert(run); }
 
@@ -44,6 +47,7 @@ private:
 
   std::vector<std::unique_ptr<invariant>> invariants_; // one for each rule, in their order
   std::set<std::uint64_t> holes_;                      // runs
+  bool has_journal_ = false;
 };
 
 } // namespace godwit::invariants

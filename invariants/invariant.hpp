@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "invariants/journal_record.hpp"
 #include "runtime/trace/reading/delivery.hpp"
 #include "runtime/trace/reading/name_table.hpp"
 
@@ -46,6 +47,9 @@ public:
   // In the order of time within a run, runs in their order.
   virtual void take(const runtime::delivery& each, const runtime::name_table& names) = 0;
 
+  // Behind the last delivery, for what is promised of the journal.
+  virtual void take_journal(const journal_record& journal) { (void)journal; }
+
   [[nodiscard]] const std::vector<finding>& findings() const { return findings_; }
   [[nodiscard]] std::uint64_t findings_not_kept() const { return not_kept_; }
 
@@ -74,6 +78,7 @@ struct rule {
   std::string_view requirement; // the promise, as a sentence
   std::string_view where;       // where the project makes it
   std::unique_ptr<invariant> (*make)();
+  bool asks_journal = false; // nothing is known without one
 };
 
 // All of them.

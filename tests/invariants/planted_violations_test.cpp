@@ -6,6 +6,7 @@
 
 #include "invariants/checker.hpp"
 #include "io/fields/json_text.hpp"
+#include "runtime/address_options.hpp"
 
 namespace godwit::invariants {
 namespace {
@@ -27,7 +28,26 @@ struct row {
   std::uint64_t run = 1;
 };
 
-using record = std::vector<row>;
+std::string report_text(int number, const std::string& kind, int generation) {
+  return R"({"mission_id":"m","generation":)" + std::to_string(generation) + R"(,"report_no":)" +
+         std::to_string(number) + R"(,"kind":")" + kind + R"("})";
+}
+
+runtime::outbox_row row_of_report(const std::string& key, int number, const std::string& kind) {
+  return {.idempotency_key = key,
+          .destination = "progress",
+          .body = R"({"mission_id":"m","posted":)" + report_text(number, kind, 2) + "}",
+          .created_ns = 21'500'000'000,
+          .last_error = {}};
+}
+
+// Of a flight that ended later than the record.
+journal_record sound_journal() { return {{row_of_report("a", 2, "reached")}, {{"m", 100}}, {}, {}}; }
+
+struct record : std::vector<row> {
+  using vector::vector;
+  journal_record journal = sound_journal();
+};
 
 row report(std::int64_t at_ms, int number, const std::string& kind, int generation = 1) {
   return {.at_ms = at_ms,
@@ -35,8 +55,7 @@ row report(std::int64_t at_ms, int number, const std::string& kind, int generati
           .type = "mission_client.report_progress",
           .id = static_cast<std::uint64_t>(1000 + at_ms),
           .sender = "executor",
-          .body = R"({"report":{"mission_id":"m","generation":)" + std::to_string(generation) + R"(,"report_no":)" +
-                  std::to_string(number) + R"(,"kind":")" + kind + R"("}})"};
+          .body = R"({"report":)" + report_text(number, kind, generation) + "}"};
 }
 
 row failsafe_status(std::int64_t at_ms, std::uint64_t id, bool is_taken, const std::string& latched) {
@@ -154,6 +173,7 @@ std::map<std::string, verdict> judge(const record& rows, const std::vector<std::
              names);
   for (const auto each : holes)
     all.note_hole(each);
+  all.take_journal(rows.journal);
   std::map<std::string, verdict> result;
   for (const auto& each : all.judge())
     result[std::string(each.which->name)] = each.how;
@@ -214,6 +234,20 @@ const std::map<std::string, std::function<void(record&)>>& plants() {
          r.push_back(point_closed(41, 74, 1, "declined"));
          r.push_back(point_closed(42, 75, 1, "confirmed"));
        }},
+      {"reports_are_kept", [](record& r) { r.journal.last_reports["m"] = 2; }},
+      {"outbox_numbers_once", [](record& r) { r.journal.outbox.push_back(row_of_report("b", 2, "reached")); }},
+      {"outbox_was_told", [](record& r) { r.journal.outbox.push_back(row_of_report("c", 5, "reached_too")); }},
+      {"given_up_is_written",
+       [](record& r) {
+         for (std::uint32_t n = 1; n <= runtime::max_crashes; ++n)
+           r.push_back({.at_ms = 41 + n,
+                        .actor = "failsafe",
+                        .type = "t",
+                        .id = 80,
+                        .incarnation = n,
+                        .how = outcome::crashed});
+         r.push_back({.at_ms = 50, .actor = "failsafe", .type = "t", .id = 81, .incarnation = 4});
+       }},
       {"latch_holds",
        [](record& r) {
          auto each = failsafe_status(32, 60, true, "\"operator_link\"");
@@ -243,6 +277,34 @@ TEST(invariants, a_planted_violation_is_found_and_breaks_no_other_promise) {
     expected[name] = verdict::violated;
     EXPECT_EQ(judge(broken), expected) << name;
   }
+}
+
+TEST(invariants, what_is_promised_of_the_journal_is_undecided_without_one) {
+  checker all;
+  for (const auto& each : all.judge())
+    EXPECT_EQ(each.how, each.which->asks_journal ? verdict::undecided : verdict::held) << each.which->name;
+}
+
+TEST(invariants, a_report_that_the_executor_still_owes_is_not_lost) {
+  auto owed = sound_record();
+  plants().at("reports_are_kept")(owed);
+  owed.journal.owed.push_back(
+      {{7, 0}, "mission_client.report_progress", R"({"report":)" + report_text(3, "complete", 2) + "}"});
+  EXPECT_EQ(judge(owed), all_held());
+}
+
+TEST(invariants, a_message_among_the_dead_letters_was_given_up_rightly_and_a_kill_explains_that_it_is_not_there) {
+  auto given_up = sound_record();
+  plants().at("given_up_is_written")(given_up);
+  runtime::dead_letter letter;
+  letter.message_id = 80;
+  letter.at_ns = 45'000'000'000;
+  given_up.journal.given_up.push_back({"failsafe", letter});
+  EXPECT_EQ(judge(given_up), all_held());
+  auto killed = sound_record();
+  plants().at("given_up_is_written")(killed);
+  killed.pop_back();
+  EXPECT_EQ(judge(killed).at("given_up_is_written"), verdict::undecided);
 }
 
 TEST(invariants, a_point_told_again_is_no_other_point_and_another_boot_has_other_times) {

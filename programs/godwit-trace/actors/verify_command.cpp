@@ -1,8 +1,12 @@
 // godwit-trace verify: whether the record of a run shows what godwit promises (invariants/).
 #include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "invariants/checker.hpp"
 #include "io/fields/json_text.hpp"
+#include "programs/godwit-trace/actors/journal_facts.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"
@@ -16,6 +20,7 @@ using invariants::verdict;
 
 struct verify_arguments {
   trace_arguments trace;
+  std::string journal; // empty: none is looked into
   bool list = false;
 };
 
@@ -24,7 +29,14 @@ void append_ids(std::string& out, const invariants::finding& each) {
     out.append(n == 0 ? " #" : ", #").append(std::to_string(each.ids[n]));
 }
 
-void append_judged(std::string& out, const judged& each, const paint& colours) {
+// Of a promise that is undecided.
+std::string_view what_is_missing(const judged& each, bool has_journal) {
+  if (each.which->asks_journal && !has_journal)
+    return "it is about the journal: name it with --journal\n";
+  return each.findings.empty() ? "records are missing\n" : "what is missing in the record may explain it\n";
+}
+
+void append_judged(std::string& out, const judged& each, bool has_journal, const paint& colours) {
   constexpr std::size_t width = 10;
   constexpr std::size_t max_shown = 10;
   std::string word(io::name_of(each.how));
@@ -43,8 +55,7 @@ void append_judged(std::string& out, const judged& each, const paint& colours) {
   if (more > 0)
     out.append(width, ' ').append("and ").append(std::to_string(more)).append(" more\n");
   if (each.how == verdict::undecided)
-    out.append(width, ' ')
-        .append(each.findings.empty() ? "records are missing\n" : "what is missing in the record may explain it\n");
+    out.append(width, ' ').append(what_is_missing(each, has_journal));
 }
 
 void append_json(std::string& out, const judged& each) {
@@ -83,9 +94,23 @@ exit_code run_verify(const verify_arguments& given, console& to) {
     return exit_code::failed;
   }
   invariants::checker checker;
+  std::set<std::uint32_t> actors;
   runtime::delivery each;
-  while ((*trace)->ordered.next(each))
+  while ((*trace)->ordered.next(each)) {
     checker.take(each, (*trace)->names);
+    actors.insert(each.actor);
+  }
+  if (!given.journal.empty()) { // behind the trace, so that it is not older
+    std::vector<std::string> names;
+    for (const auto number : actors)
+      names.push_back((*trace)->names.name(number));
+    const auto journal = read_journal_record(given.journal, names);
+    if (!journal) {
+      to.say(journal.error());
+      return exit_code::failed;
+    }
+    checker.take_journal(*journal);
+  }
   for (const auto& lost : (*trace)->reader.losses())
     if (lost.is_hole)
       checker.note_hole(lost.run);
@@ -96,7 +121,7 @@ exit_code run_verify(const verify_arguments& given, console& to) {
     if (given.trace.json)
       append_json(to.out.text(), one);
     else
-      append_judged(to.out.text(), one, colours);
+      append_judged(to.out.text(), one, !given.journal.empty(), colours);
   }
   say_losses((*trace)->reader, to);
   return is_violated ? exit_code::failed : exit_code::ok;
@@ -108,11 +133,13 @@ command add_verify_command(CLI::App& to) {
   auto* const app = to.add_subcommand("verify", "Proves what godwit promises on the record of a run.");
   const auto given = std::make_shared<verify_arguments>();
   add_trace_arguments(*app, given->trace);
+  app->add_option("--journal", given->journal, "Looks into this journal, too, for what is promised of it")
+      ->type_name("FILE");
   app->add_flag("--list", given->list, "Only say what is looked for");
   app->get_option("TRACE")->required(false);
   app->footer(
       R"(held: it is so in all that was recorded. violated: the messages that are named show it. undecided: records are
-missing where it would show. The exit code is 1 when one is violated.
+missing where it would show, or it is about the journal and none was named. The exit code is 1 when one is violated.
 
 Examples:
   godwit-trace verify trace

@@ -164,7 +164,7 @@ class Trace(unittest.TestCase):
 
     def test_a_promise_that_is_broken_is_exit_code_1(self):
         self.run_tool("verify", "trace")
-        self.assertEqual(len(self.run_tool("verify", "--list").splitlines()), 14)
+        self.assertEqual(len(self.run_tool("verify", "--list").splitlines()), 18)
 
     def test_a_replay_without_settings_says_what_is_missing_and_is_exit_code_1(self):
         result = subprocess.run([PROGRAM, "replay", "executor", "trace"], capture_output=True, text=True, cwd=self.folder)

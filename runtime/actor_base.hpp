@@ -16,10 +16,13 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
 #include "runtime/actor_frame.hpp"
+#include "runtime/content_hash.hpp"
+#include "runtime/internal_messages.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::runtime {
@@ -40,6 +43,9 @@ protected:
   virtual void started() {}
 
   void start() override {
+    run_internal(own_message(begun{}), [this] { begin_life(); });
+  }
+  void begin_life() {
     set_handlers(handlers());
     started();
     report_up();
@@ -57,6 +63,30 @@ protected:
       record_observed(type_of<T>(), &value);
       last = value;
     }
+  }
+
+  // As note_call, of something with a field table.
+  template <io::has_fields T>
+  void note_call_with(std::string what, const T& content) {
+    if (!is_recorded())
+      return;
+    std::string text;
+    type_of<T>().append_json(text, &content);
+    note_call(std::move(what), content_hash(text));
+  }
+
+  // The next input from a queue beside the mailbox: what TAKE gives, as an optional, recorded. Where the actor is
+  // replayed it comes from the record, and TAKE is not called.
+  template <io::has_fields T, class Take>
+  std::optional<T> take_beside(Take take) {
+    if (outside().replayed != nullptr) {
+      T value;
+      return outside().replayed->taken(type_of<T>(), &value) ? std::optional(std::move(value)) : std::nullopt;
+    }
+    std::optional<T> result = take();
+    if (result && is_traced())
+      record_observed(type_of<T>(), &*result);
+    return result;
   }
 
   // A handler for a tell (F returns nothing) or an ask (F returns the answer).

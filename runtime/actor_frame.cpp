@@ -57,9 +57,9 @@ actor_frame::delivery actor_frame::begin_internal(const header& head) {
   return d;
 }
 
-actor_frame::moment actor_frame::handler_time() {
+actor_frame::moment actor_frame::handler_time() const {
   if (!in_handler_ || !handler_time_)
-    handler_time_ = {now_ns(), wall_ns()};
+    handler_time_ = {outside().time->monotonic_ns(), outside().time->wall_ns()};
   return *handler_time_;
 }
 
@@ -235,6 +235,10 @@ void actor_frame::record(const delivery& d, const envelope& m, outcome how) {
   trace_entry entry;
   entry.began = d.began;
   entry.ended = sink->ticks();
+  if (handler_time_) {
+    entry.clock_ns = handler_time_->monotonic_ns;
+    entry.wall_ns = handler_time_->wall_ns;
+  }
   entry.id = current_.id;
   entry.cause = current_.cause;
   entry.actor = address().number();
@@ -258,6 +262,14 @@ void actor_frame::record_observed(const message_type& type, const void* value) {
   auto entry = entry_without_id();
   entry.cause = current_.id;
   outside().trace->record(entry, type, value);
+}
+
+void actor_frame::note_call(std::string what, std::uint64_t hash) {
+  const outside_call call{std::move(what), hash};
+  if (outside().replayed != nullptr)
+    outside().replayed->called(call);
+  else if (is_traced())
+    record_observed(type_of<outside_call>(), &call);
 }
 
 void actor_frame::record_restored(const std::string& document) {

@@ -63,14 +63,15 @@ protected:
 
   [[nodiscard]] stable_address& address() const;
   [[nodiscard]] const services& outside() const { return *context_.outside; }
-  [[nodiscard]] std::int64_t now_ns() const { return outside().time->monotonic_ns(); }
-  [[nodiscard]] std::int64_t wall_ns() const { return outside().time->wall_ns(); }
-  // Both, the same in all of a handler, so that a replay decides by the time by which it was decided.
+  // The time, the same in all of a handler and recorded with it, so that a replay decides by the time by which it was
+  // decided.
   struct moment {
     std::int64_t monotonic_ns = 0;
     std::int64_t wall_ns = 0;
   };
-  [[nodiscard]] moment handler_time();
+  [[nodiscard]] moment handler_time() const;
+  [[nodiscard]] std::int64_t now_ns() const { return handler_time().monotonic_ns; }
+  [[nodiscard]] std::int64_t wall_ns() const { return handler_time().wall_ns; }
   [[nodiscard]] const header& current() const { return current_; } // of the message being handled
   [[nodiscard]] const spawn_context& context() const { return context_; }
   [[nodiscard]] recovered take_restored() { return std::exchange(context_.restored, {}); }
@@ -105,6 +106,10 @@ protected:
   // Runs DO when the handler has returned and what it decided is with the journal; never when it throws. For calls to
   // the world outside that a repetition of the message would repeat.
   void at_end(std::function<void()> run) { ends_.push_back(std::move(run)); }
+  // Records what is done beside messages: a few words, and the hash of what was handed over (content_hash.hpp). Both
+  // need not be made where nobody records.
+  void note_call(std::string what, std::uint64_t hash);
+  [[nodiscard]] bool is_recorded() const { return is_traced() || outside().replayed != nullptr; }
   // What this message does can not be taken back: from here on it is not put back.
   void mark_committed();
 
@@ -200,7 +205,7 @@ private:
   std::optional<std::int64_t> deadline_ns_; // that is under way
   std::uint64_t deadline_number_ = 0;
   bool in_handler_ = false;
-  std::optional<moment> handler_time_; // of the handler under way, when it was asked for
+  mutable std::optional<moment> handler_time_; // of the handler under way, when it was asked for
   bool committed_ = false;
   bool has_submitted_ = false;
   bool is_done_for_good_ = false; // by mark_committed()

@@ -127,7 +127,7 @@ void actor_frame::wake_at(std::int64_t due_ns) {
   if (due_ns == never_due || (deadline_ns_ && *deadline_ns_ <= due_ns))
     return;
   deadline_ns_ = due_ns;
-  const auto delay = std::max<std::int64_t>(due_ns - now_ns(), 0);
+  const auto delay = std::max<std::int64_t>(due_ns - outside().time->monotonic_ns(), 0); // the handler took its time
   send_after(std::chrono::nanoseconds(delay), context_.address, type_of<deadline>(),
              message_body::of(deadline{++deadline_number_}));
 }

@@ -126,7 +126,7 @@ protected:
     if (this->is_traced())
       this->record_restored(restored_json(restored, {last_event_, this->wall_ns(), state::version, json_of(state_)}));
     this->run_internal(this->own_message(durable{restored.durable_upto}), [&] {
-      actor_base<Mailbox>::start();
+      this->begin_life();
       for (const auto& each : Core::resume(state_, this->wall_ns()))
         dispatch(each);
     });

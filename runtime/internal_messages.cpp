@@ -10,6 +10,8 @@ GODWIT_DEFINE_MESSAGE(godwit::runtime::pong);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::durable);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::write_failed);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::restored);
+GODWIT_DEFINE_MESSAGE(godwit::runtime::begun);
+GODWIT_DEFINE_MESSAGE(godwit::runtime::outside_call);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::deadline);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::retry_write);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::effect_taken);

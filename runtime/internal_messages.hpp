@@ -51,6 +51,20 @@ struct restored {
 inline constexpr std::size_t restored_part_bytes = std::size_t{48} * 1024; // below what the trace takes of a message
 inline constexpr std::size_t max_restored_bytes = std::size_t{512} * 1024; // half of what a thread's ring holds
 
+// Actor without a durable state to itself: an incarnation begins. What it sends then has this as its cause.
+struct begun {
+  static constexpr auto fields = io::table("runtime.begun");
+};
+
+// What an actor does beside messages, to a link, a service, a screen: for the trace alone, recorded while a message is
+// handled. HASH is of what was handed over, so that a replay can tell whether it is the same.
+struct outside_call {
+  std::string what; // "hub position", "POST /v1/..."; a few words
+  std::uint64_t hash = 0;
+  static constexpr auto fields =
+      io::table("runtime.outside_call", io::field("what", &outside_call::what), io::field("hash", &outside_call::hash));
+};
+
 // Actor to itself: a time that it waits for has come. One that an earlier one has overtaken has an old number.
 struct deadline {
   std::uint64_t number = 0;

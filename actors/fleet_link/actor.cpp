@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actors/fleet_link/news.hpp"
+#include "runtime/content_hash.hpp"
 #include "runtime/overloaded.hpp"
 
 namespace godwit::fleet_link {
@@ -107,8 +108,17 @@ void actor::dispatch(const durable_core::effect& each) {
 void actor::drain_stream() {
   if (!take_live_)
     return;
-  while (auto text = take_live_())
-    core_.on_text(std::move(text));
+  if (!is_recorded()) {
+    while (auto text = take_live_())
+      core_.on_text(std::move(text));
+    return;
+  }
+  const auto next = [this] {
+    const auto text = take_live_();
+    return text ? std::optional(live_text{*text}) : std::nullopt;
+  };
+  while (auto taken = take_beside<live_text>(next))
+    core_.on_text(std::make_shared<const std::string>(std::move(taken->text)));
 }
 
 void actor::turn() {
@@ -126,7 +136,27 @@ void actor::turn() {
   wake_at(core_.is_connected() ? beat_ns : std::max(beat_ns, std::min(core_.next_due_ns(), look_ns_)));
 }
 
+void actor::note_calls(const effects& all) {
+  for (const auto& each : all)
+    std::visit(runtime::overloaded{[this](const open_broker& how) {
+                                     note_call("open broker, attempt " + std::to_string(how.attempt),
+                                               runtime::content_hash(*how.will.payload));
+                                   },
+                                   [this](const close_broker& which) {
+                                     note_call("close broker, attempt " + std::to_string(which.upto),
+                                               runtime::empty_hash);
+                                   },
+                                   [this](const publish& what) {
+                                     note_call("publish " + what.what.topic + ' ' + std::to_string(what.what.number),
+                                               runtime::content_hash(*what.what.payload));
+                                   },
+                                   [](const announce&) {}},
+               each);
+}
+
 void actor::carry_out(effects all) {
+  if (is_recorded())
+    note_calls(all);
   for (auto& each : all)
     std::visit(runtime::overloaded{
                    [this](open_broker& how) {

@@ -35,6 +35,12 @@ struct peers {
   std::function<void(const std::string& sentence, bool is_warning)> say;
 };
 
+// A text of the hub, which comes by no mailbox.
+struct live_text {
+  std::string text;
+  static constexpr auto fields = io::table("fleet_link.live_text", io::field("text", &live_text::text));
+};
+
 class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
@@ -61,6 +67,7 @@ private:
   void look_at_actors();
   void drain_stream();
   void turn();
+  void note_calls(const effects& all);
   void carry_out(effects all);
 
   std::shared_ptr<const peers> others_;

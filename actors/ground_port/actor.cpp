@@ -47,8 +47,9 @@ actor::behavior_type actor::handlers() {
       on<set_mission>([this](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
       on<get_port>([this](const get_port&) {
         auto result = core_->describe(now());
-        result.counts.push_back({"dropped_in", dropped_in()});
-        result.counts.push_back({"dropped_out", dropped_out()});
+        const auto lost = drops();
+        result.counts.push_back({"dropped_in", lost.in});
+        result.counts.push_back({"dropped_out", lost.out});
         return result;
       }),
       on<vehicle_link::relayed_frame>(

@@ -48,6 +48,8 @@ void actor::look_at_board() {
   observe(view, seen_);
   const bool is_news = core_.on_board(view.all, handler_time().wall_ns / ns_per_ms);
   if (is_news)
+    note_call_with("show health", core_.status());
+  if (is_news)
     for (const auto& each : others_->listeners)
       tell(each, core_.status());
   at_end([this, at_ns = handler_time().monotonic_ns] { port_->show(core_.status(), at_ns); });

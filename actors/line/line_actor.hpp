@@ -14,14 +14,18 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "actors/line/line_input.hpp"
+#include "actors/line/secret_eraser.hpp"
 #include "actors/line/transmission.hpp"
 #include "io/link/wire.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "io/mavlink/signing/signing_time.hpp"
+#include "runtime/content_hash.hpp"
 #include "runtime/durable_actor.hpp"
 
 namespace godwit::line {
@@ -43,18 +47,23 @@ protected:
 
   // When core_ is there.
   void begin_line() {
-    if (const auto status = line_->incoming().newest_status()) // an earlier life may have taken it
-      carry_out(core_->on_link(*status, now()));
+    const auto status = this->template take_beside<line_input>([this]() -> std::optional<line_input> {
+      if (const auto newest = line_->incoming().newest_status())
+        return line_input::of(*newest);
+      return std::nullopt;
+    });
+    if (status) // an earlier life may have taken it
+      take(status->news());
     this->tell(this->me(), Wake{}); // what came in meanwhile waits
     this->wake_at(core_->next_deadline_ns());
   }
 
   void drain() {
     for (int i = 0; i < max_chunks_per_turn; ++i) {
-      const auto next = line_->incoming().take();
+      const auto next = next_news();
       if (!next)
         return after_turn();
-      std::visit([this](const auto& what) { take(what); }, *next);
+      take(*next);
     }
     this->tell(this->me(), Wake{}); // there may be more; what others say comes first
     after_turn();
@@ -78,8 +87,11 @@ protected:
   void queue_frame(const transmission& each) { outgoing_.push_back(each); }
 
   [[nodiscard]] instant now() const { return {this->now_ns(), this->wall_ns()}; }
-  [[nodiscard]] std::uint64_t dropped_in() const { return line_->incoming().dropped_bytes(); }
-  [[nodiscard]] std::uint64_t dropped_out() const { return dropped_out_; }
+  [[nodiscard]] line_drops drops() {
+    line_drops result{line_->incoming().dropped_bytes(), dropped_out_};
+    this->observe(result, drops_);
+    return result;
+  }
 
   std::optional<Core> core_; // from started() on
 
@@ -89,6 +101,26 @@ private:
     drain(); // also when a wake was lost with an incarnation
   }
 
+  [[nodiscard]] std::optional<line_news> next_news() {
+    if (!this->is_recorded())
+      return line_->incoming().take();
+    auto recorded = this->template take_beside<line_input>([this]() -> std::optional<line_input> {
+      auto next = line_->incoming().take();
+      if (!next)
+        return std::nullopt;
+      untouched_ = *next;
+      if (auto* const came = std::get_if<io::link::arrival>(&*next))
+        eraser_.erase(came->peer, came->is_datagram, came->bytes);
+      return line_input::of(*next);
+    });
+    if (!recorded)
+      return std::nullopt;
+    return untouched_ ? std::exchange(untouched_, std::nullopt) : recorded->news();
+  }
+
+  void take(const line_news& news) {
+    std::visit([this](const auto& what) { take(what); }, news);
+  }
   void take(const io::link::link_status& what) { carry_out(core_->on_link(what, now())); }
   void take(const io::link::arrival& what) {
     carry_out(core_->on_bytes(what.peer, what.is_datagram, what.bytes, now()));
@@ -96,13 +128,30 @@ private:
 
   void send_outgoing() {
     this->mark_committed();
+    note_frames();
     for (const auto& each : outgoing_)
       if (!line_->send(each.frame.span(), each.to))
         ++dropped_out_;
     outgoing_.clear();
   }
 
+  // By the ids of their messages, and what is in them.
+  void note_frames() {
+    if (!this->is_recorded() || outgoing_.empty())
+      return;
+    std::string ids = "frames";
+    auto hash = runtime::empty_hash;
+    for (const auto& each : outgoing_) {
+      ids += ' ' + std::to_string(each.frame.view().id());
+      hash = runtime::content_hash(each.frame.span(), hash);
+    }
+    this->note_call(std::move(ids), hash);
+  }
+
   std::shared_ptr<io::link::wire> line_;
+  secret_eraser eraser_;               // of what is recorded
+  std::optional<line_news> untouched_; // as it came, of what was recorded last
+  std::optional<line_drops> drops_;    // as recorded last
   std::vector<transmission> outgoing_; // of this turn
   std::uint64_t dropped_out_ = 0;
 };

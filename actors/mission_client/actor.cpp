@@ -7,6 +7,7 @@
 
 #include "actors/mission_client/keys.hpp"
 #include "io/fields/json_text.hpp"
+#include "runtime/content_hash.hpp"
 
 namespace godwit::mission_client {
 
@@ -106,16 +107,40 @@ void actor::decision_context() {
 }
 
 void actor::take_answers() {
-  while (const auto answer = service_->answers().take()) {
-    const auto call = calls_.find(answer->number);
-    if (call == calls_.end()) {
+  while (const auto news = next_answer()) {
+    if (!news->call) {
       ++stray_answers_;
       continue;
     }
-    const auto number = call->second;
-    calls_.erase(call);
-    carry_out(planner_->on_answer(current_state(), now(), number, *answer));
+    std::erase_if(calls_, [&](const auto& each) { return each.second == *news->call; });
+    carry_out(planner_->on_answer(current_state(), now(), *news->call, news->what));
   }
+}
+
+service_news actor::news_of_call(service_answer answer) {
+  const auto call = calls_.find(answer.number);
+  return {call == calls_.end() ? std::nullopt : std::optional(call->second), std::move(answer)};
+}
+
+// The numbers of the port differ in a replay, the planner's do not.
+std::optional<service_news> actor::next_answer() {
+  std::optional<service_news> came;
+  std::size_t from = 0;
+  auto first = take_beside<recorded_answer>([&]() -> std::optional<recorded_answer> {
+    auto answer = service_->answers().take();
+    if (!answer)
+      return std::nullopt;
+    came = news_of_call(*std::move(answer));
+    return next_part(*came, from);
+  });
+  if (!first)
+    return std::nullopt;
+  const auto parts = first->parts;
+  auto result = news_of(*std::move(first));
+  for (std::uint32_t part = 1; part < parts; ++part)
+    if (const auto next = take_beside<recorded_answer>([&] { return std::optional(next_part(*came, from)); }))
+      result.what.body += next->body;
+  return came ? std::move(came) : std::optional(std::move(result));
 }
 
 // Until it wants nothing more of the state.
@@ -138,9 +163,15 @@ void actor::carry_out(requests wanted) {
       continue;
     service_->cancel(call->first);
     calls_.erase(call);
+    if (is_recorded())
+      note_call("cancel call " + std::to_string(number), runtime::empty_hash);
   }
-  for (auto& each : wanted.calls)
+  for (auto& each : wanted.calls) {
+    if (is_recorded())
+      note_call((each.call.is_post ? "POST " : "GET ") + each.call.target,
+                runtime::content_hash(each.call.body, runtime::content_hash(each.call.key)));
     calls_.emplace(service_->send(std::move(each.call)), each.number);
+  }
   for (const auto& each : wanted.questions)
     ask_store(each.number, each.question);
   for (const auto& each : wanted.events)

@@ -15,6 +15,7 @@
 #include "actors/mission_client/clock_watch.hpp"
 #include "actors/mission_client/core.hpp"
 #include "actors/mission_client/planner.hpp"
+#include "actors/mission_client/recorded_answer.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "actors/mission_client/settings.hpp"
 #include "messages/mapobjects_store/handle.hpp"
@@ -57,6 +58,8 @@ private:
   auto hears();
   void decision_context();
   void take_answers();
+  [[nodiscard]] std::optional<service_news> next_answer();
+  [[nodiscard]] service_news news_of_call(service_answer answer);
   void plan();
   void carry_out(requests wanted);
   void ask_store(ticket number, const store_question& asked);

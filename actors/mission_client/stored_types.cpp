@@ -1,5 +1,6 @@
-// What the journal keeps of this actor: its JSON and binary forms (runtime/define_message.hpp).
+// What the journal and the trace keep of this actor: its JSON and binary forms (runtime/define_message.hpp).
 #include "actors/mission_client/events.hpp"
+#include "actors/mission_client/recorded_answer.hpp"
 #include "actors/mission_client/state.hpp"
 #include "runtime/define_message.hpp"
 
@@ -21,6 +22,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mission_client::on_disk);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::owed_found);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::progress_told);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::pull_ended);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::recorded_answer);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::row_noted);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::rows_delivered);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::rows_failed);

@@ -1,7 +1,10 @@
 #include "actors/movement_detector/actor.hpp"
 
+#include <string>
 #include <utility>
 
+#include "io/eyes/codec.hpp"
+#include "runtime/content_hash.hpp"
 #include "runtime/overloaded.hpp"
 
 namespace godwit::movement_detector {
@@ -29,7 +32,23 @@ void actor::started() { wake_at(core_.next_due_ns()); }
 
 void actor::on_deadline() { carry_out(core_.on_time(now())); }
 
+// What goes to the helper and to the map's pictures; the settings of the camera may have a password in them.
+void actor::note_calls(const effects& all) {
+  using runtime::empty_hash;
+  for (const auto& each : all)
+    std::visit(
+        runtime::overloaded{
+            [this](const start_helper& what) { note_call("start helper " + std::to_string(what.run), empty_hash); },
+            [this](const end_helper& which) { note_call("end helper " + std::to_string(which.upto), empty_hash); },
+            [this](const io::eyes::pose& where) { note_call("pose", runtime::content_hash(io::eyes::encode(where))); },
+            [this](const keep_picture& which) { note_call("keep picture of " + which.sighting_id, empty_hash); },
+            [](const auto&) {}}, // goes as a message, or is a sentence for people
+        each);
+}
+
 void actor::carry_out(effects all) {
+  if (is_recorded())
+    note_calls(all);
   for (auto& each : all)
     std::visit(
         runtime::overloaded{[this](start_helper& what) {

@@ -43,6 +43,7 @@ private:
     const auto at = handler_time();
     return {at.monotonic_ns, at.wall_ns};
   }
+  void note_calls(const effects& all);
   void carry_out(effects all);
 
   std::shared_ptr<const peers> others_;

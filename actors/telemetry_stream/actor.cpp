@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "io/time_units.hpp"
+#include "runtime/content_hash.hpp"
 
 namespace godwit::telemetry_stream {
-namespace {} // namespace
 
 template <class M>
 auto actor::shows() {
@@ -89,6 +89,9 @@ void actor::ask_points() {
 void actor::publish(publications all) {
   if (all.empty())
     return;
+  if (is_recorded())
+    for (const auto& each : all)
+      note_call("publish " + std::string(io::name_of(each.what)), runtime::content_hash(each.data));
   at_end([this, all = std::move(all), at = handler_time()] {
     for (const auto& each : all)
       hub_->publish(each.what, each.data, at.wall_ns / ns_per_ms, at.monotonic_ns);

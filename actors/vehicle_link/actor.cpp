@@ -40,8 +40,9 @@ actor::behavior_type actor::handlers() {
       }),
       on<get_connection>([this](const get_connection&) {
         auto result = core_->describe(now());
-        result.dropped_in = dropped_in();
-        result.dropped_out = dropped_out();
+        const auto lost = drops();
+        result.dropped_in = lost.in;
+        result.dropped_out = lost.out;
         return result;
       }),
       on<wake>([this](const wake&) { drain(); })};

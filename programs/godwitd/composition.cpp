@@ -107,8 +107,11 @@ checked composition::open_files() {
     return tl::make_unexpected(std::string("no descriptor is left: ") + std::strerror(errno));
   control_answers_ = std::make_shared<control::response_queue>(std::move(readable));
   wanted_.process.seed = fresh_seed();
-  if (wanted_.process.trace)
+  outside_.seed = fresh_seed();
+  if (wanted_.process.trace) {
     wanted_.process.trace->about["mission_id"] = wanted_.mission_id;
+    wanted_.process.trace->about["seed"] = std::to_string(outside_.seed); // nothing secret is made with it
+  }
   auto host = runtime::process::open(wanted_.process);
   if (!host)
     return tl::make_unexpected(std::move(host.error()));
@@ -181,7 +184,6 @@ void composition::surround_actors() {
   outside_.sightings = feed_;
   outside_.eyes = eyes_port_;
   outside_.point_pictures = point_pictures_;
-  outside_.seed = fresh_seed();
   outside_.journal = &host_->journal();
   outside_.host = facts_.get();
   outside_.say = [this](std::string_view part, const std::string& sentence, bool is_warning) {

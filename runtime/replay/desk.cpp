@@ -72,6 +72,11 @@ struct desk::parts final : public replay_port {
     }
   }
 
+  void forget_facts() {
+    facts.clear();
+    expected = 0;
+  }
+
   void end_life() {
     if (life) {
       life->enqueue(kill_message(), nullptr);
@@ -83,6 +88,8 @@ struct desk::parts final : public replay_port {
   void take(caf::actor_control_block& to, const caf::mailbox_element& element, std::int64_t delay_ns,
             const message_type* answer_type) override;
   void observed(const message_type& type, void* value) override;
+  bool taken(const message_type& type, void* value) override;
+  void called(const outside_call& what) override;
   [[nodiscard]] desk_result end_of_step(std::uint64_t crashes_before);
   [[nodiscard]] const child_spec* find(std::string_view name) const;
   [[nodiscard]] std::uint32_t number_of(std::string_view name);
@@ -112,7 +119,15 @@ struct desk::parts final : public replay_port {
   std::vector<std::pair<std::int64_t, std::uint32_t>> effects; // of what was sent, not confirmed yet
   std::vector<std::uint32_t> effect_receivers;
   std::deque<question> asked;
-  std::deque<std::pair<std::string, nlohmann::json>> facts; // to come
+  struct fact {
+    std::size_t place = 0; // among those of the step
+    std::string type;
+    nlohmann::json content;
+  };
+  [[nodiscard]] std::optional<fact> next_fact(std::string_view type);
+  std::deque<fact> facts;   // to come
+  std::size_t expected = 0; // in this step
+  std::vector<desk_beside> beside;
   std::map<std::string, nlohmann::json, std::less<>> last_facts;
   std::map<std::string, caf::strong_actor_ptr, std::less<>> others;
   std::uint64_t requests = 0;
@@ -166,12 +181,32 @@ void desk::parts::take(caf::actor_control_block& to, const caf::mailbox_element&
   sent.push_back(std::move(each));
 }
 
+std::optional<desk::parts::fact> desk::parts::next_fact(std::string_view type) {
+  const auto next = std::ranges::find(facts, type, &fact::type);
+  if (next == facts.end())
+    return std::nullopt;
+  auto result = std::move(*next);
+  facts.erase(next);
+  return result;
+}
+
+bool desk::parts::taken(const message_type& type, void* value) {
+  const auto next = next_fact(type.name);
+  return next && type.read_json(next->content, value).empty();
+}
+
+void desk::parts::called(const outside_call& what) {
+  const auto next = next_fact(type_of<outside_call>().name);
+  desk_beside each;
+  if (next)
+    each.expected = next->place;
+  type_of<outside_call>().append_json(each.produced, &what);
+  beside.push_back(std::move(each));
+}
+
 void desk::parts::observed(const message_type& type, void* value) {
-  const auto next = std::ranges::find_if(facts, [&](const auto& each) { return each.first == type.name; });
-  if (next != facts.end()) {
-    last_facts[next->first] = std::move(next->second);
-    facts.erase(next);
-  }
+  if (auto next = next_fact(type.name))
+    last_facts[next->type] = std::move(next->content);
   if (const auto known = last_facts.find(type.name); known != last_facts.end())
     (void)type.read_json(known->second, value); // it was read before
 }
@@ -187,12 +222,15 @@ desk_result desk::parts::end_of_step(std::uint64_t crashes_before) {
   result.sent = std::exchange(sent, {});
   std::ranges::sort(result.sent, {}, &desk_sending::id);
   result.handled = record.take();
+  for (const auto& each : facts)
+    beside.push_back({each.place, {}});
+  result.beside = std::exchange(beside, {});
   if (self().counters().crashes != crashes_before) {
     result.crash = self().last_crash();
     life = nullptr;
     asked.clear();
   }
-  facts.clear();
+  forget_facts();
   return result;
 }
 
@@ -265,6 +303,7 @@ desk_result desk::begin(desk_incarnation from) {
   p.asked.clear();
   (void)p.record.take();
   p.sent.clear();
+  p.beside.clear(); // of the end of the life before
   p.time.set(from.at);
   auto& self = p.self();
   std::uint64_t number = 0;
@@ -289,7 +328,7 @@ tl::expected<void, std::string> desk::expect_observed(std::string_view type, std
   auto document = nlohmann::json::parse(body, nullptr, false);
   if (document.is_discarded())
     return tl::unexpected(std::string(type) + ": its content is not in the record");
-  parts_->facts.emplace_back(std::string(type), std::move(document));
+  parts_->facts.push_back({parts_->expected++, std::string(type), std::move(document)});
   return {};
 }
 
@@ -299,8 +338,10 @@ tl::expected<desk_result, std::string> desk::deliver(const desk_input& input) {
     return tl::unexpected(std::string("the actor has ended on the desk"));
   p.time.set(input.at);
   auto mail = p.mail_of(input);
-  if (!mail)
+  if (!mail) {
+    p.forget_facts();
     return tl::unexpected(std::move(mail.error()));
+  }
   const auto crashes = p.self().counters().crashes;
   p.life->enqueue(std::move(*mail), nullptr);
   p.run();

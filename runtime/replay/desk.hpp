@@ -69,8 +69,15 @@ struct desk_handling {
   outcome how = outcome::handled;
 };
 
+// What came in or was done beside the mailbox.
+struct desk_beside {
+  std::optional<std::size_t> expected; // place in what was expected of this step; none: nothing was
+  std::string produced;                // JSON of the outside_call; empty: what was expected did not happen
+};
+
 struct desk_result {
   std::vector<desk_sending> sent; // in the order of their ids
+  std::vector<desk_beside> beside;
   std::vector<desk_handling> handled;
   std::string crash; // the reason, when the incarnation has ended
 };
@@ -93,7 +100,7 @@ public:
 
   // A new life of the actor; the one before has ended or is ended now.
   [[nodiscard]] desk_result begin(desk_incarnation from);
-  // Facts that came in beside the mailbox during the next begin() or deliver(), in order.
+  // What came in or was done beside the mailbox during the next begin() or deliver(), in order.
   [[nodiscard]] tl::expected<void, std::string> expect_observed(std::string_view type, std::string_view body);
   [[nodiscard]] tl::expected<desk_result, std::string> deliver(const desk_input& input);
   // What the actor sent as SENT was RECORDED: an answer to that is one to this.

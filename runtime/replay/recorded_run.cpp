@@ -16,6 +16,8 @@ recorded_message recorded_run::message_of(const delivery& each) const {
           .cause = each.cause,
           .began_ns = each.began_ns,
           .duration_ns = each.duration_ns,
+          .clock_offset_ns = each.clock_offset_ns,
+          .wall_offset_ns = each.wall_offset_ns,
           .sender = names_.name(each.sender),
           .receiver = names_.name(each.actor),
           .type = names_.name(each.type),

@@ -26,6 +26,8 @@ struct recorded_message {
   std::uint64_t cause = 0;
   std::int64_t began_ns = 0;
   std::int64_t duration_ns = 0;
+  std::int64_t clock_offset_ns = 0; // as in a delivery
+  std::int64_t wall_offset_ns = 0;
   std::string sender;
   std::string receiver;
   std::string type;
@@ -48,7 +50,7 @@ public:
   [[nodiscard]] const std::vector<recorded_message>& inputs() const { return inputs_; }
   // What it sent and somebody took, by id: in the order in which it was sent.
   [[nodiscard]] const std::vector<recorded_message>& outputs() const { return outputs_; }
-  // What came in beside the mailbox of INCARNATION while the message ID was handled.
+  // What came in or was done beside the mailbox of INCARNATION while the message ID was handled.
   [[nodiscard]] std::vector<const recorded_message*> observed(std::uint32_t incarnation, std::uint64_t id) const;
 
   // The text of what INCARNATION was restored from. Nothing: it is not in the record; empty: it was too large for it.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "runtime/internal_messages.hpp"
 #include "runtime/message_type.hpp"
 
 namespace caf {
@@ -26,6 +27,13 @@ public:
 
   // VALUE, of TYPE, becomes what was recorded; it is left as it is where nothing was.
   virtual void observed(const message_type& type, void* value) = 0;
+
+  // VALUE, of TYPE, becomes the next one that was taken from beside the mailbox while this message was handled. False:
+  // there was no further one.
+  virtual bool taken(const message_type& type, void* value) = 0;
+
+  // What the actor does beside messages.
+  virtual void called(const outside_call& what) = 0;
 };
 
 } // namespace godwit::runtime

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/crash_points.hpp"
+#include "runtime/internal_messages.hpp"
 #include "runtime/stored_state.hpp"
 
 namespace godwit::runtime {
@@ -13,6 +14,7 @@ namespace godwit::runtime {
 namespace {
 
 constexpr std::string_view durable_type = "runtime.durable";
+constexpr std::string_view begun_type = "runtime.begun";       // first of an incarnation without a durable state
 constexpr std::string_view retry_type = "runtime.retry_write"; // what it does is the journal's alone
 
 // A timer that was due this long before the last mail of its incarnation should have been in the record.
@@ -73,14 +75,9 @@ void replayer::begin(std::size_t at) {
   const auto next = std::find_if(inputs.begin() + static_cast<std::ptrdiff_t>(at), inputs.end(),
                                  [&](const auto& each) { return each.incarnation != incarnation_; });
   end_id_ = next == inputs.end() ? 0 : next->id;
-  const auto text = record_.restored(incarnation_);
-  if (!text || input.type != durable_type)
-    return leave_out(input, "its beginning is not in the record");
-  if (text->empty())
-    return leave_out(input, "what it was restored from was too large for the trace, or is not whole");
-  auto restored = read_restored(nlohmann::json::parse(*text, nullptr, false));
+  auto restored = restored_of(input);
   if (!restored)
-    return leave_out(input, "what it was restored from can not be read");
+    return leave_out(input, std::move(restored.error()));
   is_left_out_ = false;
   ++summary_.incarnations;
   if (!expect_facts(input))
@@ -89,6 +86,20 @@ void replayer::begin(std::size_t at) {
   if (done.handled.size() > 1)
     made_by_itself_ = done.handled.size() - 1;
   judge(input, done);
+}
+
+tl::expected<recovered, std::string> replayer::restored_of(const recorded_message& first) const {
+  const auto text = record_.restored(incarnation_);
+  if (first.type == begun_type)
+    return recovered{};
+  if (!text || first.type != durable_type)
+    return tl::unexpected(std::string("its beginning is not in the record"));
+  if (text->empty())
+    return tl::unexpected(std::string("what it was restored from was too large for the trace, or is not whole"));
+  auto restored = read_restored(nlohmann::json::parse(*text, nullptr, false));
+  if (!restored)
+    return tl::unexpected(std::string("what it was restored from can not be read"));
+  return *std::move(restored);
 }
 
 // A word of the disk that the desk has heard with the beginning.
@@ -111,11 +122,12 @@ void replayer::leave_out(const recorded_message& input, std::string why) {
 // -- an input ---------------------------------------------------------------------------------------
 
 desk_moment replayer::moment_of(const recorded_message& input) const {
-  return {input.began_ns - options_.monotonic_to_utc_ns, input.began_ns};
+  return {input.began_ns - options_.monotonic_to_utc_ns + input.clock_offset_ns, input.began_ns + input.wall_offset_ns};
 }
 
 bool replayer::expect_facts(const recorded_message& input) {
-  for (const auto* fact : record_.observed(input.incarnation, input.id))
+  beside_ = record_.observed(input.incarnation, input.id);
+  for (const auto* fact : beside_)
     if (auto taken = desk_.expect_observed(fact->type, fact->body); !taken) {
       find({.kind = deviation_kind::can_not_take, .input = &input, .what = taken.error()});
       return false;
@@ -162,10 +174,29 @@ void replayer::judge(const recorded_message& input, desk_result& done) {
       each.cause = input.id; // a message of the runtime's own: it is made anew on the desk
     match(input, each);
   }
+  for (const auto& each : done.beside)
+    judge_beside(input, each);
   if (judge_end(input, done))
     judge_missing(input);
   shown_ = std::move(done);
   step_.produced = &shown_;
+}
+
+void replayer::judge_beside(const recorded_message& input, const desk_beside& each) {
+  const auto* const expected = each.expected ? beside_.at(*each.expected) : nullptr;
+  if (each.produced.empty())
+    return find({.kind = deviation_kind::not_done, .input = &input, .expected = expected});
+  desk_sending produced{.to = record_.actor(), .type = type_of<outside_call>().name, .body = each.produced};
+  auto fields = expected == nullptr ? std::vector<field_difference>() : differences(expected->body, each.produced, 0);
+  if (expected != nullptr && fields.empty()) {
+    ++summary_.compared;
+    return;
+  }
+  find({.kind = expected == nullptr ? deviation_kind::not_recorded : deviation_kind::differs,
+        .input = &input,
+        .expected = expected,
+        .produced = std::move(produced),
+        .fields = std::move(fields)});
 }
 
 // False: the incarnation has ended.

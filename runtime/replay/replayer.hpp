@@ -3,10 +3,11 @@
 //   each input of the record ──> desk ──> what it sends  ─┐
 //   each message that it sent, as others took it ─────────┴─> the same, by meaning and in order for each receiver?
 //
-// An input is one message, one answer, one timer, one word of the disk, or the beginning of an incarnation. The clock
-// of the desk stands at the moment at which the handler began. A message that the desk sends and the record does not
-// have is a deviation only where its receiver is known to have gone on taking mail: it may have been dropped, or the
-// process may have ended. Incarnations whose beginning is not in the record are left out, and counted. Thread: one.
+// An input is one message, one answer, one timer, one word of the disk, or the beginning of an incarnation; with it
+// comes what was taken beside the mailbox then. The clock of the desk stands at what it showed the handler. A message
+// that the desk sends and the record does not have is a deviation only where its receiver is known to have gone on
+// taking mail: it may have been dropped, or the process may have ended. Incarnations whose beginning is not in the
+// record are left out, and counted. Thread: one.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 #include "runtime/replay/comparison.hpp"
 #include "runtime/replay/desk.hpp"
@@ -28,6 +31,7 @@ enum class deviation_kind {
   not_sent,     // in the record, and the desk has not sent it
   not_recorded, // the desk has sent it, and its receiver has not taken it
   crashes,      // on the desk alone
+  not_done,     // beside messages, in the record: an input that is not taken, a call that is not made
   crashed,      // in the record alone
   can_not_take  // the input can not be handed to the actor
 };
@@ -36,6 +40,7 @@ constexpr auto enum_names(deviation_kind) {
   return io::names<deviation_kind>({{deviation_kind::differs, "differs"},
                                     {deviation_kind::not_sent, "not_sent"},
                                     {deviation_kind::not_recorded, "not_recorded"},
+                                    {deviation_kind::not_done, "not_done"},
                                     {deviation_kind::crashes, "crashes"},
                                     {deviation_kind::crashed, "crashed"},
                                     {deviation_kind::can_not_take, "can_not_take"}});
@@ -88,9 +93,11 @@ private:
   [[nodiscard]] bool wants_more() const;
   void take(std::size_t at);
   void begin(std::size_t at);
+  [[nodiscard]] tl::expected<recovered, std::string> restored_of(const recorded_message& first) const;
   void hand_over(const recorded_message& input);
   [[nodiscard]] bool expect_facts(const recorded_message& input);
   void judge(const recorded_message& input, desk_result& done);
+  void judge_beside(const recorded_message& input, const desk_beside& each);
   void judge_made_by_itself(const recorded_message& input);
   [[nodiscard]] bool is_planned(const recorded_message& input, const desk_result& done) const;
   void leave_planned(const recorded_message& input);
@@ -111,11 +118,12 @@ private:
   std::vector<bool> used_;                             // of the outputs: compared, or left out
   std::multimap<std::uint64_t, std::size_t> by_cause_; // outputs, in order for each cause
   std::uint32_t incarnation_ = 0;
-  bool is_left_out_ = true;        // the incarnation
-  std::uint64_t first_id_ = 0;     // that the incarnation made
-  std::uint64_t end_id_ = 0;       // that the next one made; 0: there is none
-  std::size_t made_by_itself_ = 0; // inputs to come that the desk has handled with the beginning
-  desk_result shown_;              // of the step
+  bool is_left_out_ = true;                     // the incarnation
+  std::uint64_t first_id_ = 0;                  // that the incarnation made
+  std::uint64_t end_id_ = 0;                    // that the next one made; 0: there is none
+  std::vector<const recorded_message*> beside_; // the mailbox, of the step
+  std::size_t made_by_itself_ = 0;              // inputs to come that the desk has handled with the beginning
+  desk_result shown_;                           // of the step
   replay_step step_;
 };
 

@@ -1,5 +1,6 @@
 #include "runtime/trace/trace_renderer.hpp"
 
+#include <concepts>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -26,13 +27,16 @@ nlohmann::json record_schema(const message_type& type) {
             {"incarnation", whole},
             {"sender", text},
             {"duration_ns", whole},
+            {"clock_offset_ns", whole},
+            {"wall_offset_ns", whole},
             {"outcome", text},
             {"message", type.schema()},
             {"oversize", {{"type", "boolean"}}}}},
           {"required", {"id", "cause", "actor", "incarnation", "sender", "duration_ns", "outcome"}}};
 }
 
-void append_member(std::string& out, std::string_view name, std::uint64_t value) {
+template <std::integral N>
+void append_member(std::string& out, std::string_view name, N value) {
   out += name;
   io::append_json_number(out, value);
 }
@@ -87,6 +91,15 @@ const std::string& trace_renderer::quoted_name(std::uint32_t actor) {
   return quoted_names_[actor];
 }
 
+// What the clocks of the system showed the handler: the times in the trace are those of the processor's counter.
+void trace_renderer::append_clocks(const trace_entry& entry) {
+  if (entry.clock_ns == 0)
+    return;
+  const auto began_ns = scale_.to_monotonic_ns(entry.began);
+  append_member(text_, R"(,"clock_offset_ns":)", entry.clock_ns - began_ns);
+  append_member(text_, R"(,"wall_offset_ns":)", entry.wall_ns - began_ns - wall_offset_ns_);
+}
+
 void trace_renderer::render(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload,
                             bool oversize) {
   text_.clear();
@@ -100,6 +113,7 @@ void trace_renderer::render(const trace_entry& entry, const message_type& type, 
   append_member(
       text_, R"(,"duration_ns":)",
       static_cast<std::uint64_t>(std::max<std::int64_t>(scale_.to_duration_ns(entry.ended - entry.began), 0)));
+  append_clocks(entry);
   text_ += R"(,"outcome":")";
   text_ += io::name_of(entry.how);
   if (oversize) {

@@ -60,6 +60,7 @@ private:
         wall_offset_ns_(time.wall_ns() - time.monotonic_ns()) {}
   channel* channel_for(const trace_entry& entry, const message_type& type);
   void render(const trace_entry& entry, const message_type& type, std::span<const std::byte> payload, bool oversize);
+  void append_clocks(const trace_entry& entry);
   [[nodiscard]] const std::string& quoted_name(std::uint32_t actor); // as a JSON text
   void check(const io::mcap::result<void>& result);
   void publish_counts();

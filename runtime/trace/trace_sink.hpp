@@ -29,6 +29,8 @@ constexpr auto enum_names(outcome) {
 struct trace_entry {
   std::int64_t began = 0; // in the sink's ticks
   std::int64_t ended = 0;
+  std::int64_t clock_ns = 0; // what the monotonic clock showed the handler; 0: it has asked for no time
+  std::int64_t wall_ns = 0;  // the same of the wall clock
   std::uint64_t id = 0;
   std::uint64_t cause = 0;
   std::uint32_t actor = 0; // number of the stable address

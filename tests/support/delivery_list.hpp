@@ -39,6 +39,10 @@ public:
     each.what.cause = entry.cause;
     each.what.began_ns = entry.began + time_->wall_ns() - time_->monotonic_ns();
     each.what.duration_ns = entry.ended - entry.began;
+    if (entry.clock_ns != 0) {
+      each.what.clock_offset_ns = entry.clock_ns - entry.began;
+      each.what.wall_offset_ns = entry.wall_ns - each.what.began_ns;
+    }
     each.what.actor = names.number(directory_->name(entry.actor));
     each.what.sender = names.number(directory_->name(entry.sender));
     each.what.type = names.number(type.name);

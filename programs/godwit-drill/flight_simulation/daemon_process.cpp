@@ -22,7 +22,7 @@ struct daemon_process::parts {
         broker(std::make_shared<simulated_broker>(around.broker)), map(std::make_shared<stepped_map>(around.map_file)),
         world(around.journal, seed, around.record), facts([&around] { return around.free_disk_bytes; }, world.time()) {
     if (around.record != nullptr)
-      around.record->begin_process(world.names(), world.time());
+      around.record->begin_process(world.names(), world.time(), seed);
     world.pass_time_until(now_ns);
     world.set_wall_ahead(around.wall_ahead_ns);
     surround(seed);

@@ -9,9 +9,11 @@
 
 namespace godwit::drill {
 
-void flight_record::begin_process(const runtime::directory& names, const runtime::time_source& time) {
+void flight_record::begin_process(const runtime::directory& names, const runtime::time_source& time,
+                                  std::uint64_t seed) {
   directory_ = &names;
   time_ = &time;
+  wall_offset_ns_ = time.wall_ns() - time.monotonic_ns();
   incarnations_.clear();
   ++run_;
   if (!trace_folder_.empty())
@@ -30,6 +32,7 @@ void flight_record::open_trace(const runtime::directory& names, const runtime::t
     trace_ = *std::move(opened);
   else
     std::fprintf(stderr, "godwit-drill: %s\n", opened.error().c_str());
+  seeds_.push_back(seed);
 }
 
 void flight_record::record(const runtime::trace_entry& entry, const runtime::message_type& type,
@@ -47,6 +50,10 @@ void flight_record::record(const runtime::trace_entry& entry, const runtime::mes
   each.cause = entry.cause;
   each.began_ns = entry.began;
   each.duration_ns = entry.ended - entry.began;
+  if (entry.clock_ns != 0) {
+    each.clock_offset_ns = entry.clock_ns - entry.began;
+    each.wall_offset_ns = entry.wall_ns - entry.began - wall_offset_ns_;
+  }
   each.actor = names_.number(actor);
   each.sender = names_.number(directory_->name(entry.sender));
   each.type = names_.number(type.name);
@@ -67,7 +74,7 @@ void flight_record::record(const runtime::trace_entry& entry, const runtime::mes
   checker_.take(each, names_);
   if (!listen_)
     return;
-  each.began_ns += time_->wall_ns() - time_->monotonic_ns();
+  each.began_ns += wall_offset_ns_;
   listen_(each);
 }
 

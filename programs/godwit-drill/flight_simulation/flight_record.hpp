@@ -24,8 +24,8 @@ namespace godwit::drill {
 
 class flight_record final : public runtime::trace_sink {
 public:
-  // What follows is of another process. Both outlive it.
-  void begin_process(const runtime::directory& names, const runtime::time_source& time);
+  // What follows is of another process, with that seed. Both others outlive it.
+  void begin_process(const runtime::directory& names, const runtime::time_source& time, std::uint64_t seed);
   // The second report to mission_client is left out, so that the promises are seen to be looked for.
   void forget_second_report() { reports_until_forgotten_ = 2; }
 
@@ -45,6 +45,8 @@ public:
   // The newest incarnation of ACTOR that has taken a message in this process; 0: none has.
   [[nodiscard]] std::uint32_t incarnation_of(const std::string& actor) const;
   [[nodiscard]] std::uint64_t deliveries() const { return deliveries_; }
+  // Of the process RUN, counted from 1.
+  [[nodiscard]] std::uint64_t seed_of(std::uint64_t run) const { return seeds_.at(run - 1); }
 
 private:
   static constexpr std::size_t max_body_bytes = runtime::ring_trace::max_payload;
@@ -53,7 +55,9 @@ private:
 
   const runtime::directory* directory_ = nullptr;
   const runtime::time_source* time_ = nullptr;
+  std::int64_t wall_offset_ns_ = 0; // fixed for a process, as in the trace of the daemon
   std::uint64_t run_ = 0;
+  std::vector<std::uint64_t> seeds_; // of the processes
   std::uint64_t deliveries_ = 0;
   int reports_until_forgotten_ = 0; // 0: none is
   runtime::name_table names_;

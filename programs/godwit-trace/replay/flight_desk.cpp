@@ -20,55 +20,84 @@ struct refusal {
 };
 
 constexpr std::array refusals{
-    refusal{"vehicle_link", "the bytes of its link reach it beside its mailbox, and the trace does not have them"},
-    refusal{"ground_port", "the bytes of its line reach it beside its mailbox, and the trace does not have them"},
-    refusal{"mission_client",
-            "the answers of the service reach it beside its mailbox, and the trace does not have them"},
     refusal{"mapobjects_store", "its state is the file of the map, and the trace does not have it"},
-    refusal{"landing_watch", "it keeps no state, and where its incarnations begin is not in the trace"},
     refusal{"control_desk", "what it asks of the process reaches it beside its mailbox"},
     refusal{"sightings", "what it reads reaches it beside its mailbox"},
     refusal{"ground_run", "what it reads reaches it beside its mailbox"},
-    refusal{"health", "what it reads of the process reaches it beside its mailbox"},
-    refusal{"telemetry_stream", "it keeps no state, and where its incarnations begin is not in the trace"},
     refusal{"guardian", "its messages are not recorded"},
 };
 
-// The actors that have a service are not replayed; the others only have to be told apart by it.
+constexpr std::string_view replayed_actors =
+    "executor, failsafe, vehicle_link, ground_port, mission_client, operator_bridge, scan_controller, "
+    "movement_detector, telemetry_stream, health, fleet_link, landing_watch";
+
+// Nothing of what an actor does reaches these; what they gave it is in the record.
 class no_service final : public mission_client::service_port {
 public:
-  std::uint64_t send(mission_client::service_call) override { return 0; }
+  std::uint64_t send(mission_client::service_call) override { return next_number_++; }
   void cancel(std::uint64_t) override {}
   void cancel_all() override {}
+
+private:
+  std::uint64_t next_number_ = 1;
 };
 
-std::string why_not(const std::string& actor, runtime::desk& bench) {
+class no_eyes final : public movement_detector::eyes_port {
+public:
+  void start(std::uint32_t, const io::eyes::begin&) override {}
+  void end(std::uint32_t) override {}
+  void tell(const io::eyes::pose&) override {}
+  void keep_picture(std::uint32_t, std::int64_t, const std::string&) override {}
+};
+
+class no_broker final : public fleet_link::broker_port {
+public:
+  void open(std::uint64_t, const fleet_link::publication&) override {}
+  void close(std::uint64_t) override {}
+  void publish(std::uint64_t, const fleet_link::publication&) override {}
+};
+
+// A signed line can not be spoken without its key.
+bool is_signed(const std::string& actor, const daemon::daemon_settings& settings) {
+  return (actor == "vehicle_link" && !settings.signing_key_file.empty()) ||
+         (actor == "ground_port" && !settings.ground_key_file.empty());
+}
+
+std::string why_not(const std::string& actor, const daemon::daemon_settings& settings, runtime::desk& bench) {
+  if (is_signed(actor, settings))
+    return actor + " can not be replayed: its line is signed, and the trace does not have the key";
   if (const auto found = std::ranges::find(refusals, actor, &refusal::actor); found != refusals.end())
     return actor + " can not be replayed: " + std::string(found->why);
   if (bench.choose(actor))
     return {};
-  return "there is no actor " + actor + " in godwitd; these can be replayed: executor, failsafe";
+  return "there was no actor " + actor + " in that godwitd; these can be replayed: " + std::string(replayed_actors);
 }
 
 } // namespace
 
 struct flight_desk::parts {
-  parts(const daemon::daemon_settings& given, std::uint64_t run)
-      : settings(given), bench(run), facts([] { return std::nullopt; }, bench.time()) {
+  parts(const daemon::daemon_settings& given, const recorded_process& of)
+      : settings(given), bench(of.run), facts([] { return std::nullopt; }, bench.time()) {
     outside.vehicle = std::make_shared<vehicle_link::link_port>();
     outside.map = std::make_shared<mapobjects_store::map_port>();
     if (settings.service)
       outside.service = std::make_shared<no_service>();
     if (settings.ground)
       outside.ground = std::make_shared<ground_port::link_port>();
+    if (settings.camera)
+      outside.eyes = std::make_shared<no_eyes>();
+    outside.seed = of.seed;
     outside.journal = &bench.disk();
     outside.host = &facts;
     outside.say = [](std::string_view, const std::string&, bool) {};
     outside.on_phase_status = [](const executor::phase_status&) {};
     const auto base = daemon::add_base(bench.actors(), settings, outside);
     const auto flight = daemon::add_flight(bench.actors(), settings, outside, base);
-    if (settings.operators) // the executor told whoever showed it
+    if (settings.operators || settings.fleet) // the executor told whoever showed it
       views.stream = std::make_shared<telemetry_stream::hub>();
+    if (settings.fleet)
+      views.fleet = daemon::fleet_surroundings{*settings.fleet, std::make_shared<no_broker>(), of.seed,
+                                               [](const std::string&, bool) {}};
     (void)daemon::add_views(bench.actors(), views, base, flight);
   }
 
@@ -79,17 +108,17 @@ struct flight_desk::parts {
   daemon::view_surroundings views;
 };
 
-flight_desk::flight_desk(const daemon::daemon_settings& settings, std::uint64_t run)
-    : parts_(std::make_unique<parts>(settings, run)) {}
+flight_desk::flight_desk(const daemon::daemon_settings& settings, const recorded_process& of)
+    : parts_(std::make_unique<parts>(settings, of)) {}
 
 flight_desk::~flight_desk() = default;
 
 tl::expected<std::unique_ptr<flight_desk>, std::string>
-flight_desk::make(const std::string& actor, const daemon::daemon_settings& settings, std::uint64_t run) {
+flight_desk::make(const std::string& actor, const daemon::daemon_settings& settings, const recorded_process& of) {
   if (!settings.flies)
     return tl::unexpected(std::string("a run on the ground has no actor that can be replayed"));
-  std::unique_ptr<flight_desk> result(new flight_desk(settings, run));
-  if (auto why = why_not(actor, result->bench()); !why.empty())
+  std::unique_ptr<flight_desk> result(new flight_desk(settings, of));
+  if (auto why = why_not(actor, settings, result->bench()); !why.empty())
     return tl::unexpected(std::move(why));
   return result;
 }

@@ -15,11 +15,17 @@
 
 namespace godwit::trace_tool {
 
+// What the actors of a process have that others of the same settings do not.
+struct recorded_process {
+  std::uint64_t run = 0;
+  std::uint64_t seed = 0;
+};
+
 class flight_desk {
 public:
-  // SETTINGS and RUN of the record. The error: why ACTOR can not be replayed, or that there is none of that name.
+  // SETTINGS of the record. The error: why ACTOR can not be replayed, or that there is none of that name.
   [[nodiscard]] static tl::expected<std::unique_ptr<flight_desk>, std::string>
-  make(const std::string& actor, const daemon::daemon_settings& settings, std::uint64_t run);
+  make(const std::string& actor, const daemon::daemon_settings& settings, const recorded_process& of);
   flight_desk(const flight_desk&) = delete;
   flight_desk& operator=(const flight_desk&) = delete;
   ~flight_desk();
@@ -27,7 +33,7 @@ public:
   [[nodiscard]] runtime::desk& bench();
 
 private:
-  flight_desk(const daemon::daemon_settings& settings, std::uint64_t run);
+  flight_desk(const daemon::daemon_settings& settings, const recorded_process& of);
 
   struct parts;
   std::unique_ptr<parts> parts_;

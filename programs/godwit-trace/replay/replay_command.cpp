@@ -25,8 +25,9 @@ struct replay_arguments {
 
 constexpr std::size_t max_deviations_shown = 1'000;
 
-std::int64_t number_in(const std::map<std::string, std::string>& about, const std::string& name) {
-  std::int64_t result = 0;
+template <class N>
+N number_in(const std::map<std::string, std::string>& about, const std::string& name) {
+  N result = 0;
   if (const auto found = about.find(name); found != about.end())
     (void)std::from_chars(found->second.data(), found->second.data() + found->second.size(), result);
   return result;
@@ -71,7 +72,7 @@ void replay_run(const replay_arguments& given, const opened_trace& trace, std::u
   const auto settings = recorded_settings(about, given.settings_file);
   if (!settings)
     return refuse(settings.error());
-  const auto desk = flight_desk::make(given.actor, *settings, run);
+  const auto desk = flight_desk::make(given.actor, *settings, {run, number_in<std::uint64_t>(about, "seed")});
   if (!desk)
     return refuse(desk.error());
   if (record.inputs().empty())
@@ -80,7 +81,7 @@ void replay_run(const replay_arguments& given, const opened_trace& trace, std::u
   options.tolerance_ns = given.tolerance_ms * 1'000'000;
   options.until = given.until;
   options.max_deviations = given.all ? max_deviations_shown : 1;
-  options.monotonic_to_utc_ns = number_in(about, "monotonic_to_utc_ns");
+  options.monotonic_to_utc_ns = number_in<std::int64_t>(about, "monotonic_to_utc_ns");
   const paint colours(to.is_terminal);
   const auto found = runtime::replayer((*desk)->bench(), record, options).run([&](const runtime::replay_step& step) {
     if (!given.step || given.trace.json)
@@ -129,7 +130,7 @@ command add_replay_command(CLI::App& to) {
   auto* const app = to.add_subcommand(
       "replay", "Hands an actor what it took then, and says where it does something else than it did.");
   const auto given = std::make_shared<replay_arguments>();
-  app->add_option("ACTOR", given->actor, "executor or failsafe")->required();
+  app->add_option("ACTOR", given->actor, "An actor of godwitd: executor, failsafe, vehicle_link, ...")->required();
   add_trace_arguments(*app, given->trace);
   app->add_option("--until", given->until, "Up to the message with this id")->type_name("ID");
   app->add_flag("--step", given->step, "Prints each message and what the actor sent of it");

@@ -23,6 +23,8 @@ std::string_view title_of(deviation_kind kind) {
     return "does not send what it sent then";
   case deviation_kind::not_recorded:
     return "sends what it did not send then";
+  case deviation_kind::not_done:
+    return "does not take or do beside messages what it did then";
   case deviation_kind::crashes:
     return "crashes";
   case deviation_kind::crashed:

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/mavlink/heartbeat_meaning.hpp"
+#include "runtime/content_hash.hpp"
 
 namespace godwit::landing_watch {
 
@@ -29,8 +30,11 @@ void actor::look() {
   ask(
       guardian_, answer_timeout, runtime::get_children{},
       [this](const runtime::children& all) {
-        if (core_.stands(now_ns()) && is_given_up(all, of_))
-          end_(of_ + " was given up in flight; the vehicle stands disarmed, and the next process begins with one");
+        if (!core_.stands(now_ns()) || !is_given_up(all, of_))
+          return;
+        if (is_recorded())
+          note_call("end the process", runtime::empty_hash);
+        end_(of_ + " was given up in flight; the vehicle stands disarmed, and the next process begins with one");
       },
       [](const runtime::ask_error&) {});
 }

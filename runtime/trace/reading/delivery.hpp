@@ -15,7 +15,10 @@ struct delivery {
   std::uint64_t cause = 0;      // id of the message whose handler sent this one; 0: from outside
   std::int64_t began_ns = 0;    // since 1970 (UTC)
   std::int64_t duration_ns = 0; // in the handler
-  std::uint32_t actor = 0;      // numbers of a name_table
+  // What the clocks showed the handler, less began_ns of the same clock; 0 where it has asked for no time.
+  std::int64_t clock_offset_ns = 0;
+  std::int64_t wall_offset_ns = 0;
+  std::uint32_t actor = 0; // numbers of a name_table
   std::uint32_t sender = 0;
   std::uint32_t type = 0;
   std::uint32_t incarnation = 0;

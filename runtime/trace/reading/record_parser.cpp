@@ -60,7 +60,13 @@ bool parse_rendered(std::string_view text, record_fields& to) {
   std::string_view how;
   if (!at.number(R"({"id":)", to.id) || !at.number(R"(,"cause":)", to.cause) || !at.text(R"(,"actor":")", to.actor) ||
       !at.number(R"(,"incarnation":)", to.incarnation) || !at.text(R"(,"sender":")", to.sender) ||
-      !at.number(R"(,"duration_ns":)", to.duration_ns) || !at.text(R"(,"outcome":")", how))
+      !at.number(R"(,"duration_ns":)", to.duration_ns))
+    return false;
+  to.clock_offset_ns = 0;
+  to.wall_offset_ns = 0;
+  (void)(at.number(R"(,"clock_offset_ns":)", to.clock_offset_ns) &&
+         at.number(R"(,"wall_offset_ns":)", to.wall_offset_ns)); // older traces have none
+  if (!at.text(R"(,"outcome":")", how))
     return false;
   const auto named = outcome_named(how);
   if (!named)
@@ -110,6 +116,9 @@ bool record_parser::parse_any(std::string_view text, record_fields& to) {
   const auto named = outcome_named(how);
   if (!named)
     return false;
+  to.clock_offset_ns = 0;
+  to.wall_offset_ns = 0;
+  (void)(take(document, "clock_offset_ns", to.clock_offset_ns) && take(document, "wall_offset_ns", to.wall_offset_ns));
   to.how = *named;
   to.actor = actor_;
   to.sender = sender_;

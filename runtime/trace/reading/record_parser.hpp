@@ -17,6 +17,8 @@ struct record_fields {
   std::uint64_t id = 0;
   std::uint64_t cause = 0;
   std::int64_t duration_ns = 0;
+  std::int64_t clock_offset_ns = 0;
+  std::int64_t wall_offset_ns = 0;
   std::string_view actor;
   std::string_view sender;
   std::uint32_t incarnation = 0;

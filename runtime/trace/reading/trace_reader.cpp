@@ -183,6 +183,8 @@ bool trace_reader::take(const io::mcap::message_record& message, delivery& to) {
         .cause = fields.cause,
         .began_ns = at_ns,
         .duration_ns = fields.duration_ns,
+        .clock_offset_ns = fields.clock_offset_ns,
+        .wall_offset_ns = fields.wall_offset_ns,
         .actor = number_of(fields.actor, from.actor),
         .sender = number_of(fields.sender, from.sender),
         .type = from.type,

@@ -36,6 +36,25 @@ TEST(record_parser, a_message_that_was_too_long_has_no_body) {
   EXPECT_TRUE(fields.body.empty());
 }
 
+TEST(record_parser, the_clocks_of_the_handler_are_read_and_are_0_where_they_are_not_there) {
+  record_parser parser;
+  record_fields fields;
+  ASSERT_TRUE(parser.parse(R"({"id":7,"cause":3,"actor":"a","incarnation":2,"sender":"b","duration_ns":1,)"
+                           R"("clock_offset_ns":250,"wall_offset_ns":-3,"outcome":"handled","message":{}})",
+                           fields));
+  EXPECT_EQ(fields.clock_offset_ns, 250);
+  EXPECT_EQ(fields.wall_offset_ns, -3);
+  ASSERT_TRUE(
+      parser.parse(R"({"wall_offset_ns":5,"clock_offset_ns":4,"outcome":"handled","sender":"b","duration_ns":9,)"
+                   R"("message":{},"id":1,"cause":0,"actor":"c","incarnation":4})",
+                   fields));
+  EXPECT_EQ(fields.clock_offset_ns, 4);
+  EXPECT_EQ(fields.wall_offset_ns, 5);
+  ASSERT_TRUE(parser.parse(rendered, fields));
+  EXPECT_EQ(fields.clock_offset_ns, 0);
+  EXPECT_EQ(fields.wall_offset_ns, 0);
+}
+
 TEST(record_parser, another_order_and_escapes_mean_the_same) {
   record_parser parser;
   record_fields fields;

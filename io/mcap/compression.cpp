@@ -6,8 +6,7 @@ namespace godwit::io::mcap {
 
 namespace {
 
-// The fastest one that still finds what JSON repeats; higher ones gain a tenth.
-constexpr int level = 3;
+constexpr int level = 3; // Zstandard's own default
 
 } // namespace
 

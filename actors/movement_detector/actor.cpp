@@ -25,7 +25,9 @@ actor::behavior_type actor::handlers() {
       on<scan_controller::survey_progress>([this](const scan_controller::survey_progress& m) { core_.on_survey(m); }),
       on<io::mavlink::global_position_int>(
           [this](const io::mavlink::global_position_int& m) { core_.on_position(m, now()); }),
-      on<io::mavlink::attitude>([this](const io::mavlink::attitude& m) { carry_out(core_.on_attitude(m, now())); })};
+      on<io::mavlink::attitude>([this](const io::mavlink::attitude& m) { carry_out(core_.on_attitude(m, now())); }),
+      on<io::mavlink::gimbal_device_attitude_status>(
+          [this](const io::mavlink::gimbal_device_attitude_status& m) { carry_out(core_.on_gimbal(m, now())); })};
 }
 
 void actor::started() { wake_at(core_.next_due_ns()); }

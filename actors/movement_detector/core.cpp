@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/movement_detector/gimbal_attitude.hpp"
 
 namespace godwit::movement_detector {
 namespace {
@@ -37,8 +38,10 @@ io::eyes::begin beginning_of(const settings& configured) {
 
 core::core(settings configured, std::uint64_t seed, std::uint64_t incarnation)
     : settings_(std::move(configured)), seed_(seed),
-      mount_(mount_of(settings_.mount_roll_deg * rad_in_deg, settings_.mount_pitch_deg * rad_in_deg,
-                      settings_.mount_yaw_deg * rad_in_deg)),
+      mount_(settings_.is_on_gimbal
+                 ? mount_of(0, 0, 0)
+                 : mount_of(settings_.mount_roll_deg * rad_in_deg, settings_.mount_pitch_deg * rad_in_deg,
+                            settings_.mount_yaw_deg * rad_in_deg)),
       run_(static_cast<std::uint32_t>(incarnation) * runs_of_incarnation) {}
 
 effects core::start(instant now) {
@@ -69,11 +72,41 @@ effects core::rest(const std::string& why, bool is_running, instant now) {
 }
 
 effects core::on_attitude(const io::mavlink::attitude& m, instant now) {
+  if (settings_.is_on_gimbal) {
+    vehicle_ = {m, now.monotonic_ns};
+    return {};
+  }
   attitude_ns_ = now.monotonic_ns;
+  return pose_of(from_angles(m.roll, m.pitch, m.yaw) * mount_,
+                 turned(inverse(mount_), {m.rollspeed, m.pitchspeed, m.yawspeed}), now);
+}
+
+effects core::on_gimbal(const io::mavlink::gimbal_device_attitude_status& m, instant now) {
+  if (!settings_.is_on_gimbal)
+    return {};
+  const auto lies = attitude_of(m, heading(now));
+  if (!lies)
+    return {};
+  attitude_ns_ = now.monotonic_ns;
+  const gimbal_told newest{*lies * mount_, now.monotonic_ns};
+  const auto before = std::exchange(gimbal_, newest);
+  if (!before || newest.at_ns <= before->at_ns || newest.at_ns - before->at_ns > gimbal_gap_ns)
+    return {};
+  const double dt_s = static_cast<double>(newest.at_ns - before->at_ns) / ns_in_s;
+  return pose_of(newest.camera, rate_between(before->camera, newest.camera, dt_s), now);
+}
+
+// Of the vehicle, now.
+std::optional<double> core::heading(instant now) const {
+  if (!vehicle_ || now.monotonic_ns - vehicle_->at_ns > heading_lasts_ns)
+    return std::nullopt;
+  const double age_s = static_cast<double>(now.monotonic_ns - vehicle_->at_ns) / ns_in_s;
+  return vehicle_->what.yaw + vehicle_->what.yawspeed * age_s;
+}
+
+effects core::pose_of(const rotation& camera, const std::array<double, 3>& rate, instant now) const {
   if (state_ != helper_state::running || !position_ || now.monotonic_ns - position_ns_ > telemetry_lasts_ns)
     return {};
-  const auto camera = from_angles(m.roll, m.pitch, m.yaw) * mount_;
-  const auto rate = turned(inverse(mount_), {m.rollspeed, m.pitchspeed, m.yawspeed});
   io::eyes::pose result;
   result.at_ns = now.monotonic_ns;
   result.w = camera.w;
@@ -154,7 +187,9 @@ std::string core::sentence(instant now) const {
   if (auto pictures = sentence_of_pictures(now); !pictures.empty())
     return pictures;
   if (now.monotonic_ns - attitude_ns_ > telemetry_lasts_ns || now.monotonic_ns - position_ns_ > telemetry_lasts_ns)
-    return "the vehicle tells neither attitude nor position: what moves is found, and not where it is";
+    return std::string(settings_.is_on_gimbal ? "the gimbal tells no attitude that can be used"
+                                              : "the vehicle tells no attitude") +
+           ", or the vehicle no position: what moves is found, and not where it is";
   return {};
 }
 

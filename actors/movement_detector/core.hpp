@@ -8,6 +8,7 @@
 // than what is flown, and nothing that comes of it moves the vehicle. Pure: time and seed come in. Thread: one owner.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "actors/movement_detector/camera_attitude.hpp"
 #include "actors/movement_detector/settings.hpp"
 #include "io/eyes/messages.hpp"
+#include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/movement_detector/types.hpp"
@@ -64,8 +66,10 @@ public:
   static constexpr std::int64_t view_lasts_ns = 2'000'000'000; // pictures of a turn may say nothing
   static constexpr std::int64_t unusable_told_ns = 5'000'000'000;
   static constexpr std::int64_t telemetry_lasts_ns = 2'000'000'000;
-  static constexpr std::int64_t same_track_ns = 2'000'000'000; // one sighting of a track in so long
-  static constexpr std::size_t max_tracks = 256;               // that are remembered for it
+  static constexpr std::int64_t heading_lasts_ns = 500'000'000; // carried on by the rate of its turn
+  static constexpr std::int64_t gimbal_gap_ns = 600'000'000;    // a turn over longer is no rate: gimbals say 5 a second
+  static constexpr std::int64_t same_track_ns = 2'000'000'000;  // one sighting of a track in so long
+  static constexpr std::size_t max_tracks = 256;                // that are remembered for it
   static constexpr std::size_t max_sightings_a_second = 10;
 
   static constexpr std::uint32_t runs_of_incarnation = 1
@@ -77,6 +81,8 @@ public:
   [[nodiscard]] std::uint32_t run() const { return run_; }
 
   [[nodiscard]] effects on_attitude(const io::mavlink::attitude& m, instant now);
+  // How the camera lies, where it hangs on a gimbal; that of the vehicle then only gives the heading.
+  [[nodiscard]] effects on_gimbal(const io::mavlink::gimbal_device_attitude_status& m, instant now);
   void on_position(const io::mavlink::global_position_int& m, instant now);
   void on_survey(const scan_controller::survey_progress& seen) { survey_ = seen; }
   [[nodiscard]] effects on_status(const helper_status& m, instant now);
@@ -92,6 +98,8 @@ private:
   enum class helper_state { starting, running, resting };
 
   [[nodiscard]] effects start(instant now);
+  [[nodiscard]] effects pose_of(const rotation& camera, const std::array<double, 3>& rate, instant now) const;
+  [[nodiscard]] std::optional<double> heading(instant now) const;
   [[nodiscard]] effects rest(const std::string& why, bool is_running, instant now);
   [[nodiscard]] bool is_seeing(instant now) const;
   [[nodiscard]] std::string sentence(instant now) const; // what is missing; empty: nothing
@@ -116,7 +124,17 @@ private:
 
   std::optional<io::mavlink::global_position_int> position_;
   std::int64_t position_ns_ = 0;
-  std::int64_t attitude_ns_ = 0;
+  std::int64_t attitude_ns_ = 0; // of the camera: when the vehicle or the gimbal told the last one
+  struct heading_told {
+    io::mavlink::attitude what;
+    std::int64_t at_ns = 0;
+  };
+  std::optional<heading_told> vehicle_; // only with a gimbal
+  struct gimbal_told {
+    rotation camera;
+    std::int64_t at_ns = 0;
+  };
+  std::optional<gimbal_told> gimbal_;
   std::optional<scan_controller::survey_progress> survey_;
 
   std::map<std::uint32_t, std::int64_t> told_; // when a track of this run was last said to the map

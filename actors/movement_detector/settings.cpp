@@ -28,6 +28,12 @@ std::optional<std::string> objection_to(const settings& configured) {
     if (!(each.value >= each.least && each.value <= each.most)) // also when it is not a number
       return std::string(each.name) + " is " + std::to_string(each.value) + "; with a camera it is from " +
              std::to_string(each.least) + " to " + std::to_string(each.most);
+  const settings usual;
+  if (configured.is_on_gimbal &&
+      (configured.mount_yaw_deg != usual.mount_yaw_deg || configured.mount_pitch_deg != usual.mount_pitch_deg ||
+       configured.mount_roll_deg != usual.mount_roll_deg))
+    return "mount_yaw_deg, mount_pitch_deg and mount_roll_deg are of a camera that is fixed: leave them out with "
+           "on_gimbal";
   if (configured.class_group.empty() || configured.class_group.size() > 64)
     return "class_group is a word of 1 to 64 characters";
   if (!configured.record_folder.empty() && configured.record_max_mb <= 0)

@@ -20,6 +20,8 @@ struct settings {
   double mount_yaw_deg = 0;
   double mount_pitch_deg = -90;
   double mount_roll_deg = 0;
+  // It hangs on a gimbal that tells how it lies (MAVLink) and looks where that points; the mount is not used then.
+  bool is_on_gimbal = false;
   double attitude_sd_deg = 2; // of the vehicle and the mount together
   double min_height_m = 8;    // below: heights of what stands there move like movers
   double max_off_nadir_deg = 70;

@@ -81,8 +81,11 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     return;
   }
   const bool is_relayed = !is_forged && relay(t, frame);
+  const bool is_gimbal = frame.id() == mavlink::gimbal_device_attitude_status::message_id && watch_.vehicle() &&
+                         from.system == watch_.vehicle()->system && !is_forged;
   const auto take_message = [&](const auto& message) { take(t, message); };
-  if (!is_vehicle || !(told_messages::visit(frame, take_message) || used_messages::visit(frame, take_message))) {
+  if (!(is_vehicle || is_gimbal) ||
+      !(told_messages::visit(frame, take_message) || used_messages::visit(frame, take_message))) {
     if (!is_relayed)
       ++not_accepted_;
     return;
@@ -146,6 +149,11 @@ void core::take(decision_context& t, const M& message) {
 
 void core::take(decision_context& t, const mavlink::heartbeat& m) {
   orders_.heard(m.custom_mode, io::mavlink::is_armed(m));
+  t.done.emplace_back(observation(m));
+}
+
+// Its clock may be that of the gimbal, and tells nothing of a start of the autopilot.
+void core::take(decision_context& t, const mavlink::gimbal_device_attitude_status& m) {
   t.done.emplace_back(observation(m));
 }
 

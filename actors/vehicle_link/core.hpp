@@ -90,6 +90,7 @@ private:
   void take(decision_context& t, const mavlink::current_mode& m);
   void take(decision_context& t, const mavlink::command_ack& m);
   void take(decision_context& t, const mavlink::mission_current& m);
+  void take(decision_context& t, const mavlink::gimbal_device_attitude_status& m);
   void take(decision_context& t, const mavlink::timesync& m);
   void take(decision_context& t, const mavlink::ping& m);
   template <mavlink::message M>

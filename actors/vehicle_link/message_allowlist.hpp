@@ -14,7 +14,8 @@
 // | TIMESYNC, PING           | answered; PX4 keeps its clock offset with them                         |
 // | the rest of `told`       | told to listeners as they are                                          |
 //
-// RADIO_STATUS is taken from any sender of the link: it is the radio's word and not the autopilot's.
+// RADIO_STATUS is taken from any sender of the link: it is the radio's word and not the autopilot's. Of
+// GIMBAL_DEVICE_ATTITUDE_STATUS any component of the vehicle's system is heard: a gimbal may speak for itself.
 //
 // | Sent                                                        | When                                  |
 // |-------------------------------------------------------------|---------------------------------------|
@@ -40,13 +41,12 @@ namespace godwit::vehicle_link {
 namespace mavlink = io::mavlink;
 
 // Told to listeners, as they come from the autopilot.
-using told_messages =
-    mavlink::message_list<mavlink::heartbeat, mavlink::current_mode, mavlink::sys_status, mavlink::system_time,
-                          mavlink::gps_raw_int, mavlink::attitude, mavlink::global_position_int,
-                          mavlink::mission_current, mavlink::mission_item_reached, mavlink::vfr_hud,
-                          mavlink::battery_status, mavlink::autopilot_version, mavlink::fence_status,
-                          mavlink::ekf_status_report, mavlink::estimator_status, mavlink::home_position,
-                          mavlink::extended_sys_state, mavlink::statustext, mavlink::radio_status>;
+using told_messages = mavlink::message_list<
+    mavlink::heartbeat, mavlink::current_mode, mavlink::sys_status, mavlink::system_time, mavlink::gps_raw_int,
+    mavlink::attitude, mavlink::global_position_int, mavlink::mission_current, mavlink::mission_item_reached,
+    mavlink::vfr_hud, mavlink::battery_status, mavlink::autopilot_version, mavlink::fence_status,
+    mavlink::ekf_status_report, mavlink::estimator_status, mavlink::home_position, mavlink::extended_sys_state,
+    mavlink::statustext, mavlink::gimbal_device_attitude_status, mavlink::radio_status>;
 
 // Taken and used here.
 using used_messages = mavlink::message_list<mavlink::command_ack, mavlink::mission_count, mavlink::mission_item_int,

@@ -10,6 +10,7 @@
 #include "io/mavlink/messages/command.hpp"
 #include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/fence.hpp"
+#include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
@@ -28,7 +29,7 @@ using known_messages =
                  mission_item_reached, mission_ack, mission_request_int, mission_item_int, vfr_hud, command_int,
                  command_long, command_ack, command_cancel, radio_status, timesync, battery_status, autopilot_version,
                  fence_status, ekf_status_report, estimator_status, home_position, extended_sys_state, statustext,
-                 setup_signing, protocol_version>;
+                 setup_signing, gimbal_device_attitude_status, protocol_version>;
 
 // Decodes FRAME and calls F(const M&) with the message; false if it is not one of ours.
 template <class F>

@@ -7,6 +7,7 @@
 #include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/fence.hpp"
+#include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
@@ -33,6 +34,7 @@ static_assert(as_published<current_mode>(9, 9));
 static_assert(as_published<ekf_status_report>(22, 26));
 static_assert(as_published<estimator_status>(42, 42));
 static_assert(as_published<fence_status>(8, 9));
+static_assert(as_published<gimbal_device_attitude_status>(40, 49));
 static_assert(as_published<heartbeat>(9, 9));
 static_assert(as_published<sys_status>(31, 43));
 static_assert(as_published<extended_sys_state>(2, 2));

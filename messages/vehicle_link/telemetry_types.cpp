@@ -4,6 +4,7 @@
 #include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/fence.hpp"
+#include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
@@ -19,6 +20,7 @@ GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::ekf_status_report);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::estimator_status);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::extended_sys_state);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::fence_status);
+GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::gimbal_device_attitude_status);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::global_position_int);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::gps_raw_int);
 GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::heartbeat);

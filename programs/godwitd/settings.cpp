@@ -279,6 +279,7 @@ checked read_camera(const json& camera, daemon_settings& to) {
   result.mount_yaw_deg = camera.at("mount_yaw_deg").get<double>();
   result.mount_pitch_deg = camera.at("mount_pitch_deg").get<double>();
   result.mount_roll_deg = camera.at("mount_roll_deg").get<double>();
+  result.is_on_gimbal = camera.at("on_gimbal").get<bool>();
   result.attitude_sd_deg = camera.at("attitude_sd_deg").get<double>();
   result.min_height_m = camera.at("min_height_m").get<double>();
   result.max_off_nadir_deg = camera.at("max_off_nadir_deg").get<double>();
@@ -294,6 +295,10 @@ checked read_camera(const json& camera, daemon_settings& to) {
   for (auto& each : to.link.streams)
     if (each.message == io::mavlink::attitude::message_id)
       each.interval_ms = std::min(each.interval_ms, attitude_interval_ms);
+  if (result.is_on_gimbal)
+    to.link.streams.push_back({.message = io::mavlink::gimbal_device_attitude_status::message_id,
+                               .interval_ms = attitude_interval_ms,
+                               .is_optional = true}); // it may come by itself, or from the gimbal
   to.scan.watches_view = true;
   to.camera = std::move(result);
   return {};

@@ -1,7 +1,11 @@
 #include "actors/movement_detector/core.hpp"
 
-#include <gtest/gtest.h>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
+
+#include <gtest/gtest.h>
 
 #include "actors/domain/uuid/uuid.hpp"
 #include "io/eyes/codec.hpp"
@@ -57,6 +61,15 @@ struct eyes {
     where.relative_alt = 40'000;
     all.on_position(where, now);
     return all.on_attitude({}, now);
+  }
+  // Of a gimbal that looks so far down, along the vehicle's heading or along north.
+  effects gimbal(double pitch_deg, std::uint16_t flags = io::mavlink::gimbal_device_flags::yaw_in_vehicle_frame) {
+    const auto level = from_angles(0, pitch_deg * std::numbers::pi / 180, 0);
+    io::mavlink::gimbal_device_attitude_status said;
+    said.flags = flags;
+    said.q = {static_cast<float>(level.w), static_cast<float>(level.x), static_cast<float>(level.y),
+              static_cast<float>(level.z)};
+    return all.on_gimbal(said, now);
   }
   void survey(bool is_flying = true) {
     scan_controller::survey_progress seen;
@@ -158,6 +171,61 @@ TEST(movement_detector_core, a_pose_is_that_of_the_camera_and_goes_out_only_with
   nowhere.lat = 2'000'000'000;
   e.all.on_position(nowhere, e.now);
   EXPECT_TRUE(e.all.on_attitude({}, e.now).empty());
+}
+
+settings on_a_gimbal() {
+  auto configured = eyes::a_camera();
+  configured.is_on_gimbal = true;
+  return configured;
+}
+
+std::array<double, 3> look_of(const io::eyes::pose& said) {
+  return turned({said.w, said.x, said.y, said.z}, {0, 0, 1});
+}
+
+TEST(movement_detector_core, a_camera_on_a_gimbal_looks_where_that_points_and_turns_as_that_does) {
+  eyes e(on_a_gimbal());
+  (void)e.status();
+  EXPECT_TRUE(e.telemetry().empty()) << "the attitude of the vehicle is not that of the camera";
+  EXPECT_TRUE(e.gimbal(-44).empty()) << "how fast it turns is not known yet";
+  e.pass(100 * ms);
+  const auto said = only<io::eyes::pose>(e.gimbal(-45));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NEAR(look_of(said[0])[0], std::sqrt(0.5), 1e-6) << "to the north";
+  EXPECT_NEAR(look_of(said[0])[2], std::sqrt(0.5), 1e-6) << "and down";
+  EXPECT_NEAR(said[0].rate_x_rad_s, -10 * std::numbers::pi / 180, 1e-4) << "one degree down in 0.1 s";
+  EXPECT_TRUE(io::eyes::problem_of(said[0]).empty());
+}
+
+TEST(movement_detector_core, a_gimbal_that_follows_the_heading_needs_one_that_is_fresh) {
+  eyes e(on_a_gimbal());
+  (void)e.status();
+  (void)e.telemetry();
+  (void)e.gimbal(-45);
+  e.pass(core::heading_lasts_ns + 1);
+  EXPECT_TRUE(e.gimbal(-45).empty());
+  EXPECT_FALSE(only<io::eyes::pose>(e.gimbal(-45, io::mavlink::gimbal_device_flags::yaw_in_earth_frame)).empty())
+      << "against north it needs none";
+}
+
+TEST(movement_detector_core, without_the_attitude_of_its_gimbal_it_does_not_see) {
+  eyes e(on_a_gimbal());
+  (void)e.status();
+  (void)e.telemetry();
+  EXPECT_FALSE(e.all.view_of(e.now).is_seeing);
+  EXPECT_EQ(e.all.health(e.now).reason.substr(0, 10), "the gimbal");
+  (void)e.gimbal(-45);
+  EXPECT_TRUE(e.all.view_of(e.now).is_seeing);
+  EXPECT_EQ(e.all.health(e.now).reason, "");
+}
+
+TEST(movement_detector_core, a_fixed_camera_heeds_no_gimbal) {
+  eyes e;
+  (void)e.status();
+  (void)e.telemetry();
+  (void)e.gimbal(-45);
+  e.pass(100 * ms);
+  EXPECT_TRUE(e.gimbal(-45).empty());
 }
 
 TEST(movement_detector_core, a_track_is_said_to_the_map_once_in_two_seconds_and_only_of_a_survey_that_is_flown) {

@@ -30,6 +30,12 @@ TEST(camera_settings, what_is_missing_or_impossible_is_named) {
   EXPECT_EQ(objection([](settings& s) { s.focal_px = std::numeric_limits<double>::quiet_NaN(); }).substr(0, 8),
             "focal_px");
   EXPECT_EQ(objection([](settings& s) { s.attitude_sd_deg = 0; }).substr(0, 15), "attitude_sd_deg");
+  EXPECT_EQ(objection([](settings& s) { s.is_on_gimbal = true; }), "");
+  EXPECT_EQ(objection([](settings& s) {
+              s.is_on_gimbal = true;
+              s.mount_pitch_deg = 0;
+            }).substr(0, 13),
+            "mount_yaw_deg");
   EXPECT_EQ(objection([](settings& s) { s.class_group.clear(); }).substr(0, 11), "class_group");
   EXPECT_EQ(objection([](settings& s) { s.record_folder = "/tmp"; }).substr(0, 13), "record_max_mb");
 }

@@ -206,6 +206,22 @@ TEST(vehicle_link_core, what_another_component_or_system_says_goes_no_further) {
   EXPECT_EQ(observed<mavlink::attitude>(c.vehicle.say(c.it, mavlink::attitude{}, 0)).size(), 1U);
 }
 
+TEST(vehicle_link_core, a_gimbal_of_the_vehicle_speaks_for_itself_and_one_of_another_system_does_not) {
+  using mavlink::gimbal_device_attitude_status;
+  connected c;
+  EXPECT_EQ(observed<gimbal_device_attitude_status>(c.vehicle.say(c.it, gimbal_device_attitude_status{}, 0, {1, 154}))
+                .size(),
+            1U);
+  EXPECT_TRUE(c.vehicle.say(c.it, gimbal_device_attitude_status{}, 0, {2, 154}).empty());
+}
+
+TEST(vehicle_link_core, the_clock_of_a_gimbal_tells_of_no_start_of_the_autopilot) {
+  connected c;
+  (void)c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = 600'000}, 0);
+  const auto said = c.vehicle.say(c.it, mavlink::gimbal_device_attitude_status{.time_boot_ms = 10}, s, {1, 154});
+  EXPECT_EQ(said.size(), 1U) << "the message itself";
+}
+
 TEST(vehicle_link_core, each_message_on_the_list_is_told_as_it_came) {
   connected c;
   told_messages::for_each(

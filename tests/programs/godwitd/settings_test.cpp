@@ -1,7 +1,10 @@
 #include "programs/godwitd/settings.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "io/mavlink/messages/gimbal.hpp"
 #include "programs/godwitd/configuration.hpp"
 
 namespace {
@@ -198,6 +201,14 @@ TEST(daemon_settings, a_camera_with_parameters_that_are_missing_or_impossible_is
   ASSERT_TRUE(known) << known.error();
   EXPECT_EQ(known->camera->mount_pitch_deg, -90) << "it looks down";
   EXPECT_TRUE(known->scan.watches_view);
+  const auto asks_for_gimbal = [&] {
+    constexpr auto gimbal = io::mavlink::gimbal_device_attitude_status::message_id;
+    const auto all = settings_from(configuration)->link.streams;
+    return std::ranges::any_of(all, [](const auto& each) { return each.message == gimbal; });
+  };
+  EXPECT_FALSE(asks_for_gimbal());
+  configuration["camera"]["on_gimbal"] = true;
+  EXPECT_TRUE(asks_for_gimbal());
   configuration["camera"]["uri"] = "/dev/video0";
   EXPECT_TRUE(settings_from(configuration).error().starts_with("--camera (")) << settings_from(configuration).error();
 #else

@@ -5,6 +5,7 @@
 #include "runtime/define_message.hpp"
 
 // What comes in beside the mailbox, for the trace.
+GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::camera_fact);
 GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::journal_facts);
 GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::operator_fact);
 GODWIT_DEFINE_MESSAGE(godwit::executor::supervision::own_process);

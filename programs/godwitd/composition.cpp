@@ -148,6 +148,15 @@ checked composition::make_eyes() {
       eyes_, [to = point_pictures_](const std::string& sighting_id, io::eyes::cutout what) {
         to->add(sighting_id, std::move(what));
       });
+  auto tried = io::eyes::helper::make({program, "session"});
+  if (!tried)
+    return tl::make_unexpected(std::move(tried.error()));
+  trial_eyes_ = *std::move(tried);
+  io::eyes::begin how;
+  how.uri = wanted_.camera->uri;
+  camera_trial_ = std::make_shared<camera_trial>(
+      camera_trial::helper_calls{[to = trial_eyes_, how](std::uint32_t run) { to->start(run, how); },
+                                 [to = trial_eyes_](std::uint32_t upto) { to->end(upto); }});
   if (!feed_)
     feed_ = sighting_feed::without_file();
   return {};
@@ -184,6 +193,8 @@ void composition::surround_actors() {
   outside_.sightings = feed_;
   outside_.eyes = eyes_port_;
   outside_.point_pictures = point_pictures_;
+  outside_.camera = camera_trial_;
+  outside_.seed = fresh_seed();
   outside_.journal = &host_->journal();
   outside_.host = facts_.get();
   outside_.say = [this](std::string_view part, const std::string& sentence, bool is_warning) {
@@ -296,6 +307,10 @@ checked composition::open() {
     broker_.attach(host_->actors().make_gateway("broker_port"), views_.fleet);
   if (eyes_port_)
     eyes_port_->open(host_->actors().make_gateway("eyes_port"), flight_.eyes);
+  if (trial_eyes_)
+    trial_eyes_->attach(
+        {[to = camera_trial_.get()](std::uint32_t run, const io::eyes::message& said) { to->on_message(run, said); },
+         [to = camera_trial_.get()](std::uint32_t run, const std::string& why) { to->on_end(run, why); }});
   open_link_log();
   host_->actors().start();
   open_vehicle();
@@ -468,6 +483,8 @@ int composition::close(runtime::exit_code code) {
     feed_->stop();
   if (eyes_)
     eyes_->close();
+  if (trial_eyes_)
+    trial_eyes_->close();
   if (broker_.detach)
     broker_.detach();
   vehicle_port_->close();

@@ -18,6 +18,7 @@
 #include "messages/mission_client/handle.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/broker_access.hpp"
+#include "programs/godwitd/camera_trial.hpp"
 #include "programs/godwitd/control/request_handler.hpp"
 #include "programs/godwitd/control/server.hpp"
 #include "programs/godwitd/flight_actors.hpp"
@@ -101,6 +102,8 @@ private:
   std::shared_ptr<io::eyes::helper> eyes_;                     // none without a camera
   std::shared_ptr<movement_detector::eyes_process> eyes_port_; // the same
   std::shared_ptr<point_pictures> point_pictures_;             // the same
+  std::shared_ptr<io::eyes::helper> trial_eyes_;               // the same; of the trial before the flight
+  std::shared_ptr<camera_trial> camera_trial_;                 // the same
   broker_access broker_;                                       // none without one
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();

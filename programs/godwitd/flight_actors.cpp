@@ -35,6 +35,8 @@ executor::host_status read_host_status(const actor_surroundings& outside, const 
   result.journal.is_nearly_full = journal.fill >= io::sqlite::nearly_full;
   result.journal.free_bytes = outside.host->free_bytes();
   result.operators.is_there = operators.is_there(outside.host->time().monotonic_ns());
+  if (outside.camera)
+    result.camera = outside.camera->look(outside.host->time().monotonic_ns());
   return result;
 }
 
@@ -46,6 +48,8 @@ executor::outside_world world_of(const runtime::system& actors, const actor_surr
           [&outside](const executor::phase_status& status) {
             if (outside.sightings)
               outside.sightings->set_gate(status.in_flight);
+            if (outside.camera)
+              outside.camera->set_in_flight(status.in_flight);
             outside.on_phase_status(status);
             outside.say(executor_name,
                         "flight: " + std::string(io::name_of(status.now)) +

@@ -40,6 +40,7 @@
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
+#include "programs/godwitd/camera_trial.hpp"
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
@@ -79,6 +80,7 @@ struct actor_surroundings {
   std::shared_ptr<sighting_feed> sightings;               // none: nobody sees anything
   std::shared_ptr<movement_detector::eyes_port> eyes;     // with SETTINGS.camera, and with sightings; else none
   std::shared_ptr<daemon::point_pictures> point_pictures; // the same
+  std::shared_ptr<camera_trial> camera;                   // none: the camera is not tried before the flight
 
   // Of this process, and of no other one: what is delivered has keys that are made with it.
   std::uint64_t seed = 0;

@@ -75,7 +75,7 @@ preflight::report preparation::look_at_all(instant now) {
   seen.actors = host_status_.actors;
   seen.wall_ns = now.wall_ns;
   seen.is_operator_session_alive = host_status_.operators.is_there;
-  seen.camera = preflight::camera_state::off;
+  seen.camera = host_status_.camera;
   last_look_ = preflight::dated_report{preflight::run_checks(seen, flight_.configured.checks), now.wall_ns};
   return last_look_->what;
 }

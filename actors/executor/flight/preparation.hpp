@@ -22,6 +22,7 @@ struct host_status {
   preflight::journal_facts journal;
   std::vector<preflight::actor_fact> actors;
   preflight::operator_fact operators;
+  preflight::camera_fact camera;
 };
 
 class preparation {

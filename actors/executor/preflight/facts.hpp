@@ -97,6 +97,20 @@ struct actor_fact {
 
 enum class camera_state { unknown, off, not_ready, ready };
 
+constexpr auto enum_names(camera_state) {
+  return io::names<camera_state>({{camera_state::unknown, "unknown"},
+                                  {camera_state::off, "off"},
+                                  {camera_state::not_ready, "not_ready"},
+                                  {camera_state::ready, "ready"}});
+}
+
+struct camera_fact {
+  camera_state state = camera_state::off;
+  std::string problem; // why it is not ready, as a sentence without its end; empty: not known
+  static constexpr auto fields = io::table("executor.camera_fact", io::field("state", &camera_fact::state),
+                                           io::field("problem", &camera_fact::problem));
+};
+
 struct facts {
   vehicle_facts vehicle;
   mission_facts mission;
@@ -104,7 +118,7 @@ struct facts {
   std::int64_t wall_ns = 0;
   bool is_operator_session_alive = false;
   std::vector<actor_fact> actors; // all that have to run
-  camera_state camera = camera_state::unknown;
+  camera_fact camera{camera_state::unknown, {}};
 };
 
 // While it is not, nothing that is known of the vehicle counts; the check of the link fails then.

@@ -53,7 +53,7 @@ inline facts good_facts() {
   all.journal = {true, true, false, 8'000'000'000};
   all.wall_ns = in_2026_ns;
   all.actors = {{"vehicle_link", true}, {"failsafe", true}};
-  all.camera = camera_state::ready;
+  all.camera = {camera_state::ready, {}};
   return all;
 }
 

@@ -11,7 +11,7 @@ using namespace test;
 
 verdict with(camera_state camera) {
   auto seen = good_facts();
-  seen.camera = camera;
+  seen.camera.state = camera;
   return look_at_camera(seen, {}).how;
 }
 
@@ -19,6 +19,12 @@ TEST(camera_check, passes_when_it_is_ready) { EXPECT_EQ(with(camera_state::ready
 
 TEST(camera_check, degrades_when_it_is_on_and_not_ready) {
   EXPECT_EQ(with(camera_state::not_ready), verdict::degraded);
+}
+
+TEST(camera_check, says_why_it_is_not_ready) {
+  auto seen = good_facts();
+  seen.camera = {camera_state::not_ready, "there is no /dev/video0"};
+  EXPECT_TRUE(has(look_at_camera(seen, {}).sentence, "there is no /dev/video0; "));
 }
 
 TEST(camera_check, fails_before_anything_was_heard_of_it) { EXPECT_EQ(with(camera_state::unknown), verdict::fail); }

@@ -12,7 +12,7 @@ namespace godwit::eyes {
 
 namespace {
 
-constexpr int margin = 48;            // of the canvas around the picture with which it is laid
+constexpr int margin = 96;            // of the canvas around the picture with which it is laid
 constexpr float first_variance = 200; // of what was seen once
 constexpr float least_variance = 10;
 constexpr float most_variance = 1500;
@@ -23,8 +23,8 @@ constexpr float sure_squared = 20; // it surely differs
 constexpr float young = 3;         // younger ground tells nothing
 constexpr double least_scale = 0.8;
 constexpr double most_scale = 1.25;
-constexpr std::uint8_t may_be = 128;
-constexpr std::uint8_t sure = 255;
+constexpr float shadow_tolerance = 0.06F; // of the ground's brightness
+constexpr float least_shadow_tolerance = 4;
 
 std::array<cv::Point2d, 4> corners_of(const cv::Size& size) {
   const double right = size.width - 1;
@@ -66,9 +66,11 @@ void learn(cv::Vec3f& ground, cv::Vec3f& other, float value) {
 
 const cv::Mat& background_model::look(const cv::Mat& now, const cv::Matx33d& before_to_now) {
   canvas_to_now_ = before_to_now * canvas_to_now_;
-  if (ground_.empty() || !fits(now.size()))
+  const cv::Rect canvas(cv::Point(), canvas_);
+  if (ground_.empty() || !has_like_scale(now.size()) ||
+      ((bounds_of(now.size()) & canvas) != bounds_of(now.size()) && !shift_canvas(now.size())))
     lay_canvas(now.size());
-  const cv::Rect part = part_of_canvas(now.size());
+  const cv::Rect part = bounds_of(now.size()) & cv::Rect(cv::Point(), canvas_);
   lay_picture(now, part);
   match_brightness(part);
   const cv::Mat mean = mean_(part);
@@ -83,26 +85,37 @@ const cv::Mat& background_model::look(const cv::Mat& now, const cv::Matx33d& bef
 
 void background_model::forget() {
   ground_.release();
+  shadows_.forget();
   canvas_to_now_ = cv::Matx33d::eye();
 }
 
-// The picture lies on the canvas, and is neither much larger nor much smaller there.
-bool background_model::fits(const cv::Size& picture) const {
+// Neither much larger nor much smaller there than it is.
+bool background_model::has_like_scale(const cv::Size& picture) const {
   const cv::Matx33d to_canvas = canvas_to_now_.inv();
-  const cv::Rect2d all(0, 0, canvas_.width, canvas_.height);
-  std::array<cv::Point2d, 4> laid;
   const auto corners = corners_of(picture);
   for (std::size_t n = 0; n < corners.size(); ++n) {
-    laid[n] = moved(to_canvas, corners[n]);
-    if (!all.contains(laid[n]))
-      return false;
-  }
-  for (std::size_t n = 0; n < corners.size(); ++n) {
-    const double before = cv::norm(corners[n] - corners[(n + 1) % 4]);
-    const double scale = cv::norm(laid[n] - laid[(n + 1) % 4]) / before;
+    const cv::Point2d& next = corners[(n + 1) % corners.size()];
+    const double scale = cv::norm(moved(to_canvas, corners[n]) - moved(to_canvas, next)) / cv::norm(corners[n] - next);
     if (scale < least_scale || scale > most_scale)
       return false;
   }
+  return true;
+}
+
+// Whole pixels, so that nothing is interpolated. False: the picture is turned so far that it finds no room.
+bool background_model::shift_canvas(const cv::Size& picture) {
+  const cv::Rect laid = bounds_of(picture);
+  if (laid.width > canvas_.width || laid.height > canvas_.height)
+    return false;
+  const cv::Point by((canvas_.width - laid.width) / 2 - laid.x, (canvas_.height - laid.height) / 2 - laid.y);
+  const cv::Rect kept = cv::Rect(by, canvas_) & cv::Rect(cv::Point(), canvas_);
+  for (cv::Mat* const each : {&ground_, &other_, &mean_}) {
+    cv::Mat shifted = cv::Mat::zeros(canvas_, each->type());
+    if (!kept.empty())
+      (*each)(kept - by).copyTo(shifted(kept));
+    *each = shifted;
+  }
+  canvas_to_now_ = canvas_to_now_ * cv::Matx33d(1, 0, -by.x, 0, 1, -by.y, 0, 0, 1);
   return true;
 }
 
@@ -129,22 +142,19 @@ void background_model::lay_canvas(const cv::Size& picture) {
   canvas_to_now_ = new_to_now;
 }
 
-cv::Rect background_model::part_of_canvas(const cv::Size& picture) const {
+// Of the picture, on the canvas or beyond it.
+cv::Rect background_model::bounds_of(const cv::Size& picture) const {
   const cv::Matx33d to_canvas = canvas_to_now_.inv();
-  double left = canvas_.width;
-  double right = 0;
-  double top = canvas_.height;
-  double bottom = 0;
-  for (const auto& corner : corners_of(picture)) {
+  const auto corners = corners_of(picture);
+  cv::Point2d low = moved(to_canvas, corners[0]);
+  cv::Point2d high = low;
+  for (const auto& corner : corners) {
     const auto at = moved(to_canvas, corner);
-    left = std::min(left, at.x);
-    right = std::max(right, at.x);
-    top = std::min(top, at.y);
-    bottom = std::max(bottom, at.y);
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
   }
-  const cv::Rect part(cv::Point(static_cast<int>(std::floor(left)), static_cast<int>(std::floor(top))),
-                      cv::Point(static_cast<int>(std::ceil(right)) + 1, static_cast<int>(std::ceil(bottom)) + 1));
-  return part & cv::Rect(cv::Point(), canvas_);
+  return {cv::Point(static_cast<int>(std::floor(low.x)), static_cast<int>(std::floor(low.y))),
+          cv::Point(static_cast<int>(std::ceil(high.x)) + 1, static_cast<int>(std::ceil(high.y)) + 1)};
 }
 
 void background_model::lay_picture(const cv::Mat& now, const cv::Rect& part) {
@@ -189,6 +199,23 @@ void background_model::match_brightness(const cv::Rect& part) {
     laid_.convertTo(laid_, CV_8U, factor);
 }
 
+std::uint8_t background_model::found_at(const cv::Vec3f& ground, int laid, int lowest, int highest) {
+  const int outside = std::max({laid - highest, lowest - laid, 0});
+  const float squared = static_cast<float>(outside * outside) / std::max(ground[1], least_variance);
+  if (squared <= found_squared)
+    return 0;
+  const bool is_sure = squared > sure_squared;
+  const auto value = static_cast<float>(laid);
+  if (is_sure && value < ground[0])
+    shadows_.add(value / ground[0]);
+  const auto ratio = shadows_.get();
+  const bool is_shadow =
+      ratio && std::abs(value - *ratio * ground[0]) < std::max(least_shadow_tolerance, shadow_tolerance * ground[0]);
+  if (is_shadow)
+    return is_sure ? mask_value::shadow_sure : mask_value::shadow_may_be;
+  return is_sure ? mask_value::sure : mask_value::may_be;
+}
+
 void background_model::update(const cv::Rect& part) {
   found_.create(part.size(), CV_8UC1);
   for (int y = 0; y < part.height; ++y) {
@@ -208,16 +235,14 @@ void background_model::update(const cv::Rect& part) {
       if (ground[x][2] < 1) {
         start(ground[x], value, 1);
       } else {
-        if (ground[x][2] >= young) {
-          const int outside = std::max({laid[x] - highest[x], lowest[x] - laid[x], 0});
-          const float squared = static_cast<float>(outside * outside) / std::max(ground[x][1], least_variance);
-          found[x] = squared > sure_squared ? sure : squared > found_squared ? may_be : std::uint8_t{0};
-        }
+        if (ground[x][2] >= young)
+          found[x] = found_at(ground[x], laid[x], lowest[x], highest[x]);
         learn(ground[x], other[x], value);
       }
       mean[x] = static_cast<std::uint8_t>(ground[x][0] + 0.5F);
     }
   }
+  shadows_.end_picture();
 }
 
 } // namespace godwit::eyes

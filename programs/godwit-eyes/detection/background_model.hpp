@@ -3,37 +3,52 @@
 // Each pixel of a canvas, which lies still on the ground, has two Gaussians with an age: one for what is seen there
 // mostly, and one for what may take its place. A brightness that fits the first one makes it older and surer; one that
 // does not goes to the second, which takes over when it has become older. So what passes leaves no trace, and what
-// stays becomes ground. The canvas is laid anew when the picture leaves it.
+// stays becomes ground. The canvas is shifted when the picture leaves it, and laid anew when the picture is turned or
+// its size there differs by a quarter.
 //
 // Source: Yi, Yun, Kim, Chang, Choi, "Detection of Moving Objects with Non-stationary Cameras in 5.8ms", CVPRW 2013:
 // dual-mode single Gaussian model with age. Different from it: the blocks are the pixels of the reduced picture, and
 // models are not mixed from frame to frame but stay in their canvas, so that they do not blur. Thread: one.
 #pragma once
 
+#include <cstdint>
+
 #include <opencv2/core.hpp>
+
+#include "programs/godwit-eyes/detection/shadow_ratio.hpp"
 
 namespace godwit::eyes {
 
+namespace mask_value {
+inline constexpr std::uint8_t shadow_may_be = 100; // as dark as the ground is in a shadow
+inline constexpr std::uint8_t may_be = 128;        // a mover
+inline constexpr std::uint8_t shadow_sure = 240;
+inline constexpr std::uint8_t sure = 255; // surely differs
+} // namespace mask_value
+
 class background_model {
 public:
-  // The mask, in the picture's pixels: 0 ground or not known, 128 may be a mover, 255 surely differs.
+  // The mask, in the picture's pixels: 0 ground or not known; else `mask_value`.
   // BEFORE_TO_NOW: how the ground moved since the last picture.
   [[nodiscard]] const cv::Mat& look(const cv::Mat& now, const cv::Matx33d& before_to_now);
   void forget();
 
 private:
   void lay_canvas(const cv::Size& picture);
-  [[nodiscard]] bool fits(const cv::Size& picture) const;
-  [[nodiscard]] cv::Rect part_of_canvas(const cv::Size& picture) const;
+  [[nodiscard]] bool has_like_scale(const cv::Size& picture) const;
+  [[nodiscard]] bool shift_canvas(const cv::Size& picture);
+  [[nodiscard]] cv::Rect bounds_of(const cv::Size& picture) const;
   void lay_picture(const cv::Mat& now, const cv::Rect& part);
   void match_brightness(const cv::Rect& part);
   void update(const cv::Rect& part);
+  [[nodiscard]] std::uint8_t found_at(const cv::Vec3f& ground, int laid, int lowest, int highest);
 
   cv::Matx33d canvas_to_now_ = cv::Matx33d::eye();
   cv::Size canvas_;
   cv::Mat ground_; // three floats a pixel: mean, variance, age in pictures (0: nothing is known)
   cv::Mat other_;  // the same, of what may become ground
   cv::Mat mean_;   // of the ground, as bytes
+  shadow_ratio shadows_;
   // Of the part of the canvas that the picture covers:
   cv::Mat laid_;             // the picture
   cv::Mat is_known_;         // where it is

@@ -4,6 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "programs/godwit-eyes/detection/background_model.hpp"
+
 namespace godwit::eyes {
 
 namespace {
@@ -12,29 +14,54 @@ constexpr int closing = 7; // pixels across which parts belong together
 constexpr int fewest_pixels = 6;
 constexpr int fewest_sure = 2;
 constexpr std::uint8_t sure_from = 200;
+constexpr double least_lit_share = 0.25; // of a mover, when the rest is its shadow
 
-// The box of what was in the mask before its holes were closed.
-blob counted(const cv::Mat& mask, const cv::Mat& labels, const cv::Rect& around, int label) {
+struct bounds {
+  int left = 1 << 20;
+  int right = -1;
+  int top = 1 << 20;
+  int bottom = -1;
+  int pixels = 0;
+  void add(int x, int y) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+    top = std::min(top, y);
+    bottom = std::max(bottom, y);
+    ++pixels;
+  }
+  [[nodiscard]] cv::Rect2d box() const { return cv::Rect2d(left, top, right - left + 1, bottom - top + 1); }
+};
+
+// What is in the mask as `dense`, and where of it lies as dark as a shadow.
+struct labelled {
+  const cv::Mat& dense;
+  const cv::Mat& shade;
+  const cv::Mat& labels;
+};
+
+// The box of what was in the mask before its holes were closed. A mover's own shadow is left out of its box where
+// enough of it is none.
+blob counted(const labelled& in, const cv::Rect& around, int label) {
   blob made;
-  int left = around.br().x;
-  int right = around.x - 1;
-  int top = around.br().y;
-  int bottom = around.y - 1;
+  bounds all;
+  bounds lit;
   for (int y = around.y; y < around.br().y; ++y) {
-    const std::uint8_t* const row = mask.ptr<std::uint8_t>(y);
-    const auto* const label_row = labels.ptr<std::int32_t>(y);
+    const std::uint8_t* const row = in.dense.ptr<std::uint8_t>(y);
+    const std::uint8_t* const shade_row = in.shade.ptr<std::uint8_t>(y);
+    const auto* const label_row = in.labels.ptr<std::int32_t>(y);
     for (int x = around.x; x < around.br().x; ++x) {
       if (label_row[x] != label || row[x] == 0)
         continue;
-      ++made.pixels;
       made.sure += row[x] >= sure_from ? 1 : 0;
-      left = std::min(left, x);
-      right = std::max(right, x);
-      top = std::min(top, y);
-      bottom = std::max(bottom, y);
+      all.add(x, y);
+      if (shade_row[x] == 0)
+        lit.add(x, y);
     }
   }
-  made.box = cv::Rect2d(left, top, right - left + 1, bottom - top + 1);
+  made.pixels = all.pixels;
+  made.lit = lit.pixels;
+  const bool is_lit = lit.pixels >= fewest_pixels && lit.pixels >= least_lit_share * all.pixels;
+  made.box = is_lit ? lit.box() : all.box();
   return made;
 }
 
@@ -50,6 +77,9 @@ blobs_found find_blobs(const cv::Mat& mask) {
   cv::Mat closed;
   cv::morphologyEx(dense > 0, closed, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_RECT, cv::Size(closing, closing)));
+  cv::Mat shade = (mask == mask_value::shadow_may_be) | (mask == mask_value::shadow_sure);
+  cv::medianBlur(shade, shade, 3);     // what matches by chance stands alone
+  cv::dilate(shade, shade, cv::Mat()); // the edge of a shadow is half lit
   cv::Mat labels;
   cv::Mat stats;
   cv::Mat middles;
@@ -57,7 +87,7 @@ blobs_found find_blobs(const cv::Mat& mask) {
   for (int n = 1; n < count; ++n) {
     const cv::Rect around(stats.at<int>(n, cv::CC_STAT_LEFT), stats.at<int>(n, cv::CC_STAT_TOP),
                           stats.at<int>(n, cv::CC_STAT_WIDTH), stats.at<int>(n, cv::CC_STAT_HEIGHT));
-    const blob made = counted(dense, labels, around, n);
+    const blob made = counted({dense, shade, labels}, around, n);
     if (made.pixels >= fewest_pixels && made.sure >= fewest_sure)
       found.blobs.push_back(made);
   }

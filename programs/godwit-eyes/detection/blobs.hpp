@@ -8,9 +8,10 @@
 namespace godwit::eyes {
 
 struct blob {
-  cv::Rect2d box; // in pixels of the mask
+  cv::Rect2d box; // in pixels of the mask; without the shadow
   int pixels = 0; // of the mask, before its holes were closed
   int sure = 0;   // of these, the ones that surely differ
+  int lit = 0;    // of these, the ones that are not as dark as the ground in a shadow
 };
 
 struct blobs_found {

@@ -10,6 +10,7 @@
 
 #include "programs/godwit-eyes/detection/background_model.hpp"
 #include "programs/godwit-eyes/detection/blobs.hpp"
+#include "programs/godwit-eyes/detection/motion_proof.hpp"
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 #include "programs/godwit-eyes/detection/parallax.hpp"
 #include "programs/godwit-eyes/detection/picture_check.hpp"
@@ -57,6 +58,7 @@ cv::Matx33d scaled_down(const Eigen::Matrix3d& way, int reduction) {
 bool is_parallax(const track& who) { return 2 * who.along_parallax > who.seen; }
 
 constexpr std::size_t most_sights = 128;
+constexpr double sway_m = 0.5;          // of the top of a tree, from where it was
 constexpr double velocity_over_s = 0.7; // of the camera: long enough for positions that come five times a second
 
 } // namespace
@@ -71,12 +73,14 @@ struct detector::parts {
   [[nodiscard]] unusable take_pose(const std::optional<camera_pose>& pose, std::int64_t at_ns);
   [[nodiscard]] Eigen::Vector3d camera_velocity() const;
   void mark_parallax();
+  [[nodiscard]] std::optional<still_reach> reach_at(const cv::Point2d& place) const;
   [[nodiscard]] std::optional<unsaid_reason> why_unsaid(const track& who, const pixel_box& box) const;
   void say(verdict& said) const;
 
   detector_settings settings;
   own_motion motion;
   background_model background;
+  motion_proof proof;
   tracker tracks;
   cv::Mat last;
   int width = 0;
@@ -90,6 +94,7 @@ struct detector::parts {
 void detector::parts::begin_anew() {
   motion.forget();
   background.forget();
+  proof.forget();
   tracks.forget();
   sights.clear();
   last.release();
@@ -173,6 +178,14 @@ void detector::parts::mark_parallax() {
   }
 }
 
+std::optional<still_reach> detector::parts::reach_at(const cv::Point2d& place) const {
+  const auto still = still_motion_at(sights.back(), camera_velocity(), reduction * Eigen::Vector2d(place.x, place.y));
+  if (!still)
+    return std::nullopt;
+  return still_reach{{still->fastest_px_s.x() / reduction, still->fastest_px_s.y() / reduction},
+                     sway_m * still->pixels_a_metre / reduction};
+}
+
 unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
   cv::Mat smooth;
   cv::GaussianBlur(now, smooth, cv::Size(3, 3), 0.7);
@@ -189,6 +202,7 @@ unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
   if (moved_by.why != unusable::none) {
     const bool is_first = pictures == 0;
     background.forget();
+    proof.forget();
     tracks.forget();
     pictures = 1;
     return is_first ? unusable::starting : moved_by.why;
@@ -200,7 +214,14 @@ unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
   const cv::Mat& mask = background.look(smooth, moved_by.before_to_now);
   const auto found = find_blobs(mask);
   figures.changed_share = found.changed_share;
-  tracks.step(found.blobs, dt_s, moved_by.before_to_now, now.size());
+  proof.add(smooth, dt_s, moved_by.before_to_now);
+  tracker::prover proves;
+  if (sights.size() >= 2)
+    proves = [this](const track& who) {
+      const auto still = reach_at(who.filter.place());
+      return still && proof.has_moved(who, *still);
+    };
+  tracks.step(found.blobs, dt_s, moved_by.before_to_now, now.size(), proves);
   mark_parallax();
   figures.tracks = static_cast<int>(tracks.tracks().size());
   figures.coasting =

@@ -28,10 +28,13 @@ struct demands {
   double sure_speed;   // in standard deviations of the speed
 };
 constexpr demands of_calm{2.5, 0.25, 0.5, 0.5, 0.5};
-constexpr demands of_clutter{6, 1.0, 0.7, 0.75, 5}; // what sways stays within its own size
-constexpr double calm_births = 0.4;                 // new tracks a picture
+constexpr demands of_clutter{6, 1.0, 0.7, 0.75, 5};       // what sways stays within its own size
+constexpr demands of_proved_clutter{3, 0.4, 0.6, 0.6, 2}; // where a proof is asked for besides
+constexpr double calm_births = 0.4;                       // new tracks a picture
 constexpr double cluttered_births = 2.5;
 constexpr double births_share = 0.1; // of the newest picture in the mean
+constexpr double least_clutter_to_prove = 0.1;
+constexpr std::size_t most_places = 32; // remembered of a track
 
 demands between(const demands& a, const demands& b, double share) {
   const auto mix = [&](double from, double to) { return from + (to - from) * share; };
@@ -39,11 +42,17 @@ demands between(const demands& a, const demands& b, double share) {
           mix(a.seen_share, b.seen_share), mix(a.sure_speed, b.sure_speed)};
 }
 
+bool shows(const track& who, const demands& need) {
+  const double gone = cv::norm(who.filter.place() - who.born);
+  const double enough = std::max(need.way_px, need.way_by_size * std::max(who.size.width, who.size.height));
+  const double speed = cv::norm(who.filter.velocity());
+  return who.seen >= need.seen_share * who.age && gone >= enough && gone >= need.straightness * who.way_px &&
+         speed >= least_speed_px_s && speed >= need.sure_speed * who.filter.speed_deviation();
+}
+
 double deviation_of(const cv::Size2d& size) {
   return std::max(least_deviation_px, place_share * std::max(size.width, size.height));
 }
-
-cv::Point2d middle_of(const cv::Rect2d& box) { return {box.x + box.width / 2, box.y + box.height / 2}; }
 
 struct fit {
   double distance;
@@ -64,7 +73,10 @@ cv::Rect2d box_of(const track& who) {
   return {at.x - who.size.width / 2, at.y - who.size.height / 2, who.size.width, who.size.height};
 }
 
-void tracker::step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& ground, const cv::Size& picture) {
+cv::Point2d middle_of(const cv::Rect2d& box) { return {box.x + box.width / 2, box.y + box.height / 2}; }
+
+void tracker::step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& ground, const cv::Size& picture,
+                   const prover& proves) {
   for (auto& each : tracks_) {
     each.filter.predict(dt_s, ground);
     each.born = moved(ground, each.born);
@@ -74,6 +86,11 @@ void tracker::step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& 
   }
   std::vector<bool> is_taken(blobs.size());
   assign(blobs, is_taken);
+  const bool needs_proof = proves && clutter() > least_clutter_to_prove;
+  const demands need = between(of_calm, proves ? of_proved_clutter : of_clutter, clutter());
+  for (auto& each : tracks_)
+    if (!each.is_confirmed && each.missed == 0 && each.seen >= settings_.frames_to_confirm)
+      each.is_confirmed = shows(each, need) && (!needs_proof || proves(each));
   const cv::Rect2d inside(0, 0, picture.width, picture.height);
   std::erase_if(tracks_, [&](const track& each) {
     const int most_missed = each.is_confirmed ? most_missed_confirmed : most_missed_young;
@@ -92,6 +109,7 @@ void tracker::step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& 
     const cv::Size2d size(box.width, box.height);
     track made{++last_number_, track_filter(middle_of(box), deviation_of(size)), size, middle_of(box)};
     made.age = made.seen = 1;
+    made.places.push_back({made.age, box});
     tracks_.push_back(std::move(made));
   }
   births_ += births_share * (last_number_ - last_before - births_);
@@ -132,20 +150,13 @@ void tracker::see(track& who, const cv::Rect2d& box) {
   who.size.height += size_share * (box.height - who.size.height);
   ++who.seen;
   who.missed = 0;
-  judge(who);
+  who.places.push_back({who.age, box});
+  if (who.places.size() > most_places)
+    who.places.pop_front();
 }
 
-void tracker::judge(track& who) const {
-  if (who.is_confirmed)
-    return;
-  const double gone = cv::norm(who.filter.place() - who.born);
-  const double clutter = std::clamp((births_ - calm_births) / (cluttered_births - calm_births), 0.0, 1.0);
-  const demands need = between(of_calm, of_clutter, clutter);
-  const double enough = std::max(need.way_px, need.way_by_size * std::max(who.size.width, who.size.height));
-  const double speed = cv::norm(who.filter.velocity());
-  who.is_confirmed = who.seen >= settings_.frames_to_confirm && who.seen >= need.seen_share * who.age &&
-                     gone >= enough && gone >= need.straightness * who.way_px && speed >= least_speed_px_s &&
-                     speed >= need.sure_speed * who.filter.speed_deviation();
+double tracker::clutter() const {
+  return std::clamp((births_ - calm_births) / (cluttered_births - calm_births), 0.0, 1.0);
 }
 
 } // namespace godwit::eyes

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,15 +20,20 @@
 namespace godwit::eyes {
 
 struct track {
+  struct place { // where it was seen
+    int age = 0; // of the track
+    cv::Rect2d box;
+  };
   std::uint32_t number = 0;
   track_filter filter;
-  cv::Size2d size;        // smoothed
-  cv::Point2d born;       // its first place, carried along with the ground
-  int age = 0;            // pictures since then
-  int seen = 0;           // of these, with a blob
-  int missed = 0;         // since it was last seen
-  double way_px = 0;      // added up against the ground, from picture to picture
-  int along_parallax = 0; // pictures in which it went as something high and still would go
+  cv::Size2d size;            // smoothed
+  cv::Point2d born;           // its first place, carried along with the ground
+  int age = 0;                // pictures since then
+  int seen = 0;               // of these, with a blob
+  int missed = 0;             // since it was last seen
+  double way_px = 0;          // added up against the ground, from picture to picture
+  std::deque<place> places{}; // the last ones, each in the pixels of its picture
+  int along_parallax = 0;     // pictures in which it went as something high and still would go
   bool is_confirmed = false;
 };
 
@@ -39,8 +46,12 @@ class tracker {
 public:
   explicit tracker(const tracker_settings& settings) : settings_(settings) {}
 
-  // Every picture, also one without blobs. GROUND: how it moved since the last one.
-  void step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& ground, const cv::Size& picture);
+  // Whether a track that has shown all that is demanded has really moved.
+  using prover = std::function<bool(const track& who)>;
+  // Every picture, also one without blobs. GROUND: how it moved since the last one. PROVES is asked where the scene is
+  // cluttered, and less is demanded there for it; none: nothing can be proved.
+  void step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& ground, const cv::Size& picture,
+            const prover& proves = {});
   [[nodiscard]] std::vector<track>& tracks() { return tracks_; }
   [[nodiscard]] const std::vector<track>& tracks() const { return tracks_; }
   [[nodiscard]] bool is_full() const { return is_full_; } // more things than it can follow
@@ -52,7 +63,7 @@ public:
 private:
   void assign(std::span<const blob> blobs, std::vector<bool>& is_taken);
   void see(track& who, const cv::Rect2d& box);
-  void judge(track& who) const;
+  [[nodiscard]] double clutter() const; // 0 to 1
 
   tracker_settings settings_;
   std::vector<track> tracks_;
@@ -62,5 +73,6 @@ private:
 };
 
 [[nodiscard]] cv::Rect2d box_of(const track& who);
+[[nodiscard]] cv::Point2d middle_of(const cv::Rect2d& box);
 
 } // namespace godwit::eyes

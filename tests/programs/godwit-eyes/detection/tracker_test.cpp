@@ -65,6 +65,29 @@ TEST(tracker, what_stays_on_the_ground_while_the_camera_moves_is_never_confirmed
   }
 }
 
+// Forty pictures of one thing that moves, among as many flickers a picture; how often it was confirmed.
+int confirmed_among(int flickers, const tracker::prover& proves) {
+  sim::camera::random_source random(7);
+  tracker of({});
+  int count = 0;
+  for (int n = 0; n < 40; ++n) {
+    std::vector<blob> blobs{blob_at(100 + 3.0 * n, 100)};
+    for (int k = 0; k < flickers; ++k)
+      blobs.push_back(blob_at(random.between(0, 640), random.between(150, 360), 4));
+    of.step(blobs, picture_s, still, picture, proves);
+    count += confirmed(of);
+  }
+  return count;
+}
+
+TEST(tracker, among_clutter_what_is_not_proved_is_not_confirmed) {
+  const auto never = [](const track&) { return false; };
+  const auto always = [](const track&) { return true; };
+  EXPECT_EQ(confirmed_among(5, never), 0);
+  EXPECT_GT(confirmed_among(5, always), 20);
+  EXPECT_GT(confirmed_among(0, never), 20) << "where there is no clutter no proof is asked for";
+}
+
 TEST(tracker, flickers_at_random_places_are_never_confirmed) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     sim::camera::random_source random(seed);

@@ -134,7 +134,7 @@ place_figures measure_places(int count) {
   constexpr double limit = 70 * one_degree;
   constexpr double two_deviations = 5.99; // squared, in two dimensions
   const auto camera = camera_from_field_of_view(1280, 720, 60);
-  const pixel_box box{629.5, 349.5, 20, 20};
+  const pixel_box box{630, 350, 20, 20};
   sim::camera::camera_view view;
   view.position = {0, 0, -100};
   view.attitude = sim::camera::rotation_of(0, 45 * one_degree, 0);
@@ -157,6 +157,7 @@ place_figures measure_places(int count) {
     const auto found = place_with({one_degree * std::cos(angle), one_degree * std::sin(angle), 0});
     result.at_one_degree_m = std::max(result.at_one_degree_m, off(found).norm());
   }
+  result.geometry_m = -view.position.z * (std::tan(46 * one_degree) - std::tan(45 * one_degree));
   sim::camera::random_source random(5);
   std::vector<double> distances;
   int inside = 0;

@@ -38,6 +38,7 @@ void measure(std::uint64_t seed, sim::camera::tier which, const measure_options&
 // Of the middle of a picture that looks 45 degrees off the nadir from 100 m.
 struct place_figures {
   double at_one_degree_m = 0; // the largest distance for an attitude that is wrong by one degree in any direction
+  double geometry_m = 0;      // of these, what the geometry alone makes: height * (tan(46 deg) - tan(45 deg))
   double median_m = 0;        // for attitudes with a standard deviation of one degree in each axis
   double share_inside = 0;    // of these: within two deviations of what the place says of itself (95 in 100)
 };

@@ -11,7 +11,7 @@
 namespace godwit::executor {
 namespace {
 
-using effects = std::vector<durable_core::effect>;
+using durable_effects = std::vector<durable_core::effect>;
 
 // The same report has the same key, whenever it is made.
 std::string key_of(const mission::progress_report& report) {
@@ -19,16 +19,16 @@ std::string key_of(const mission::progress_report& report) {
   return ids::derived_uuid(report.mission_id, ids::text_of({reports, report.report_no}));
 }
 
-void give(effects& out, const mission::progress_report& report) {
+void give(durable_effects& out, const mission::progress_report& report) {
   out.emplace_back(mission_client::report_progress{key_of(report), report});
 }
 
-void give(effects& out, const progress::assignment_answered& answer) {
+void give(durable_effects& out, const progress::assignment_answered& answer) {
   out.emplace_back(mission_client::respond_to_assignment{answer.mission_id, answer.assignment_id, answer.response});
 }
 
 template <class M>
-void give(effects& out, const M& other) {
+void give(durable_effects& out, const M& other) {
   out.emplace_back(other);
 }
 
@@ -43,13 +43,13 @@ void resolve_change(state& s, bool is_done) {
 }
 
 // What the station hears that has uploaded it in flight.
-void judge_upload(effects& out, const state& s, ground_port::plan_verdict how) {
+void judge_upload(durable_effects& out, const state& s, ground_port::plan_verdict how) {
   if (s.brings && s.brings->is_upload)
     out.emplace_back(ground_port::plan_judged{io::mavlink::mav_mission_type::mission, s.brings->station->plan_id, how});
 }
 
 // An upload that is over leaves either the new mission or the one before.
-void settle_deployment(effects& out, state& s, std::uint32_t generation_before, bool was_assigned) {
+void settle_deployment(durable_effects& out, state& s, std::uint32_t generation_before, bool was_assigned) {
   using ground_port::plan_verdict;
   if (s.progress.upload || !s.brings)
     return;
@@ -98,12 +98,12 @@ template <class M>
 concept of_progress = std::is_constructible_v<progress::event, M>;
 
 template <of_progress M>
-effects take(state& s, const M& happened, std::int64_t now_ns) {
+durable_effects take(state& s, const M& happened, std::int64_t now_ns) {
   const auto generation = s.progress.last_generation;
   const bool was_uploading = s.progress.upload.has_value();
   const bool was_assigned = was_uploading && s.progress.upload->intent.assignment.has_value();
   const auto intent = was_assigned ? std::optional(s.progress.upload->intent) : std::nullopt;
-  effects out;
+  durable_effects out;
   for (const auto& each : progress::apply(s.progress, progress::event(happened), now_ns))
     std::visit([&](const auto& what) { give(out, what); }, each);
   if constexpr (std::is_same_v<M, progress::upload_intended>) {
@@ -136,8 +136,8 @@ bool is_under_way_without_us(const preflight::looked& look) {
 }
 
 template <of_preflight M>
-effects take(state& s, const M& happened, std::int64_t now_ns) {
-  effects out;
+durable_effects take(state& s, const M& happened, std::int64_t now_ns) {
+  durable_effects out;
   if constexpr (std::is_same_v<M, preflight::looked>)
     s.awaits_word = s.awaits_word || is_under_way_without_us(happened);
   for (const auto& each : preflight::apply(s.preflight, preflight::event(happened), now_ns))
@@ -157,30 +157,30 @@ mission_client::respond_to_assignment turned_down(const state& s, const std::str
   return {s.mission->mission_id, assignment_id, std::move(response)};
 }
 
-effects take(state& s, const assignment_kept& happened, std::int64_t) {
+durable_effects take(state& s, const assignment_kept& happened, std::int64_t) {
   s.waiting.push_back(happened.assignment);
   return {};
 }
 
-effects take(state& s, const assignment_rejected& happened, std::int64_t) {
+durable_effects take(state& s, const assignment_rejected& happened, std::int64_t) {
   forget_wish(s, happened.assignment_id);
   s.cut_off_uploads = 0;
   return {turned_down(s, happened.assignment_id, happened.reason)};
 }
 
-effects take(state& s, const deletion_told& happened, std::int64_t) {
+durable_effects take(state& s, const deletion_told& happened, std::int64_t) {
   s.deleted_mission = happened.mission_id;
   return {};
 }
 
-effects take(state& s, const mission_arrived& happened, std::int64_t) {
+durable_effects take(state& s, const mission_arrived& happened, std::int64_t) {
   if (s.deleted_mission == happened.mission.mission_id)
     s.deleted_mission.clear();
   s.arrived = happened.mission;
   return {};
 }
 
-effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
+durable_effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
   if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
     s.awaits_word = progress::is_begun(s.progress, happened.mission.mission_id);
     s.home.reset();
@@ -195,14 +195,14 @@ effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
   return take(s, progress::mission_opened{happened.mission.mission_id, happened.mission.revision}, now_ns);
 }
 
-effects take(state& s, const station_plan_taken& happened, std::int64_t) {
+durable_effects take(state& s, const station_plan_taken& happened, std::int64_t) {
   s.station = happened.plan;
   s.arrived = happened.mission;
   return {};
 }
 
 // On the ground the mission is one with this fence now; one that flies keeps its own.
-effects take(state& s, const station_fence_taken& happened, std::int64_t) {
+durable_effects take(state& s, const station_fence_taken& happened, std::int64_t) {
   s.station_fences = happened.fences;
   const auto* uploaded = uploaded_mission(s);
   if (uploaded == nullptr || is_flight_begun(s))
@@ -214,18 +214,18 @@ effects take(state& s, const station_fence_taken& happened, std::int64_t) {
   return {};
 }
 
-effects take(state& s, const station_rally_taken& happened, std::int64_t) {
+durable_effects take(state& s, const station_rally_taken& happened, std::int64_t) {
   s.station_rally = happened.items;
   return {};
 }
 
-effects take(state& s, const last_line_brought& happened, std::int64_t) {
+durable_effects take(state& s, const last_line_brought& happened, std::int64_t) {
   s.last_line = happened.what;
   return {};
 }
 
 // What the vehicle is said to have goes with it: whether it is cleared or not, godwit does not follow it any more.
-effects take(state& s, const station_plan_dropped&, std::int64_t) {
+durable_effects take(state& s, const station_plan_dropped&, std::int64_t) {
   s.arrived.reset();
   s.mission.reset();
   s.station.reset();
@@ -236,7 +236,7 @@ effects take(state& s, const station_plan_dropped&, std::int64_t) {
   return {};
 }
 
-effects take(state& s, const change_asked& happened, std::int64_t) {
+durable_effects take(state& s, const change_asked& happened, std::int64_t) {
   s.change = happened.what;
   s.change->sets_aside = !happened.set_aside.empty() || happened.what.kind == change_kind::cancel;
   if (!happened.set_aside.empty())
@@ -250,20 +250,20 @@ effects take(state& s, const change_asked& happened, std::int64_t) {
       id, {what.key, what.base_revision, happened.after_item_id, happened.items, happened.reason}}};
 }
 
-effects take(state& s, const change_resolved& happened, std::int64_t) {
+durable_effects take(state& s, const change_resolved& happened, std::int64_t) {
   if (s.change && s.change->key == happened.key)
     resolve_change(s, happened.is_done);
   return {};
 }
 
-effects take(state& s, const arrival_refused& happened, std::int64_t) {
+durable_effects take(state& s, const arrival_refused& happened, std::int64_t) {
   if (s.arrived && s.arrived->revision == happened.revision)
     s.arrived.reset();
   resolve_change(s, false);
   return {};
 }
 
-effects take(state& s, const task_begun& happened, std::int64_t) {
+durable_effects take(state& s, const task_begun& happened, std::int64_t) {
   s.doing = happened.what;
   s.last_task = happened.what.number;
   if (happened.brings)
@@ -271,10 +271,10 @@ effects take(state& s, const task_begun& happened, std::int64_t) {
   return {};
 }
 
-effects take(state& s, const task_ended& happened, std::int64_t) {
+durable_effects take(state& s, const task_ended& happened, std::int64_t) {
   if (s.doing && s.doing->number == happened.number)
     s.doing.reset();
-  effects out;
+  durable_effects out;
   if (s.brings && s.brings->is_upload && !s.progress.upload) { // it ended before anything went to the vehicle
     judge_upload(out, s, ground_port::plan_verdict::refused);
     s.brings.reset();
@@ -282,7 +282,7 @@ effects take(state& s, const task_ended& happened, std::int64_t) {
   return out;
 }
 
-effects take(state& s, const phase_status& happened, std::int64_t) {
+durable_effects take(state& s, const phase_status& happened, std::int64_t) {
   const bool has_landed = s.status.in_flight && !happened.in_flight;
   const bool is_resumed = s.status.now == phase::paused && happened.now == phase::connected;
   s.awaits_word = s.awaits_word || has_landed || is_resumed;
@@ -296,27 +296,27 @@ effects take(state& s, const phase_status& happened, std::int64_t) {
   return {happened};
 }
 
-effects take(state& s, const station_took_over& happened, std::int64_t) {
+durable_effects take(state& s, const station_took_over& happened, std::int64_t) {
   s.person = happened.by;
   return {};
 }
 
-effects take(state& s, const supervision::failsafe_missed& happened, std::int64_t) {
+durable_effects take(state& s, const supervision::failsafe_missed& happened, std::int64_t) {
   supervision::apply(s.supervision, happened);
   return {};
 }
 
-effects take(state& s, const home_kept& happened, std::int64_t) {
+durable_effects take(state& s, const home_kept& happened, std::int64_t) {
   s.home = happened.where;
   return {};
 }
 
-effects take(state& s, const home_commanded& happened, std::int64_t) {
+durable_effects take(state& s, const home_commanded& happened, std::int64_t) {
   s.has_commanded_home = happened.is_ours;
   return {};
 }
 
-effects take(state&, const start_resolved& happened, std::int64_t) { return {happened.answer}; }
+durable_effects take(state&, const start_resolved& happened, std::int64_t) { return {happened.answer}; }
 
 } // namespace
 

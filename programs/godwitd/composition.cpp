@@ -194,7 +194,6 @@ void composition::surround_actors() {
   outside_.eyes = eyes_port_;
   outside_.point_pictures = point_pictures_;
   outside_.camera = camera_trial_;
-  outside_.seed = fresh_seed();
   outside_.journal = &host_->journal();
   outside_.host = facts_.get();
   outside_.say = [this](std::string_view part, const std::string& sentence, bool is_warning) {

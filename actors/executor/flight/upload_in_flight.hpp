@@ -1,8 +1,8 @@
 // A plan that a station uploads in flight: while its own flight is held it takes the place of the one on the vehicle.
 //
 //   the station   pause ──> held ──> upload ──> (choose an item) ──> start, or resume
-//   godwit                            └─> revision + 1, brought to the vehicle as it holds; plan_judged when it is
-//   there
+//   godwit                            └─> revision + 1, brought to the vehicle as it holds;
+//                                       plan_judged when it is there
 //
 // An upload never moves the vehicle: it holds before and behind it, and goes on at a person's word. What flies begins
 // behind the take-off of the new plan. The fences are those of the flight. Pure. Thread: one at a time. Source:

@@ -16,6 +16,7 @@ void flight_record::begin_process(const runtime::directory& names, const runtime
   wall_offset_ns_ = time.wall_ns() - time.monotonic_ns();
   incarnations_.clear();
   ++run_;
+  seeds_.push_back(seed);
   if (!trace_folder_.empty())
     open_trace(names, time);
 }
@@ -32,7 +33,6 @@ void flight_record::open_trace(const runtime::directory& names, const runtime::t
     trace_ = *std::move(opened);
   else
     std::fprintf(stderr, "godwit-drill: %s\n", opened.error().c_str());
-  seeds_.push_back(seed);
 }
 
 void flight_record::record(const runtime::trace_entry& entry, const runtime::message_type& type,

@@ -209,9 +209,9 @@ TEST(vehicle_link_core, what_another_component_or_system_says_goes_no_further) {
 TEST(vehicle_link_core, a_gimbal_of_the_vehicle_speaks_for_itself_and_one_of_another_system_does_not) {
   using mavlink::gimbal_device_attitude_status;
   connected c;
-  EXPECT_EQ(observed<gimbal_device_attitude_status>(c.vehicle.say(c.it, gimbal_device_attitude_status{}, 0, {1, 154}))
-                .size(),
-            1U);
+  EXPECT_EQ(
+      observed<gimbal_device_attitude_status>(c.vehicle.say(c.it, gimbal_device_attitude_status{}, 0, {1, 154})).size(),
+      1U);
   EXPECT_TRUE(c.vehicle.say(c.it, gimbal_device_attitude_status{}, 0, {2, 154}).empty());
 }
 

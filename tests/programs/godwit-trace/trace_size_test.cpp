@@ -39,8 +39,8 @@ public:
                       std::to_string(duration_ns % 700) + R"(,"wall_offset_ns":)" + std::to_string(duration_ns % 800) +
                       R"(,"outcome":")" + std::string(io::name_of(each.how)) +
                       (each.oversize ? R"(","oversize":true})" : R"(","message":)" + std::string(each.body) + "}");
-    auto& channel = channel_of(names.name(each.actor), names.name(each.type));
-    EXPECT_TRUE(writer_.write({channel.id, channel.sequence++, at_ns, at_ns, io::mcap::bytes_of(text)}));
+    auto& own = channel_of(names.name(each.actor), names.name(each.type));
+    EXPECT_TRUE(writer_.write({own.id, own.sequence++, at_ns, at_ns, io::mcap::bytes_of(text)}));
     bytes_by_type[names.name(each.type)] += text.size();
     rendered_bytes += text.size();
   }

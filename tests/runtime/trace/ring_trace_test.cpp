@@ -4,6 +4,7 @@
 #include <barrier>
 #include <chrono>
 #include <filesystem>
+#include <random>
 #include <set>
 #include <thread>
 #include <vector>
@@ -462,9 +463,12 @@ int fill_a_tiny_disk(const std::filesystem::path& mount_point) {
   recorder r(mount_point / "trace");
   if (!r.trace)
     return 1;
-  const blob large{std::string(10'000, 'x')};
-  for (std::uint64_t i = 0; i < 60; ++i)
+  std::minstd_rand letters; // what repeats itself would be compressed to nothing
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    blob large{std::string(10'000, ' ')};
+    std::ranges::generate(large.bytes, [&] { return static_cast<char>('!' + letters() % 90); });
     r.record(large, r.alice, i);
+  }
   if (!wait_for([&] { return r.trace->counts().unwritten > 0; }))
     return 2;
   if (!wait_for([&] { return r.trace_health().colour == health_colour::yellow; }))

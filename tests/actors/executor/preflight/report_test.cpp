@@ -29,7 +29,7 @@ TEST(preflight_report, without_a_mission_it_is_about_none) {
 
 TEST(preflight_report, the_worst_counts) {
   auto seen = good_facts();
-  seen.camera = camera_state::not_ready;
+  seen.camera.state = camera_state::not_ready;
   EXPECT_EQ(run_checks(seen, {}).overall, verdict::degraded);
   seen.vehicle.is_home_known = false;
   EXPECT_EQ(run_checks(seen, {}).overall, verdict::fail);

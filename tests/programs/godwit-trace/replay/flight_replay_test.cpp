@@ -15,6 +15,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/scan_mission.hpp"
+#include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwit-trace/replay/flight_desk.hpp"
 #include "programs/godwit-trace/replay/replay_text.hpp"
 #include "tests/support/run_options.hpp"

@@ -14,6 +14,7 @@ namespace {
 using namespace godwit;
 using namespace godwit::drill;
 using namespace godwit::tests;
+using side = flight_simulation::side;
 using executor::phase;
 using runtime::crash_point;
 using sim::missions::row_kind;
@@ -79,7 +80,6 @@ TEST_P(upload_crash, at_any_step_of_an_assignments_upload_rejects_nothing_and_an
 
 // The process, before and behind each commit from the assignment to its answer.
 TEST_P(upload_crash, a_kill_at_any_commit_of_an_assignment_in_flight_rejects_nothing_and_answers_once) {
-  using side = flight_simulation::side;
   constexpr std::uint64_t most_commits = 60;
   int kills = 0;
   for (std::uint64_t n = 1; n <= most_commits; ++n) {

@@ -12,6 +12,7 @@ namespace {
 
 using namespace godwit;
 using namespace godwit::drill;
+using side = flight_simulation::side;
 using executor::pause_cause;
 using executor::phase;
 using io::mavlink::mav_cmd;
@@ -105,7 +106,6 @@ TEST_P(upload_at_port, pause_upload_choose_an_item_and_start_fly_the_new_plan_fr
 }
 
 TEST_P(upload_at_port, a_kill_at_any_commit_of_it_moves_nothing_and_what_is_said_again_is_flown) {
-  using side = flight_simulation::side;
   constexpr std::uint64_t most_commits = 24;
   int kills = 0;
   for (std::uint64_t n = 1; n <= most_commits; ++n) {

@@ -119,7 +119,7 @@ TEST(trace_reader, a_trace_that_is_being_written_is_followed_over_its_segments) 
   delivery each;
   EXPECT_FALSE(reader.next(each)) << "there is no file yet";
   std::uint64_t seen = 0;
-  for (std::uint64_t n = 1; n <= 500; ++n) {
+  for (std::uint64_t n = 1; n <= 1500; ++n) {
     trace.add({.at_ms = static_cast<std::int64_t>(n), .actor = "a", .type = "t", .id = n});
     if (n % 7 != 0)
       continue;

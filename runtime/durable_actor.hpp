@@ -42,6 +42,8 @@
 #include <variant>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "runtime/actor_base.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/effect_kind.hpp"

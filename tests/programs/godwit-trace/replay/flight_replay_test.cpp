@@ -219,8 +219,8 @@ TEST_P(flight_replay_changed, a_decision_that_was_another_one_is_named_first) {
 
 INSTANTIATE_TEST_SUITE_P(every_core, flight_replay_changed,
                          testing::Values("executor", "failsafe", "vehicle_link", "ground_port", "mission_client",
-                                         "operator_bridge", "scan_controller", "telemetry_stream", "health",
-                                         "fleet_link", "movement_detector"),
+                                         "scan_controller", "telemetry_stream", "health", "fleet_link",
+                                         "movement_detector"),
                          [](const auto& each) { return std::string(each.param); });
 
 // Other settings are another decision: the same words, and nothing is armed.

@@ -30,8 +30,11 @@ recorded_message recorded_run::message_of(const delivery& each) const {
 void recorded_run::add(const delivery& each) {
   auto& lives = lives_[each.actor];
   if (lives.empty() || lives.back().incarnation != each.incarnation)
-    lives.push_back({each.incarnation, each.began_ns, each.began_ns});
-  lives.back().last_ns = each.began_ns;
+    lives.push_back({each.incarnation, 0, each.began_ns, each.began_ns});
+  auto& present = lives.back();
+  present.last_ns = each.began_ns;
+  if (present.first_id == 0)
+    present.first_id = each.id; // none: its runtime notes something
   if (each.type == child_event_)
     note_crash(each);
   if (each.type == ask_failed_)
@@ -95,10 +98,13 @@ std::string recorded_run::crash_reason(std::uint32_t incarnation) const {
   return found == crashes_.end() ? std::string() : found->second;
 }
 
-bool recorded_run::lived_through(const std::string& receiver, std::int64_t from_ns, std::int64_t to_ns) const {
+bool recorded_run::lived_through(const std::string& receiver, std::uint64_t id, std::int64_t from_ns,
+                                 std::int64_t to_ns) const {
   const auto found = lives_.find(names_.number(receiver));
   return found != lives_.end() && std::ranges::any_of(found->second, [&](const life& each) {
-           return each.first_ns <= from_ns && each.last_ns > to_ns;
+           const bool had_begun =
+               each.first_ns < from_ns || (each.first_ns == from_ns && each.first_id != 0 && each.first_id < id);
+           return had_begun && each.last_ns > to_ns;
          });
 }
 

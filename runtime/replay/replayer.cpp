@@ -265,12 +265,12 @@ void replayer::judge_unrecorded(const recorded_message& input, const desk_sendin
     should_be_there = false; // it was refused, or came too late
   } else if (each.to == record_.actor()) {
     should_be_there =
-        record_.lived_through(each.to, input.began_ns, input.began_ns + each.delay_ns + timer_lateness_ns);
+        record_.lived_through(each.to, each.id, input.began_ns, input.began_ns + each.delay_ns + timer_lateness_ns);
   } else {
-    // Mail of one sender arrives in order. Who began in the same moment may have begun behind it.
+    // Mail of one sender arrives in order.
     should_be_there = std::ranges::any_of(outputs, [&](const auto& later) {
       return later.receiver == each.to && later.id > each.id && (end_id_ == 0 || later.id < end_id_) &&
-             record_.lived_through(each.to, input.began_ns - 1, later.began_ns - 1);
+             record_.lived_through(each.to, each.id, input.began_ns, later.began_ns - 1);
     });
   }
   if (should_be_there)

@@ -27,7 +27,7 @@
 #include "tests/support/victim.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace sigkill_drill_test {
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
@@ -285,5 +285,5 @@ TEST(sigkill_drill, loses_nothing_acknowledged_and_every_trace_can_be_read) {
   EXPECT_GT(drill.acknowledged(), rounds);
 }
 
-} // namespace
+} // namespace sigkill_drill_test
 } // namespace godwit::tests

@@ -9,7 +9,7 @@
 #include "runtime/address_options.hpp"
 
 namespace godwit::invariants {
-namespace {
+namespace planted_violations_test {
 
 using runtime::delivery;
 using runtime::name_table;
@@ -445,5 +445,5 @@ TEST(invariants, ids_begin_again_with_each_run) {
   EXPECT_EQ(judge(twice), all_held());
 }
 
-} // namespace
+} // namespace planted_violations_test
 } // namespace godwit::invariants

@@ -71,7 +71,7 @@ struct Arbitrary<godwit::tests::op> {
 
 } // namespace rc
 
-namespace {
+namespace runtime_property_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -272,4 +272,4 @@ RC_GTEST_PROP(runtime_property, the_same_seed_and_steps_give_the_same_trace, ())
   RC_ASSERT(trace_of() == trace_of());
 }
 
-} // namespace
+} // namespace runtime_property_test

@@ -4,7 +4,7 @@
 #include "runtime/define_message.hpp"
 #include "runtime/simulation/simulation.hpp"
 
-namespace {
+namespace actor_base_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -241,4 +241,4 @@ TEST(actor_base, a_mailbox_is_bounded_and_what_is_over_it_is_counted) {
   EXPECT_EQ(world.counters("counter").refused, 3U);
 }
 
-} // namespace
+} // namespace actor_base_test

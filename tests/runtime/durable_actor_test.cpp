@@ -4,7 +4,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace durable_actor_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -183,4 +183,4 @@ TEST(durable_actor, an_older_snapshot_is_migrated) {
   EXPECT_EQ(state.total, 42);
 }
 
-} // namespace
+} // namespace durable_actor_test

@@ -6,7 +6,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace durable_effects_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -292,4 +292,4 @@ TEST(durable_effects, timers_set_while_letting_out_arrive_in_any_order) {
   EXPECT_EQ(seen.receipts[2], 1);
 }
 
-} // namespace
+} // namespace durable_effects_test

@@ -6,7 +6,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace durable_write_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -248,4 +248,4 @@ TEST(durable_write, a_message_whose_write_fails_each_time_is_given_up_and_the_ot
   EXPECT_EQ(w.seen.receipts[2], 1);
 }
 
-} // namespace
+} // namespace durable_write_test

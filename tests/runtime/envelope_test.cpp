@@ -11,7 +11,7 @@
 #include "runtime/stable_address.hpp"
 #include "tests/runtime/foreign_type.hpp"
 
-namespace {
+namespace envelope_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -138,4 +138,4 @@ TEST(envelope, an_answer_of_another_type_than_was_asked_for_is_an_error_and_coun
   EXPECT_EQ(world.counters("asker").crashes, 0U);
 }
 
-} // namespace
+} // namespace envelope_test

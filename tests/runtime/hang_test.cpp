@@ -22,7 +22,7 @@
 #include "runtime/system.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
 
-namespace {
+namespace hang_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -370,4 +370,4 @@ INSTANTIATE_TEST_SUITE_P(
                     victim_case{"requested", exit_code::ok, "requested: the test wants it"}),
     [](const auto& each) { return std::string(each.param.mode); });
 
-} // namespace
+} // namespace hang_test

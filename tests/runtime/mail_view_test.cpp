@@ -6,7 +6,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "runtime/supervision/messages.hpp"
 
-namespace {
+namespace mail_view_test {
 
 using namespace godwit::runtime;
 
@@ -54,4 +54,4 @@ TEST(mail_view, what_is_parked_between_two_incarnations_waits) {
   EXPECT_EQ(look_at_mail(world.actors()).front().waiting, 0U);
 }
 
-} // namespace
+} // namespace mail_view_test

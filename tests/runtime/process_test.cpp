@@ -11,7 +11,7 @@
 #include "tests/runtime/journal/journal_fixture.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace process_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -180,4 +180,4 @@ TEST(process, its_actors_are_responsive_from_the_start_until_somebody_asks_for_t
   EXPECT_EQ((*host)->finish(0), 0);
 }
 
-} // namespace
+} // namespace process_test

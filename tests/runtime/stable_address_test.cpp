@@ -4,7 +4,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "runtime/stable_address.hpp"
 
-namespace {
+namespace stable_address_test {
 
 using namespace godwit::runtime;
 
@@ -49,4 +49,4 @@ TEST(stable_address, keeps_for_an_incarnation_that_is_not_bound_yet_what_the_run
   address.close();
 }
 
-} // namespace
+} // namespace stable_address_test

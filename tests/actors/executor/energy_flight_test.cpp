@@ -6,7 +6,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace energy_flight_test {
 
 using operators::command_kind;
 using sim::personality;
@@ -95,5 +95,5 @@ TEST_P(energy_flight, by_the_drain_that_is_set_the_way_home_is_known_from_the_ta
 INSTANTIATE_TEST_SUITE_P(vehicles, energy_flight, testing::Values(personality::px4, personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace energy_flight_test
 } // namespace godwit::executor

@@ -4,7 +4,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace failsafe_words_test {
 
 using operators::command_kind;
 using sim::personality;
@@ -91,5 +91,5 @@ TEST(failsafe_words, a_person_keeps_the_vehicle_when_it_has_a_foreign_plan) {
   EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
 }
 
-} // namespace
+} // namespace failsafe_words_test
 } // namespace godwit::executor

@@ -7,7 +7,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace flight_end_test {
 
 using mission::progress_kind;
 using tests::flight_world;
@@ -199,5 +199,5 @@ INSTANTIATE_TEST_SUITE_P(each, flight_end,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
                                          sim::personality::plane));
 
-} // namespace
+} // namespace flight_end_test
 } // namespace godwit::executor

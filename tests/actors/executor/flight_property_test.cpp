@@ -11,7 +11,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace flight_property_test {
 
 using mission::progress_kind;
 using tests::flight_world;
@@ -308,5 +308,5 @@ TEST(any_flight, is_the_same_again_with_the_same_seed) {
   }
 }
 
-} // namespace
+} // namespace flight_property_test
 } // namespace godwit::executor

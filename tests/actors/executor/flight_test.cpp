@@ -10,7 +10,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace flight_test {
 
 using mission::progress_kind;
 using tests::flight_world;
@@ -598,5 +598,5 @@ INSTANTIATE_TEST_SUITE_P(each, every_vehicle,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
                                          sim::personality::plane));
 
-} // namespace
+} // namespace flight_test
 } // namespace godwit::executor

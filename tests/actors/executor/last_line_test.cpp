@@ -4,7 +4,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace last_line_test {
 
 class last_line_of : public testing::TestWithParam<sim::personality> {
 protected:
@@ -165,5 +165,5 @@ INSTANTIATE_TEST_SUITE_P(each, last_line_of,
                                          sim::personality::plane),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace last_line_test
 } // namespace godwit::executor

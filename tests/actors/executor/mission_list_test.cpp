@@ -8,7 +8,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace mission_list_test {
 
 using sim::personality;
 
@@ -177,5 +177,5 @@ TEST(refused_missions, one_that_is_there_by_now_is_not_told_as_refused) {
   EXPECT_EQ(list_missions(flight, {}).list.size(), 1U);
 }
 
-} // namespace
+} // namespace mission_list_test
 } // namespace godwit::executor

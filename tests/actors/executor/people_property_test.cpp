@@ -16,7 +16,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace people_property_test {
 
 using mission::progress_kind;
 using operators::command_kind;
@@ -437,5 +437,5 @@ TEST(any_flight, is_safe_for_the_people_beside_it) {
   EXPECT_GT(edges, flights / 20);
 }
 
-} // namespace
+} // namespace people_property_test
 } // namespace godwit::executor

@@ -11,7 +11,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace people_test {
 
 using mission::progress_kind;
 using operators::command_kind;
@@ -486,5 +486,5 @@ INSTANTIATE_TEST_SUITE_P(each, people_in_the_air, testing::Values(personality::p
 INSTANTIATE_TEST_SUITE_P(each, people_at_a_copter, testing::Values(personality::ardupilot));
 INSTANTIATE_TEST_SUITE_P(each, people_at_a_px4, testing::Values(personality::px4));
 
-} // namespace
+} // namespace people_test
 } // namespace godwit::executor

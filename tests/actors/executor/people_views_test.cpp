@@ -6,7 +6,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace people_views_test {
 
 using sim::personality;
 using tests::flight_world;
@@ -72,5 +72,5 @@ TEST(people_views_of_checks, all_findings_are_shown_with_their_sentences_and_whe
   EXPECT_TRUE(preflight_view_of({}, {}).findings.empty());
 }
 
-} // namespace
+} // namespace people_views_test
 } // namespace godwit::executor

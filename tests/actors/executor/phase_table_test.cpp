@@ -9,7 +9,7 @@
 #include "io/fields/field_table.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace phase_table_test {
 
 constexpr auto last_trigger = static_cast<int>(trigger::delivered);
 constexpr auto last_phase = static_cast<int>(phase::aborted);
@@ -154,5 +154,5 @@ TEST(phase_table, a_pause_that_was_asked_for_ends_with_the_mission) {
   EXPECT_EQ(noted(out)->cause, pause_cause::none);
 }
 
-} // namespace
+} // namespace phase_table_test
 } // namespace godwit::executor

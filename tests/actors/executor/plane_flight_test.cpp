@@ -8,7 +8,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace plane_flight_test {
 
 using mission::progress_kind;
 using operators::command_kind;
@@ -158,5 +158,5 @@ TEST(plane_flight, stood_in_auto_behind_its_landing_it_is_put_into_a_mode_in_whi
   EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
 }
 
-} // namespace
+} // namespace plane_flight_test
 } // namespace godwit::executor

@@ -10,7 +10,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace return_place_test {
 
 using mission::progress_kind;
 using operators::command_kind;
@@ -212,5 +212,5 @@ INSTANTIATE_TEST_SUITE_P(each, behind_a_landing_in_the_air, testing::Values(pers
 INSTANTIATE_TEST_SUITE_P(each, behind_a_landing_with_a_command, testing::Values(personality::px4), name_of);
 INSTANTIATE_TEST_SUITE_P(each, behind_a_landing_with_an_item, testing::Values(personality::ardupilot), name_of);
 
-} // namespace
+} // namespace return_place_test
 } // namespace godwit::executor

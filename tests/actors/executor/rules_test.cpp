@@ -9,7 +9,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace rules_test {
 
 using mission::progress_kind;
 using operators::command_kind;
@@ -417,5 +417,5 @@ INSTANTIATE_TEST_SUITE_P(each, rule,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
                                          sim::personality::plane));
 
-} // namespace
+} // namespace rules_test
 } // namespace godwit::executor

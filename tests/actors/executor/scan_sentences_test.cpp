@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace scan_sentences_test {
 
 using namespace godwit;
 using godwit::executor::sentence_about;
@@ -25,4 +25,4 @@ TEST(scan_sentences, what_is_closed_says_how_and_by_whom) {
             "point 3 is passed over: nobody has decided");
 }
 
-} // namespace
+} // namespace scan_sentences_test

@@ -8,7 +8,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace service_view_test {
 
 using mission_client::pull_state;
 using mission_client::refusal;
@@ -203,5 +203,5 @@ TEST_P(service_again,
 INSTANTIATE_TEST_SUITE_P(each, service_again,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
 
-} // namespace
+} // namespace service_view_test
 } // namespace godwit::executor

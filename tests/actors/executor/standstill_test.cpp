@@ -6,7 +6,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace standstill_test {
 
 using sim::personality;
 using tests::flight_world;
@@ -55,5 +55,5 @@ INSTANTIATE_TEST_SUITE_P(hovering_and_driving, standstill,
                          testing::Values(personality::px4, personality::ardupilot, personality::rover),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace standstill_test
 } // namespace godwit::executor

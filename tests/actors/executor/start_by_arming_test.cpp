@@ -4,7 +4,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace start_by_arming_test {
 
 using flight::mode_kind;
 using operators::command_kind;
@@ -142,5 +142,5 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, start_by_arming,
                                          sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace start_by_arming_test
 } // namespace godwit::executor

@@ -6,7 +6,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace state_token_test {
 
 using operators::command_kind;
 using sim::personality;
@@ -54,5 +54,5 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, state_token_of,
                          testing::Values(personality::rover, personality::px4, personality::ardupilot),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace state_token_test
 } // namespace godwit::executor

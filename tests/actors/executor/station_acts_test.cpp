@@ -4,7 +4,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace station_acts_test {
 
 using operators::command_kind;
 using tests::flight_world;
@@ -192,5 +192,5 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, station_acts,
                                          sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace station_acts_test
 } // namespace godwit::executor

@@ -2,7 +2,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace station_clear_test {
 
 using ground_port::plan_verdict;
 
@@ -194,5 +194,5 @@ INSTANTIATE_TEST_SUITE_P(each, clear_by_station,
                                          sim::personality::plane),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace station_clear_test
 } // namespace godwit::executor

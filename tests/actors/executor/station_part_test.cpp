@@ -4,7 +4,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace station_part_test {
 
 class part_by_station : public testing::TestWithParam<sim::personality> {
 protected:
@@ -303,5 +303,5 @@ INSTANTIATE_TEST_SUITE_P(each, part_by_station,
                                          sim::personality::plane),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace station_part_test
 } // namespace godwit::executor

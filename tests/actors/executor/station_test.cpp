@@ -8,7 +8,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace station_test {
 
 using io::mavlink::mav_cmd;
 using io::mavlink::mav_frame;
@@ -363,5 +363,5 @@ const auto every_vehicle = testing::Values(sim::personality::px4, sim::personali
 INSTANTIATE_TEST_SUITE_P(each, flight_by_station, every_vehicle);
 INSTANTIATE_TEST_SUITE_P(each, armed_by_station, every_vehicle);
 
-} // namespace
+} // namespace station_test
 } // namespace godwit::executor

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace survey_view_test {
 
 using namespace godwit;
 using namespace godwit::executor;
@@ -82,4 +82,4 @@ TEST(survey_view, a_mission_is_scanned_when_it_has_a_survey_or_as_it_is_set) {
   EXPECT_FALSE(scans(s, scan_policy::all));
 }
 
-} // namespace
+} // namespace survey_view_test

@@ -7,7 +7,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace transitions_test {
 
 using operators::command_kind;
 using sim::personality;
@@ -168,5 +168,5 @@ INSTANTIATE_TEST_SUITE_P(each, transitions,
                          testing::Values(personality::px4, personality::ardupilot, personality::rover));
 INSTANTIATE_TEST_SUITE_P(each, transitions_in_the_air, testing::Values(personality::px4, personality::ardupilot));
 
-} // namespace
+} // namespace transitions_test
 } // namespace godwit::executor

@@ -2,7 +2,7 @@
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace upload_in_flight_test {
 
 using ground_port::plan_verdict;
 using operators::command_kind;
@@ -207,5 +207,5 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, uploaded_in_flight,
                                          sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace upload_in_flight_test
 } // namespace godwit::executor

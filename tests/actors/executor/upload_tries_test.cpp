@@ -7,7 +7,7 @@
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace upload_tries_test {
 
 namespace transfer = vehicle_link::transfer;
 using progress::upload_verdict;
@@ -222,5 +222,5 @@ INSTANTIATE_TEST_SUITE_P(vehicles, every_upload,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace upload_tries_test
 } // namespace godwit::executor

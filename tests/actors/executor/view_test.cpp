@@ -7,7 +7,7 @@
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace view_test {
 
 constexpr std::int64_t now_ns = 1'000'000'000;
 
@@ -113,5 +113,5 @@ TEST(vehicle_view, why_it_is_not_armed_is_what_it_said_last_and_of_late) {
   EXPECT_EQ(seen.why_not_armed(now_ns + words_count_ns + 1), "");
 }
 
-} // namespace
+} // namespace view_test
 } // namespace godwit::executor

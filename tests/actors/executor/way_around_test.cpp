@@ -17,7 +17,7 @@
 #include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
-namespace {
+namespace way_around_test {
 
 using mission::progress_kind;
 using operators::command_kind;
@@ -337,5 +337,5 @@ INSTANTIATE_TEST_SUITE_P(each, come_home, testing::ValuesIn(all));
 INSTANTIATE_TEST_SUITE_P(each, go_to, testing::ValuesIn(all));
 INSTANTIATE_TEST_SUITE_P(each, cancel, testing::ValuesIn(all));
 
-} // namespace
+} // namespace way_around_test
 } // namespace godwit::executor

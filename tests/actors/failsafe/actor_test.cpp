@@ -4,7 +4,7 @@
 
 #include "tests/actors/failsafe/actor_world.hpp"
 
-namespace {
+namespace failsafe_actor_test {
 
 using namespace godwit;
 using namespace godwit::tests;
@@ -397,4 +397,4 @@ TEST(failsafe, a_killed_process_still_leaves_the_vehicle_to_the_pilot) {
   EXPECT_TRUE(f.log.commands.empty());
 }
 
-} // namespace
+} // namespace failsafe_actor_test

@@ -4,7 +4,7 @@
 #include "actors/failsafe/battery_filter.hpp"
 #include "actors/failsafe/instant.hpp"
 
-namespace {
+namespace battery_filter_test {
 
 using namespace godwit::failsafe;
 
@@ -167,4 +167,4 @@ RC_GTEST_PROP(battery_filter_property, it_acts_only_on_3_samples_and_5_s_that_al
   }
 }
 
-} // namespace
+} // namespace battery_filter_test

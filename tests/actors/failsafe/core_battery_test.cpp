@@ -5,7 +5,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_battery_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -96,4 +96,4 @@ TEST(failsafe_core, a_battery_of_which_the_autopilot_knows_nothing_is_yellow_and
   EXPECT_EQ(world.health().how, godwit::runtime::health_colour::yellow);
 }
 
-} // namespace
+} // namespace core_battery_test

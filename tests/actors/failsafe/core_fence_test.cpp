@@ -6,7 +6,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_fence_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -113,4 +113,4 @@ TEST(failsafe_core, fences_that_are_refused_leave_the_ones_from_before) {
   EXPECT_EQ(actions_of(world), these{action::return_home});
 }
 
-} // namespace
+} // namespace core_fence_test

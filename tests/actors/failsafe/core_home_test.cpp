@@ -3,7 +3,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_home_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -83,4 +83,4 @@ TEST(failsafe_home, is_remembered_over_a_restart) {
   EXPECT_EQ(actions_of(world), these{action::return_home});
 }
 
-} // namespace
+} // namespace core_home_test

@@ -3,7 +3,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_latch_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -155,4 +155,4 @@ TEST(failsafe_core, a_vehicle_of_unknown_kind_is_not_commanded_and_health_is_red
   EXPECT_EQ(world.health().how, godwit::runtime::health_colour::red);
 }
 
-} // namespace
+} // namespace core_latch_test

@@ -3,7 +3,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_link_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -150,4 +150,4 @@ TEST(failsafe_core, where_an_operator_is_required_the_silence_counts_from_the_ha
   EXPECT_EQ(world.sent.size(), 2U);
 }
 
-} // namespace
+} // namespace core_link_test

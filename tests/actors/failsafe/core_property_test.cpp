@@ -11,7 +11,7 @@
 #include "tests/actors/failsafe/flight_world.hpp"
 #include "tests/support/test_rng.hpp"
 
-namespace {
+namespace core_property_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -293,4 +293,4 @@ RC_GTEST_PROP(failsafe_property, the_order_of_inputs_within_a_tick_does_not_matt
   }
 }
 
-} // namespace
+} // namespace core_property_test

@@ -3,7 +3,7 @@
 
 #include "tests/actors/failsafe/flight_world.hpp"
 
-namespace {
+namespace core_restart_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -237,4 +237,4 @@ TEST(failsafe_restart, a_flight_that_ended_meanwhile_leaves_no_latch) {
   EXPECT_FALSE(world.kept().now.reacts.has_value());
 }
 
-} // namespace
+} // namespace core_restart_test

@@ -3,7 +3,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_sending_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -99,4 +99,4 @@ TEST(failsafe_core, what_was_outdated_before_it_was_sent_alerts_nobody) {
   EXPECT_EQ(world.mode.kind, mode_kind::returning);
 }
 
-} // namespace
+} // namespace core_sending_test

@@ -3,7 +3,7 @@
 
 #include "tests/actors/failsafe/flights.hpp"
 
-namespace {
+namespace core_takeover_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -368,4 +368,4 @@ TEST(failsafe_core, where_it_is_set_so_it_acts_in_manual_flight_too) {
   EXPECT_EQ(actions_of(world), these{action::return_home});
 }
 
-} // namespace
+} // namespace core_takeover_test

@@ -6,7 +6,7 @@
 #include "actors/failsafe/instant.hpp"
 #include "tests/actors/failsafe/positions.hpp"
 
-namespace {
+namespace fence_watch_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -220,4 +220,4 @@ TEST(fence_watch, the_sides_and_the_ceiling_count_from_the_ground_on) {
   EXPECT_EQ(watch.evaluate(0, true).finding, fence_finding::breached);
 }
 
-} // namespace
+} // namespace fence_watch_test

@@ -4,7 +4,7 @@
 
 #include "actors/failsafe/first_look.hpp"
 
-namespace {
+namespace first_look_test {
 
 using namespace godwit::failsafe;
 namespace mavlink = godwit::io::mavlink;
@@ -66,4 +66,4 @@ TEST(first_look, one_position_proves_nothing_and_a_second_is_asked_for) {
   EXPECT_FALSE(look.next(true));
 }
 
-} // namespace
+} // namespace first_look_test

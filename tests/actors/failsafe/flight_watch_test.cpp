@@ -5,7 +5,7 @@
 #include "actors/failsafe/flight_watch.hpp"
 #include "actors/failsafe/instant.hpp"
 
-namespace {
+namespace flight_watch_test {
 
 using namespace godwit::failsafe;
 
@@ -117,4 +117,4 @@ TEST(flight_watch, a_flight_that_is_remembered_does_not_begin_again_and_may_have
   EXPECT_FALSE(copter(true, landed_state::unknown, true).evaluate(0).ends);
 }
 
-} // namespace
+} // namespace flight_watch_test

@@ -2,7 +2,7 @@
 
 #include "actors/failsafe/health.hpp"
 
-namespace {
+namespace health_test {
 
 using namespace godwit::failsafe;
 
@@ -81,4 +81,4 @@ TEST(health, the_worst_gives_the_colour_and_all_sentences_are_there) {
   EXPECT_NE(result.reason.find("refused"), std::string::npos);
 }
 
-} // namespace
+} // namespace health_test

@@ -2,7 +2,7 @@
 
 #include "actors/failsafe/latch_table.hpp"
 
-namespace {
+namespace latch_table_test {
 
 using namespace godwit::failsafe;
 
@@ -30,4 +30,4 @@ TEST(latch_table, it_begins_with_what_is_remembered_and_the_end_of_the_flight_fr
   EXPECT_TRUE(table.all().empty());
 }
 
-} // namespace
+} // namespace latch_table_test

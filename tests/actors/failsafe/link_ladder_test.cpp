@@ -2,7 +2,7 @@
 
 #include "actors/failsafe/link_ladder.hpp"
 
-namespace {
+namespace link_ladder_test {
 
 using namespace godwit::failsafe;
 
@@ -129,4 +129,4 @@ TEST(link_ladder, it_remembers_over_a_restart_that_a_station_was_seen) {
   EXPECT_EQ(restarted.evaluate(at(31'000)), link_phase::lost);
 }
 
-} // namespace
+} // namespace link_ladder_test

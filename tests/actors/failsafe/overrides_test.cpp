@@ -2,7 +2,7 @@
 
 #include "actors/failsafe/overrides.hpp"
 
-namespace {
+namespace overrides_test {
 
 using namespace godwit::failsafe;
 
@@ -99,4 +99,4 @@ TEST(overrides, a_jump_of_the_wall_clock_neither_ends_nor_prolongs_one) {
   EXPECT_FALSE(all.holds(rule::operator_link));
 }
 
-} // namespace
+} // namespace overrides_test

@@ -5,7 +5,7 @@
 #include "actors/failsafe/instant.hpp"
 #include "actors/failsafe/reaction_driver.hpp"
 
-namespace {
+namespace reaction_driver_test {
 
 using namespace godwit::failsafe;
 using godwit::vehicle_link::command_verdict;
@@ -236,4 +236,4 @@ TEST(reaction_driver, without_a_reaction_nothing_happens) {
   EXPECT_FALSE(driver.current());
 }
 
-} // namespace
+} // namespace reaction_driver_test

@@ -2,7 +2,7 @@
 
 #include "actors/failsafe/rules.hpp"
 
-namespace {
+namespace rules_test {
 
 using namespace godwit::failsafe;
 
@@ -68,4 +68,4 @@ TEST(rules, each_action_leads_into_modes_of_its_own) {
   EXPECT_EQ(modes_of(action::do_land_start)[0], mode_kind::mission);
 }
 
-} // namespace
+} // namespace rules_test

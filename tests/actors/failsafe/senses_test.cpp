@@ -3,7 +3,7 @@
 #include "actors/failsafe/senses.hpp"
 #include "io/mavlink/enums.hpp"
 
-namespace {
+namespace senses_test {
 
 using namespace godwit::failsafe;
 namespace mavlink = godwit::io::mavlink;
@@ -77,4 +77,4 @@ TEST(senses, where_the_vehicle_is_in_its_plan_and_whether_that_is_complete) {
   }
 }
 
-} // namespace
+} // namespace senses_test

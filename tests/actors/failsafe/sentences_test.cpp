@@ -2,7 +2,7 @@
 
 #include "actors/failsafe/sentences.hpp"
 
-namespace {
+namespace sentences_test {
 
 using namespace godwit::failsafe;
 
@@ -22,4 +22,4 @@ TEST(sentences, each_action_says_what_the_vehicle_does) {
   EXPECT_EQ(deed_of(action::do_land_start), "the vehicle goes on at the landing of its mission");
 }
 
-} // namespace
+} // namespace sentences_test

@@ -4,7 +4,7 @@
 
 #include "actors/failsafe/settings.hpp"
 
-namespace {
+namespace settings_test {
 
 using namespace godwit::failsafe;
 
@@ -34,4 +34,4 @@ TEST(failsafe_settings, what_makes_no_sense_is_refused_with_the_name_of_the_key)
     EXPECT_NE(objection_to(each).value_or("none").find(key), std::string::npos) << key;
 }
 
-} // namespace
+} // namespace settings_test

@@ -6,7 +6,7 @@
 #include "io/fields/json_value.hpp"
 #include "tests/actors/failsafe/positions.hpp"
 
-namespace {
+namespace state_test {
 
 using namespace godwit::failsafe;
 using namespace godwit::tests;
@@ -62,4 +62,4 @@ TEST(failsafe_state, a_record_of_an_earlier_version_without_the_end_of_the_plan_
   EXPECT_EQ(kept.limits, (guard_mission{{}, 7, {}}));
 }
 
-} // namespace
+} // namespace state_test

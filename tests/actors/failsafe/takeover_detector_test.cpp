@@ -4,7 +4,7 @@
 #include "actors/failsafe/takeover_detector.hpp"
 #include "io/fields/json_value.hpp"
 
-namespace {
+namespace takeover_detector_test {
 
 using namespace godwit::failsafe;
 using godwit::flight::end_is_told_within_ns;
@@ -481,4 +481,4 @@ TEST(takeover_detector, found_in_the_air_without_a_record_only_a_mission_is_ours
     EXPECT_TRUE(found_in(mode));
 }
 
-} // namespace
+} // namespace takeover_detector_test

@@ -4,7 +4,7 @@
 #include "actors/failsafe/vehicle_texts.hpp"
 #include "io/mavlink/enums.hpp"
 
-namespace {
+namespace vehicle_texts_test {
 
 using namespace godwit;
 using namespace godwit::failsafe;
@@ -73,4 +73,4 @@ TEST(vehicle_words, there_are_words_for_all_that_a_failsafe_wants_of_a_vehicle) 
         }
 }
 
-} // namespace
+} // namespace vehicle_texts_test

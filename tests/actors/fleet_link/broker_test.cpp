@@ -25,7 +25,7 @@
 #include "tests/support/tls_identity.hpp"
 
 namespace godwit::fleet_link {
-namespace {
+namespace broker_test {
 
 using namespace std::chrono_literals;
 using tests::heard_message;
@@ -293,5 +293,5 @@ TEST_F(fleet_link_broker, a_password_comes_from_a_file_that_nobody_else_can_read
   EXPECT_TRUE(rover.was_told("telemetry.password_file", 30s)) << rover.all_told();
 }
 
-} // namespace
+} // namespace broker_test
 } // namespace godwit::fleet_link

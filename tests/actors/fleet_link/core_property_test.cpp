@@ -11,7 +11,7 @@
 
 #include "tests/actors/fleet_link/fleet_world.hpp"
 
-namespace {
+namespace fleet_link_core_property_test {
 
 using namespace godwit;
 using namespace godwit::tests;
@@ -79,4 +79,4 @@ RC_GTEST_PROP(fleet_link_property, what_was_written_reaches_the_broker_in_order_
   RC_ASSERT(world.state.event_bytes == 0U);
 }
 
-} // namespace
+} // namespace fleet_link_core_property_test

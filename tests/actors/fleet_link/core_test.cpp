@@ -9,7 +9,7 @@
 #include "tests/actors/fleet_link/fleet_world.hpp"
 
 namespace godwit::fleet_link {
-namespace {
+namespace fleet_link_core_test {
 
 using namespace godwit::tests;
 using failure = broker_failure;
@@ -305,5 +305,5 @@ TEST(fleet_link_core, events_that_are_dropped_while_they_are_on_their_way_harm_n
   EXPECT_TRUE(std::ranges::is_sorted(numbers(world)));
 }
 
-} // namespace
+} // namespace fleet_link_core_test
 } // namespace godwit::fleet_link

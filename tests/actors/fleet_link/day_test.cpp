@@ -19,7 +19,7 @@
 #include "tests/actors/fleet_link/fleet_world.hpp"
 
 namespace godwit::fleet_link {
-namespace {
+namespace day_test {
 
 using namespace godwit::tests;
 using namespace std::chrono_literals;
@@ -214,5 +214,5 @@ TEST(fleet_link_day, is_told_within_five_minutes_over_a_slow_line_and_what_is_li
   EXPECT_GT(oldest_ns, 0);
 }
 
-} // namespace
+} // namespace day_test
 } // namespace godwit::fleet_link

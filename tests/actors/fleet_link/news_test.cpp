@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 namespace godwit::fleet_link {
-namespace {
+namespace news_test {
 
 using json = nlohmann::json;
 
@@ -101,5 +101,5 @@ TEST(fleet_link_news, only_the_worst_of_health_is_an_event_and_names_who_is_not_
   EXPECT_FALSE(news_of(seen, now));
 }
 
-} // namespace
+} // namespace news_test
 } // namespace godwit::fleet_link

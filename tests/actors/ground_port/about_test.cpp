@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port {
-namespace {
+namespace about_test {
 
 constexpr std::uint64_t set_attitude_target = 128;
 constexpr std::uint64_t mission_int = 4;
@@ -30,5 +30,5 @@ TEST(about, parameters_tell_the_ids_under_the_names_of_both_autopilots) {
   EXPECT_EQ(table.value_of("MAV_COMP_ID"), 191.0F);
 }
 
-} // namespace
+} // namespace about_test
 } // namespace godwit::ground_port

@@ -14,7 +14,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/ground_port/port_fixture.hpp"
 
-namespace {
+namespace ground_port_actor_test {
 
 using namespace godwit;
 using namespace godwit::ground_port;
@@ -580,4 +580,4 @@ RC_GTEST_PROP(ground_port_actor_property, whatever_happens_stations_are_told_the
   RC_ASSERT((executor.plans.empty() ? 0U : executor.plans.back()) == promised);
 }
 
-} // namespace
+} // namespace ground_port_actor_test

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace godwit::ground_port {
-namespace {
+namespace command_dedup_test {
 
 using mavlink::mav_result;
 
@@ -112,5 +112,5 @@ TEST(command_dedup, at_the_bound_a_further_station_waits_until_an_answer_is_forg
   EXPECT_FALSE(dedup.may_begin(other, 103 * s));
 }
 
-} // namespace
+} // namespace command_dedup_test
 } // namespace godwit::ground_port

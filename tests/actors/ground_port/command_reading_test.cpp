@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace godwit::ground_port {
-namespace {
+namespace command_reading_test {
 
 using mavlink::mav_cmd;
 using mavlink::mav_result;
@@ -179,5 +179,5 @@ TEST(word_reading, each_refusal_fits_into_one_statustext) {
   }
 }
 
-} // namespace
+} // namespace command_reading_test
 } // namespace godwit::ground_port

@@ -7,7 +7,7 @@
 #include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_commands_test {
 
 using namespace test;
 using mavlink::mav_cmd;
@@ -238,5 +238,5 @@ TEST(ground_port_commands, a_ping_is_answered_to_the_one_who_asked) {
   EXPECT_TRUE(port.sent<mavlink::ping>().empty());
 }
 
-} // namespace
+} // namespace core_commands_test
 } // namespace godwit::ground_port

@@ -8,7 +8,7 @@
 #include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_mission_test {
 
 using namespace test;
 using mavlink::mav_cmd;
@@ -696,5 +696,5 @@ TEST(ground_port_plans, clearing_all_types_is_denied_when_one_of_them_is_and_tha
   EXPECT_EQ(port.shown().plans[2].items, 0U);
 }
 
-} // namespace
+} // namespace core_mission_test
 } // namespace godwit::ground_port

@@ -9,7 +9,7 @@
 #include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_operators_test {
 
 using namespace test;
 using mavlink::mav_cmd;
@@ -290,5 +290,5 @@ TEST(ground_port_words, on_a_signed_port_only_who_has_the_key_is_obeyed) {
   EXPECT_EQ(port.words.size(), 1U);
 }
 
-} // namespace
+} // namespace core_operators_test
 } // namespace godwit::ground_port

@@ -7,7 +7,7 @@
 #include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_passing_test {
 
 using namespace test;
 using executor::act_kind;
@@ -388,5 +388,5 @@ TEST_F(ground_port_passing, what_only_the_settings_let_pass_needs_them) {
   EXPECT_EQ(open.acts[0].what.kind, act_kind::configure) << "and then only disarmed";
 }
 
-} // namespace
+} // namespace core_passing_test
 } // namespace godwit::ground_port

@@ -6,7 +6,7 @@
 #include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_principals_test {
 
 using namespace test;
 using mavlink::mav_cmd;
@@ -217,5 +217,5 @@ TEST(ground_port_principals, without_operators_beside_them_nothing_is_asked_and_
   EXPECT_TRUE(port.rows.empty());
 }
 
-} // namespace
+} // namespace core_principals_test
 } // namespace godwit::ground_port

@@ -15,7 +15,7 @@
 #include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_property_test {
 
 using namespace test;
 
@@ -223,5 +223,5 @@ RC_GTEST_PROP(ground_port_property, nothing_that_moves_the_vehicle_goes_on_befor
     RC_ASSERT(each.system != 1 && each.message != 256 && each.message != 44 && each.message != 45);
 }
 
-} // namespace
+} // namespace core_property_test
 } // namespace godwit::ground_port

@@ -8,7 +8,7 @@
 #include "tests/actors/ground_port/results.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_start_test {
 
 using namespace test;
 using executor::start_verdict;
@@ -365,5 +365,5 @@ TEST(FR_00089_ground_port, a_restart_long_after_the_question_settles_it_at_once)
   EXPECT_EQ(port.starts.size(), 1U);
 }
 
-} // namespace
+} // namespace core_start_test
 } // namespace godwit::ground_port

@@ -6,7 +6,7 @@
 #include "tests/actors/ground_port/port_fixture.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace core_test {
 
 using namespace test;
 
@@ -316,5 +316,5 @@ TEST(ground_port, a_station_with_the_key_is_heard) {
   EXPECT_EQ(port.sent<mavlink::mission_count>().size(), 1U);
 }
 
-} // namespace
+} // namespace core_test
 } // namespace godwit::ground_port

@@ -6,7 +6,7 @@
 #include "tests/support/time_units.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace forward_gate_test {
 
 using godwit::tests::ms;
 
@@ -68,5 +68,5 @@ TEST(forward_gate, what_is_not_forwarded_has_no_interval) {
   EXPECT_FALSE(gate.set_interval(mavlink::attitude::message_id, std::numeric_limits<std::int64_t>::max()));
 }
 
-} // namespace
+} // namespace forward_gate_test
 } // namespace godwit::ground_port

@@ -13,7 +13,7 @@
 #include "io/fields/json_value.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace kept_item_test {
 
 using io::mavlink::mission_item_int;
 
@@ -54,5 +54,5 @@ RC_GTEST_PROP(kept_item_property, a_plan_has_the_same_id_after_it_was_kept, (con
   RC_ASSERT(mission_server::checksum_of(through_json(items)) == mission_server::checksum_of(items));
 }
 
-} // namespace
+} // namespace kept_item_test
 } // namespace godwit::ground_port

@@ -13,7 +13,7 @@
 #include "runtime/process.hpp"
 #include "tests/io/link/far_ends.hpp"
 
-namespace {
+namespace ground_port_link_port_test {
 
 using namespace godwit;
 using namespace godwit::ground_port;
@@ -243,4 +243,4 @@ TEST(ground_port_on_a_line, serial_of_a_port_that_comes_back_is_heard_by_a_stati
   }
 }
 
-} // namespace
+} // namespace ground_port_link_port_test

@@ -18,7 +18,7 @@
 #include "tests/support/virtual_time.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace parameter_reading_test {
 
 using namespace test;
 
@@ -228,5 +228,5 @@ TEST(ground_port_figures, parameters_through_the_port_take_at_most_1_2_times_the
   EXPECT_EQ(through.dropped(), 0U);
 }
 
-} // namespace
+} // namespace parameter_reading_test
 } // namespace godwit::ground_port

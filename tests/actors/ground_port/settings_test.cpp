@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port {
-namespace {
+namespace settings_test {
 
 TEST(ground_port_settings, the_defaults_can_be_used) { EXPECT_EQ(objection_to({}), std::nullopt); }
 
@@ -37,5 +37,5 @@ TEST(ground_port_settings, numbers_out_of_range_are_refused) {
   EXPECT_TRUE(objection_to(given));
 }
 
-} // namespace
+} // namespace settings_test
 } // namespace godwit::ground_port

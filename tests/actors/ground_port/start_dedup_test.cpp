@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port {
-namespace {
+namespace start_dedup_test {
 
 using executor::start_verdict;
 using io::mavlink::instant;
@@ -137,5 +137,5 @@ TEST(start_dedup, keys_rise) {
   EXPECT_GT(dedup.begin(start_order(1), {}, 77, at(0)).asked.key, key);
 }
 
-} // namespace
+} // namespace start_dedup_test
 } // namespace godwit::ground_port

@@ -5,7 +5,7 @@
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::ground_port {
-namespace {
+namespace state_test {
 
 using io::mavlink::mav_mission_type;
 
@@ -91,5 +91,5 @@ TEST(ground_port_state, signing_time_never_goes_back) {
   EXPECT_EQ(s.signing_ceiling, 10U);
 }
 
-} // namespace
+} // namespace state_test
 } // namespace godwit::ground_port

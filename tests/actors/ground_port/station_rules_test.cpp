@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port {
-namespace {
+namespace station_rules_test {
 
 using mavlink::mav_result;
 using operators::role;
@@ -31,5 +31,5 @@ TEST(ground_port_rules, a_viewer_may_not_whoever_has_control) {
   EXPECT_EQ(rules.look()->result, mav_result::denied);
 }
 
-} // namespace
+} // namespace station_rules_test
 } // namespace godwit::ground_port

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port {
-namespace {
+namespace station_table_test {
 
 using godwit::tests::s;
 constexpr mavlink::heartbeat station_beat{.type = 6};
@@ -73,5 +73,5 @@ TEST(station_table, where_anybody_can_speak_three_heartbeats_are_no_operator_and
   EXPECT_TRUE(table.operator_now(3 * s).ever_heard);
 }
 
-} // namespace
+} // namespace station_table_test
 } // namespace godwit::ground_port

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace godwit::ground_port {
-namespace {
+namespace text_queue_test {
 
 using io::mavlink::mav_severity;
 
@@ -86,5 +86,5 @@ TEST(text_queue, when_it_is_full_the_newest_is_dropped_as_a_whole_and_counted) {
   EXPECT_EQ(queue.dropped(), 2U);
 }
 
-} // namespace
+} // namespace text_queue_test
 } // namespace godwit::ground_port

@@ -5,7 +5,7 @@
 
 #include "runtime/simulation/simulation.hpp"
 
-namespace {
+namespace health_actor_test {
 
 using namespace godwit;
 using namespace godwit::health;
@@ -152,4 +152,4 @@ TEST(health_actor, a_crash_costs_one_report_and_the_next_incarnation_goes_on) {
   EXPECT_NE(p.port->newest(), nullptr);
 }
 
-} // namespace
+} // namespace health_actor_test

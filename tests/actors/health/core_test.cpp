@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace health_core_test {
 
 using namespace godwit::health;
 
@@ -53,4 +53,4 @@ TEST(health_core, what_is_shown_is_bounded) {
   EXPECT_EQ(all.status().parts.size(), max_parts);
 }
 
-} // namespace
+} // namespace health_core_test

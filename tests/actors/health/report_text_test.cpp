@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace report_text_test {
 
 using namespace godwit;
 using namespace godwit::health;
@@ -86,4 +86,4 @@ TEST(health_report, names_keep_to_the_conventions_of_prometheus) {
   EXPECT_GT(families.size(), 60U);
 }
 
-} // namespace
+} // namespace report_text_test

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace {
+namespace line_input_test {
 
 using namespace godwit;
 using line::line_input;
@@ -21,4 +21,4 @@ TEST(line_input, bytes_and_states_come_back_as_they_were) {
   EXPECT_EQ(std::get<io::link::link_status>(line_input::of(down).news()), down);
 }
 
-} // namespace
+} // namespace line_input_test

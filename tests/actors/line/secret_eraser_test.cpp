@@ -8,7 +8,7 @@
 #include "io/mavlink/codec.hpp"
 #include "io/mavlink/messages.hpp"
 
-namespace {
+namespace secret_eraser_test {
 
 using namespace godwit;
 using namespace io::mavlink;
@@ -92,4 +92,4 @@ TEST(secret_eraser, a_datagram_begins_anew) {
   EXPECT_FALSE(has(whole, 0xB6));
 }
 
-} // namespace
+} // namespace secret_eraser_test

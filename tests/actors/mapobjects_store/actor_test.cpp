@@ -16,7 +16,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace mapobjects_store_actor_test {
 
 using namespace godwit::tests;
 using drill::stepped_map;
@@ -335,5 +335,5 @@ RC_GTEST_PROP(mapobjects_store_actor_property, whatever_crashes_each_sighting_re
   RC_ASSERT(delivered == answered);
 }
 
-} // namespace
+} // namespace mapobjects_store_actor_test
 } // namespace godwit::mapobjects_store

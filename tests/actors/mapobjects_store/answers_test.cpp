@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace answers_test {
 
 TEST(answers, a_refusal_has_the_reason_for_people_and_for_the_program) {
   batch empty;
@@ -33,5 +33,5 @@ TEST(answers, what_asking_again_can_mend_is_busy_and_what_it_can_not_is_not) {
     EXPECT_EQ(failure_of(code), map_failure::broken);
 }
 
-} // namespace
+} // namespace answers_test
 } // namespace godwit::mapobjects_store

@@ -10,7 +10,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace classification_test {
 
 candidate at_distance(const geo::point& from, std::string id, double metres, double bearing_deg = 90) {
   return {std::move(id), geo::destination(from, bearing_deg, metres)};
@@ -85,5 +85,5 @@ RC_GTEST_PROP(classification_property, the_order_of_the_candidates_does_not_matt
   }
 }
 
-} // namespace
+} // namespace classification_test
 } // namespace godwit::mapobjects_store

@@ -5,7 +5,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace deliveries_test {
 
 using namespace godwit::tests;
 
@@ -181,5 +181,5 @@ TEST_F(deliveries, what_is_owed_is_said_for_each_mission_and_destination) {
   EXPECT_TRUE(io::equal(all[2], owed{mission_a, destination::ignored_items, 1, 0, 0}));
 }
 
-} // namespace
+} // namespace deliveries_test
 } // namespace godwit::mapobjects_store

@@ -4,7 +4,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace garbage_test {
 
 using namespace godwit::tests;
 
@@ -87,5 +87,5 @@ TEST_F(garbage, more_than_fits_a_turn_goes_in_several) {
   EXPECT_EQ(count("seen_object") + count("seen_place"), 0);
 }
 
-} // namespace
+} // namespace garbage_test
 } // namespace godwit::mapobjects_store

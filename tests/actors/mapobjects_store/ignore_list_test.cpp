@@ -6,7 +6,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace ignore_list_test {
 
 using namespace godwit::tests;
 
@@ -74,5 +74,5 @@ TEST_F(ignore_list, what_was_declined_here_stays_ignored_after_a_load_until_the_
   EXPECT_EQ(kind(seen(3, place(0))), observation_kind::found);
 }
 
-} // namespace
+} // namespace ignore_list_test
 } // namespace godwit::mapobjects_store

@@ -5,7 +5,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace input_check_test {
 
 using namespace godwit::tests;
 
@@ -60,5 +60,5 @@ TEST(input_check, what_is_quoted_in_an_error_is_bounded) {
   EXPECT_LT(check(bad).error().what.size(), 200U);
 }
 
-} // namespace
+} // namespace input_check_test
 } // namespace godwit::mapobjects_store

@@ -3,7 +3,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace load_finish_test {
 
 using namespace godwit::tests;
 
@@ -116,5 +116,5 @@ TEST_F(load_finish_test, a_load_that_is_given_up_in_the_middle_of_its_end_is_not
   EXPECT_EQ(kind(seen(5000, place(0))), observation_kind::found); // nothing is left in the tree
 }
 
-} // namespace
+} // namespace load_finish_test
 } // namespace godwit::mapobjects_store

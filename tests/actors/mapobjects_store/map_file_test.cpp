@@ -6,7 +6,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_file_test {
 
 using namespace godwit::tests;
 
@@ -85,5 +85,5 @@ TEST_F(map_file, a_missing_one_is_made_only_when_that_is_wanted) {
   EXPECT_TRUE(shown().empty());
 }
 
-} // namespace
+} // namespace map_file_test
 } // namespace godwit::mapobjects_store

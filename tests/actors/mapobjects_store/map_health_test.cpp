@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_health_test {
 
 map_status with(sync_state sync) {
   map_status known;
@@ -43,5 +43,5 @@ TEST(map_health, what_is_owed_is_said_and_orphans_impair) {
   EXPECT_EQ(health_of(map_writer_status{}, known).how, godwit::runtime::health_colour::yellow);
 }
 
-} // namespace
+} // namespace map_health_test
 } // namespace godwit::mapobjects_store

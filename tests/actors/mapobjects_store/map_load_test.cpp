@@ -3,7 +3,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_load_test {
 
 using namespace godwit::tests;
 
@@ -122,5 +122,5 @@ TEST_F(map_load, after_a_crash_in_the_middle_the_old_map_is_shown_and_the_next_l
   EXPECT_EQ(shown(), std::vector{uuid(3)});
 }
 
-} // namespace
+} // namespace map_load_test
 } // namespace godwit::mapobjects_store

@@ -15,7 +15,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_port_test {
 
 using namespace godwit::tests;
 using namespace std::chrono_literals;
@@ -116,5 +116,5 @@ TEST_F(map_port_test, a_closed_one_takes_nothing) {
   EXPECT_EQ(see().failure, map_failure::broken);
 }
 
-} // namespace
+} // namespace map_port_test
 } // namespace godwit::mapobjects_store

@@ -19,7 +19,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_property_test {
 
 using namespace godwit::tests;
 
@@ -404,5 +404,5 @@ RC_GTEST_PROP(map_property, the_order_in_which_objects_came_on_the_map_does_not_
   }
 }
 
-} // namespace
+} // namespace map_property_test
 } // namespace godwit::mapobjects_store

@@ -5,7 +5,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_reader_test {
 
 using namespace godwit::tests;
 
@@ -49,5 +49,5 @@ TEST_F(map_reader_test, a_file_that_is_not_there_is_an_error) {
   EXPECT_EQ(map_reader::open(folder.file() + ".other").error().code, map_errc::missing);
 }
 
-} // namespace
+} // namespace map_reader_test
 } // namespace godwit::mapobjects_store

@@ -4,7 +4,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_store_test {
 
 using namespace godwit::tests;
 
@@ -50,5 +50,5 @@ TEST_F(map_store_test, what_is_not_committed_is_gone_after_a_restart) {
   EXPECT_TRUE(shown().empty());
 }
 
-} // namespace
+} // namespace map_store_test
 } // namespace godwit::mapobjects_store

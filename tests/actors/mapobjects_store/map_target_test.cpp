@@ -7,7 +7,7 @@
 #include "tests/support/fault_vfs.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_target_test {
 
 using namespace godwit::tests;
 
@@ -100,5 +100,5 @@ TEST_F(map_target_test, closing_ends_a_job_that_is_not_finished) {
   EXPECT_EQ(refused, 1);
 }
 
-} // namespace
+} // namespace map_target_test
 } // namespace godwit::mapobjects_store

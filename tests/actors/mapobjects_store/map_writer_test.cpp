@@ -7,7 +7,7 @@
 #include "tests/support/fault_vfs.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace map_writer_test {
 
 using namespace godwit::tests;
 using namespace std::chrono_literals;
@@ -220,5 +220,5 @@ TEST_F(map_writer_test, a_review_counts_all_that_was_posted_before_it) {
   EXPECT_EQ(done->removed_candidates, 1U);
 }
 
-} // namespace
+} // namespace map_writer_test
 } // namespace godwit::mapobjects_store

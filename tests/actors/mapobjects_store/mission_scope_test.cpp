@@ -4,7 +4,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace mission_scope_test {
 
 using namespace godwit::tests;
 
@@ -108,5 +108,5 @@ TEST_F(mission_scope, a_load_for_a_deleted_mission_is_given_up) {
   EXPECT_FALSE(add_page({.load = number, .objects = {object(1, place(0))}, .ignored = {}}));
 }
 
-} // namespace
+} // namespace mission_scope_test
 } // namespace godwit::mapobjects_store

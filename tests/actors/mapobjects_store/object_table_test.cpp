@@ -6,7 +6,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace object_table_test {
 
 using namespace godwit::tests;
 
@@ -69,5 +69,5 @@ TEST_F(object_table, seen_again_at_its_place_it_keeps_the_place_and_gets_the_tim
   EXPECT_EQ(with(1, store->map().first_object)->what.last_seen_ns, 99);
 }
 
-} // namespace
+} // namespace object_table_test
 } // namespace godwit::mapobjects_store

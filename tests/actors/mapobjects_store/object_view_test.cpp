@@ -4,7 +4,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace object_view_test {
 
 using namespace godwit::tests;
 
@@ -106,5 +106,5 @@ TEST_F(object_view, a_map_that_was_pulled_for_another_mission_is_not_shown) {
   EXPECT_EQ(look().counted, 0U);
 }
 
-} // namespace
+} // namespace object_view_test
 } // namespace godwit::mapobjects_store

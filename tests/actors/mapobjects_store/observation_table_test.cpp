@@ -3,7 +3,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace observation_table_test {
 
 using namespace godwit::tests;
 
@@ -48,5 +48,5 @@ TEST_F(observation_table, a_missing_is_not_a_sighting) {
   EXPECT_FALSE(seen_since(101));
 }
 
-} // namespace
+} // namespace observation_table_test
 } // namespace godwit::mapobjects_store

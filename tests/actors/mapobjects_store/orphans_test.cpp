@@ -4,7 +4,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace orphans_test {
 
 using namespace godwit::tests;
 
@@ -96,5 +96,5 @@ TEST_F(orphans, after_a_restart_they_are_there) {
   EXPECT_EQ(requeue_all(), 1U);
 }
 
-} // namespace
+} // namespace orphans_test
 } // namespace godwit::mapobjects_store

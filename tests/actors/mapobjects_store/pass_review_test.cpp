@@ -6,7 +6,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace pass_review_test {
 
 using namespace godwit::tests;
 
@@ -117,5 +117,5 @@ TEST_F(pass_review_test, an_unsound_pass_is_refused) {
   EXPECT_FALSE(store->review(end, [](const map_result<pass_reviewed>&) {}));
 }
 
-} // namespace
+} // namespace pass_review_test
 } // namespace godwit::mapobjects_store

@@ -3,7 +3,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace place_tree_test {
 
 using namespace godwit::tests;
 
@@ -48,5 +48,5 @@ TEST_F(place_tree, what_was_cleared_in_a_transaction_that_is_rolled_back_is_ther
   fill(1, 1);
 }
 
-} // namespace
+} // namespace place_tree_test
 } // namespace godwit::mapobjects_store

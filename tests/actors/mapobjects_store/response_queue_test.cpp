@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace response_queue_test {
 
 TEST(response_queue, answers_come_in_their_order_and_only_the_first_wakes) {
   response_queue box;
@@ -28,5 +28,5 @@ TEST(response_queue, it_has_room_for_so_many_asks_and_each_answer_that_is_taken_
   EXPECT_TRUE(box.reserve());
 }
 
-} // namespace
+} // namespace response_queue_test
 } // namespace godwit::mapobjects_store

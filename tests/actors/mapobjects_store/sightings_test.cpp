@@ -4,7 +4,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace sightings_test {
 
 using namespace godwit::tests;
 
@@ -98,5 +98,5 @@ TEST_F(sightings, they_survive_a_restart) {
   EXPECT_EQ(kind(seen(2, place(0))), observation_kind::existing);
 }
 
-} // namespace
+} // namespace sightings_test
 } // namespace godwit::mapobjects_store

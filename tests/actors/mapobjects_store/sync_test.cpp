@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace sync_test {
 
 constexpr sync_state all_states[] = {sync_state::fresh_boot, sync_state::synced, sync_state::cached_fallback,
                                      sync_state::degraded, sync_state::failed};
@@ -38,5 +38,5 @@ TEST(sync, differences_are_findings_only_on_a_map_that_somebody_vouches_for) {
     EXPECT_EQ(shows_findings(now), now == sync_state::synced || now == sync_state::cached_fallback);
 }
 
-} // namespace
+} // namespace sync_test
 } // namespace godwit::mapobjects_store

@@ -5,7 +5,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace view_cursor_test {
 
 using namespace godwit::tests;
 
@@ -59,5 +59,5 @@ TEST_F(view_cursor_test, other_class_groups_are_not_in_view) {
   EXPECT_TRUE(in_view(look(100, "person")).empty());
 }
 
-} // namespace
+} // namespace view_cursor_test
 } // namespace godwit::mapobjects_store

@@ -3,7 +3,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
-namespace {
+namespace view_test {
 
 using namespace godwit::tests;
 
@@ -55,5 +55,5 @@ TEST(view, all_that_is_in_an_area_is_in_its_boxes) {
   }
 }
 
-} // namespace
+} // namespace view_test
 } // namespace godwit::mapobjects_store

@@ -7,7 +7,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace actor_crash_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -179,4 +179,4 @@ TEST(mission_client_crashes, a_process_killed_at_every_message_of_a_flight_goes_
   }
 }
 
-} // namespace
+} // namespace actor_crash_test

@@ -10,7 +10,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace actor_property_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -162,4 +162,4 @@ RC_GTEST_PROP(mission_client_property, nothing_is_lost_nothing_doubled_and_order
   RC_ASSERT(newest == m.document.revision);
 }
 
-} // namespace
+} // namespace actor_property_test

@@ -3,7 +3,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace actor_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -266,4 +266,4 @@ TEST(mission_client_actor, the_same_steps_give_the_same_trace) {
   EXPECT_EQ(first, run());
 }
 
-} // namespace
+} // namespace actor_test

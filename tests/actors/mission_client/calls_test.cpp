@@ -4,7 +4,7 @@
 
 #include "actors/domain/mission/read.hpp"
 
-namespace {
+namespace calls_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -94,4 +94,4 @@ TEST(mission_client_calls, responses_and_changes_go_out_as_they_were_said) {
   EXPECT_TRUE(call.is_post);
 }
 
-} // namespace
+} // namespace calls_test

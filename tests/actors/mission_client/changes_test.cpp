@@ -5,7 +5,7 @@
 #include "actors/domain/mission/write.hpp"
 #include "actors/mission_client/retry_policy.hpp"
 
-namespace {
+namespace changes_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -57,4 +57,4 @@ TEST(mission_client_changes, a_conflict_is_stale_and_what_is_wrong_is_refused) {
   EXPECT_TRUE(std::holds_alternative<mission_gone>(outcome_of_change(row(), {.status = 410}, 0)));
 }
 
-} // namespace
+} // namespace changes_test

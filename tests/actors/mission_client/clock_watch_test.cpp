@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace clock_watch_test {
 
 using namespace godwit::mission_client;
 
@@ -27,4 +27,4 @@ TEST(mission_client_clock_watch, small_steps_are_noticed_when_they_have_added_up
   EXPECT_TRUE(watch.jump({0, second_ns * 6 / 4}));
 }
 
-} // namespace
+} // namespace clock_watch_test

@@ -9,7 +9,7 @@
 #include "io/fields/json_value.hpp"
 #include "messages/mission/item_fields.hpp"
 
-namespace {
+namespace core_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -305,4 +305,4 @@ TEST(mission_client_core, the_state_reads_back_from_its_text) {
   EXPECT_EQ(io::to_json(again), io::to_json(s));
 }
 
-} // namespace
+} // namespace core_test

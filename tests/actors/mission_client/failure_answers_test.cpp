@@ -3,7 +3,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace failure_answers_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -279,4 +279,4 @@ TEST(mission_client_answers, what_an_earlier_mission_left_holds_up_the_next_one_
   EXPECT_EQ(p.health().colour, health_colour::green);
 }
 
-} // namespace
+} // namespace failure_answers_test

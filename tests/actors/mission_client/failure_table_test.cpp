@@ -3,7 +3,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace failure_table_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -301,4 +301,4 @@ TEST(mission_client_failures, after_24_hours_of_failures_it_is_kept_as_expired_a
   EXPECT_EQ(around.service.at(mission_a).observations.size(), 700U);
 }
 
-} // namespace
+} // namespace failure_table_test

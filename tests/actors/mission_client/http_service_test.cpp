@@ -14,7 +14,7 @@
 #include "runtime/system.hpp"
 #include "tests/support/http_server.hpp"
 
-namespace {
+namespace http_service_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -221,4 +221,4 @@ TEST_F(http_service_test, an_address_that_is_none_is_refused_with_a_sentence) {
   EXPECT_NE(opened.error(), "");
 }
 
-} // namespace
+} // namespace http_service_test

@@ -4,7 +4,7 @@
 
 #include "actors/mission_client/outbox.hpp"
 
-namespace {
+namespace judgement_test {
 
 using namespace godwit::mission_client;
 
@@ -41,4 +41,4 @@ TEST(mission_client_judgement, a_long_sentence_is_cut) {
   EXPECT_EQ(sentence_of({.how = ending::not_reached, .error = std::string(10'000, 'x')}).size(), max_error_text);
 }
 
-} // namespace
+} // namespace judgement_test

@@ -5,7 +5,7 @@
 #include <regex>
 #include <set>
 
-namespace {
+namespace keys_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -44,4 +44,4 @@ TEST(mission_client_keys, the_same_cut_has_the_same_key_and_every_other_cut_anot
   EXPECT_NE(derived_key({"ab", "c"}), derived_key({"a", "bc"}));
 }
 
-} // namespace
+} // namespace keys_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace map_rows_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -39,4 +39,4 @@ TEST(mission_client_map_rows, a_time_that_is_none_is_an_error) {
   EXPECT_FALSE(ignored_items_of(ignored, "m"));
 }
 
-} // namespace
+} // namespace map_rows_test

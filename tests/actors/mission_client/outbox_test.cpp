@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace outbox_test {
 
 using namespace godwit::mission_client;
 
@@ -55,4 +55,4 @@ TEST(mission_client_outbox, a_lane_waits_while_it_has_a_pending_row) {
   EXPECT_FALSE(is_waiting(sample(), destination::tail, "m"));
 }
 
-} // namespace
+} // namespace outbox_test

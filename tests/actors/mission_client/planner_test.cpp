@@ -7,7 +7,7 @@
 
 #include "actors/mission_client/core.hpp"
 
-namespace {
+namespace planner_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -260,4 +260,4 @@ TEST(mission_client_planner, the_load_begins_before_the_first_page_is_asked_for)
   EXPECT_EQ(wanted.calls[0].call.target, "/missions/" + mission_a + "/mapobjects?limit=2000");
 }
 
-} // namespace
+} // namespace planner_test

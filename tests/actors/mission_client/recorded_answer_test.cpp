@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace recorded_answer_test {
 
 using namespace godwit::mission_client;
 
@@ -62,4 +62,4 @@ TEST(recorded_answer, bytes_that_are_no_text_come_to_an_end) {
   EXPECT_GT(next_part(from, at).parts, 1U);
 }
 
-} // namespace
+} // namespace recorded_answer_test

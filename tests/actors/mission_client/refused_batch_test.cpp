@@ -4,7 +4,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace refused_batch_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -83,4 +83,4 @@ TEST(mission_client_refused_batch, a_kill_at_any_time_loses_no_row_and_doubles_n
   }
 }
 
-} // namespace
+} // namespace refused_batch_test

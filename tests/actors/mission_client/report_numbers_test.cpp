@@ -3,7 +3,7 @@
 
 #include "tests/actors/mission_client/client_world.hpp"
 
-namespace {
+namespace report_numbers_test {
 
 using namespace godwit;
 using namespace godwit::mission_client;
@@ -292,4 +292,4 @@ TEST_F(older_journal, a_service_that_does_not_tell_its_last_report_is_told_as_be
   EXPECT_EQ(numbers(mission()), (std::vector<std::uint32_t>{1, 2, 3}));
 }
 
-} // namespace
+} // namespace report_numbers_test

@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace {
+namespace retry_policy_test {
 
 using namespace godwit::mission_client;
 
@@ -63,4 +63,4 @@ RC_GTEST_PROP(mission_client_retry_policy_property, a_pause_is_never_shorter_tha
   RC_ASSERT(pause <= longest_retry_after_ns);
 }
 
-} // namespace
+} // namespace retry_policy_test

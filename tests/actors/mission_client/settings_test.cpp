@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace settings_test {
 
 using namespace godwit::mission_client;
 
@@ -26,4 +26,4 @@ TEST(mission_client_settings, what_the_contract_or_reason_forbids_is_objected_to
   EXPECT_TRUE(objection_to(given));
 }
 
-} // namespace
+} // namespace settings_test

@@ -4,7 +4,7 @@
 
 #include "runtime/simulation/simulation.hpp"
 
-namespace {
+namespace actor_test {
 
 using namespace godwit;
 using namespace godwit::movement_detector;
@@ -145,4 +145,4 @@ TEST(movement_detector, it_says_how_it_is) {
   EXPECT_EQ(asked->answer.starts, 1U);
 }
 
-} // namespace
+} // namespace actor_test

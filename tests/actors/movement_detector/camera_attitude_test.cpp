@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace camera_attitude_test {
 
 using namespace godwit::movement_detector;
 
@@ -42,4 +42,4 @@ TEST(camera_attitude, an_inverse_takes_it_back) {
   expect_near(turned(inverse(any), turned(any, {1, 2, 3})), {1, 2, 3});
 }
 
-} // namespace
+} // namespace camera_attitude_test

@@ -11,7 +11,7 @@
 #include "io/eyes/codec.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace core_test {
 
 using namespace godwit;
 using namespace godwit::movement_detector;
@@ -355,4 +355,4 @@ TEST(movement_detector_core, pictures_that_say_nothing_are_told_after_five_secon
   EXPECT_EQ(e.all.health(e.now).reason, "the pictures say nothing: the picture is blurred");
 }
 
-} // namespace
+} // namespace core_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace gimbal_attitude_test {
 
 using namespace godwit::movement_detector;
 using godwit::io::mavlink::gimbal_device_attitude_status;
@@ -83,4 +83,4 @@ TEST(gimbal_attitude, the_rate_is_that_of_the_turn_between_in_axes_of_what_turns
   EXPECT_NEAR(std::hypot(still[0], still[1], still[2]), 0, 1e-9);
 }
 
-} // namespace
+} // namespace gimbal_attitude_test

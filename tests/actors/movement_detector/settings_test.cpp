@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace settings_test {
 
 using namespace godwit::movement_detector;
 
@@ -40,4 +40,4 @@ TEST(camera_settings, what_is_missing_or_impossible_is_named) {
   EXPECT_EQ(objection([](settings& s) { s.record_folder = "/tmp"; }).substr(0, 13), "record_max_mb");
 }
 
-} // namespace
+} // namespace settings_test

@@ -8,7 +8,7 @@
 #include "runtime/simulation/simulation.hpp"
 
 namespace godwit::operator_bridge {
-namespace {
+namespace operator_bridge_actor_test {
 
 using namespace std::chrono_literals;
 using operators::command_kind;
@@ -214,5 +214,5 @@ TEST(operator_bridge, an_executor_that_is_silent_leaves_the_outcome_unknown) {
   EXPECT_EQ(asked->answer.verdict, verdict::unknown);
 }
 
-} // namespace
+} // namespace operator_bridge_actor_test
 } // namespace godwit::operator_bridge

@@ -6,7 +6,7 @@
 #include "tests/actors/operator_bridge/bridge_desk.hpp"
 
 namespace godwit::operator_bridge::tests {
-namespace {
+namespace control_test {
 
 using operators::command_kind;
 using operators::role;
@@ -91,5 +91,5 @@ TEST(operator_control, a_viewer_can_not_have_it) {
   EXPECT_FALSE(desk.control(desk.log_in("eve", role::viewer), control_act::take).is_done);
 }
 
-} // namespace
+} // namespace control_test
 } // namespace godwit::operator_bridge::tests

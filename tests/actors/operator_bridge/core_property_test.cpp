@@ -12,7 +12,7 @@
 #include "tests/actors/operator_bridge/bridge_desk.hpp"
 
 namespace godwit::operator_bridge::tests {
-namespace {
+namespace operator_bridge_core_property_test {
 
 using operators::command_kind;
 using operators::role;
@@ -154,5 +154,5 @@ RC_GTEST_PROP(operator_bridge_property, nothing_is_done_twice_or_for_who_may_not
   w.finish();
 }
 
-} // namespace
+} // namespace operator_bridge_core_property_test
 } // namespace godwit::operator_bridge::tests

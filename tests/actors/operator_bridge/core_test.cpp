@@ -9,7 +9,7 @@
 #include "tests/actors/operator_bridge/bridge_desk.hpp"
 
 namespace godwit::operator_bridge::tests {
-namespace {
+namespace operator_bridge_core_test {
 
 using operators::command_kind;
 using operators::role;
@@ -297,5 +297,5 @@ TEST(operator_bridge_core, an_id_that_is_none_is_refused) {
   EXPECT_TRUE(desk.handed.empty());
 }
 
-} // namespace
+} // namespace operator_bridge_core_test
 } // namespace godwit::operator_bridge::tests

@@ -6,7 +6,7 @@
 #include "tests/actors/operator_bridge/bridge_desk.hpp"
 
 namespace godwit::operator_bridge::tests {
-namespace {
+namespace sessions_test {
 
 using operators::role;
 
@@ -146,5 +146,5 @@ TEST(operator_audit, is_read_by_operators_and_keeps_the_newest) {
   EXPECT_FALSE(desk.decides().on_get_audit({eve, 10}, desk.now).second.refusal.empty());
 }
 
-} // namespace
+} // namespace sessions_test
 } // namespace godwit::operator_bridge::tests

@@ -10,7 +10,7 @@
 #include "tests/actors/scan_controller/scan_world.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace scan_controller_actor_test {
 
 using namespace godwit;
 using namespace godwit::scan_controller;
@@ -311,4 +311,4 @@ TEST(scan_controller_property, whatever_crashes_five_in_a_minute_each_point_once
   }
 }
 
-} // namespace
+} // namespace scan_controller_actor_test

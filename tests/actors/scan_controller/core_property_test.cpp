@@ -11,7 +11,7 @@
 #include "tests/actors/scan_controller/scan_world.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace scan_controller_core_property_test {
 
 using namespace godwit;
 using namespace godwit::scan_controller;
@@ -181,4 +181,4 @@ TEST(scan_property, a_million_arrivals_with_crashes_never_show_more_than_five_in
   }
 }
 
-} // namespace
+} // namespace scan_controller_core_property_test

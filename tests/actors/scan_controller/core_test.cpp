@@ -4,7 +4,7 @@
 
 #include "tests/actors/scan_controller/scan_world.hpp"
 
-namespace {
+namespace scan_controller_core_test {
 
 using namespace godwit;
 using namespace godwit::scan_controller;
@@ -245,4 +245,4 @@ TEST(scan_core, the_view_has_what_is_shown_what_is_confirmed_and_how_long_there_
   EXPECT_EQ(seen.confirmed[0].by, "anna");
 }
 
-} // namespace
+} // namespace scan_controller_core_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace matching_test {
 
 using namespace godwit::scan_controller;
 
@@ -39,4 +39,4 @@ TEST(matching, the_same_object_is_the_same_wherever_it_is) {
   EXPECT_FALSE(is_about(seen, known, 30));
 }
 
-} // namespace
+} // namespace matching_test

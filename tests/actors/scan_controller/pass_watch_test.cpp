@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pass_watch_test {
 
 using namespace godwit;
 using namespace godwit::scan_controller;
@@ -177,4 +177,4 @@ TEST(pass_watch, nobody_has_to_see_without_a_camera_before_the_first_line_or_beh
   EXPECT_FALSE(w.is_lost()) << "it is over";
 }
 
-} // namespace
+} // namespace pass_watch_test

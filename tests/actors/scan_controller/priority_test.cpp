@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace priority_test {
 
 using namespace godwit::scan_controller;
 using godwit::geo::point;
@@ -35,4 +35,4 @@ TEST(priority, below_the_threshold_comes_last_and_among_equals_the_older_first) 
   EXPECT_FALSE(goes_before({true, 0.5, 1}, {true, 0.5, 1}));
 }
 
-} // namespace
+} // namespace priority_test

@@ -6,7 +6,7 @@
 #include "io/fields/json_value.hpp"
 #include "tests/actors/scan_controller/scan_world.hpp"
 
-namespace {
+namespace scan_controller_state_test {
 
 using namespace godwit;
 using namespace godwit::scan_controller;
@@ -37,4 +37,4 @@ TEST(scan_state, of_what_is_closed_only_so_much_is_kept_and_what_is_confirmed_lo
   EXPECT_EQ(core::view_of(w.state, w.now()).confirmed.size(), 1U);
 }
 
-} // namespace
+} // namespace scan_controller_state_test

@@ -8,7 +8,7 @@
 
 #include "runtime/simulation/simulation.hpp"
 
-namespace {
+namespace telemetry_stream_actor_test {
 
 using namespace godwit;
 using namespace godwit::telemetry_stream;
@@ -170,4 +170,4 @@ TEST(telemetry_stream, a_point_says_whether_it_has_a_picture_and_again_when_it_g
   EXPECT_EQ(heard[0].at("shown").at(0).at("has_picture"), true);
 }
 
-} // namespace
+} // namespace telemetry_stream_actor_test

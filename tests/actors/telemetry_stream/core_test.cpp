@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace telemetry_stream_core_test {
 
 using namespace godwit;
 using namespace godwit::telemetry_stream;
@@ -162,4 +162,4 @@ TEST(telemetry_stream_core, beats_are_counted) {
   EXPECT_EQ(json::parse(all.beat()[0].data).at("beat"), 2);
 }
 
-} // namespace
+} // namespace telemetry_stream_core_test

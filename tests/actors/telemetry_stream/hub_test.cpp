@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace hub_test {
 
 using namespace godwit::telemetry_stream;
 using nlohmann::json;
@@ -207,4 +207,4 @@ TEST(hub, publishers_and_readers_of_many_threads_neither_lose_nor_double_an_even
   EXPECT_EQ(heard, 3 * each);
 }
 
-} // namespace
+} // namespace hub_test

@@ -12,7 +12,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/vehicle_link/vehicle_frames.hpp"
 
-namespace {
+namespace vehicle_link_actor_test {
 
 using namespace godwit;
 using namespace godwit::vehicle_link;
@@ -355,4 +355,4 @@ TEST(vehicle_link, no_signing_time_is_used_twice_across_kills_of_the_actor_and_t
   EXPECT_NE(mavlink::units(last), 0U);
 }
 
-} // namespace
+} // namespace vehicle_link_actor_test

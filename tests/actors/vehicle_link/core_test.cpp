@@ -6,7 +6,7 @@
 
 #include "tests/actors/vehicle_link/vehicle_frames.hpp"
 
-namespace {
+namespace core_test {
 
 using namespace godwit::vehicle_link;
 using namespace godwit::vehicle_link::test;
@@ -637,4 +637,4 @@ TEST(vehicle_link_core, more_peers_than_fit_make_room_for_each_other) {
   EXPECT_EQ(observed<mavlink::attitude>(c.vehicle.say(c.it, mavlink::attitude{}, 2 * s)).size(), 1U);
 }
 
-} // namespace
+} // namespace core_test

@@ -6,7 +6,7 @@
 #include "actors/ground_port/mission_server/server.hpp"
 #include "tests/actors/vehicle_link/vehicle_frames.hpp"
 
-namespace {
+namespace core_transfer_test {
 
 using namespace godwit::vehicle_link;
 using namespace godwit::vehicle_link::test;
@@ -144,4 +144,4 @@ TEST(vehicle_link_transfer, the_next_deadline_is_that_of_the_transfer_too) {
   EXPECT_LT(c.it.next_deadline_ns(), c.now_ns + 500 * ms);
 }
 
-} // namespace
+} // namespace core_transfer_test

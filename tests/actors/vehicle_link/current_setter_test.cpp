@@ -3,7 +3,7 @@
 #include "actors/vehicle_link/current_setter.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace current_setter_test {
 
 using namespace godwit::vehicle_link;
 using godwit::io::mavlink::mav_result;
@@ -61,4 +61,4 @@ TEST(current_setter, is_announced_twice_and_then_given_up) {
   EXPECT_EQ(setter.on_time(announce_timeout_ms * ms)->verdict, command_verdict::timed_out);
 }
 
-} // namespace
+} // namespace current_setter_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link {
-namespace {
+namespace first_call_test {
 
 TEST(first_call, is_quick_at_first_and_then_once_a_second) {
   first_call call;
@@ -28,5 +28,5 @@ TEST(first_call, is_over_when_somebody_was_heard) {
   EXPECT_FALSE(call.next_deadline_ns());
 }
 
-} // namespace
+} // namespace first_call_test
 } // namespace godwit::vehicle_link

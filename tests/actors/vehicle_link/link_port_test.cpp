@@ -17,7 +17,7 @@
 #include "runtime/process.hpp"
 #include "tests/io/link/far_ends.hpp"
 
-namespace {
+namespace vehicle_link_link_port_test {
 
 using namespace godwit;
 using namespace godwit::vehicle_link;
@@ -211,4 +211,4 @@ TEST(vehicle_link_on_a_line, a_flood_of_garbage_lets_good_frames_through_and_mem
   EXPECT_TRUE(keeps_freed_memory || grown_kib <= 8 * 1024) << grown_kib << " KiB";
 }
 
-} // namespace
+} // namespace vehicle_link_link_port_test

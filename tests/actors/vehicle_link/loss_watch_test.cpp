@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link {
-namespace {
+namespace loss_watch_test {
 
 using godwit::tests::s;
 
@@ -28,5 +28,5 @@ TEST(loss_watch, a_few_frames_and_what_was_lost_before_it_looked_say_nothing) {
   EXPECT_FALSE(watch.is_bad());
 }
 
-} // namespace
+} // namespace loss_watch_test
 } // namespace godwit::vehicle_link

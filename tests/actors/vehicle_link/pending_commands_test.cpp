@@ -7,7 +7,7 @@
 #include "io/mavlink/enums.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace pending_commands_test {
 
 using namespace godwit;
 using namespace godwit::vehicle_link;
@@ -121,4 +121,4 @@ TEST(pending_commands, every_result_has_its_own_sentence) {
   EXPECT_EQ(sentences.size(), 12U);
 }
 
-} // namespace
+} // namespace pending_commands_test

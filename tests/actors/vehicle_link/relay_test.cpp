@@ -6,7 +6,7 @@
 #include "tests/actors/vehicle_link/vehicle_frames.hpp"
 
 namespace godwit::vehicle_link {
-namespace {
+namespace relay_test {
 
 using namespace test;
 
@@ -91,5 +91,5 @@ TEST_F(vehicle_relay, nothing_is_relayed_where_nobody_wants_it) {
   EXPECT_TRUE(announced<relayed_frame>(other.say(deaf, mavlink::param_value{}, ms)).empty());
 }
 
-} // namespace
+} // namespace relay_test
 } // namespace godwit::vehicle_link

@@ -5,7 +5,7 @@
 #include "io/mavlink/messages.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace stream_keeper_test {
 
 using namespace godwit::vehicle_link;
 namespace mavlink = godwit::io::mavlink;
@@ -134,4 +134,4 @@ TEST(stream_keeper, what_is_wanted_is_bounded) {
   EXPECT_EQ(requests, max_wanted_streams);
 }
 
-} // namespace
+} // namespace stream_keeper_test

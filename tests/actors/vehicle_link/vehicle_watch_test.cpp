@@ -4,7 +4,7 @@
 #include "io/mavlink/enums.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace vehicle_watch_test {
 
 using namespace godwit::vehicle_link;
 using namespace godwit::io::mavlink;
@@ -172,4 +172,4 @@ TEST(vehicle_watch, frames_are_numbered_as_they_were_sent) {
   EXPECT_GT(watch.number_of(1, 4 * ms + late_within_ns), first + 4) << "behind a silence nothing is late";
 }
 
-} // namespace
+} // namespace vehicle_watch_test

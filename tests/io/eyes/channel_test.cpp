@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
-namespace {
+namespace channel_test {
 
 using namespace godwit::io::eyes;
 
@@ -59,4 +59,4 @@ TEST(eyes_channel, garbage_is_an_error_and_what_comes_behind_it_is_read) {
   EXPECT_TRUE(std::holds_alternative<status>(*read->said));
 }
 
-} // namespace
+} // namespace channel_test

@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-namespace {
+namespace eyes_codec_test {
 
 using namespace godwit::io::eyes;
 
@@ -109,4 +109,4 @@ RC_GTEST_PROP(eyes_codec_property, bytes_that_were_changed_are_an_error_or_anoth
     RC_ASSERT(problem_of(*read).empty());
 }
 
-} // namespace
+} // namespace eyes_codec_test

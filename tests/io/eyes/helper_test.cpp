@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace helper_test {
 
 using namespace godwit::io::eyes;
 using namespace std::chrono_literals;
@@ -88,4 +88,4 @@ TEST(eyes_helper, what_was_ended_is_started_again) {
   EXPECT_TRUE(s.wait_for([&] { return s.said_by[2].size() == 2; }));
 }
 
-} // namespace
+} // namespace helper_test

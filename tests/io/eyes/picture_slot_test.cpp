@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-namespace {
+namespace picture_slot_test {
 
 using namespace godwit::io;
 using namespace godwit::io::eyes;
@@ -108,4 +108,4 @@ TEST(eyes_picture_slot, a_cut_out_is_never_that_of_another_track_and_never_too_l
   EXPECT_FALSE(ours.read_cutout(7 + max_cutouts));
 }
 
-} // namespace
+} // namespace picture_slot_test

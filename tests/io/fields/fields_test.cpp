@@ -8,7 +8,7 @@
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
 
-namespace {
+namespace fields_test {
 
 using namespace godwit::io;
 
@@ -178,4 +178,4 @@ TEST(fields, decoding_cut_bytes_ends_and_says_so) {
   }
 }
 
-} // namespace
+} // namespace fields_test

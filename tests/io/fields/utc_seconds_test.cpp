@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io {
-namespace {
+namespace utc_seconds_test {
 
 using namespace std::chrono;
 
@@ -32,5 +32,5 @@ RC_GTEST_PROP(utc_seconds_property, a_time_reads_back_as_itself, ()) {
   RC_ASSERT(parse_utc_seconds(utc_seconds_text(time)) == time);
 }
 
-} // namespace
+} // namespace utc_seconds_test
 } // namespace godwit::io

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace utf8_test {
 
 using godwit::io::whole_characters;
 
@@ -23,4 +23,4 @@ TEST(utf8, no_character_is_cut_in_its_middle) {
 
 TEST(utf8, bytes_that_only_continue_characters_leave_nothing) { EXPECT_EQ(whole_characters("\x80\x80\x80", 2), 0U); }
 
-} // namespace
+} // namespace utf8_test

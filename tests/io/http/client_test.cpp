@@ -13,7 +13,7 @@
 #include "tests/io/http/http_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace client_test {
 
 using http_client = http_fixture;
 
@@ -348,5 +348,5 @@ TEST_F(http_client, is_not_opened_with_files_that_can_not_be_read) {
   EXPECT_FALSE(client::open(wanted));
 }
 
-} // namespace
+} // namespace client_test
 } // namespace godwit::io::http::test

@@ -5,7 +5,7 @@
 #include <sys/socket.h>
 
 namespace godwit::io::http {
-namespace {
+namespace connection_pool_test {
 
 using namespace std::chrono_literals;
 using tcp = boost::asio::ip::tcp;
@@ -66,5 +66,5 @@ TEST_F(http_connection_pool, are_not_given_when_the_other_side_has_closed_or_spo
   EXPECT_EQ(kept_.take(now_), nullptr);
 }
 
-} // namespace
+} // namespace connection_pool_test
 } // namespace godwit::io::http

@@ -9,7 +9,7 @@
 #include "tests/io/http/http_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace connector_test {
 
 using godwit::test::make_tls_identity;
 using http_connector_proxy = http_fixture;
@@ -114,5 +114,5 @@ TEST_F(http_connector_proxy, that_speaks_before_tls_begins_is_not_trusted) {
   EXPECT_EQ(code_of(ask(*open(wanted), {})), errc::proxy_refused);
 }
 
-} // namespace
+} // namespace connector_test
 } // namespace godwit::io::http::test

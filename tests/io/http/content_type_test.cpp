@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace content_type_test {
 
 TEST(http_content_type, is_compared_without_case_and_parameters) {
   EXPECT_TRUE(has_content_type("Application/JSON; charset=UTF-8; q=1", "application/json"));
@@ -33,5 +33,5 @@ TEST(http_content_type, has_a_type_and_a_subtype) {
   EXPECT_EQ(media_type(";"), "");
 }
 
-} // namespace
+} // namespace content_type_test
 } // namespace godwit::io::http

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace error_test {
 
 TEST(http_error, is_a_sentence_that_begins_with_the_place) {
   EXPECT_EQ((error{errc::refused, "nobody listens there", "https://a:443/x"}.message()),
@@ -30,5 +30,5 @@ TEST(http_error, is_worth_another_try_when_nobody_has_to_do_something_first) {
     EXPECT_FALSE(is_transient(code)) << name_of(code);
 }
 
-} // namespace
+} // namespace error_test
 } // namespace godwit::io::http

@@ -15,7 +15,7 @@
 #include "tests/io/http/http_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace exchange_test {
 
 using namespace std::chrono_literals;
 using http_exchange_when = http_fixture;
@@ -292,5 +292,5 @@ TEST_F(http_exchange_when, the_service_answers_before_it_has_read_everything) {
   EXPECT_EQ(end->status, 413U);
 }
 
-} // namespace
+} // namespace exchange_test
 } // namespace godwit::io::http::test

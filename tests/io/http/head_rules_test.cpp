@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace head_rules_test {
 
 response head(unsigned status, std::vector<header> headers = {}) { return {status, std::move(headers), {}, 0, false}; }
 
@@ -26,5 +26,5 @@ TEST(http_head_rules, quote_what_is_foreign_without_control_characters_queries_a
   EXPECT_EQ(quotable(std::string(1000, 'a')), std::string(200, 'a') + "...");
 }
 
-} // namespace
+} // namespace head_rules_test
 } // namespace godwit::io::http

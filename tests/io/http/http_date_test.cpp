@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace http_date_test {
 
 using namespace std::chrono_literals;
 
@@ -39,5 +39,5 @@ TEST(http_date, of_any_other_form_is_none) {
     EXPECT_FALSE(parse_http_date(text, now)) << text;
 }
 
-} // namespace
+} // namespace http_date_test
 } // namespace godwit::io::http

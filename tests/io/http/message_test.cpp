@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace message_test {
 
 TEST(http_message, finds_the_first_header_of_a_name_in_any_case) {
   response answer;
@@ -24,5 +24,5 @@ TEST(http_message, may_be_repeated_unless_it_is_a_post_without_a_key) {
   EXPECT_TRUE(may_repeat(asked));
 }
 
-} // namespace
+} // namespace message_test
 } // namespace godwit::io::http

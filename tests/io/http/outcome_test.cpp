@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace outcome_test {
 
 using namespace std::chrono_literals;
 
@@ -44,5 +44,5 @@ TEST(http_outcome, does_not_guess_what_can_not_be_read) {
     EXPECT_EQ(retry_after(answer_with({{"Retry-After", text}}), asked_at), std::nullopt) << text;
 }
 
-} // namespace
+} // namespace outcome_test
 } // namespace godwit::io::http

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace redaction_test {
 
 std::string without(std::string text, std::string_view token) {
   redact(text, token);
@@ -24,5 +24,5 @@ TEST(http_redaction, no_token_and_one_that_stands_in_any_text_leave_it_as_it_is)
   EXPECT_EQ(without("abcabc", "abc"), "abcabc");
 }
 
-} // namespace
+} // namespace redaction_test
 } // namespace godwit::io::http

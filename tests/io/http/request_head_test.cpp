@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace request_head_test {
 
 destination to(const std::string& url, const std::string& proxy = {}) {
   settings wanted;
@@ -97,5 +97,5 @@ TEST(http_request_head, has_bounds) {
   EXPECT_FALSE(is_taken(asked));
 }
 
-} // namespace
+} // namespace request_head_test
 } // namespace godwit::io::http

@@ -11,7 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace response_reader_test {
 
 constexpr std::size_t small_body = 1024;
 
@@ -240,5 +240,5 @@ TEST(http_response_reader, expects_no_body_of_a_proxy_that_lets_us_through) {
   EXPECT_FALSE(reader.has_leftover());
 }
 
-} // namespace
+} // namespace response_reader_test
 } // namespace godwit::io::http

@@ -9,7 +9,7 @@
 #include "tests/io/http/http_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace secret_file_test {
 
 class http_secret_file : public http_fixture {
 protected:
@@ -71,5 +71,5 @@ TEST(http_secret_text, moves_without_leaving_itself_behind) {
   EXPECT_EQ(std::string_view(room, 3), std::string_view("\0\0\0", 3));
 }
 
-} // namespace
+} // namespace secret_file_test
 } // namespace godwit::io::http::test

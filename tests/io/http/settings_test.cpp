@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace settings_test {
 
 settings for_url(const std::string& url) {
   settings made;
@@ -72,5 +72,5 @@ TEST(http_settings, have_bounds_that_let_something_through) {
   EXPECT_EQ(refusal(wanted), errc::invalid_settings);
 }
 
-} // namespace
+} // namespace settings_test
 } // namespace godwit::io::http

@@ -14,7 +14,7 @@
 #include "tests/io/http/http_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace tls_test {
 
 using godwit::test::certificate_request;
 using godwit::test::http_server_options;
@@ -143,5 +143,5 @@ TEST_F(http_tls, shows_its_certificate_to_a_service_that_asks_for_one) {
   }
 }
 
-} // namespace
+} // namespace tls_test
 } // namespace godwit::io::http::test

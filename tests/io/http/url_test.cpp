@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace url_test {
 
 TEST(http_url, is_read_with_its_scheme_host_port_and_path) {
   const auto read = parse_url("https://missions.example:8443/api/v1/");
@@ -67,5 +67,5 @@ TEST(http_url, knows_which_hosts_are_this_computer) {
     EXPECT_FALSE(names_this_computer(host)) << host;
 }
 
-} // namespace
+} // namespace url_test
 } // namespace godwit::io::http

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::schemas {
-namespace {
+namespace compiled_schema_test {
 
 using nlohmann::json;
 
@@ -39,5 +39,5 @@ TEST(compiled_schema, it_may_be_moved) {
   EXPECT_FALSE(to.holds("1"));
 }
 
-} // namespace
+} // namespace compiled_schema_test
 } // namespace godwit::io::schemas

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::schemas {
-namespace {
+namespace explain_test {
 
 using nlohmann::json;
 
@@ -68,5 +68,5 @@ TEST(explain, it_stops_one_problem_beyond_the_bound) {
   EXPECT_EQ(found(many, {{"properties", json::object()}, {"additionalProperties", false}}).size(), 11U);
 }
 
-} // namespace
+} // namespace explain_test
 } // namespace godwit::io::schemas

@@ -7,7 +7,7 @@
 
 namespace godwit::io::schemas {
 
-namespace {
+namespace nearest_word_test {
 
 const std::vector<std::string> keys{"directory", "segment_mib", "total_mib", "flush_ms"};
 
@@ -32,6 +32,6 @@ TEST(nearest_word, empty_and_endless_words_have_no_neighbour) {
   EXPECT_EQ(nearest_word("a", {}), std::nullopt);
 }
 
-} // namespace
+} // namespace nearest_word_test
 
 } // namespace godwit::io::schemas

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 namespace godwit::io::schemas {
-namespace {
+namespace quoted_test {
 
 TEST(quoted, a_text_stands_in_quotes_on_one_line) { EXPECT_EQ(in_quotes("a\n\"b\""), R"("a\n\"b\"")"); }
 
@@ -19,5 +19,5 @@ TEST(quoted, what_is_not_utf_8_becomes_it) {
   EXPECT_TRUE(nlohmann::json::accept(in_quotes(std::string(59, 'x') + "ж"))) << "cut within a character";
 }
 
-} // namespace
+} // namespace quoted_test
 } // namespace godwit::io::schemas

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::schemas {
-namespace {
+namespace utf8_length_test {
 
 TEST(utf8_length, characters_are_counted_and_not_bytes) {
   EXPECT_EQ(utf8_length(""), 0U);
@@ -11,5 +11,5 @@ TEST(utf8_length, characters_are_counted_and_not_bytes) {
   EXPECT_EQ(utf8_length("жa€😀"), 4U);
 }
 
-} // namespace
+} // namespace utf8_length_test
 } // namespace godwit::io::schemas

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace back_off_test {
 
 using std::chrono::milliseconds;
 
@@ -21,5 +21,5 @@ TEST(link_back_off, it_starts_anew_when_told) {
   EXPECT_EQ(pause.next(), milliseconds(100));
 }
 
-} // namespace
+} // namespace back_off_test
 } // namespace godwit::io::link

@@ -10,7 +10,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace io_thread_test {
 
 using testing::bytes_of;
 using testing::watcher;
@@ -125,5 +125,5 @@ TEST(io_thread_death_test, a_link_that_is_destroyed_in_a_callback_of_another_on_
   EXPECT_DEATH(hostile(), "inside one of its own callbacks");
 }
 
-} // namespace
+} // namespace io_thread_test
 } // namespace godwit::io::link

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace lifecycle_test {
 
 using namespace std::chrono_literals;
 
@@ -79,5 +79,5 @@ TEST_F(lifecycle_test, a_peer_that_does_not_answer_is_down_without_a_new_try) {
   EXPECT_EQ(tries, 1);
 }
 
-} // namespace
+} // namespace lifecycle_test
 } // namespace godwit::io::link

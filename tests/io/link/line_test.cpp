@@ -8,7 +8,7 @@
 #include "tests/io/link/far_ends.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace line_test {
 
 using testing::udp_end;
 
@@ -124,5 +124,5 @@ TEST(line, what_can_never_work_is_an_error) {
   EXPECT_FALSE(bad.open(nowhere, {}, [] {}));
 }
 
-} // namespace
+} // namespace line_test
 } // namespace godwit::io::link

@@ -11,7 +11,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace link_test {
 
 using namespace std::chrono_literals;
 using testing::bytes_of;
@@ -213,5 +213,5 @@ TEST(link_death_test, a_link_that_is_destroyed_inside_its_callback_ends_the_proc
   EXPECT_DEATH(run_with(destroys), "inside one of its own callbacks");
 }
 
-} // namespace
+} // namespace link_test
 } // namespace godwit::io::link

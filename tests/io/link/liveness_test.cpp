@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace liveness_test {
 
 TEST(liveness, a_handler_is_called_with_its_arguments_while_its_owner_lives) {
   const liveness alive;
@@ -24,5 +24,5 @@ TEST(liveness, a_handler_of_an_owner_that_is_gone_does_nothing) {
   EXPECT_FALSE(called);
 }
 
-} // namespace
+} // namespace liveness_test
 } // namespace godwit::io::link

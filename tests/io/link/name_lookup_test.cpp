@@ -8,7 +8,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace name_lookup_test {
 
 namespace asio = boost::asio;
 
@@ -85,5 +85,5 @@ TEST(link_name_lookup, lookups_that_hang_are_bounded_and_their_places_come_back)
     EXPECT_TRUE(testing::eventually([&] { return places->take(); }));
 }
 
-} // namespace
+} // namespace name_lookup_test
 } // namespace godwit::io::link

@@ -10,7 +10,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace open_stream_test {
 
 using testing::bytes_of;
 
@@ -97,5 +97,5 @@ TEST_F(open_stream_test, it_serves_for_the_next_stream_when_one_is_over) {
   EXPECT_EQ(received, 1U);
 }
 
-} // namespace
+} // namespace open_stream_test
 } // namespace godwit::io::link

@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace peer_table_test {
 
 using namespace std::chrono_literals;
 
@@ -75,5 +75,5 @@ RC_GTEST_PROP(link_peer_table_property, the_table_is_bounded_and_its_numbers_dif
   }
 }
 
-} // namespace
+} // namespace peer_table_test
 } // namespace godwit::io::link

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace refusal_watch_test {
 
 using namespace std::chrono_literals;
 
@@ -35,5 +35,5 @@ TEST(link_refusal_watch, a_new_refusal_starts_the_wait_anew) {
   EXPECT_FALSE(watch.is_over(moment(11s)));
 }
 
-} // namespace
+} // namespace refusal_watch_test
 } // namespace godwit::io::link

@@ -4,7 +4,7 @@
 
 #include "io/link/rx_queue.hpp"
 
-namespace {
+namespace rx_queue_test {
 
 using namespace godwit::io::link;
 
@@ -75,4 +75,4 @@ TEST(rx_queue, the_newest_status_is_known_after_it_was_taken) {
   EXPECT_EQ(queue.newest_status()->reason, "a");
 }
 
-} // namespace
+} // namespace rx_queue_test

@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace send_queue_test {
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
@@ -67,5 +67,5 @@ RC_GTEST_PROP(link_send_queue_property, bytes_come_out_as_they_went_in_and_all_c
   RC_ASSERT(queue.clear() == 0U);
 }
 
-} // namespace
+} // namespace send_queue_test
 } // namespace godwit::io::link

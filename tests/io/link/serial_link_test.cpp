@@ -10,7 +10,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace serial_link_test {
 
 using namespace std::chrono_literals;
 using testing::bytes_of;
@@ -141,5 +141,5 @@ TEST(serial_link, what_waits_is_thrown_away_and_counted_when_the_line_goes) {
   EXPECT_EQ(line.read(3), "new") << "nothing old comes out of the new line";
 }
 
-} // namespace
+} // namespace serial_link_test
 } // namespace godwit::io::link

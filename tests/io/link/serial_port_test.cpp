@@ -8,7 +8,7 @@
 #include "tests/io/link/far_ends.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace serial_port_test {
 
 using testing::serial_line;
 
@@ -55,5 +55,5 @@ TEST(serial_port, what_is_not_a_serial_line_is_told_in_words) {
   }
 }
 
-} // namespace
+} // namespace serial_port_test
 } // namespace godwit::io::link

@@ -8,7 +8,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace tcp_in_link_test {
 
 using namespace std::chrono_literals;
 using testing::bytes_of;
@@ -156,5 +156,5 @@ TEST_F(tcp_in_link_test, a_connecting_link_reaches_it_by_name_and_over_both_fami
   EXPECT_TRUE(client_heard.wait_for_bytes("pong"));
 }
 
-} // namespace
+} // namespace tcp_in_link_test
 } // namespace godwit::io::link

@@ -11,7 +11,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace tcp_link_test {
 
 using namespace std::chrono_literals;
 using testing::bytes_of;
@@ -118,5 +118,5 @@ TEST(tcp_link, a_server_that_does_not_answer_is_given_up_after_the_time_out) {
   EXPECT_TRUE(testing::eventually([&] { return std::any_of(heard.begin(), heard.end(), timed_out); }));
 }
 
-} // namespace
+} // namespace tcp_link_test
 } // namespace godwit::io::link

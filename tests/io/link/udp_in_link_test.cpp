@@ -8,7 +8,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace udp_in_link_test {
 
 using namespace std::chrono_literals;
 using testing::bytes_of;
@@ -154,5 +154,5 @@ TEST_F(udp_in_link_test, a_burst_is_received_in_order) {
   EXPECT_EQ(link->counters().rx_chunks, static_cast<std::uint64_t>(burst));
 }
 
-} // namespace
+} // namespace udp_in_link_test
 } // namespace godwit::io::link

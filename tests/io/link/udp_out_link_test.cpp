@@ -8,7 +8,7 @@
 #include "tests/io/link/watcher.hpp"
 
 namespace godwit::io::link {
-namespace {
+namespace udp_out_link_test {
 
 using namespace std::chrono_literals;
 using testing::bytes_of;
@@ -133,5 +133,5 @@ TEST(udp_out_link, when_nobody_reads_every_send_returns_at_once_and_is_accounted
   EXPECT_EQ(counted.tx_chunks + counted.tx_dropped, 20'000U);
 }
 
-} // namespace
+} // namespace udp_out_link_test
 } // namespace godwit::io::link

@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io::link {
-namespace {
+namespace uri_test {
 
 using kind = uri::kind;
 
@@ -119,5 +119,5 @@ RC_GTEST_PROP(link_uri_property, what_is_read_is_written_the_same_way, ()) {
     RC_ASSERT(!read.error().empty());
 }
 
-} // namespace
+} // namespace uri_test
 } // namespace godwit::io::link

@@ -7,7 +7,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace codec_test {
 
 constexpr sender station{255, 190};
 constexpr sender vehicle{1, 1};
@@ -121,5 +121,5 @@ TEST(codec, keeps_the_bits_of_numbers_that_are_none) {
   EXPECT_EQ(bits_of(decode<attitude>(encode(said, vehicle, 0).view())), bits_of(said));
 }
 
-} // namespace
+} // namespace codec_test
 } // namespace godwit::io::mavlink

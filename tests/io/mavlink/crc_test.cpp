@@ -6,7 +6,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace crc_test {
 
 std::uint16_t crc_by_definition(byte_view bytes, std::uint16_t crc) {
   for (const std::byte each : bytes)
@@ -50,5 +50,5 @@ RC_GTEST_PROP(crc_property, of_any_bytes_in_two_parts_is_that_of_the_definition,
   RC_ASSERT(crc_of(bytes.subspan(cut), crc_of(bytes.first(cut), begin)) == crc_by_definition(bytes, begin));
 }
 
-} // namespace
+} // namespace crc_test
 } // namespace godwit::io::mavlink

@@ -4,7 +4,7 @@
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace enums_test {
 
 TEST(enums, have_the_published_numbers) {
   EXPECT_EQ(number(mav_cmd::mission_start), 300);
@@ -26,5 +26,5 @@ TEST(enums, are_rendered_as_text_and_unknown_numbers_as_themselves) {
   EXPECT_EQ(text, R"("temporarily_rejected""all"42)");
 }
 
-} // namespace
+} // namespace enums_test
 } // namespace godwit::io::mavlink

@@ -3,7 +3,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
-namespace {
+namespace frame_meaning_test {
 
 using namespace godwit::io::mavlink;
 
@@ -34,4 +34,4 @@ TEST(frame_meaning, degrees_have_seven_decimals_and_metres_four) {
   EXPECT_EQ(units_of(coordinate_kind::none), 1);
 }
 
-} // namespace
+} // namespace frame_meaning_test

@@ -4,7 +4,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace frame_test {
 
 constexpr auto signed_heartbeat = "fd09010000ffbe000000000000001208000403c6e2036655443322115b1a95938762";
 
@@ -92,5 +92,5 @@ TEST(frame_death, a_second_signature_is_a_broken_invariant) {
   EXPECT_DEATH(frame.append_signature(std::span<const std::byte, signature_size>(signature)), "signature_size");
 }
 
-} // namespace
+} // namespace frame_test
 } // namespace godwit::io::mavlink

@@ -7,7 +7,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace ids_test {
 
 struct row {
   std::uint32_t id = 0;
@@ -59,5 +59,5 @@ TEST(ids, have_slots_without_gaps) {
     EXPECT_EQ(slot_of(each), slot++);
 }
 
-} // namespace
+} // namespace ids_test
 } // namespace godwit::io::mavlink

@@ -5,7 +5,7 @@
 #include "io/mavlink/messages/request_data_stream.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace layout_test {
 
 template <message M>
 std::size_t offset_of(std::string_view name) {
@@ -69,5 +69,5 @@ TEST(layout, reads_what_it_wrote) {
   EXPECT_TRUE(equal(read_fields<request_data_stream>(wire.data()), asked));
 }
 
-} // namespace
+} // namespace layout_test
 } // namespace godwit::io::mavlink

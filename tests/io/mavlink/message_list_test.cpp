@@ -4,7 +4,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace message_list_test {
 
 using two = message_list<heartbeat, statustext>;
 
@@ -33,5 +33,5 @@ TEST(message_list, says_what_it_contains) {
   EXPECT_EQ(two::place_of(253), 1);
 }
 
-} // namespace
+} // namespace message_list_test
 } // namespace godwit::io::mavlink

@@ -12,7 +12,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace messages_test {
 
 TEST(messages, are_forty_one_each_as_published) {
   std::set<std::uint32_t> ids;
@@ -121,5 +121,5 @@ TEST(messages, what_the_trace_stores_renders_as_the_message_does) {
   });
 }
 
-} // namespace
+} // namespace messages_test
 } // namespace godwit::io::mavlink

@@ -7,7 +7,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace plan_meaning_test {
 
 using io::mavlink::mav_frame;
 using io::mavlink::number;
@@ -118,5 +118,5 @@ TEST(first_difference, leaves_home_out) {
   EXPECT_EQ(first_difference(ours, theirs, false), 0U);
 }
 
-} // namespace
+} // namespace plan_meaning_test
 } // namespace godwit::io::mavlink

@@ -6,7 +6,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace recordings_test {
 
 using counts = std::map<std::string, int, std::less<>>;
 
@@ -136,5 +136,5 @@ TEST(recordings, give_the_same_byte_by_byte_and_in_random_pieces) {
   }
 }
 
-} // namespace
+} // namespace recordings_test
 } // namespace godwit::io::mavlink

@@ -8,7 +8,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace scan_harness_test {
 
 constexpr std::size_t rounds = 300; // changes of each input; the defects are met within some ten
 
@@ -144,5 +144,5 @@ TEST(scan_harness, finds_a_scanner_that_forgets_at_the_end_of_a_piece) {
   EXPECT_TRUE((run<forgetful_scanner, fuzz::real_codec>()));
 }
 
-} // namespace
+} // namespace scan_harness_test
 } // namespace godwit::io::mavlink

@@ -10,7 +10,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace scanner_test {
 
 const auto ignore = [](const frame_view&) {};
 
@@ -357,5 +357,5 @@ RC_GTEST_PROP(scanner_property, finds_the_same_in_any_pieces, ()) {
   RC_ASSERT(pieces.counters.cut_off == whole.counters.cut_off);
 }
 
-} // namespace
+} // namespace scanner_test
 } // namespace godwit::io::mavlink

@@ -3,7 +3,7 @@
 #include "io/mavlink/sender_table.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace sender_table_test {
 
 constexpr sender vehicle{1, 1};
 
@@ -68,5 +68,5 @@ TEST(sender_table, follows_no_more_than_its_bound_and_counts_the_rest) {
   EXPECT_EQ(senders.not_followed(), 200U - sender_table::max_senders);
 }
 
-} // namespace
+} // namespace sender_table_test
 } // namespace godwit::io::mavlink

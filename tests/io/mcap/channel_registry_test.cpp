@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::mcap {
-namespace {
+namespace channel_registry_test {
 
 TEST(mcap_channel_registry, the_same_definition_gets_the_same_id) {
   channel_registry registry;
@@ -39,5 +39,5 @@ TEST(mcap_channel_registry, ids_and_sizes_are_bounded) {
   EXPECT_TRUE(registry.add_channel(schema_id{0}, "0", "json")) << "a known one is still found";
 }
 
-} // namespace
+} // namespace channel_registry_test
 } // namespace godwit::io::mcap

@@ -12,7 +12,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace compression_test {
 
 constexpr std::uint32_t messages_a_chunk = 40;
 constexpr std::uint32_t chunks = 3;
@@ -125,5 +125,5 @@ TEST(mcap_compression, another_size_than_was_said_is_refused) {
   EXPECT_FALSE(unpack.decompress(byte_view{packed}.first(packed.size() - 1), 1000, back));
 }
 
-} // namespace
+} // namespace compression_test
 } // namespace godwit::io::mcap::test

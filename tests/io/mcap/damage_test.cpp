@@ -8,7 +8,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace damage_test {
 
 // End offset of each chunk, found without the reader under test: the chunks of the small recording have four messages.
 std::uint32_t whole_messages_in(byte_view file, std::size_t cut_at) {
@@ -134,5 +134,5 @@ TEST(mcap_damage_closed, a_damaged_last_chunk_is_cut) {
   EXPECT_EQ(read_file(path).end, ending::complete);
 }
 
-} // namespace
+} // namespace damage_test
 } // namespace godwit::io::mcap::test

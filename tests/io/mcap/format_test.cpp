@@ -6,7 +6,7 @@
 #include "io/mcap/records.hpp"
 
 namespace godwit::io::mcap {
-namespace {
+namespace format_test {
 
 TEST(mcap_format, integers_are_little_endian_and_come_back) {
   byte_buffer out;
@@ -46,5 +46,5 @@ TEST(mcap_format, an_error_names_file_offset_and_cause) {
   EXPECT_EQ(full.message(), "b.mcap: disk full: write: No space left on device");
 }
 
-} // namespace
+} // namespace format_test
 } // namespace godwit::io::mcap

@@ -6,7 +6,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace repair_test {
 
 TEST(mcap_repair, a_complete_file_is_left_alone) {
   const temporary_folder folder;
@@ -59,5 +59,5 @@ TEST(mcap_repair, what_is_no_mcap_file_is_not_touched) {
   EXPECT_EQ(complete(folder / "none.mcap").error().code, errc::io);
 }
 
-} // namespace
+} // namespace repair_test
 } // namespace godwit::io::mcap::test

@@ -8,7 +8,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace rotating_writer_test {
 
 constexpr std::uint64_t millisecond_ns = 1'000'000;
 
@@ -173,5 +173,5 @@ TEST_F(mcap_rotating_writer, an_unwritable_folder_is_an_explicit_error) {
   EXPECT_NE(written.error().message().find("godwit-0000000005-000001.mcap"), std::string::npos);
 }
 
-} // namespace
+} // namespace rotating_writer_test
 } // namespace godwit::io::mcap::test

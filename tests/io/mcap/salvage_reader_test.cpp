@@ -11,7 +11,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace salvage_reader_test {
 
 struct salvaged {
   std::vector<seen_message> messages;
@@ -206,5 +206,5 @@ TEST(mcap_file_summary, only_a_sound_end_gives_one) {
   EXPECT_FALSE(read_summary(memory_source{open})->has_value());
 }
 
-} // namespace
+} // namespace salvage_reader_test
 } // namespace godwit::io::mcap::test

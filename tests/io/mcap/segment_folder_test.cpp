@@ -5,7 +5,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace segment_folder_test {
 
 constexpr std::uint64_t small_segment_bytes = segment_folder::min_segment_bytes;
 
@@ -119,5 +119,5 @@ TEST(mcap_segment_folder, impossible_options_are_refused) {
   EXPECT_EQ(segments.open(options).error().code, errc::io);
 }
 
-} // namespace
+} // namespace segment_folder_test
 } // namespace godwit::io::mcap::test

@@ -6,7 +6,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace segment_writer_test {
 
 TEST(mcap_segment_writer, what_was_written_is_read_back_in_order) {
   const temporary_folder folder;
@@ -125,5 +125,5 @@ TEST(mcap_segment_writer, the_announced_size_is_an_upper_bound_of_the_closed_fil
   EXPECT_LE(announced_bytes, writer.bytes_written() + 300) << "and not far from it";
 }
 
-} // namespace
+} // namespace segment_writer_test
 } // namespace godwit::io::mcap::test

@@ -6,7 +6,7 @@
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {
-namespace {
+namespace stream_reader_test {
 
 // A file of others: records outside of chunks, and whatever is put between opening and end.
 byte_buffer file_with(const byte_buffer& data) {
@@ -142,5 +142,5 @@ TEST(mcap_stream_reader, bytes_behind_the_end_are_an_error) {
   EXPECT_EQ(read_all(file).end, ending::error);
 }
 
-} // namespace
+} // namespace stream_reader_test
 } // namespace godwit::io::mcap::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::mqtt {
-namespace {
+namespace broker_uri_test {
 
 TEST(broker_uri, a_broker_has_tls_and_a_host_and_a_port_that_may_be_left_out) {
   EXPECT_EQ(parse_broker_uri("mqtts://fleet.example.org")->text(), "mqtts://fleet.example.org:8883");
@@ -38,5 +38,5 @@ TEST(broker_uri, a_password_does_not_stand_in_the_address) {
   EXPECT_EQ(parsed.error().find("secret"), std::string::npos);
 }
 
-} // namespace
+} // namespace broker_uri_test
 } // namespace godwit::io::mqtt

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace text_test {
 
 using namespace godwit::io::prometheus;
 
@@ -44,4 +44,4 @@ TEST(prometheus_text, numbers_are_written_so_that_they_are_read_back_as_they_wer
   EXPECT_EQ(out.text(), "# HELP a x\n# TYPE a gauge\na 0.1\na 18446744073709551615\na NaN\na -Inf\n");
 }
 
-} // namespace
+} // namespace text_test

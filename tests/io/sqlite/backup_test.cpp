@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::sqlite {
-namespace {
+namespace backup_test {
 
 namespace fs = std::filesystem;
 
@@ -49,5 +49,5 @@ TEST_F(backup, a_place_that_takes_no_file_is_an_error) {
   EXPECT_FALSE(back_up(*from, at("none/b.db")));
 }
 
-} // namespace
+} // namespace backup_test
 } // namespace godwit::io::sqlite

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 namespace godwit::io::sqlite {
-namespace {
+namespace bus_guard_test {
 
 TEST(bus_guard, a_page_that_was_cut_from_its_file_becomes_an_empty_one_and_is_counted) {
   guard_against_bus_errors();
@@ -36,5 +36,5 @@ TEST(bus_guard_death, another_cause_ends_the_process_as_ever) {
   EXPECT_EXIT(std::raise(SIGBUS), testing::KilledBySignal(SIGBUS), "");
 }
 
-} // namespace
+} // namespace bus_guard_test
 } // namespace godwit::io::sqlite

@@ -7,7 +7,7 @@
 #include "io/sqlite/transaction.hpp"
 
 namespace godwit::io::sqlite {
-namespace {
+namespace database_test {
 
 class database_test : public ::testing::Test {
 protected:
@@ -78,5 +78,5 @@ TEST_F(database_test, a_file_name_carries_no_options) {
   EXPECT_FALSE(database::open("no_such_file.db?mode=memory", {.mode = open_mode::read_only}));
 }
 
-} // namespace
+} // namespace database_test
 } // namespace godwit::io::sqlite

@@ -5,7 +5,7 @@
 #include "tests/io/sqlite/store_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace file_watch_test {
 
 namespace fs = std::filesystem;
 using io::sqlite::file_watch;
@@ -58,5 +58,5 @@ TEST_F(file_watch_test, a_log_and_its_index_that_were_cut_deleted_or_replaced_ar
   file.db.leave_log_at_close();
 }
 
-} // namespace
+} // namespace file_watch_test
 } // namespace godwit::tests

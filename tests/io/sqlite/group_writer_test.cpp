@@ -8,7 +8,7 @@
 #include "tests/io/sqlite/store_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace group_writer_test {
 
 using namespace io::sqlite;
 using namespace std::chrono_literals;
@@ -345,5 +345,5 @@ TEST_F(group_writer_test, a_thread_does_the_same) {
   EXPECT_EQ(written, (texts{"a", "c"}));
 }
 
-} // namespace
+} // namespace group_writer_test
 } // namespace godwit::tests

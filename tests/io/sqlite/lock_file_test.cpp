@@ -3,7 +3,7 @@
 #include "tests/io/sqlite/store_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace lock_file_test {
 
 using namespace io::sqlite;
 
@@ -57,5 +57,5 @@ TEST_F(lock_file_test, a_folder_that_is_not_there_is_an_error) {
   EXPECT_NE(refused.error().what.find(path() + ".lock"), std::string::npos) << refused.error().what;
 }
 
-} // namespace
+} // namespace lock_file_test
 } // namespace godwit::tests

@@ -5,7 +5,7 @@
 #include "tests/io/sqlite/store_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace log_keeper_test {
 
 using namespace io::sqlite;
 
@@ -56,5 +56,5 @@ TEST_F(log_keeper_test, closing_moves_everything) {
   EXPECT_GE(database_bytes(), 1'000'000);
 }
 
-} // namespace
+} // namespace log_keeper_test
 } // namespace godwit::tests

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::sqlite {
-namespace {
+namespace migration_test {
 
 const std::vector<std::string> steps{"CREATE TABLE t(a)", "ALTER TABLE t ADD b; INSERT INTO t VALUES (1, 2)"};
 
@@ -23,5 +23,5 @@ TEST(migration, one_that_fails_leaves_everything_as_it_was) {
   EXPECT_EQ(db->query_integer("PRAGMA user_version").value(), 0);
 }
 
-} // namespace
+} // namespace migration_test
 } // namespace godwit::io::sqlite

@@ -6,7 +6,7 @@
 #include <sqlite3.h>
 
 namespace godwit::io::sqlite {
-namespace {
+namespace store_error_test {
 
 const store_kind kind{.name = "notebook", .when_corrupt = "Write it again"};
 
@@ -39,5 +39,5 @@ TEST(store_error, the_number_of_the_system_tells_what_an_io_error_means) {
   EXPECT_EQ(of_code(SQLITE_IOERR, EIO).code, store_errc::io);
 }
 
-} // namespace
+} // namespace store_error_test
 } // namespace godwit::io::sqlite

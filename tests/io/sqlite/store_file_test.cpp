@@ -5,7 +5,7 @@
 #include "tests/io/sqlite/store_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace store_file_test {
 
 using namespace io::sqlite;
 
@@ -113,5 +113,5 @@ TEST_F(store_file_test, each_fault_while_it_is_made_leaves_nothing_or_a_whole_fi
   }
 }
 
-} // namespace
+} // namespace store_file_test
 } // namespace godwit::tests

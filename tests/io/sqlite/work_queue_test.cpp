@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::sqlite {
-namespace {
+namespace work_queue_test {
 
 bool anybody(const int&) { return true; }
 
@@ -73,5 +73,5 @@ TEST(work_queue, closing_wakes_who_waits_and_refuses_what_comes) {
   EXPECT_EQ(queue.push(1, {}, anybody).error(), refusal::closed);
 }
 
-} // namespace
+} // namespace work_queue_test
 } // namespace godwit::io::sqlite

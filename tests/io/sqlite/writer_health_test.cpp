@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::sqlite {
-namespace {
+namespace writer_health_test {
 
 using namespace std::chrono_literals;
 
@@ -49,5 +49,5 @@ TEST(writer_health, a_try_at_once_does_not_wait) {
   EXPECT_TRUE(health.is_failing());
 }
 
-} // namespace
+} // namespace writer_health_test
 } // namespace godwit::io::sqlite

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace camera_uri_test {
 
 using namespace godwit::io::video;
 
@@ -46,4 +46,4 @@ TEST(camera_uri, a_file_of_any_name_has_an_address) {
   EXPECT_EQ(odd.where, "file:///films/50%25%20of%20%C3%A4%3F.mkv");
 }
 
-} // namespace
+} // namespace camera_uri_test

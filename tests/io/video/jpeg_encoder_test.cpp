@@ -4,7 +4,7 @@
 
 #include "tests/io/video/painted_frame.hpp"
 
-namespace {
+namespace jpeg_encoder_test {
 
 using namespace godwit::io::video;
 
@@ -20,4 +20,4 @@ TEST(jpeg_encoder, a_frame_becomes_a_jpeg_also_of_odd_sizes_and_again) {
   }
 }
 
-} // namespace
+} // namespace jpeg_encoder_test

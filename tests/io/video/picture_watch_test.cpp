@@ -4,7 +4,7 @@
 
 #include "tests/io/video/painted_frame.hpp"
 
-namespace {
+namespace picture_watch_test {
 
 using namespace godwit::io::video;
 
@@ -38,4 +38,4 @@ TEST(picture_watch, pictures_of_any_size_are_taken) {
   EXPECT_EQ(watch.look(painted_frame(1280, 720, 90, 2)), picture_fault::none);
 }
 
-} // namespace
+} // namespace picture_watch_test

@@ -16,7 +16,7 @@
 #include "tests/io/video/painted_frame.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace recorder_test {
 
 using namespace godwit::io::video;
 using namespace std::chrono_literals;
@@ -127,4 +127,4 @@ TEST(video_recorder, a_folder_that_can_not_be_written_is_said_and_stops_nobody) 
   EXPECT_NE(to.report().error.find("/proc/nowhere"), std::string::npos);
 }
 
-} // namespace
+} // namespace recorder_test

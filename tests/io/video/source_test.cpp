@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace source_test {
 
 using namespace godwit::io::video;
 using namespace std::chrono_literals;
@@ -114,4 +114,4 @@ TEST(video_source, black_and_repeated_pictures_are_noticed) {
   EXPECT_EQ(sound.camera.report().fault, picture_fault::none);
 }
 
-} // namespace
+} // namespace source_test

@@ -2,7 +2,7 @@
 
 #include "messages/flight/vehicle_class.hpp"
 
-namespace {
+namespace vehicle_class_test {
 
 using namespace godwit::flight;
 using godwit::io::mavlink::mav_type;
@@ -23,4 +23,4 @@ TEST(vehicle_class, boats_are_rovers_and_the_rest_is_unknown) {
   EXPECT_EQ(class_of(static_cast<mav_type>(250)), vehicle_class::unknown);
 }
 
-} // namespace
+} // namespace vehicle_class_test

@@ -19,7 +19,7 @@
 #include "io/link/descriptor.hpp"
 
 namespace godwit::programs {
-namespace {
+namespace line_printer_test {
 
 struct line_printer_test : ::testing::Test {
   line_printer_test() {
@@ -112,5 +112,5 @@ TEST(line_printer, what_the_disk_refuses_is_counted_and_told_when_it_takes_lines
   std::filesystem::remove(pattern);
 }
 
-} // namespace
+} // namespace line_printer_test
 } // namespace godwit::programs

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::programs {
-namespace {
+namespace printable_test {
 
 TEST(printable, control_characters_are_shown_and_do_nothing) {
   EXPECT_EQ(printable("\x1b[2Jred\a\r\x7f"), "\\x1b[2Jred\\x07\\x0d\\x7f");
@@ -25,5 +25,5 @@ TEST(printable, a_line_end_begins_no_line_that_looks_like_ours) {
   EXPECT_EQ(printable("no\nerror: godwitd: fake"), "no\n    error: godwitd: fake");
 }
 
-} // namespace
+} // namespace printable_test
 } // namespace godwit::programs

@@ -4,7 +4,7 @@
 #include <poll.h>
 
 namespace godwit::programs {
-namespace {
+namespace signal_descriptor_test {
 
 bool is_readable(const signal_descriptor& stop) {
   pollfd watched{stop.descriptor(), POLLIN, 0};
@@ -31,5 +31,5 @@ TEST(signal_descriptor, afterwards_signals_are_as_they_were) {
   EXPECT_EQ(sigismember(&before, SIGINT), sigismember(&after, SIGINT));
 }
 
-} // namespace
+} // namespace signal_descriptor_test
 } // namespace godwit::programs

@@ -12,7 +12,7 @@
 #include "runtime/journal/journal_reader.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
 
-namespace {
+namespace drill_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -169,4 +169,4 @@ TEST(crash_plan, a_disarmed_plan_does_not_throw) {
   EXPECT_TRUE(plan.arm(3, runtime::crash_point::before_handler));
 }
 
-} // namespace
+} // namespace drill_test

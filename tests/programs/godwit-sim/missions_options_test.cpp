@@ -11,7 +11,7 @@
 #include "tests/support/tls_identity.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace missions_options_test {
 
 struct missions_options : ::testing::Test {
   missions_options() {
@@ -115,5 +115,5 @@ TEST_F(missions_options, a_mistake_names_the_option_and_what_to_do) {
   }
 }
 
-} // namespace
+} // namespace missions_options_test
 } // namespace godwit::sim

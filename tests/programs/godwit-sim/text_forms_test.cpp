@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace text_forms_test {
 
 using namespace std::chrono_literals;
 
@@ -43,5 +43,5 @@ TEST(text_forms, somebody_elses_text_is_shown_printable_and_not_too_long) {
   EXPECT_LT(in_quotes(std::string(1'000, 'x')).size(), 100U);
 }
 
-} // namespace
+} // namespace text_forms_test
 } // namespace godwit::sim

@@ -7,7 +7,7 @@
 #include "programs/godwit-sim/connection_hints.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace vehicle_options_test {
 
 vehicle_arguments usual() {
   vehicle_arguments given;
@@ -136,5 +136,5 @@ TEST(vehicle_options, what_is_no_number_is_refused) {
   EXPECT_FALSE(read(given));
 }
 
-} // namespace
+} // namespace vehicle_options_test
 } // namespace godwit::sim

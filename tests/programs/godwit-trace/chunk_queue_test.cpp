@@ -4,7 +4,7 @@
 #include <poll.h>
 
 namespace godwit::trace_tool {
-namespace {
+namespace chunk_queue_test {
 
 bool is_readable(const chunk_queue& queue) {
   pollfd watched{queue.descriptor(), POLLIN, 0};
@@ -54,5 +54,5 @@ TEST(chunk_queue, a_change_of_the_status_is_never_dropped) {
   EXPECT_EQ(taken[1].status->reason, "gone");
 }
 
-} // namespace
+} // namespace chunk_queue_test
 } // namespace godwit::trace_tool

@@ -7,7 +7,7 @@
 #include "io/mavlink/messages.hpp"
 
 namespace godwit::trace_tool {
-namespace {
+namespace enum_fields_test {
 
 std::string name_in(std::uint32_t message_id, std::string_view field, std::uint64_t value) {
   const auto rows = enum_fields_of(message_id);
@@ -51,5 +51,5 @@ TEST(enum_fields, what_has_no_name_gets_none) {
   EXPECT_TRUE(enum_fields_of(30).empty());
 }
 
-} // namespace
+} // namespace enum_fields_test
 } // namespace godwit::trace_tool

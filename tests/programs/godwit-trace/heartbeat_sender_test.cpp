@@ -6,7 +6,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace heartbeat_sender_test {
 
 using namespace io::mavlink;
 
@@ -52,5 +52,5 @@ TEST(heartbeat_sender, with_a_key_it_is_signed) {
     EXPECT_EQ(check.judge(*view_of(each), signing_time_at(some_day_ns)), verdict::accepted_signed);
 }
 
-} // namespace
+} // namespace heartbeat_sender_test
 } // namespace godwit::trace_tool::test

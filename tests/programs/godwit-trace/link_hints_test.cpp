@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::trace_tool {
-namespace {
+namespace link_hints_test {
 
 using namespace std::chrono_literals;
 using io::mavlink::scan_counters;
@@ -58,5 +58,5 @@ TEST(link_hints, where_frames_are_heard_nothing_is_said) {
   EXPECT_EQ(hints_for("udpin://:14550").due(60s, good), std::nullopt);
 }
 
-} // namespace
+} // namespace link_hints_test
 } // namespace godwit::trace_tool

@@ -17,7 +17,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace link_session_test {
 
 using namespace io::mavlink;
 using namespace std::chrono_literals;
@@ -316,5 +316,5 @@ TEST(link_session, a_link_that_can_not_come_up_says_why_and_goes_on_trying) {
   EXPECT_EQ(session.stop(), exit_code::ok);
 }
 
-} // namespace
+} // namespace link_session_test
 } // namespace godwit::trace_tool::test

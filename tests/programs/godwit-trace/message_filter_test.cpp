@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace message_filter_test {
 
 using namespace io::mavlink;
 
@@ -27,5 +27,5 @@ TEST(message_filter, name_system_and_component_must_all_be_wanted) {
   EXPECT_TRUE(filter.wants_sender({1, 1}));
 }
 
-} // namespace
+} // namespace message_filter_test
 } // namespace godwit::trace_tool::test

@@ -9,7 +9,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace message_json_test {
 
 using namespace io::mavlink;
 using nlohmann::json;
@@ -71,5 +71,5 @@ TEST(message_json, all_of_our_messages_parse_with_all_their_open_fields) {
   });
 }
 
-} // namespace
+} // namespace message_json_test
 } // namespace godwit::trace_tool::test

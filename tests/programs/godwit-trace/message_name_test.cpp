@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::trace_tool {
-namespace {
+namespace message_name_test {
 
 TEST(message_name, ids_of_the_table_have_their_name_and_others_their_number) {
   EXPECT_EQ(message_name(0), "HEARTBEAT");
@@ -22,5 +22,5 @@ TEST(message_name, a_name_that_contains_what_was_typed_is_nearer_than_any_other)
   EXPECT_EQ(nearest_message_name("TEXT"), "STATUSTEXT");
 }
 
-} // namespace
+} // namespace message_name_test
 } // namespace godwit::trace_tool

@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace message_printer_test {
 
 using namespace io::mavlink;
 
@@ -44,5 +44,5 @@ TEST(message_printer, json_has_a_line_for_each_message) {
   EXPECT_TRUE(line.ends_with("}\n"));
 }
 
-} // namespace
+} // namespace message_printer_test
 } // namespace godwit::trace_tool::test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace message_text_test {
 
 using namespace io::mavlink;
 
@@ -82,5 +82,5 @@ TEST(message_text, secrets_are_never_shown) {
   }
 }
 
-} // namespace
+} // namespace message_text_test
 } // namespace godwit::trace_tool::test

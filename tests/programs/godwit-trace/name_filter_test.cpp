@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::trace_tool {
-namespace {
+namespace name_filter_test {
 
 name_filter filter_of(const std::vector<std::string>& lists) {
   auto filter = name_filter::parse(lists);
@@ -59,5 +59,5 @@ TEST(name_filter, a_name_that_is_none_is_answered_with_the_nearest) {
   EXPECT_NE(error_of("UNKNOWN_12x"), "");
 }
 
-} // namespace
+} // namespace name_filter_test
 } // namespace godwit::trace_tool

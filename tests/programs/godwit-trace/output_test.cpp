@@ -10,7 +10,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace output_test {
 
 TEST(output, text_waits_until_there_is_much_of_it) {
   const memory_file file;
@@ -62,5 +62,5 @@ TEST(console, a_sentence_is_said_at_once_behind_the_name_of_the_program) {
   EXPECT_EQ(console.words(), "godwit-trace: all is well\n");
 }
 
-} // namespace
+} // namespace output_test
 } // namespace godwit::trace_tool::test

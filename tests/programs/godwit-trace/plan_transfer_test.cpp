@@ -16,7 +16,7 @@
 #include "programs/godwit-trace/plan_transfer.hpp"
 #include "tests/support/loopback_vehicle.hpp"
 
-namespace {
+namespace plan_transfer_test {
 
 using namespace godwit;
 using namespace godwit::trace_tool;
@@ -170,4 +170,4 @@ TEST_F(plan_transfer, ctrl_c_ends_the_wait_for_a_vehicle) {
   EXPECT_NE(said.find("stopped"), std::string::npos) << said;
 }
 
-} // namespace
+} // namespace plan_transfer_test

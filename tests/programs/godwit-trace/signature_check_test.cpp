@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace signature_check_test {
 
 using namespace io::mavlink;
 
@@ -61,5 +61,5 @@ TEST(signature_check, a_clock_that_is_wrong_is_told_as_such) {
             std::string::npos);
 }
 
-} // namespace
+} // namespace signature_check_test
 } // namespace godwit::trace_tool::test

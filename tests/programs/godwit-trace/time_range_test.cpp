@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::trace_tool {
-namespace {
+namespace time_range_test {
 
 TEST(time_range, a_mark_is_seconds_or_utc) {
   EXPECT_EQ(parse_time_mark("12.5"), (time_mark{true, 12'500'000}));
@@ -29,5 +29,5 @@ TEST(time_range, without_marks_it_holds_everything) {
   EXPECT_TRUE(time_range{}.contains(~std::uint64_t{0}, 5));
 }
 
-} // namespace
+} // namespace time_range_test
 } // namespace godwit::trace_tool

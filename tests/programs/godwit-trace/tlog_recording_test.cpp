@@ -6,7 +6,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace tlog_recording_test {
 
 using namespace io::mavlink;
 
@@ -56,5 +56,5 @@ TEST(tlog_recording, what_can_not_be_written_is_said_once_and_counted) {
   EXPECT_NE(recording.close().find("3 lost"), std::string::npos);
 }
 
-} // namespace
+} // namespace tlog_recording_test
 } // namespace godwit::trace_tool::test

@@ -9,7 +9,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace tlog_run_test {
 
 using nlohmann::json;
 
@@ -164,5 +164,5 @@ TEST(tlog_run, a_file_that_is_no_log_fails_with_a_sentence) {
   }
 }
 
-} // namespace
+} // namespace tlog_run_test
 } // namespace godwit::trace_tool::test

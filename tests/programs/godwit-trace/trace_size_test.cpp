@@ -12,7 +12,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 #include "programs/godwit-drill/scratch_folder.hpp"
 
-namespace {
+namespace trace_size_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -94,4 +94,4 @@ TEST(trace_size, an_hour_beside_a_px4_at_default_streams_takes_at_most_100_mb) {
   EXPECT_LE(mb_an_hour, 100);
 }
 
-} // namespace
+} // namespace trace_size_test

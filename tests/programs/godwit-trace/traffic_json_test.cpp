@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace traffic_json_test {
 
 using namespace io::mavlink;
 
@@ -42,5 +42,5 @@ TEST(traffic_json, a_rate_that_is_not_known_is_null) {
   EXPECT_TRUE(json_of({heard, {}, {}}).at("messages").at(0).at("rate_hz").is_null());
 }
 
-} // namespace
+} // namespace traffic_json_test
 } // namespace godwit::trace_tool::test

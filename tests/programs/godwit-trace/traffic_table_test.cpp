@@ -4,7 +4,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace traffic_table_test {
 
 using namespace io::mavlink;
 
@@ -40,5 +40,5 @@ TEST(traffic_table, where_nothing_was_heard_there_are_no_tables) {
                  "passed over: nothing\n");
 }
 
-} // namespace
+} // namespace traffic_table_test
 } // namespace godwit::trace_tool::test

@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace traffic_test {
 
 using namespace io::mavlink;
 
@@ -54,5 +54,5 @@ TEST(traffic, rows_are_bounded_and_what_has_none_is_counted) {
   EXPECT_EQ(heard.totals().frames, traffic::max_rows + 11);
 }
 
-} // namespace
+} // namespace traffic_test
 } // namespace godwit::trace_tool::test

@@ -6,7 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::trace_tool {
-namespace {
+namespace utc_time_test {
 
 std::string utc(std::uint64_t time_us) {
   std::string out;
@@ -59,5 +59,5 @@ RC_GTEST_PROP(utc_time, every_time_reads_back_as_itself, ()) {
   RC_ASSERT(parse_utc(utc(time_us)) == time_us);
 }
 
-} // namespace
+} // namespace utc_time_test
 } // namespace godwit::trace_tool

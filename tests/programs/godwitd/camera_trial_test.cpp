@@ -4,7 +4,7 @@
 
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace camera_trial_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -112,4 +112,4 @@ TEST(camera_trial, what_an_older_run_says_changes_nothing) {
   EXPECT_EQ(t.look(), camera_state::not_ready);
 }
 
-} // namespace
+} // namespace camera_trial_test

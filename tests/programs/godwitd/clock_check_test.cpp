@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::daemon {
-namespace {
+namespace clock_check_test {
 
 constexpr std::int64_t year_s = 31'557'600;
 
@@ -18,5 +18,5 @@ TEST(clock_check, beyond_what_64_bits_of_nanoseconds_hold_it_says_so) {
   EXPECT_TRUE(objection_to_clock({0, 300 * year_s})) << "the clock of the timers";
 }
 
-} // namespace
+} // namespace clock_check_test
 } // namespace godwit::daemon

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace {
+namespace command_line_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -135,4 +135,4 @@ TEST(command_line, a_mistake_is_usage_and_help_is_not) {
   EXPECT_NE(help.find("Examples"), std::string::npos);
 }
 
-} // namespace
+} // namespace command_line_test

@@ -4,7 +4,7 @@
 
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace configuration_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -64,4 +64,4 @@ TEST(configuration, a_mistake_in_the_file_is_told_with_its_place) {
   EXPECT_NE(wrong.error().find("service.token"), std::string::npos) << wrong.error();
 }
 
-} // namespace
+} // namespace configuration_test

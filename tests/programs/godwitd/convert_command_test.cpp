@@ -6,7 +6,7 @@
 
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace convert_command_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -68,4 +68,4 @@ TEST(convert_command, a_file_that_is_not_there_or_no_mission_is_said_by_name) {
     EXPECT_NE(said.find(each), std::string::npos) << each;
 }
 
-} // namespace
+} // namespace convert_command_test

@@ -4,7 +4,7 @@
 
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace crash_loop_guard_test {
 
 using namespace godwit::daemon;
 using godwit::test::scratch;
@@ -154,4 +154,4 @@ TEST(boot_moment, this_moment_has_a_boot_and_goes_on) {
   EXPECT_LE(first.at_ms, second.at_ms);
 }
 
-} // namespace
+} // namespace crash_loop_guard_test

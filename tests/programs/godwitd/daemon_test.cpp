@@ -10,7 +10,7 @@
 #include "tests/programs/godwitd/daemon_world.hpp"
 #include "tests/programs/godwitd/process.hpp"
 
-namespace {
+namespace daemon_test {
 
 using namespace godwit;
 using namespace godwit::test;
@@ -178,4 +178,4 @@ TEST(daemon_and_sim, the_real_programs_work_together) {
   EXPECT_EQ(service.ends(), 0) << service.said();
 }
 
-} // namespace
+} // namespace daemon_test

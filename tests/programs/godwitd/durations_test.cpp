@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace durations_test {
 
 using godwit::daemon::duration_text;
 
@@ -19,4 +19,4 @@ TEST(durations, are_told_in_the_unit_that_people_would_use) {
   EXPECT_EQ(duration_text(72 * 3600 * second_ns), "3 days");
 }
 
-} // namespace
+} // namespace durations_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace health_text_test {
 
 using namespace godwit::daemon;
 using enum godwit::runtime::health_colour;
@@ -27,4 +27,4 @@ TEST(health_text, a_change_of_colour_and_another_cause_are_news_and_another_numb
   EXPECT_EQ(well[0].sentence, "a is well again");
 }
 
-} // namespace
+} // namespace health_text_test

@@ -4,7 +4,7 @@
 
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace host_facts_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -41,4 +41,4 @@ TEST(free_bytes_beside, is_known_for_a_file_that_is_not_there_yet_and_for_no_fol
   EXPECT_FALSE(free_bytes_beside(folder.file("nowhere/journal.db")));
 }
 
-} // namespace
+} // namespace host_facts_test

@@ -10,7 +10,7 @@
 #include "tests/programs/godwitd/process.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace kill_test {
 
 using namespace godwit;
 using namespace godwit::test;
@@ -113,4 +113,4 @@ TEST_P(kill_run, a_daemon_that_is_killed_at_any_commit_delivers_every_row_once) 
 INSTANTIATE_TEST_SUITE_P(place, kill_run, testing::Values("before", "after"),
                          [](const auto& place) { return std::string(place.param); });
 
-} // namespace
+} // namespace kill_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::daemon {
-namespace {
+namespace limit_check_test {
 
 TEST(limit_check, what_is_too_little_is_named_with_what_is_needed) {
   EXPECT_FALSE(objection_to_limits(limits_now()));
@@ -12,5 +12,5 @@ TEST(limit_check, what_is_too_little_is_named_with_what_is_needed) {
   EXPECT_NE(objection_to_limits({least_address_space, 20})->find("ulimit -n"), std::string::npos);
 }
 
-} // namespace
+} // namespace limit_check_test
 } // namespace godwit::daemon

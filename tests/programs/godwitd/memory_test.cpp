@@ -4,7 +4,7 @@
 #include "tests/programs/godwitd/daemon_world.hpp"
 #include "tests/programs/godwitd/process.hpp"
 
-namespace {
+namespace memory_test {
 
 using namespace godwit::test;
 
@@ -27,4 +27,4 @@ TEST(daemon_memory, a_pull_of_100000_objects_stays_below_150_mb) {
   EXPECT_EQ(daemon.ends(), 0) << daemon.said();
 }
 
-} // namespace
+} // namespace memory_test

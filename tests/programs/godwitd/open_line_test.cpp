@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::daemon {
-namespace {
+namespace open_line_test {
 
 io::link::uri line(std::string_view text) { return io::link::parse_uri(text).value(); }
 
@@ -32,5 +32,5 @@ TEST(open_line, where_a_sender_can_be_made_up_one_heartbeat_is_not_believed) {
   EXPECT_EQ(heartbeats_to_begin(line("tcp://127.0.0.1:5760"), false), 1);
 }
 
-} // namespace
+} // namespace open_line_test
 } // namespace godwit::daemon

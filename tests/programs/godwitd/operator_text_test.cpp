@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace operator_text_test {
 
 using namespace godwit::daemon;
 using nlohmann::json;
@@ -33,4 +33,4 @@ TEST(operator_text, who_has_control_is_said) {
   EXPECT_EQ(operators_line({{"control", nullptr}, {"sessions", json::array()}}), "control is free");
 }
 
-} // namespace
+} // namespace operator_text_test

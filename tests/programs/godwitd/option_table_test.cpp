@@ -8,7 +8,7 @@
 
 #include "runtime/config/config.hpp"
 
-namespace {
+namespace option_table_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -35,4 +35,4 @@ TEST(option_table, an_option_can_be_named_in_all_three_ways) {
   EXPECT_EQ(all_names_of("token-file"), "--token-file (GODWIT_TOKEN_FILE, service.token_file)");
 }
 
-} // namespace
+} // namespace option_table_test

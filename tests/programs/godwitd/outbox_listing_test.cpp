@@ -7,7 +7,7 @@
 #include "runtime/journal/sqlite_journal.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace outbox_listing_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -83,4 +83,4 @@ TEST(outbox_listing, a_journal_that_is_not_there_is_named) {
   EXPECT_NE(listing.error().find("none.db"), std::string::npos);
 }
 
-} // namespace
+} // namespace outbox_listing_test

@@ -6,7 +6,7 @@
 #include "tests/programs/godwitd/scratch.hpp"
 
 namespace godwit::daemon {
-namespace {
+namespace output_check_test {
 
 using test::scratch;
 
@@ -88,5 +88,5 @@ TEST(output_check, a_name_with_a_zero_or_a_line_end_is_refused) {
   }
 }
 
-} // namespace
+} // namespace output_check_test
 } // namespace godwit::daemon

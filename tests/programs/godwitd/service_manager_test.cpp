@@ -9,7 +9,7 @@
 #include "tests/programs/godwitd/notify_listener.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace service_manager_test {
 
 using namespace godwit::daemon;
 using godwit::test::notify_listener;
@@ -98,4 +98,4 @@ TEST(service_manager, the_watchdog_is_ours_only_if_this_process_is_meant) {
   }
 }
 
-} // namespace
+} // namespace service_manager_test

@@ -7,7 +7,7 @@
 #include "io/mavlink/messages/gimbal.hpp"
 #include "programs/godwitd/configuration.hpp"
 
-namespace {
+namespace godwitd_settings_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -249,4 +249,4 @@ TEST(daemon_settings, a_broker_needs_tls_or_this_computer_and_a_name_for_the_veh
 #endif
 }
 
-} // namespace
+} // namespace godwitd_settings_test

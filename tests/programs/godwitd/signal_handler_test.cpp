@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 namespace godwit::daemon {
-namespace {
+namespace signal_handler_test {
 
 constexpr std::chrono::seconds patience{60};
 
@@ -44,5 +44,5 @@ TEST(signal_handler_death, a_second_stop_ends_the_process) {
       testing::KilledBySignal(SIGINT), "");
 }
 
-} // namespace
+} // namespace signal_handler_test
 } // namespace godwit::daemon

@@ -4,7 +4,7 @@
 
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace state_check_test {
 
 using namespace godwit::daemon;
 using godwit::test::scratch;
@@ -24,4 +24,4 @@ TEST(state_check, a_foreign_file_is_named) {
   }
 }
 
-} // namespace
+} // namespace state_check_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace status_text_test {
 
 using namespace godwit::daemon;
 using nlohmann::json;
@@ -176,4 +176,4 @@ TEST(status_text, the_broker_is_named_with_what_waits_for_it_and_why_there_is_no
                     "412 delivered, 5 DROPPED; tried again in 12 s");
 }
 
-} // namespace
+} // namespace status_text_test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwitd/notify_listener.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace watchdog_notifier_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -99,4 +99,4 @@ TEST_F(pulse_test, started_it_beats_by_itself_until_it_is_ended) {
   beats.end();
 }
 
-} // namespace
+} // namespace watchdog_notifier_test

@@ -13,7 +13,7 @@
 
 namespace godwit::runtime {
 
-namespace {
+namespace config_test {
 
 using nlohmann::json;
 
@@ -142,6 +142,6 @@ TEST_F(config_file, that_never_ends_is_too_large) {
   EXPECT_EQ(endless.error().code, config_errc::too_large);
 }
 
-} // namespace
+} // namespace config_test
 
 } // namespace godwit::runtime

@@ -7,7 +7,7 @@
 
 namespace godwit::runtime {
 
-namespace {
+namespace parse_test {
 
 config_error error_of(std::string_view text) {
   auto parsed = parse_config(text, "test.json");
@@ -97,6 +97,6 @@ RC_GTEST_PROP(parse, any_text_gives_a_document_or_a_sentence, (const std::string
   RC_ASSERT(answered);
 }
 
-} // namespace
+} // namespace parse_test
 
 } // namespace godwit::runtime

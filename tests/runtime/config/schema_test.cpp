@@ -9,7 +9,7 @@
 
 namespace godwit::runtime {
 
-namespace {
+namespace schema_test {
 
 using nlohmann::json;
 
@@ -129,6 +129,6 @@ TEST(schema, defaults_fill_what_is_absent_and_nothing_else) {
   EXPECT_EQ(document, json::parse(R"({"name":"x","on":false,"count":4,"mode":"off","inner":{"deep":{"leaf":7}}})"));
 }
 
-} // namespace
+} // namespace schema_test
 
 } // namespace godwit::runtime

@@ -12,7 +12,7 @@
 #include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace every_fault_test {
 
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
@@ -205,5 +205,5 @@ TEST(power_cut_proof_test, a_disk_that_lies_about_syncing_loses_acknowledged_eve
   EXPECT_EQ(recover(*open_journal(options_of(path, "")), "executor")->last_event, 0);
 }
 
-} // namespace
+} // namespace every_fault_test
 } // namespace godwit::tests

@@ -11,7 +11,7 @@
 #include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace journal_file_test {
 
 using namespace godwit::runtime;
 
@@ -219,5 +219,5 @@ TEST_F(journal_file_test, a_second_writer_is_told_who_the_first_is) {
   EXPECT_TRUE(open_journal({.path = path}));
 }
 
-} // namespace
+} // namespace journal_file_test
 } // namespace godwit::tests

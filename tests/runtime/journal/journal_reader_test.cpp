@@ -5,7 +5,7 @@
 #include "tests/runtime/journal/journal_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace journal_reader_test {
 
 using namespace godwit::runtime;
 
@@ -82,5 +82,5 @@ TEST_F(journal_reader_test, a_missing_journal_is_missing_and_is_not_made) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-} // namespace
+} // namespace journal_reader_test
 } // namespace godwit::tests

@@ -4,7 +4,7 @@
 #include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace journal_target_test {
 
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
@@ -178,5 +178,5 @@ TEST_F(failing_disk_test, a_wrong_statement_found_afterwards_takes_along_what_wa
   EXPECT_TRUE(commit(*journal, event_write("wrong", 1, 3)));
 }
 
-} // namespace
+} // namespace journal_target_test
 } // namespace godwit::tests

@@ -6,7 +6,7 @@
 #include "tests/runtime/journal/journal_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace lost_file_test {
 
 namespace fs = std::filesystem;
 using namespace runtime;
@@ -101,5 +101,5 @@ TEST(journal, one_that_is_as_it_should_be_is_not_rescued) {
   EXPECT_TRUE(commit(*journal, event_write("anna", 1)));
 }
 
-} // namespace
+} // namespace lost_file_test
 } // namespace godwit::tests

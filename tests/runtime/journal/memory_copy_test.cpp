@@ -6,7 +6,7 @@
 #include "tests/runtime/journal/journal_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace memory_copy_test {
 
 using namespace runtime;
 
@@ -41,5 +41,5 @@ TEST(memory_copy, a_new_file_made_of_it_holds_what_the_old_one_held) {
 
 TEST(memory_copy, an_actor_that_it_does_not_know_is_as_new) { EXPECT_EQ(memory_copy().of("nobody").last_event, 0); }
 
-} // namespace
+} // namespace memory_copy_test
 } // namespace godwit::tests

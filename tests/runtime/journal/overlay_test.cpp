@@ -5,7 +5,7 @@
 #include "tests/runtime/journal/journal_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace overlay_test {
 
 using namespace godwit::runtime;
 
@@ -60,5 +60,5 @@ TEST(overlay_test, tells_what_the_database_will_tell) {
   }
 }
 
-} // namespace
+} // namespace overlay_test
 } // namespace godwit::tests

@@ -10,7 +10,7 @@
 #include "tests/support/victim.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace sigkill_test {
 
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
@@ -62,5 +62,5 @@ TEST(sigkill_test, loses_no_acknowledged_event_and_the_journal_stays_sound) {
   EXPECT_GT(acknowledged, rounds);
 }
 
-} // namespace
+} // namespace sigkill_test
 } // namespace godwit::tests

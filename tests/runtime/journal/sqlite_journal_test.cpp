@@ -6,7 +6,7 @@
 #include "tests/runtime/journal/journal_fixture.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace sqlite_journal_test {
 
 using namespace godwit::runtime;
 
@@ -302,5 +302,5 @@ TEST_F(sqlite_journal_death_test, an_event_number_that_does_not_follow_is_a_brok
       "event 2 of actor a follows event 0");
 }
 
-} // namespace
+} // namespace sqlite_journal_test
 } // namespace godwit::tests

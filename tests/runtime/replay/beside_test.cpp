@@ -11,7 +11,7 @@
 #include "tests/support/delivery_list.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace beside_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -120,4 +120,4 @@ TEST(replay_beside, an_input_that_is_not_taken_is_a_deviation) {
   EXPECT_EQ(found.deviations[0].input->type, "test.deposit");
 }
 
-} // namespace
+} // namespace beside_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace comparison_test {
 
 using namespace godwit::runtime;
 
@@ -43,4 +43,4 @@ TEST(comparison, what_is_no_json_is_compared_as_it_is) {
   EXPECT_EQ(differences("{", "{}", 0).size(), 1U);
 }
 
-} // namespace
+} // namespace comparison_test

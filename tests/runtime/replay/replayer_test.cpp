@@ -10,7 +10,7 @@
 #include "tests/support/delivery_list.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace replayer_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -238,4 +238,4 @@ TEST(replayer, an_incarnation_whose_beginning_was_cut_off_is_left_out_and_said) 
   ASSERT_EQ(found.notes.size(), 1U);
 }
 
-} // namespace
+} // namespace replayer_test

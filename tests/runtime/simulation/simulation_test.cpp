@@ -4,7 +4,7 @@
 
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace simulation_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -84,4 +84,4 @@ TEST(simulation, a_wall_clock_that_is_set_moves_no_other_time) {
   EXPECT_EQ(p.world.now_ns(), now_ns);
 }
 
-} // namespace
+} // namespace simulation_test

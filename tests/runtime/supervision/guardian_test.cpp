@@ -7,7 +7,7 @@
 #include "runtime/simulation/simulation.hpp"
 #include "tests/support/ledger.hpp"
 
-namespace {
+namespace guardian_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -156,7 +156,7 @@ struct world_of_workers {
     return asked->answer.epoch;
   }
   table_epoch want(const std::string& name, bool wanted) { return set({1, ++tables}, {name, wanted, with(100)}); }
-  [[nodiscard]] health_entry health_of(const std::string& name) const { return ::health_of(world, name); }
+  [[nodiscard]] health_entry health_of(const std::string& name) const { return guardian_test::health_of(world, name); }
 
   simulated_disk disk;
   std::map<std::string, int> counted;
@@ -652,4 +652,4 @@ TEST(guardian, an_actor_with_a_full_mailbox_still_gets_its_pings) {
   EXPECT_FALSE(world.exit());
 }
 
-} // namespace
+} // namespace guardian_test

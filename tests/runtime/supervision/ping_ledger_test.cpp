@@ -2,7 +2,7 @@
 
 #include "runtime/supervision/ping_ledger.hpp"
 
-namespace {
+namespace ping_ledger_test {
 
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
@@ -101,4 +101,4 @@ TEST(ping_ledger, a_child_watched_again_starts_with_a_clean_sheet) {
   EXPECT_EQ(ledger.tick(at(11s)).silent, indices{}) << "the old ping does not count";
 }
 
-} // namespace
+} // namespace ping_ledger_test

@@ -4,7 +4,7 @@
 
 #include "runtime/supervision/restart_history.hpp"
 
-namespace {
+namespace restart_history_test {
 
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
@@ -107,4 +107,4 @@ TEST(restart_history, the_same_seed_gives_the_same_waits) {
     EXPECT_EQ(first.on_crash(restart_policy{}, crash, a), second.on_crash(restart_policy{}, crash, b));
 }
 
-} // namespace
+} // namespace restart_history_test

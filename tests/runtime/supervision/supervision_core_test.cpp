@@ -6,7 +6,7 @@
 
 #include "runtime/supervision/supervision_core.hpp"
 
-namespace {
+namespace supervision_core_test {
 
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
@@ -530,4 +530,4 @@ RC_GTEST_PROP(supervision_core, keeps_its_rules_whatever_happens, ()) {
   world.expect_resolved();
 }
 
-} // namespace
+} // namespace supervision_core_test

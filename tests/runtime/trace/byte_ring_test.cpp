@@ -9,7 +9,7 @@
 #include "runtime/random.hpp"
 #include "runtime/trace/byte_ring.hpp"
 
-namespace {
+namespace byte_ring_test {
 
 using namespace godwit::runtime;
 
@@ -123,4 +123,4 @@ TEST(byte_ring, two_threads_exchange_a_million_records_without_a_wrong_byte) {
   EXPECT_EQ(ring->readable().size(), 0U);
 }
 
-} // namespace
+} // namespace byte_ring_test

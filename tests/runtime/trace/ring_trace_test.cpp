@@ -23,7 +23,7 @@
 #include "runtime/trace/trace_renderer.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
 
-namespace {
+namespace ring_trace_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -495,4 +495,4 @@ TEST(ring_trace, a_full_disk_turns_health_yellow_and_what_is_not_written_is_coun
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
-} // namespace
+} // namespace ring_trace_test

@@ -6,7 +6,7 @@
 #include "tests/support/eyes/score.hpp"
 
 namespace godwit::eyes::test {
-namespace {
+namespace naive_detector_test {
 
 score score_with(const naive_settings& settings) {
   sim::camera::suite_options options;
@@ -31,5 +31,5 @@ TEST(naive_detector, finds_some_and_more_when_it_is_tuned) {
   EXPECT_GT(tuned.f1(), score_with({}).f1());
 }
 
-} // namespace
+} // namespace naive_detector_test
 } // namespace godwit::eyes::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::eyes::test {
-namespace {
+namespace score_test {
 
 sim::camera::true_mover mover_at(double x, double y, double size) {
   sim::camera::true_mover made;
@@ -61,5 +61,5 @@ TEST(eyes_score, f1_is_that_of_the_sums) {
   EXPECT_DOUBLE_EQ(sum.recall(), 4.0 / 6);
 }
 
-} // namespace
+} // namespace score_test
 } // namespace godwit::eyes::test

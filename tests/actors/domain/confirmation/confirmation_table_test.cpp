@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::domain {
-namespace {
+namespace confirmation_table_test {
 
 using godwit::tests::s;
 
@@ -38,5 +38,5 @@ TEST(confirmation_table, a_flood_of_senders_is_bounded_and_pushes_out_who_was_si
   EXPECT_TRUE(table.note(1, heartbeats_to_believe, 2 * s));
 }
 
-} // namespace
+} // namespace confirmation_table_test
 } // namespace godwit::domain

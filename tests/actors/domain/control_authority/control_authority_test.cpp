@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::flight {
-namespace {
+namespace control_authority_test {
 
 using io::mavlink::mav_autopilot;
 
@@ -211,5 +211,5 @@ TEST(control_authority, an_incarnation_that_begins_anew_knows_where_the_one_befo
   EXPECT_EQ(behind(who, brake, order_is_expected_ns), holder::person) << "whatever was under way has come by then";
 }
 
-} // namespace
+} // namespace control_authority_test
 } // namespace godwit::flight

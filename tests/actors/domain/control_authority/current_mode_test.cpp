@@ -6,7 +6,7 @@
 #include "tests/support/time_units.hpp"
 
 namespace godwit::flight {
-namespace {
+namespace current_mode_test {
 
 using io::mavlink::mav_autopilot;
 
@@ -171,5 +171,5 @@ TEST(current_mode, nobody_is_watched_outside_of_a_flight) {
   EXPECT_EQ(who.who(), holder::godwit);
 }
 
-} // namespace
+} // namespace current_mode_test
 } // namespace godwit::flight

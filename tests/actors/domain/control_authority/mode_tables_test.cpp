@@ -6,7 +6,7 @@
 #include "tests/actors/domain/control_authority/vehicles.hpp"
 
 namespace godwit::flight {
-namespace {
+namespace mode_tables_test {
 
 using io::mavlink::mav_autopilot;
 using io::mavlink::mav_cmd;
@@ -73,5 +73,5 @@ TEST(mode_tables, by_the_text_alone_a_return_that_we_ordered_may_end_in_a_hold) 
   EXPECT_FALSE(follows_by_itself(by_the_text, 11, 4, false));
 }
 
-} // namespace
+} // namespace mode_tables_test
 } // namespace godwit::flight

@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::energy {
-namespace {
+namespace energy_test {
 
 using godwit::tests::s;
 
@@ -144,5 +144,5 @@ RC_GTEST_PROP(energy_property, the_drain_is_never_negative_and_never_not_a_numbe
   }
 }
 
-} // namespace
+} // namespace energy_test
 } // namespace godwit::energy

@@ -7,7 +7,7 @@
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::flight {
-namespace {
+namespace flight_modes_test {
 
 using io::mavlink::mav_autopilot;
 using io::mavlink::mav_type;
@@ -82,5 +82,5 @@ TEST(FlightModes, AHeartbeatSaysWhoseModesTheyAre) {
   EXPECT_EQ(mode_of(m).kind, mode_kind::returning);
 }
 
-} // namespace
+} // namespace flight_modes_test
 } // namespace godwit::flight

@@ -9,7 +9,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace bounding_box_test {
 
 bool any_contains(const std::vector<bounding_box>& boxes, const point& at) {
   return std::any_of(boxes.begin(), boxes.end(), [&](const bounding_box& each) { return each.contains(at); });
@@ -55,5 +55,5 @@ RC_GTEST_PROP(bounding_box_property, whatever_lies_within_the_radius_is_in_a_box
   }
 }
 
-} // namespace
+} // namespace bounding_box_test
 } // namespace godwit::geo

@@ -8,7 +8,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace flat_polygon_test {
 
 const flat_polygon square({{0, 0}, {100, 0}, {100, 100}, {0, 100}});
 
@@ -79,5 +79,5 @@ RC_GTEST_PROP(flat_polygon_property, between_two_turning_shares_a_point_is_alway
   }
 }
 
-} // namespace
+} // namespace flat_polygon_test
 } // namespace godwit::geo

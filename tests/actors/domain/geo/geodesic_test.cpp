@@ -6,20 +6,20 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace geodesic_test {
 
 // The length of a degree of the equator follows from its radius alone, that of the quarter meridian is published.
 TEST(geodesic, published_distances_come_out) {
-  EXPECT_NEAR(distance_m({0, 0}, {0, 1}), 111'319.4908, 1e-4);
-  EXPECT_NEAR(distance_m({0, 16}, {90, 16}), 10'001'965.7293, 1e-4);
+  EXPECT_NEAR(distance_m(point{0, 0}, point{0, 1}), 111'319.4908, 1e-4);
+  EXPECT_NEAR(distance_m(point{0, 16}, point{90, 16}), 10'001'965.7293, 1e-4);
 }
 
 TEST(geodesic, the_antimeridian_is_no_distance) {
-  EXPECT_NEAR(distance_m({10, 180}, {10, -180}), 0, 1e-9);
-  EXPECT_NEAR(distance_m({0, 179.9999}, {0, -179.9999}), 22.26, 0.01);
+  EXPECT_NEAR(distance_m(point{10, 180}, point{10, -180}), 0, 1e-9);
+  EXPECT_NEAR(distance_m(point{0, 179.9999}, point{0, -179.9999}), 22.26, 0.01);
 }
 
-TEST(geodesic, all_longitudes_meet_at_a_pole) { EXPECT_NEAR(distance_m({90, 0}, {90, 77}), 0, 1e-9); }
+TEST(geodesic, all_longitudes_meet_at_a_pole) { EXPECT_NEAR(distance_m(point{90, 0}, point{90, 77}), 0, 1e-9); }
 
 RC_GTEST_PROP(geodesic_property, the_way_there_is_as_long_as_asked_for, ()) {
   const auto from = *tests::anywhere();
@@ -31,5 +31,5 @@ RC_GTEST_PROP(geodesic_property, the_way_there_is_as_long_as_asked_for, ()) {
   RC_ASSERT(std::abs(distance_m(from, to) - distance_m(to, from)) < 1e-6);
 }
 
-} // namespace
+} // namespace geodesic_test
 } // namespace godwit::geo

@@ -9,7 +9,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace hilbert_test {
 
 TEST(hilbert, each_place_is_one_of_its_own) {
   std::set<std::uint64_t> places;
@@ -44,5 +44,5 @@ TEST(hilbert, along_the_curve_a_grid_is_walked_from_neighbour_to_neighbour) {
     ASSERT_EQ(std::abs(all[i].x - all[i - 1].x) + std::abs(all[i].y - all[i - 1].y), 1) << i;
 }
 
-} // namespace
+} // namespace hilbert_test
 } // namespace godwit::geo

@@ -7,7 +7,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace local_projection_test {
 
 TEST(local_projection, east_is_east_also_across_the_antimeridian) {
   const local_projection flat({0, 179.9999});
@@ -34,5 +34,5 @@ RC_GTEST_PROP(local_projection_property, distances_within_10_km_are_true_to_a_mi
   RC_ASSERT(std::abs(on_map_m - true_m) <= 1e-6 * true_m + 1e-5);
 }
 
-} // namespace
+} // namespace local_projection_test
 } // namespace godwit::geo

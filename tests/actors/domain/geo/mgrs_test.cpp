@@ -8,7 +8,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace mgrs_test {
 
 // The places and names that the manual of GeoConvert gives: 33.3 N 44.4 E is 38SMB4488.
 TEST(mgrs, published_names_come_out) {
@@ -49,5 +49,5 @@ RC_GTEST_PROP(mgrs_property, the_cells_of_a_place_have_each_the_name_of_its_size
   }
 }
 
-} // namespace
+} // namespace mgrs_test
 } // namespace godwit::geo

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int steps = 1'000'000;
 
-geo::point place(double latitude_deg, double longitude_deg) { return {latitude_deg, longitude_deg}; }
+geo::point point_at(double latitude_deg, double longitude_deg) { return {latitude_deg, longitude_deg}; }
 
 } // namespace
 
@@ -22,7 +22,7 @@ rc::Gen<geo::point> anywhere() {
                                        number_between(-0.001, 0.001), rc::gen::element(-90.0, 0.0, 90.0, 84.0, -80.0));
   const auto longitude = rc::gen::oneOf(number_between(-180, 180), number_between(179.999, 180),
                                         number_between(-180, -179.999), rc::gen::element(-180.0, 0.0, 180.0, 6.0));
-  return rc::gen::apply(place, latitude, longitude);
+  return rc::gen::apply(point_at, latitude, longitude);
 }
 
 } // namespace godwit::tests

@@ -8,7 +8,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace plane_test {
 
 local_point any_point() { return {*tests::number_between(-100, 100), *tests::number_between(-100, 100)}; }
 
@@ -57,5 +57,5 @@ RC_GTEST_PROP(plane_property, between_two_turning_shares_a_point_is_always_or_ne
   }
 }
 
-} // namespace
+} // namespace plane_test
 } // namespace godwit::geo

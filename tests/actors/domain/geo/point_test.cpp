@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::geo {
-namespace {
+namespace point_test {
 
 TEST(point, the_poles_and_both_names_of_the_antimeridian_are_places) {
   for (const auto& at : {point{90, 180}, point{-90, -180}, point{0, 0}})
@@ -19,5 +19,5 @@ TEST(point, what_is_beyond_or_not_a_number_is_no_place) {
     EXPECT_FALSE(is_valid(at));
 }
 
-} // namespace
+} // namespace point_test
 } // namespace godwit::geo

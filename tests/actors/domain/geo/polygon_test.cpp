@@ -7,7 +7,7 @@
 #include "tests/actors/domain/geo/places.hpp"
 
 namespace godwit::geo {
-namespace {
+namespace polygon_test {
 
 TEST(polygon, a_vertex_and_a_side_are_inside) {
   const polygon triangle({{0, 0}, {0, 0.01}, {0.01, 0}});
@@ -62,5 +62,5 @@ RC_GTEST_PROP(polygon_property, a_regular_polygon_holds_its_inner_circle_and_not
   RC_ASSERT(distance_m(area.centre(), destination(centre, bearing_deg, 0.999 * inner_m)) <= area.radius_m());
 }
 
-} // namespace
+} // namespace polygon_test
 } // namespace godwit::geo

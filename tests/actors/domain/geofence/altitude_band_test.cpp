@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::geofence {
-namespace {
+namespace altitude_band_test {
 
 TEST(altitude_band, both_ends_belong_to_it) {
   constexpr altitude_band band{20, 50};
@@ -26,5 +26,5 @@ TEST(altitude_band, every_band_has_all_of_no_altitudes) {
   EXPECT_TRUE((altitude_band{20, 20}.has_all_of(no_altitudes)));
 }
 
-} // namespace
+} // namespace altitude_band_test
 } // namespace godwit::geofence

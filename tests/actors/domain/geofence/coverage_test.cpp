@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::geofence {
-namespace {
+namespace coverage_test {
 
 const geo::flat_polygon box({{0, 0}, {100, 0}, {100, 100}, {0, 100}});
 const geo::flat_polygon next_box({{100, 0}, {300, 0}, {300, 100}, {100, 100}});
@@ -39,5 +39,5 @@ TEST(coverage, an_area_counts_on_its_part_of_the_way_only) {
 
 TEST(coverage, without_areas_nothing_is_covered) { EXPECT_EQ(leaves_at({}, 0), 0.0); }
 
-} // namespace
+} // namespace coverage_test
 } // namespace godwit::geofence

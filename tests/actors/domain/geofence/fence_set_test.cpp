@@ -5,7 +5,7 @@
 
 #include "tests/actors/domain/geofence/fences.hpp"
 
-namespace {
+namespace fence_set_test {
 
 using namespace godwit::geofence;
 using namespace godwit::tests;
@@ -174,4 +174,4 @@ RC_GTEST_PROP(fence_set_property, a_leg_and_its_way_back_have_one_verdict, ()) {
   RC_ASSERT(judge.breach_on(from, to).has_value() == judge.breach_on(to, from).has_value());
 }
 
-} // namespace
+} // namespace fence_set_test

@@ -6,7 +6,7 @@
 
 #include "tests/actors/domain/geofence/fences.hpp"
 
-namespace {
+namespace fence_test {
 
 using namespace godwit::geofence;
 using namespace godwit::tests;
@@ -79,4 +79,4 @@ TEST(fence, what_is_no_area_is_refused_with_a_sentence) {
   EXPECT_NE(refusal_of(many).find("at most 256"), std::string::npos);
 }
 
-} // namespace
+} // namespace fence_test

@@ -11,7 +11,7 @@
 #include "tests/actors/domain/geofence/random_fences.hpp"
 
 namespace godwit::geofence {
-namespace {
+namespace reference_test {
 
 using fence_list = std::vector<mission::geofence>;
 
@@ -136,5 +136,5 @@ RC_GTEST_PROP(geofence_reference, what_a_plan_may_fly_is_no_breach_in_flight, (s
   }
 }
 
-} // namespace
+} // namespace reference_test
 } // namespace godwit::geofence

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::flight {
-namespace {
+namespace home_test {
 
 constexpr double metres_of_latitude = 111'200;
 
@@ -16,5 +16,5 @@ TEST(home, is_the_same_within_15_m_and_2_m_of_height) {
   EXPECT_FALSE(is_same_home(home, {470, 8, 400})) << "a place that is none";
 }
 
-} // namespace
+} // namespace home_test
 } // namespace godwit::flight

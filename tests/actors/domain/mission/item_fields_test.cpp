@@ -12,7 +12,7 @@
 #include "messages/mission/document.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace item_fields_test {
 
 document small_mission() {
   document result;
@@ -70,5 +70,5 @@ TEST(item_fields, the_schema_of_the_trace_knows_that_an_item_is_an_object) {
   EXPECT_EQ(io::json_schema<document>()["properties"]["items"]["items"]["type"], "object");
 }
 
-} // namespace
+} // namespace item_fields_test
 } // namespace godwit::mission

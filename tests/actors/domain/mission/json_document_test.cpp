@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::mission {
-namespace {
+namespace json_document_test {
 
 document_error error_of(std::string_view text, std::size_t max_bytes = 1 << 20) {
   const auto read = parse_document(text, max_bytes);
@@ -83,5 +83,5 @@ TEST(json_document, wrong_utf8_and_bytes_after_the_document_are_refused) {
   EXPECT_EQ(error_of(std::string_view("{}\0x", 4)).message(), "the document is not JSON: a byte 0 (line 1, column 3)");
 }
 
-} // namespace
+} // namespace json_document_test
 } // namespace godwit::mission

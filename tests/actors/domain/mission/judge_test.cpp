@@ -7,7 +7,7 @@
 #include "tests/actors/domain/mission/sample_files.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace judge_test {
 
 using nlohmann::json;
 
@@ -47,5 +47,5 @@ TEST(judge, a_million_unknown_properties_are_not_told_one_by_one) {
   EXPECT_LE(violations(*document, "mission", judge::valijson).size(), max_document_problems + 10);
 }
 
-} // namespace
+} // namespace judge_test
 } // namespace godwit::mission

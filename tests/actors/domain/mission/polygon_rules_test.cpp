@@ -8,7 +8,7 @@
 #include "tests/actors/domain/mission/mission_maker.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace polygon_rules_test {
 
 using corners = std::vector<vertex>;
 
@@ -69,5 +69,5 @@ RC_GTEST_PROP(polygon_rules_property, corners_in_order_around_a_middle_are_a_pol
   RC_ASSERT(!fault);
 }
 
-} // namespace
+} // namespace polygon_rules_test
 } // namespace godwit::mission

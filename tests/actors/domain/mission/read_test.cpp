@@ -6,7 +6,7 @@
 #include "tests/actors/domain/mission/sample_files.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace read_test {
 
 using nlohmann::json;
 
@@ -187,5 +187,5 @@ TEST(read_mission, the_first_kibibyte_of_the_body_is_kept) {
   EXPECT_EQ(result.error().sample, text.substr(0, 1024));
 }
 
-} // namespace
+} // namespace read_test
 } // namespace godwit::mission

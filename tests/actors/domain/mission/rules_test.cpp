@@ -8,7 +8,7 @@
 #include "actors/domain/mission/write.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace rules_test {
 
 constexpr const char* some_uuid = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
 constexpr const char* other_uuid = "0b8f7c36-3a5f-4c0b-8f0e-5e5f2f6f9b11";
@@ -146,5 +146,5 @@ TEST(rules, a_problem_may_say_more_than_we_know) {
   expect_same_again(receipt{3, 4});
 }
 
-} // namespace
+} // namespace rules_test
 } // namespace godwit::mission

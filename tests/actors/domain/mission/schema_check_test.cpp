@@ -9,7 +9,7 @@
 #include "tests/actors/domain/mission/document_maker.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace schema_check_test {
 
 using nlohmann::json;
 
@@ -67,5 +67,5 @@ RC_GTEST_PROP(schema_check_property, it_agrees_with_valijson_and_with_the_senten
   RC_ASSERT(valid > 0 && wrong > 0);
 }
 
-} // namespace
+} // namespace schema_check_test
 } // namespace godwit::mission

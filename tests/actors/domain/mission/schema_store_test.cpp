@@ -10,7 +10,7 @@
 #include "actors/domain/mission/rules.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace schema_store_test {
 
 using nlohmann::json;
 
@@ -100,5 +100,5 @@ TEST(schema_store, the_kinds_of_items_are_those_of_the_program) {
   EXPECT_EQ(in_schema, in_program);
 }
 
-} // namespace
+} // namespace schema_store_test
 } // namespace godwit::mission

@@ -13,7 +13,7 @@
 #include "actors/domain/mission/schema_store.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace text_patterns_test {
 
 using nlohmann::json;
 
@@ -80,5 +80,5 @@ RC_GTEST_PROP(text_patterns_property, each_function_agrees_with_its_pattern, (st
   }
 }
 
-} // namespace
+} // namespace text_patterns_test
 } // namespace godwit::mission

@@ -6,7 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::mission {
-namespace {
+namespace utc_text_test {
 
 TEST(utc_text, has_as_many_decimals_as_it_takes) {
   EXPECT_EQ(utc_text(0), "1970-01-01T00:00:00Z");
@@ -34,5 +34,5 @@ RC_GTEST_PROP(utc_text_property, a_time_reads_back_as_itself, ()) {
   RC_ASSERT(time_of_utc_text(utc_text(time_ns)) == std::optional(time_ns));
 }
 
-} // namespace
+} // namespace utc_text_test
 } // namespace godwit::mission

@@ -7,7 +7,7 @@
 #include "tests/actors/domain/mission/mission_maker.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace write_test {
 
 TEST(write_mission, what_is_absent_is_left_out) {
   EXPECT_EQ(to_text(geofence{fence_kind::exclusion, {{1, 2}}, {}, 120}),
@@ -45,5 +45,5 @@ RC_GTEST_PROP(write_mission_property, a_damaged_text_is_refused_or_keeps_the_rul
     RC_ASSERT(!result.error().message().empty());
 }
 
-} // namespace
+} // namespace write_test
 } // namespace godwit::mission

@@ -5,7 +5,7 @@
 #include "tests/actors/domain/route/fences.hpp"
 
 namespace godwit::route {
-namespace {
+namespace clear_space_test {
 
 using tests::box;
 using tests::exclusion;
@@ -91,5 +91,5 @@ TEST(clear_space, who_is_too_near_to_the_edge_of_an_inclusion_may_fly_inwards) {
   EXPECT_FALSE(space.is_clear_from_here({{3, 50}, {1, 80}}));
 }
 
-} // namespace
+} // namespace clear_space_test
 } // namespace godwit::route

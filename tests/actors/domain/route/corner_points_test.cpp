@@ -6,7 +6,7 @@
 #include "tests/actors/domain/route/fences.hpp"
 
 namespace godwit::route {
-namespace {
+namespace corner_points_test {
 
 using tests::box;
 using tests::exclusion;
@@ -41,5 +41,5 @@ RC_GTEST_PROP(corner_points_property, all_are_clear_and_so_is_the_way_around_eac
   }
 }
 
-} // namespace
+} // namespace corner_points_test
 } // namespace godwit::route

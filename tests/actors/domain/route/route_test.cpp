@@ -12,7 +12,7 @@
 #include "tests/actors/domain/route/fences.hpp"
 
 namespace godwit::route {
-namespace {
+namespace route_test {
 
 using tests::box;
 using tests::exclusion;
@@ -371,5 +371,5 @@ RC_GTEST_PROP(route_property, a_route_is_never_longer_than_going_around_the_box_
   RC_ASSERT(found->length_m <= trivial_m + 0.1);
 }
 
-} // namespace
+} // namespace route_test
 } // namespace godwit::route

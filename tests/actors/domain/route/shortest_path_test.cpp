@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::route {
-namespace {
+namespace shortest_path_test {
 
 const std::vector<local_point> places{{0, 0}, {10, 0}, {5, 1}, {5, 9}};
 const auto everything = [](std::size_t, std::size_t) { return true; };
@@ -35,5 +35,5 @@ TEST(shortest_path, no_pair_is_asked_for_twice) {
     EXPECT_EQ(asked.count(each), 1U);
 }
 
-} // namespace
+} // namespace shortest_path_test
 } // namespace godwit::route

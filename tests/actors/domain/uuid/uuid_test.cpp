@@ -7,7 +7,7 @@
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::ids {
-namespace {
+namespace uuid_test {
 
 TEST(uuid, only_small_letters_and_dashes_at_their_places_are_one) {
   EXPECT_TRUE(is_uuid("0123abcd-0000-4000-8000-0123456789ef"));
@@ -33,5 +33,5 @@ TEST(uuid, different_pairs_give_different_ones) {
   EXPECT_EQ(derived.size(), 10'000U);
 }
 
-} // namespace
+} // namespace uuid_test
 } // namespace godwit::ids

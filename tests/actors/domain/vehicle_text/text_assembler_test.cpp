@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::flight {
-namespace {
+namespace text_assembler_test {
 
 using messages = std::vector<vehicle_message>;
 
@@ -59,5 +59,5 @@ TEST(text_assembler, a_text_without_an_end_is_cut_at_its_bound) {
   EXPECT_EQ(told.front().text.size(), 50 * text_assembler::max_pieces + 3);
 }
 
-} // namespace
+} // namespace text_assembler_test
 } // namespace godwit::flight

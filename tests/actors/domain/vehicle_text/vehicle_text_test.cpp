@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::flight {
-namespace {
+namespace vehicle_text_test {
 
 io::mavlink::statustext saying(std::string_view what) {
   io::mavlink::statustext result;
@@ -40,5 +40,5 @@ TEST(vehicle_text, says_why_it_can_not_be_armed) {
   EXPECT_FALSE(tells_why_not_armed("Arming motors"));
 }
 
-} // namespace
+} // namespace vehicle_text_test
 } // namespace godwit::flight

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace authority_text_test {
 
 using namespace godwit;
 using namespace godwit::executor;
@@ -54,4 +54,4 @@ TEST(authority_text, a_failsafe_that_acts_has_it_whatever_else_is_known) {
   EXPECT_EQ(authority_text(s.flight), "failsafe");
 }
 
-} // namespace
+} // namespace authority_text_test

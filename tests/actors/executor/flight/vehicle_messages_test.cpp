@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor {
-namespace {
+namespace vehicle_messages_test {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
 
@@ -79,5 +79,5 @@ TEST(vehicle_messages, a_text_whose_last_piece_was_lost_is_told_when_it_is_late)
   EXPECT_EQ(look(messages, second_ns), lines{"the vehicle says: " + std::string(50, 'x') + "..."});
 }
 
-} // namespace
+} // namespace vehicle_messages_test
 } // namespace godwit::executor

@@ -6,7 +6,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace builder_property_test {
 
 // Missions that can be flown: each flight begins with a take-off, and ends with a landing or with the mission.
 class flyable_mission_maker {
@@ -216,5 +216,5 @@ RC_GTEST_PROP(builder_property, each_movement_is_flown_with_the_speed_that_was_a
   }
 }
 
-} // namespace
+} // namespace builder_property_test
 } // namespace godwit::executor::plan

@@ -7,7 +7,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace builder_test {
 
 using commands = std::vector<int>;
 using lines = std::vector<std::string>;
@@ -207,5 +207,5 @@ TEST(builder, a_flight_that_was_broken_off_takes_off_again_from_the_ground_for_i
   EXPECT_NE(build_plans(small_mission(), in_the_air, {2, 0})->front().items.front().command, 22);
 }
 
-} // namespace
+} // namespace builder_test
 } // namespace godwit::executor::plan

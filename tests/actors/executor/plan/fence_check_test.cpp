@@ -5,7 +5,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace fence_check_test {
 
 using tests::box;
 using tests::exclusion;
@@ -181,5 +181,5 @@ TEST(fence_check, the_return_point_lies_inside_whatever_the_altitude) {
             (messages{"The return point lies outside of all inclusion fences."}));
 }
 
-} // namespace
+} // namespace fence_check_test
 } // namespace godwit::executor::plan

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor::plan {
-namespace {
+namespace fence_items_test {
 
 using io::mavlink::mav_autopilot;
 using io::mavlink::mav_cmd;
@@ -47,5 +47,5 @@ TEST(fence_items, air_that_may_be_flown_through_is_not_closed) {
   EXPECT_EQ(list.left_out.size(), 1U) << "said once";
 }
 
-} // namespace
+} // namespace fence_items_test
 } // namespace godwit::executor::plan

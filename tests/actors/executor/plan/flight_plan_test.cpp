@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor::plan {
-namespace {
+namespace flight_plan_test {
 
 TEST(flight_plan, a_line_is_done_when_the_vehicle_is_on_its_way_behind_its_end) {
   const planned_survey survey{3, 0, 10, 4}; // its lines are 10-11, 12-13, 14-15, 16-17
@@ -18,5 +18,5 @@ TEST(flight_plan, a_line_is_done_when_the_vehicle_is_on_its_way_behind_its_end) 
 
 TEST(flight_plan, lines_of_earlier_plans_count_too) { EXPECT_EQ(lines_done_at({3, 5, 1, 4}, 4), 6U); }
 
-} // namespace
+} // namespace flight_plan_test
 } // namespace godwit::executor::plan

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace item_planner_test {
 
 using commands = std::vector<int>;
 
@@ -243,5 +243,5 @@ TEST(item_planner, landing_or_returning_where_the_vehicle_stands_is_nothing_to_d
   EXPECT_EQ(commands_of(mission_of({home_again, take_off_item, out}), px4_copter), (commands{22, 16}));
 }
 
-} // namespace
+} // namespace item_planner_test
 } // namespace godwit::executor::plan

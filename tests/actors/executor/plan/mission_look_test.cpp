@@ -5,7 +5,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace mission_look_test {
 
 const auto mission =
     mission_of({mission::takeoff{"up", 30}, mission::change_speed{"slow", 4}, waypoint("w", at(100, 0, 30)),
@@ -41,5 +41,5 @@ TEST(mission_look, only_a_change_of_speed_may_stand_between_a_place_and_its_land
   EXPECT_FALSE(leads_to_landing(mission, 5));
 }
 
-} // namespace
+} // namespace mission_look_test
 } // namespace godwit::executor::plan

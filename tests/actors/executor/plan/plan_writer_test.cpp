@@ -6,7 +6,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace plan_writer_test {
 
 TEST(plan_writer, a_speed_that_is_owed_stands_in_front_of_the_first_flight_behind_the_take_off) {
   plan_writer writer(px4_copter, at(0, 0, 0), false, 6.0);
@@ -90,5 +90,5 @@ TEST(plan_writer, a_circle_is_a_polygon_around_it) {
   EXPECT_EQ(writer.here(), at(500, 0, 50));
 }
 
-} // namespace
+} // namespace plan_writer_test
 } // namespace godwit::executor::plan

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace straight_return_test {
 
 using tests::box;
 using tests::exclusion;
@@ -66,5 +66,5 @@ TEST(straight_return, in_flight_it_is_the_home_that_counts_and_not_where_the_pla
   EXPECT_EQ(found_in(mission, flying), (crossings{{0, 0}}));
 }
 
-} // namespace
+} // namespace straight_return_test
 } // namespace godwit::executor::plan

@@ -7,7 +7,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace vehicle_items_test {
 
 const mission::position place{47.5, -8.25, 30};
 
@@ -73,5 +73,5 @@ TEST(vehicle_items, latitude_and_longitude_0_are_nowhere) {
   EXPECT_FALSE(is_nowhere({0, 1e-6, 20}));
 }
 
-} // namespace
+} // namespace vehicle_items_test
 } // namespace godwit::executor::plan

@@ -7,7 +7,7 @@
 #include "tests/actors/executor/preflight/preparation.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace bit_acknowledgement_test {
 
 using namespace test;
 
@@ -206,5 +206,5 @@ TEST(bit, a_clock_that_was_set_back_does_not_prolong_the_deadline) {
   EXPECT_EQ(flight.s.now, phase::failed);
 }
 
-} // namespace
+} // namespace bit_acknowledgement_test
 } // namespace godwit::executor::preflight

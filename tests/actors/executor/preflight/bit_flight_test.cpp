@@ -7,7 +7,7 @@
 #include "tests/actors/executor/preflight/preparation.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace bit_flight_test {
 
 using namespace test;
 
@@ -163,5 +163,5 @@ TEST(bit, a_failure_stays_one_over_a_restart) {
   EXPECT_EQ(flight.s.now, phase::failed);
 }
 
-} // namespace
+} // namespace bit_flight_test
 } // namespace godwit::executor::preflight

@@ -10,7 +10,7 @@
 #include "tests/actors/executor/preflight/preparation.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace bit_property_test {
 
 using namespace test;
 
@@ -173,5 +173,5 @@ RC_GTEST_PROP(bit_property, the_same_events_give_the_same_states, ()) {
   RC_ASSERT(one.trace() == other.trace());
 }
 
-} // namespace
+} // namespace bit_property_test
 } // namespace godwit::executor::preflight

@@ -7,7 +7,7 @@
 #include "io/fields/json_value.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace bit_state_test {
 
 TEST(preflight_state, it_comes_back_from_json_as_it_went) {
   const state before{phase::awaiting_ack,
@@ -22,5 +22,5 @@ TEST(preflight_state, it_comes_back_from_json_as_it_went) {
   EXPECT_TRUE(io::equal(after, before));
 }
 
-} // namespace
+} // namespace bit_state_test
 } // namespace godwit::executor::preflight

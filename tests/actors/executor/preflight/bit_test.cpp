@@ -6,7 +6,7 @@
 #include "tests/actors/executor/preflight/preparation.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace bit_test {
 
 using namespace test;
 
@@ -172,5 +172,5 @@ TEST(bit, without_preparation_nothing_starts_however_well_all_is) {
   EXPECT_EQ(why_not_start({}, found({}, {}, "", 0), 1), "No preflight checks were asked for.");
 }
 
-} // namespace
+} // namespace bit_test
 } // namespace godwit::executor::preflight

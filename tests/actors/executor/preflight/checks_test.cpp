@@ -7,7 +7,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace checks_test {
 
 using namespace test;
 
@@ -49,5 +49,5 @@ TEST(preflight_checks, each_says_something_whatever_it_finds) {
   }
 }
 
-} // namespace
+} // namespace checks_test
 } // namespace godwit::executor::preflight

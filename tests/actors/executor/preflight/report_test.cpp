@@ -7,7 +7,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace report_test {
 
 using namespace test;
 
@@ -58,5 +58,5 @@ TEST(preflight_report, sentences_are_picked_by_verdict_in_their_order) {
   EXPECT_EQ(sentences_of(made, verdict::fail), (std::vector<std::string>{"1", "3"}));
 }
 
-} // namespace
+} // namespace report_test
 } // namespace godwit::executor::preflight

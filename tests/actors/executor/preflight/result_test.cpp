@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor::preflight {
-namespace {
+namespace result_test {
 
 TEST(preflight_result, what_nobody_filled_in_is_a_failure) { EXPECT_EQ(result{}.how, verdict::fail); }
 
@@ -32,5 +32,5 @@ TEST(preflight_result, a_summary_is_the_first_sentence_and_a_count) {
   EXPECT_EQ(summary_of({"One.", "Two.", "Three."}), "One. (and 2 more)");
 }
 
-} // namespace
+} // namespace result_test
 } // namespace godwit::executor::preflight

@@ -6,7 +6,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace advance_test {
 
 using namespace test;
 
@@ -240,5 +240,5 @@ TEST_P(advance_any, plans_of_one_mission_have_the_indices_of_the_mission_and_onl
     EXPECT_EQ(d.reports[i].report_no, i + 1);
 }
 
-} // namespace
+} // namespace advance_test
 } // namespace godwit::executor::progress

@@ -14,7 +14,7 @@
 #include "tests/actors/executor/progress/model_flight.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace core_property_test {
 
 using namespace test;
 
@@ -163,5 +163,5 @@ RC_GTEST_PROP(progress_property, any_events_in_any_order_keep_numbers_and_indice
   }
 }
 
-} // namespace
+} // namespace core_property_test
 } // namespace godwit::executor::progress

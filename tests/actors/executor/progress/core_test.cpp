@@ -6,7 +6,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace progress_core_test {
 
 using namespace test;
 
@@ -72,5 +72,5 @@ TEST(progress_core, what_the_vehicle_says_before_there_is_a_plan_changes_nothing
   EXPECT_FALSE(matters(s, mission_aborted{}, 0));
 }
 
-} // namespace
+} // namespace progress_core_test
 } // namespace godwit::executor::progress

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace cut_over_test {
 
 using namespace test;
 
@@ -188,5 +188,5 @@ TEST(cut_over, plan_id_0_is_none) {
   EXPECT_FALSE(d.s.plan->vehicle_plan_id);
 }
 
-} // namespace
+} // namespace cut_over_test
 } // namespace godwit::executor::progress

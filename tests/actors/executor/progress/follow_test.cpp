@@ -6,7 +6,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace follow_test {
 
 using namespace test;
 
@@ -407,5 +407,5 @@ TEST(follow, a_restart_of_a_vehicle_without_a_plan_of_ours_is_nothing) {
   EXPECT_FALSE(d.s.paused);
 }
 
-} // namespace
+} // namespace follow_test
 } // namespace godwit::executor::progress

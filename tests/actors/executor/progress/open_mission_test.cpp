@@ -5,7 +5,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace open_mission_test {
 
 using namespace test;
 
@@ -208,5 +208,5 @@ TEST(open_mission, a_complete_mission_is_not_aborted) {
   EXPECT_EQ(d.said(), texts{});
 }
 
-} // namespace
+} // namespace open_mission_test
 } // namespace godwit::executor::progress

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor::progress {
-namespace {
+namespace patience_test {
 
 TEST(patience, a_span_is_over_when_it_has_passed) {
   EXPECT_FALSE(is_over(100, 100, 10));
@@ -18,5 +18,5 @@ TEST(patience, px4_repeats_a_reached_and_swaps_messages_within_these_times) {
   EXPECT_GE(reached_late_ns, 650'000'000);
 }
 
-} // namespace
+} // namespace patience_test
 } // namespace godwit::executor::progress

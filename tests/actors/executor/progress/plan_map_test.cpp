@@ -4,7 +4,7 @@
 #include "actors/executor/progress/plan_map.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace plan_map_test {
 
 // 0 take-off | 1 speed, 2 waypoint | 3, 4 survey | 5 return; "nothing" has no vehicle items, "light" only a DO command.
 plan_map picture() {
@@ -105,5 +105,5 @@ TEST(plan_map, an_unsound_map_is_recognised) {
   EXPECT_FALSE(is_sound(with([](plan_map& m) { m.items.resize(max_mapped_items + 1); })));
 }
 
-} // namespace
+} // namespace plan_map_test
 } // namespace godwit::executor::progress

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace plan_match_test {
 
 using namespace test;
 
@@ -55,5 +55,5 @@ TEST(plan_match, during_an_upload_any_other_id_may_be_the_new_one) {
   EXPECT_FALSE(may_be_uploaded({.mission_id = 0}, upload));
 }
 
-} // namespace
+} // namespace plan_match_test
 } // namespace godwit::executor::progress

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace scenarios_test {
 
 using namespace test;
 
@@ -125,5 +125,5 @@ TEST_P(assignment_in_flight, a_crash_after_each_event_changes_nothing) {
 INSTANTIATE_TEST_SUITE_P(on, assignment_in_flight, testing::Values(px4, ardupilot, rover),
                          [](const auto& which) { return which.param.name; });
 
-} // namespace
+} // namespace scenarios_test
 } // namespace godwit::executor::progress

@@ -6,7 +6,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace start_test {
 
 using namespace test;
 
@@ -278,5 +278,5 @@ TEST(start, one_that_nobody_here_has_made_and_that_is_at_its_start_opens_nothing
   EXPECT_EQ(d.s.last_generation, 1U) << "it is followed already";
 }
 
-} // namespace
+} // namespace start_test
 } // namespace godwit::executor::progress

@@ -6,7 +6,7 @@
 #include "tests/actors/executor/progress/progress_fixture.hpp"
 
 namespace godwit::executor::progress {
-namespace {
+namespace upload_test {
 
 using namespace test;
 
@@ -162,5 +162,5 @@ TEST(upload, what_was_held_survives_a_crash) {
   EXPECT_TRUE(d.is_armed());
 }
 
-} // namespace
+} // namespace upload_test
 } // namespace godwit::executor::progress

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace core_test {
 
 using namespace godwit::executor;
 using namespace godwit::executor::supervision;
@@ -286,4 +286,4 @@ TEST_F(without_failsafe, on_the_ground_nothing_is_brought_home) {
   EXPECT_FALSE(misses());
 }
 
-} // namespace
+} // namespace core_test

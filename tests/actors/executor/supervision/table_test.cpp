@@ -7,7 +7,7 @@
 
 #include "actors/executor/supervision/state.hpp"
 
-namespace {
+namespace table_test {
 
 using namespace godwit::executor::supervision;
 using godwit::runtime::child_entry;
@@ -132,4 +132,4 @@ TEST(supervision_state, that_the_failsafe_is_gone_counts_for_one_flight) {
   EXPECT_FALSE(s.is_failsafe_missed);
 }
 
-} // namespace
+} // namespace table_test

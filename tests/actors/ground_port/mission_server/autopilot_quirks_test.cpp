@@ -5,7 +5,7 @@
 #include "actors/ground_port/mission_server/inbox.hpp"
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace autopilot_quirks_test {
 
 TEST(autopilot_quirks, the_three_ardupilots_differ_in_their_turns_only) {
   auto copter = ardupilot_copter_quirks();
@@ -32,5 +32,5 @@ TEST(autopilot_quirks, what_can_wait_and_the_patience_behind_it_are_over_in_10_s
   }
 }
 
-} // namespace
+} // namespace autopilot_quirks_test
 } // namespace godwit::ground_port::mission_server

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace fence_check_test {
 
 using mavlink::mav_cmd;
 using mavlink::number;
@@ -79,5 +79,5 @@ TEST(fence_check, px4_counts_vertices_and_looks_at_nothing_else) {
   EXPECT_EQ(fault_in({{inclusion, 5}, {exclusion, 3}, {circle, -1}}, px4), 3U);
 }
 
-} // namespace
+} // namespace fence_check_test
 } // namespace godwit::ground_port::mission_server

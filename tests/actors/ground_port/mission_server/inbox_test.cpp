@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace inbox_test {
 
 using godwit::tests::ms;
 
@@ -60,5 +60,5 @@ TEST(inbox, drops_and_counts_what_has_no_room) {
   EXPECT_EQ(seq_of(*mail.take(20 * ms)), 0) << "the newest are dropped";
 }
 
-} // namespace
+} // namespace inbox_test
 } // namespace godwit::ground_port::mission_server

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace item_check_test {
 
 using mavlink::mav_cmd;
 using mavlink::mav_mission_result;
@@ -74,5 +74,5 @@ TEST(check_item, refuses_orders) {
   EXPECT_EQ(check_item(item, {}), mav_mission_result::unsupported);
 }
 
-} // namespace
+} // namespace item_check_test
 } // namespace godwit::ground_port::mission_server

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace item_commands_test {
 
 using mavlink::mav_cmd;
 using mavlink::mav_mission_type;
@@ -47,5 +47,5 @@ TEST(item_commands, each_type_of_plan_has_its_own) {
   EXPECT_TRUE(place_of(rally_point, mav_mission_type::rally));
 }
 
-} // namespace
+} // namespace item_commands_test
 } // namespace godwit::ground_port::mission_server

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace item_forms_test {
 
 using mavlink::mav_cmd;
 using mavlink::mav_frame;
@@ -96,5 +96,5 @@ TEST(item_forms, the_address_is_not_part_of_a_plan) {
   EXPECT_EQ(as_kept(item, {}).target_component, 0);
 }
 
-} // namespace
+} // namespace item_forms_test
 } // namespace godwit::ground_port::mission_server

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace plan_store_test {
 
 using mavlink::mav_mission_type;
 
@@ -117,5 +117,5 @@ TEST(plan_store, a_vehicle_without_ids_has_none) {
 
 TEST(checksum_of, no_items_have_none) { EXPECT_EQ(checksum_of({}), 0U); }
 
-} // namespace
+} // namespace plan_store_test
 } // namespace godwit::ground_port::mission_server

@@ -7,7 +7,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_changes_test {
 
 using words = dialogue::words;
 
@@ -115,5 +115,5 @@ TEST(server_changes, the_partner_is_who_has_a_transfer) {
   EXPECT_EQ(with.vehicle().partner(), other_station);
 }
 
-} // namespace
+} // namespace server_changes_test
 } // namespace godwit::ground_port::mission_server::test

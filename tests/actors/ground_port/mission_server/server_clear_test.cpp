@@ -10,7 +10,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_clear_test {
 
 using words = dialogue::words;
 
@@ -65,5 +65,5 @@ TEST(server_clear, px4_and_our_server_do_not_clear_what_is_coming_in) {
   }
 }
 
-} // namespace
+} // namespace server_clear_test
 } // namespace godwit::ground_port::mission_server::test

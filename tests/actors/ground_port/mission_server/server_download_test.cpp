@@ -11,7 +11,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_download_test {
 
 using mavlink::mav_cmd;
 using mavlink::mav_frame;
@@ -373,5 +373,5 @@ TEST(server_download, a_vehicle_without_floats_refuses_the_deprecated_request_an
   EXPECT_EQ(ask_for(with, 0), words{"ITEM_INT 0"});
 }
 
-} // namespace
+} // namespace server_download_test
 } // namespace godwit::ground_port::mission_server::test

@@ -8,7 +8,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_fence_test {
 
 using mavlink::mav_cmd;
 using mavlink::number;
@@ -82,5 +82,5 @@ TEST(server_fence, the_old_fence_is_held_until_the_new_one_is_one) {
   }
 }
 
-} // namespace
+} // namespace server_fence_test
 } // namespace godwit::ground_port::mission_server::test

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server::fuzz {
-namespace {
+namespace server_harness_test {
 
 using bytes = std::vector<std::uint8_t>;
 
@@ -100,5 +100,5 @@ TEST(server_harness, finds_one_that_does_nothing_at_its_deadline) {
   EXPECT_EQ(first_finding<is_late>(), "nothing was done at a deadline");
 }
 
-} // namespace
+} // namespace server_harness_test
 } // namespace godwit::ground_port::mission_server::fuzz

@@ -6,7 +6,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_partial_list_test {
 
 using words = dialogue::words;
 
@@ -72,5 +72,5 @@ TEST(server_partial_list, px4_does_not_hear_it_and_our_server_can_not) {
   EXPECT_TRUE(plain.vehicle().is_idle());
 }
 
-} // namespace
+} // namespace server_partial_list_test
 } // namespace godwit::ground_port::mission_server::test

@@ -86,7 +86,7 @@ struct Arbitrary<godwit::ground_port::mission_server::test::op> {
 } // namespace rc
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_property_test {
 
 using mavlink::mav_mission_result;
 using mavlink::number;
@@ -341,5 +341,5 @@ RC_GTEST_PROP(server_property, copter_keeps_its_word_whatever_is_said, ()) {
   run(ardupilot_copter_quirks()).play(any_sequence());
 }
 
-} // namespace
+} // namespace server_property_test
 } // namespace godwit::ground_port::mission_server::test

@@ -21,7 +21,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_recordings_test {
 
 using words = dialogue::words;
 
@@ -197,5 +197,5 @@ TEST(server_recordings, a_client_whose_peer_was_silent_is_answered_each_time) {
   EXPECT_EQ(std::count(said.begin(), said.end(), "245/190 ACK denied"), 5) << "its own upload is still open";
 }
 
-} // namespace
+} // namespace server_recordings_test
 } // namespace godwit::ground_port::mission_server::test

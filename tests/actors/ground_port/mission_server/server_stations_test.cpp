@@ -20,7 +20,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace server_stations_test {
 
 namespace mavlink = io::mavlink;
 using mavlink::mav_autopilot;
@@ -201,5 +201,5 @@ INSTANTIATE_TEST_SUITE_P(
                     kind{"rover", mission_server::ardupilot_rover_quirks(), mav_autopilot::ardupilotmega}),
     [](const auto& which) { return which.param.name; });
 
-} // namespace
+} // namespace server_stations_test
 } // namespace godwit::tests

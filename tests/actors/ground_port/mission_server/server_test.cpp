@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace server_test {
 
 using mavlink::mav_mission_result;
 using mavlink::mav_mission_type;
@@ -410,5 +410,5 @@ TEST(server, a_restart_forgets_the_transfer_and_keeps_the_plan) {
   EXPECT_EQ(result_of(with.item(0)), mav_mission_result::error);
 }
 
-} // namespace
+} // namespace server_test
 } // namespace godwit::ground_port::mission_server

@@ -7,7 +7,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_texts_test {
 
 using mavlink::mav_mission_result;
 using words = dialogue::words;
@@ -98,5 +98,5 @@ TEST(server_texts, our_own_name_who_what_and_why) {
   EXPECT_EQ(with.texts(), (words{"Mission: not cleared, it is being flown", "All plans: cleared by 255/190"}));
 }
 
-} // namespace
+} // namespace server_texts_test
 } // namespace godwit::ground_port::mission_server::test

@@ -12,7 +12,7 @@
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"
 
 namespace godwit::ground_port::mission_server::test {
-namespace {
+namespace server_upload_test {
 
 using mavlink::mav_mission_result;
 using mavlink::number;
@@ -431,5 +431,5 @@ TEST(server_upload, ardupilot_has_no_ids) {
   }
 }
 
-} // namespace
+} // namespace server_upload_test
 } // namespace godwit::ground_port::mission_server::test

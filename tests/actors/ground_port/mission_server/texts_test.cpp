@@ -7,7 +7,7 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::ground_port::mission_server {
-namespace {
+namespace texts_test {
 
 constexpr std::size_t room_in_statustext = io::mavlink::statustext{}.text.size();
 
@@ -52,5 +52,5 @@ TEST(texts, each_occasion_has_one_sentence_at_most_for_a_type_of_plan) {
             << table[i].text;
 }
 
-} // namespace
+} // namespace texts_test
 } // namespace godwit::ground_port::mission_server

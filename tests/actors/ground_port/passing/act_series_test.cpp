@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::passing {
-namespace {
+namespace act_series_test {
 
 using executor::act_kind;
 using executor::station_act;
@@ -56,5 +56,5 @@ TEST(act_series, over_the_bound_the_one_that_was_heard_longest_ago_is_forgotten)
   EXPECT_TRUE(rows.begins(by(0), "taken", 100));
 }
 
-} // namespace
+} // namespace act_series_test
 } // namespace godwit::ground_port::passing

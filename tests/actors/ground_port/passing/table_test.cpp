@@ -6,7 +6,7 @@
 #include "io/mavlink/ids.hpp"
 
 namespace godwit::ground_port::passing {
-namespace {
+namespace table_test {
 
 using mavlink::message_list;
 
@@ -67,5 +67,5 @@ TEST(passing_table, only_what_the_settings_decide_has_a_name_for_them) {
   EXPECT_FALSE(is_for_setting(""));
 }
 
-} // namespace
+} // namespace table_test
 } // namespace godwit::ground_port::passing

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::vehicle_role {
-namespace {
+namespace current_report_test {
 
 using godwit::tests::ms;
 
@@ -80,5 +80,5 @@ TEST(current_report, a_station_sets_the_period) {
   EXPECT_TRUE(report.due(at(1), 5'000 * ms));
 }
 
-} // namespace
+} // namespace current_report_test
 } // namespace godwit::ground_port::vehicle_role

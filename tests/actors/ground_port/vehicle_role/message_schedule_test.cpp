@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::vehicle_role {
-namespace {
+namespace message_schedule_test {
 
 using godwit::tests::ms;
 constexpr std::array table{streamed_message{30, 250 * ms}, streamed_message{33, 1'000 * ms}, streamed_message{242, 0}};
@@ -91,5 +91,5 @@ TEST(message_schedule, with_nothing_to_stream_nothing_is_ever_due) {
   EXPECT_EQ(schedule.next_due_ns(), std::numeric_limits<std::int64_t>::max());
 }
 
-} // namespace
+} // namespace message_schedule_test
 } // namespace godwit::ground_port::vehicle_role

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::vehicle_role {
-namespace {
+namespace mission_start_test {
 
 using io::mavlink::mav_result;
 
@@ -134,5 +134,5 @@ TEST(mission_start, each_sentence_fits_one_statustext) {
   }
 }
 
-} // namespace
+} // namespace mission_start_test
 } // namespace godwit::ground_port::vehicle_role

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::vehicle_role {
-namespace {
+namespace order_test {
 
 TEST(order, a_command_in_floats_is_read) {
   const auto read = read_order({255, 190}, mavlink::command_long{.target_system = 1,
@@ -51,5 +51,5 @@ TEST(order, the_answer_names_the_command_and_its_sender) {
   EXPECT_EQ(answer.target_component, 190);
 }
 
-} // namespace
+} // namespace order_test
 } // namespace godwit::ground_port::vehicle_role

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::ground_port::vehicle_role {
-namespace {
+namespace param_table_test {
 
 using godwit::tests::ms;
 
@@ -116,5 +116,5 @@ TEST(param_table, with_bits_a_value_of_another_type_is_not_taken) {
   EXPECT_EQ(bits.on(setting("WP_RADIUS", 1, param_type_int32))->param_value, 2.5F);
 }
 
-} // namespace
+} // namespace param_table_test
 } // namespace godwit::ground_port::vehicle_role

@@ -5,7 +5,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace clear_test {
 
 namespace mavlink = io::mavlink;
 using mavlink::mav_autopilot;
@@ -92,5 +92,5 @@ TEST(clear, a_silent_vehicle_leaves_it_unknown) {
   EXPECT_EQ(outcome.holding, transfer::holding::unknown);
 }
 
-} // namespace
+} // namespace clear_test
 } // namespace godwit::tests

@@ -7,7 +7,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace client_test {
 
 namespace mavlink = io::mavlink;
 using mavlink::mav_autopilot;
@@ -167,5 +167,5 @@ TEST(client, what_was_learned_of_the_line_serves_the_next_transfer) {
   EXPECT_LT(outcome.duration_ns, 200 * ms) << "the lost announcement was missed after a round trip";
 }
 
-} // namespace
+} // namespace client_test
 } // namespace godwit::tests

@@ -6,7 +6,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace download_test {
 
 namespace mavlink = io::mavlink;
 using mavlink::mav_autopilot;
@@ -116,5 +116,5 @@ TEST(download, cancel_ends_it_on_both_sides) {
   EXPECT_TRUE(world.vehicle().is_idle());
 }
 
-} // namespace
+} // namespace download_test
 } // namespace godwit::tests

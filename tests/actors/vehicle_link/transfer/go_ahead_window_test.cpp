@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace go_ahead_window_test {
 
 using godwit::tests::ms;
 
@@ -70,5 +70,5 @@ TEST(go_ahead_window, does_not_double_on_answers_of_which_nothing_is_certain) {
   EXPECT_LE(window.size(), 6);
 }
 
-} // namespace
+} // namespace go_ahead_window_test
 } // namespace godwit::vehicle_link::transfer

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace item_flow_test {
 
 using godwit::tests::ms;
 
@@ -133,5 +133,5 @@ TEST_F(item_flow_test, an_acknowledgement_can_not_come_before_all_was_sent_and_a
   EXPECT_TRUE(flow.may_be_acknowledged(190 * ms));
 }
 
-} // namespace
+} // namespace item_flow_test
 } // namespace godwit::vehicle_link::transfer

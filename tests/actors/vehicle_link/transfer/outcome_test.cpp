@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace outcome_test {
 
 TEST(sentence_for_mission_result, each_result_has_its_own) {
   std::set<std::string> sentences;
@@ -22,5 +22,5 @@ TEST(sentence_for_mission_result, names_a_number_that_is_not_known) {
   EXPECT_NE(sentence_for_mission_result(77).find("77"), std::string::npos);
 }
 
-} // namespace
+} // namespace outcome_test
 } // namespace godwit::vehicle_link::transfer

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace pace_test {
 
 using godwit::tests::ms;
 
@@ -43,5 +43,5 @@ TEST(lengthened, grows_by_half_up_to_its_limit) {
   EXPECT_EQ(lengthened(2'000, 5, 1'000), 2'000) << "what is longer by itself stays";
 }
 
-} // namespace
+} // namespace pace_test
 } // namespace godwit::vehicle_link::transfer

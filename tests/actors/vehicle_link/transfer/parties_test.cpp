@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace parties_test {
 
 constexpr parties who{{1, 191}, {1, 1}, mavlink::mav_mission_type::fence};
 
@@ -34,5 +34,5 @@ TEST(parties, are_not_concerned_by_what_is_for_others_or_for_another_plan) {
   EXPECT_FALSE(who.concerns(ack_to(1, 191, mavlink::mav_mission_type::mission)));
 }
 
-} // namespace
+} // namespace parties_test
 } // namespace godwit::vehicle_link::transfer

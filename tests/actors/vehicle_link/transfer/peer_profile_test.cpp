@@ -5,7 +5,7 @@
 #include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace peer_profile_test {
 
 using mavlink::mav_autopilot;
 namespace mission_server = ground_port::mission_server;
@@ -40,5 +40,5 @@ TEST(peer_profile, agrees_with_the_habits_of_the_vehicle) {
   EXPECT_EQ(copter.first_item_is_home, mission_server::ardupilot_copter_quirks().home.has_value());
 }
 
-} // namespace
+} // namespace peer_profile_test
 } // namespace godwit::vehicle_link::transfer

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace plan_reader_test {
 
 using mavlink::mav_autopilot;
 using mavlink::mav_mission_result;
@@ -139,5 +139,5 @@ TEST_F(plan_reader_test, begins_again_when_no_item_comes_and_not_for_ever) {
   EXPECT_EQ(reader.now(), plan_reader::state::silent);
 }
 
-} // namespace
+} // namespace plan_reader_test
 } // namespace godwit::vehicle_link::transfer

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::vehicle_link::transfer {
-namespace {
+namespace round_trip_test {
 
 using godwit::tests::ms;
 
@@ -94,5 +94,5 @@ TEST(round_trip, knows_what_can_not_be_an_answer) {
   EXPECT_FALSE(line.is_too_soon(90 * ms));
 }
 
-} // namespace
+} // namespace round_trip_test
 } // namespace godwit::vehicle_link::transfer

@@ -14,7 +14,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace transfer_property_test {
 
 namespace mavlink = io::mavlink;
 using mavlink::mav_autopilot;
@@ -261,5 +261,5 @@ RC_GTEST_PROP(transfer_property, what_is_read_over_any_line_is_what_the_vehicle_
     RC_ASSERT(world.vehicle().plan(mav_mission_type::mission).items.empty());
 }
 
-} // namespace
+} // namespace transfer_property_test
 } // namespace godwit::tests

@@ -6,7 +6,7 @@
 #include "tests/support/upload_figures.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace upload_figures_test {
 
 constexpr int seeds = 200;
 
@@ -88,5 +88,5 @@ TEST(upload_figures, no_single_upload_over_a_slow_line_sends_half_again_as_much_
   }
 }
 
-} // namespace
+} // namespace upload_figures_test
 } // namespace godwit::tests

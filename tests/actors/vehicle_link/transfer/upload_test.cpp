@@ -6,7 +6,7 @@
 #include "tests/support/transfer_world.hpp"
 
 namespace godwit::tests {
-namespace {
+namespace upload_test {
 
 namespace mavlink = io::mavlink;
 using mavlink::mav_autopilot;
@@ -337,5 +337,5 @@ TEST(upload, a_line_much_slower_than_the_first_guess_is_not_flooded) {
   EXPECT_LE(outcome.effort.items_resent, 100U) << "the first guess of the round trip is a quarter of it";
 }
 
-} // namespace
+} // namespace upload_test
 } // namespace godwit::tests

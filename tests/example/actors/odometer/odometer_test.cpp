@@ -12,7 +12,7 @@
 #include "runtime/stored_state.hpp"
 #include "tests/example/actors/odometer/actor.hpp"
 
-namespace {
+namespace odometer_test {
 
 using namespace godwit;
 using namespace godwit::odometer;
@@ -192,4 +192,4 @@ RC_GTEST_PROP(odometer_property, every_full_kilometre_is_told_exactly_once, ()) 
     RC_ASSERT(times == 1 && kilometre <= heard.size());
 }
 
-} // namespace
+} // namespace odometer_test

@@ -11,7 +11,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace identity_test {
 
 using http_server_identity = http_fixture;
 using names = std::vector<std::string>;
@@ -89,5 +89,5 @@ TEST_F(http_server_identity, has_names_and_addresses_and_nothing_that_is_neither
   EXPECT_TRUE(make_identity(names{"a,DNS:b"})) << "one odd name, and not two";
 }
 
-} // namespace
+} // namespace identity_test
 } // namespace godwit::io::http::test

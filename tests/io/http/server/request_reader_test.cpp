@@ -8,7 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace request_reader_test {
 
 // 100 bytes for one target, and what the settings say for the others.
 std::size_t limits(std::string_view, std::string_view target) {
@@ -182,5 +182,5 @@ TEST(http_request_reader, bytes_at_random_never_break_it) {
   });
 }
 
-} // namespace
+} // namespace request_reader_test
 } // namespace godwit::io::http

@@ -10,7 +10,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace responder_test {
 
 // Keeps its answers until the test gives them.
 struct holding {
@@ -131,5 +131,5 @@ TEST(http_responder, hands_the_connection_over_with_what_the_client_said_early) 
   EXPECT_EQ(server.counters().open, 0U);
 }
 
-} // namespace
+} // namespace responder_test
 } // namespace godwit::io::http::test

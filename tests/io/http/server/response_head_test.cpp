@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::http {
-namespace {
+namespace response_head_test {
 
 server_response with_header(std::string name, std::string value) {
   return {.body = "hello", .headers = {{std::move(name), std::move(value)}}};
@@ -48,5 +48,5 @@ TEST(http_response_head, a_problem_is_a_document_with_its_status_and_a_sentence)
             R"({"type":"about:blank","title":"Content Too Large","status":413,"detail":"Up to 100 bytes."})");
 }
 
-} // namespace
+} // namespace response_head_test
 } // namespace godwit::io::http

@@ -13,7 +13,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace server_test {
 
 using http_server_tls = http_fixture;
 
@@ -234,5 +234,5 @@ TEST_F(http_server_tls, needs_a_certificate_and_the_key_that_fits_it) {
   }
 }
 
-} // namespace
+} // namespace server_test
 } // namespace godwit::io::http::test

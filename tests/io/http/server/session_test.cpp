@@ -7,7 +7,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 
 namespace godwit::io::http::test {
-namespace {
+namespace session_test {
 
 constexpr std::chrono::milliseconds never{long_time};
 
@@ -273,5 +273,5 @@ TEST(http_session, an_answer_goes_out_to_a_client_that_has_closed_its_sending_si
   EXPECT_TRUE(client.read_to_end().ends_with("\r\n\r\n/a"));
 }
 
-} // namespace
+} // namespace session_test
 } // namespace godwit::io::http::test

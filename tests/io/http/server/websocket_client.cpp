@@ -10,12 +10,12 @@
 namespace godwit::io::http::test {
 
 namespace asio = boost::asio;
-namespace websocket = boost::beast::websocket;
+namespace ws = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 
 struct websocket_client::engine {
   asio::io_context io;
-  websocket::stream<tcp::socket, false> line{io};
+  ws::stream<tcp::socket, false> line{io};
   unsigned status = 0;
 };
 
@@ -30,11 +30,11 @@ websocket_client::websocket_client(std::uint16_t port, const std::string& target
   if (failed)
     return;
   if (!origin.empty())
-    e.line.set_option(websocket::stream_base::decorator(
-        [origin](websocket::request_type& asked) { asked.set(boost::beast::http::field::origin, origin); }));
-  websocket::response_type answer;
+    e.line.set_option(ws::stream_base::decorator(
+        [origin](ws::request_type& asked) { asked.set(boost::beast::http::field::origin, origin); }));
+  ws::response_type answer;
   e.line.handshake(answer, "localhost:" + std::to_string(port), target, failed);
-  if (!failed || failed == websocket::error::upgrade_declined)
+  if (!failed || failed == ws::error::upgrade_declined)
     e.status = answer.result_int();
 }
 

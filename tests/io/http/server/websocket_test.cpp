@@ -9,7 +9,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 #include "tests/io/http/server/websocket_client.hpp"
 
-namespace {
+namespace websocket_test {
 
 using namespace godwit::io::http;
 using namespace godwit::io::http::test;
@@ -185,4 +185,4 @@ TEST_F(impatient, who_answers_pings_stays_without_a_word) {
   EXPECT_EQ(read.get(), "hello");
 }
 
-} // namespace
+} // namespace websocket_test

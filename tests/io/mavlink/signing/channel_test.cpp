@@ -7,7 +7,7 @@
 #include "tests/support/time_units.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace channel_test {
 
 using godwit::tests::ms;
 constexpr std::int64_t wall_ns = 1'800'000'000'000 * ms; // 2027
@@ -118,5 +118,5 @@ TEST(channel, gaps_are_counted_for_the_sender_that_is_followed) {
   EXPECT_EQ(c.report(std::nullopt).sequence_gaps, 0U);
 }
 
-} // namespace
+} // namespace channel_test
 } // namespace godwit::io::mavlink

@@ -12,7 +12,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace key_file_test {
 
 namespace fs = std::filesystem;
 
@@ -114,5 +114,5 @@ TEST_F(mavlink_key_file, a_missing_file_is_named_with_the_remedy) {
   EXPECT_NE(refused().message().find("openssl rand -hex 32"), std::string::npos);
 }
 
-} // namespace
+} // namespace key_file_test
 } // namespace godwit::io::mavlink::test

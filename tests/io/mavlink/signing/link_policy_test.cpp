@@ -5,7 +5,7 @@
 #include "io/mavlink/messages.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace link_policy_test {
 
 TEST(mavlink_link_policy, lets_only_the_status_of_the_radio_through_by_default) {
   const unsigned_policy policy;
@@ -45,5 +45,5 @@ TEST(mavlink_link_policy, the_key_goes_into_no_log) {
   EXPECT_TRUE(may_be_logged(heartbeat::message_id));
 }
 
-} // namespace
+} // namespace link_policy_test
 } // namespace godwit::io::mavlink::test

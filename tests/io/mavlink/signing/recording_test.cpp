@@ -15,7 +15,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace recording_test {
 
 struct recorded_frame {
   std::int64_t wall_ns = 0;
@@ -147,5 +147,5 @@ TEST_F(mavlink_signing_recording, replays_old_and_future_timestamps_and_new_link
   EXPECT_EQ(judge(earlier(now, minutes(1) / 2), 79), verdict::accepted_signed);
 }
 
-} // namespace
+} // namespace recording_test
 } // namespace godwit::io::mavlink::test

@@ -11,7 +11,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace replay_table_test {
 
 constexpr signing_time now = signing_time_at(some_day_ns);
 constexpr signed_stream vehicle{{1, 1}, link_id{0}};
@@ -120,5 +120,5 @@ RC_GTEST_PROP(mavlink_replay_table_property, no_frame_is_accepted_twice, ()) {
   RC_CLASSIFY(table.streams_forgotten() > 0);
 }
 
-} // namespace
+} // namespace replay_table_test
 } // namespace godwit::io::mavlink::test

@@ -11,7 +11,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace secret_key_test {
 
 template <class T>
 concept printable = requires(std::ostream& out, const T& value) {
@@ -54,5 +54,5 @@ TEST(mavlink_secret_key, only_a_key_of_zeros_is_all_zero) {
   EXPECT_FALSE(secret_key(bytes).is_all_zero());
 }
 
-} // namespace
+} // namespace secret_key_test
 } // namespace godwit::io::mavlink::test

@@ -7,7 +7,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace signature_test {
 
 // Made with the C code of the reference generator: key 00..1f, link 3.
 constexpr std::string_view golden = "fd09010000ffbe000000000000001208000403c6e2036655443322115b1a95938762";
@@ -50,5 +50,5 @@ TEST(mavlink_signature, a_hasher_goes_on_after_a_move) {
   EXPECT_TRUE(second.is_right(frame_view(bytes.data())));
 }
 
-} // namespace
+} // namespace signature_test
 } // namespace godwit::io::mavlink::test

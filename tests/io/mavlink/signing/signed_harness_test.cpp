@@ -8,7 +8,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace signed_harness_test {
 
 constexpr std::size_t rounds = 200; // changes of each input
 
@@ -95,5 +95,5 @@ private:
 
 TEST(signed_harness, finds_a_verifier_that_compares_five_of_six_bytes) { EXPECT_TRUE(run<compares_too_little>()); }
 
-} // namespace
+} // namespace signed_harness_test
 } // namespace godwit::io::mavlink::test

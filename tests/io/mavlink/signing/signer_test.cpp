@@ -6,7 +6,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace signer_test {
 
 TEST(mavlink_signer, appends_link_timestamp_and_a_right_hash) {
   signer out(counting_key(), link_id{7}, signing_time{0});
@@ -54,5 +54,5 @@ TEST(mavlink_signer, each_of_our_messages_is_signed_and_verified) {
   });
 }
 
-} // namespace
+} // namespace signer_test
 } // namespace godwit::io::mavlink::test

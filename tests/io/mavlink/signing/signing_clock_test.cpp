@@ -9,7 +9,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace signing_clock_test {
 
 constexpr std::int64_t hour_ns = 3600 * second_ns;
 constexpr signing_time start = signing_time_at(some_day_ns);
@@ -224,5 +224,5 @@ RC_GTEST_PROP(mavlink_signing_clock_property, what_a_reservation_covers_never_co
   }
 }
 
-} // namespace
+} // namespace signing_clock_test
 } // namespace godwit::io::mavlink::test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace signing_time_test {
 
 constexpr std::int64_t epoch_ns = signing_epoch_s * 1'000'000'000;
 
@@ -36,5 +36,5 @@ TEST(mavlink_signing_time, travels_as_six_bytes_little_endian) {
   EXPECT_EQ(load_signing_time(bytes), max_signing_time);
 }
 
-} // namespace
+} // namespace signing_time_test
 } // namespace godwit::io::mavlink::test

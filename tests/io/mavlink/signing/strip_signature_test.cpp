@@ -7,7 +7,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace strip_signature_test {
 
 TEST(mavlink_strip_signature, a_stripped_frame_equals_the_one_that_was_never_signed) {
   const auto signed_frame = heartbeat_at(signing_time{5}, 255);
@@ -63,5 +63,5 @@ TEST(mavlink_strip_signature, a_wrong_checksum_stays_wrong) {
   EXPECT_FALSE(crc_matches(strip_signature(frame_view(bytes.data()), memory), heartbeat::crc_extra));
 }
 
-} // namespace
+} // namespace strip_signature_test
 } // namespace godwit::io::mavlink::test

@@ -6,7 +6,7 @@
 #include "tests/io/mavlink/signing/signing_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace verifier_test {
 
 constexpr signing_time now = signing_time_at(some_day_ns);
 
@@ -96,5 +96,5 @@ TEST(mavlink_verifier, each_verdict_has_a_name_and_its_own_counter) {
   }
 }
 
-} // namespace
+} // namespace verifier_test
 } // namespace godwit::io::mavlink::test

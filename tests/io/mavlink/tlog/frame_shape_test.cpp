@@ -5,7 +5,7 @@
 #include "tests/io/mavlink/tlog/tlog_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace frame_shape_test {
 
 byte_buffer plain_heartbeat() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
 
@@ -48,5 +48,5 @@ TEST(mavlink_frame_shape, nothing_begins_where_no_magic_is) {
   EXPECT_EQ(look(from_hex("00fd")).shape, frame_shape::nothing);
 }
 
-} // namespace
+} // namespace frame_shape_test
 } // namespace godwit::io::mavlink::test

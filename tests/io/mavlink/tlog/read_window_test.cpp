@@ -5,7 +5,7 @@
 #include "tests/io/mavlink/tlog/tlog_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace read_window_test {
 
 TEST(mavlink_read_window, passes_over_a_file_of_several_windows_without_a_gap) {
   byte_buffer all(3 * read_window::window_bytes + 17);
@@ -40,5 +40,5 @@ TEST(mavlink_read_window, hands_on_an_error_of_the_source) {
   EXPECT_EQ(outcome.error().code, mcap::errc::io);
 }
 
-} // namespace
+} // namespace read_window_test
 } // namespace godwit::io::mavlink::test

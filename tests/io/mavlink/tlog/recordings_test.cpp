@@ -13,7 +13,7 @@
 #include "tests/io/mavlink/tlog/tlog_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace tlog_recordings_test {
 
 using senders = std::map<std::string, std::uint64_t>;
 
@@ -140,5 +140,5 @@ TEST(mavlink_tlog_recordings, every_offset_of_the_whole_recordings_agrees_too) {
     EXPECT_EQ(right_frames_at_any_offset(test_data("captures/" + name)), count(name).counts.frames) << name;
 }
 
-} // namespace
+} // namespace tlog_recordings_test
 } // namespace godwit::io::mavlink::test

@@ -8,7 +8,7 @@
 #include "tests/io/mavlink/mavlink_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace tlog_harness_test {
 
 constexpr std::size_t rounds = 200; // changes of each input
 
@@ -89,5 +89,5 @@ struct calls_all_verified : tlog_reader {
 
 TEST(tlog_harness, finds_a_reader_that_calls_unknown_ids_verified) { EXPECT_TRUE(run<calls_all_verified>()); }
 
-} // namespace
+} // namespace tlog_harness_test
 } // namespace godwit::io::mavlink::test

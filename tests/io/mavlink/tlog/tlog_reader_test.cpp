@@ -9,7 +9,7 @@
 #include "tests/io/mavlink/tlog/tlog_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace tlog_reader_test {
 
 byte_buffer heartbeat_bytes() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
 byte_buffer signed_heartbeat() {
@@ -254,5 +254,5 @@ RC_GTEST_PROP(mavlink_tlog_reader_property, no_right_frame_is_lost, ()) {
   RC_ASSERT(may_break || cut.counts.skipped_bytes < max_tlog_record_size);
 }
 
-} // namespace
+} // namespace tlog_reader_test
 } // namespace godwit::io::mavlink::test

@@ -13,7 +13,7 @@
 #include "tests/io/mavlink/tlog/tlog_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
-namespace {
+namespace tlog_writer_test {
 
 namespace fs = std::filesystem;
 
@@ -277,5 +277,5 @@ RC_GTEST_PROP(mavlink_tlog_writer_property, what_was_written_is_read_back_equal,
     RC_ASSERT(read_file(folder / "flight.tlog").records == expected);
 }
 
-} // namespace
+} // namespace tlog_writer_test
 } // namespace godwit::io::mavlink::test

@@ -6,7 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::io::mavlink {
-namespace {
+namespace coordinate_text_test {
 
 std::string written(coordinate_kind kind, axis which, std::int32_t value) {
   std::string out;
@@ -79,5 +79,5 @@ RC_GTEST_PROP(coordinate_text, every_integer_reads_back_as_itself, (std::int32_t
   }
 }
 
-} // namespace
+} // namespace coordinate_text_test
 } // namespace godwit::io::mavlink

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::mavlink {
-namespace {
+namespace waypoint_error_test {
 
 TEST(waypoint_error, the_sentence_names_file_line_and_column_as_far_as_there_are_any) {
   waypoint_error error{waypoint_errc::out_of_range, "survey.waypoints", 5, "x/lat", "\"95\" is not a latitude"};
@@ -21,5 +21,5 @@ TEST(waypoint_error, text_of_others_is_quoted_short_and_plain) {
   EXPECT_EQ(in_quotes(std::string(41, 'x')), "\"" + std::string(40, 'x') + "...\"");
 }
 
-} // namespace
+} // namespace waypoint_error_test
 } // namespace godwit::io::mavlink

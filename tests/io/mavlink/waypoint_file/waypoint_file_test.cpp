@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::mavlink {
-namespace {
+namespace waypoint_file_test {
 
 namespace fs = std::filesystem;
 
@@ -80,5 +80,5 @@ TEST_F(waypoint_file, a_plan_that_can_not_be_saved_leaves_the_older_one) {
   EXPECT_EQ(files(), 2U) << "nothing is left behind";
 }
 
-} // namespace
+} // namespace waypoint_file_test
 } // namespace godwit::io::mavlink

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::io::mavlink::fuzz {
-namespace {
+namespace waypoint_harness_test {
 
 const std::string plan = "QGC WPL 110\n0 1 3 16 0 5 0 0 50.0000001 36.4 800 1\n";
 
@@ -59,5 +59,5 @@ TEST(waypoint_harness, planted_defects_are_found) {
   EXPECT_NE((check_waypoints<refuses_without_words>(plan)), std::nullopt);
 }
 
-} // namespace
+} // namespace waypoint_harness_test
 } // namespace godwit::io::mavlink::fuzz

@@ -9,7 +9,7 @@
 #include "io/mavlink/waypoint_file/format.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace waypoint_reader_test {
 
 const std::string header = "QGC WPL 110\n";
 const std::string item_0 = "0\t1\t3\t16\t0\t5\t0\tNaN\t50.0000000\t36.4000001\t800\t1\n";
@@ -170,5 +170,5 @@ TEST(waypoint_reader, a_plan_as_mission_planner_writes_it_is_read) {
   EXPECT_EQ(items->at(2).y, 1'491'651'373);
 }
 
-} // namespace
+} // namespace waypoint_reader_test
 } // namespace godwit::io::mavlink

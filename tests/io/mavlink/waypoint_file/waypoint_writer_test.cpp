@@ -10,7 +10,7 @@
 #include "io/mavlink/waypoint_file/waypoint_reader.hpp"
 
 namespace godwit::io::mavlink {
-namespace {
+namespace waypoint_writer_test {
 
 std::vector<mission_item_int> one(void (*change)(mission_item_int&)) {
   mission_item_int item{.frame = 3, .command = 16, .autocontinue = 1, .x = 500'000'000, .y = 364'000'000, .z = 800};
@@ -98,5 +98,5 @@ RC_GTEST_PROP(waypoint_writer, every_plan_reads_back_as_itself, ()) {
     RC_ASSERT(same(read->at(i), items[i]));
 }
 
-} // namespace
+} // namespace waypoint_writer_test
 } // namespace godwit::io::mavlink

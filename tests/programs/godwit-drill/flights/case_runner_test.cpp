@@ -7,7 +7,7 @@
 #include <csignal>
 #include <map>
 
-namespace {
+namespace case_runner_test {
 
 using namespace godwit::drill;
 
@@ -77,4 +77,4 @@ TEST(case_runner, a_case_without_an_end_is_ended_and_the_others_are_flown) {
   EXPECT_NE(outcomes.at(1).flaws.front().find("no end"), std::string::npos);
 }
 
-} // namespace
+} // namespace case_runner_test

@@ -9,7 +9,7 @@
 #include <array>
 #include <set>
 
-namespace {
+namespace disturbed_cases_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -136,4 +136,4 @@ TEST(takeover_cases, who_stops_the_vehicle_has_the_last_word) {
   expect_held(fly(all, "px4/flying/start_and_come_home_later"));
 }
 
-} // namespace
+} // namespace disturbed_cases_test

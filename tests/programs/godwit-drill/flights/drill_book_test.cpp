@@ -8,7 +8,7 @@
 
 #include "programs/godwit-drill/flights/drill_page.hpp"
 
-namespace {
+namespace drill_book_test {
 
 using namespace godwit::drill;
 
@@ -109,4 +109,4 @@ TEST(drill_page, shows_groups_flaws_and_the_command_that_flies_them_again_as_tex
   EXPECT_EQ(page.find("http"), page.find("http-equiv")) << "nothing is loaded from elsewhere";
 }
 
-} // namespace
+} // namespace drill_book_test

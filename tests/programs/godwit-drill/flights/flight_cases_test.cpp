@@ -10,7 +10,7 @@
 #include "programs/godwit-drill/flights/flight_drill.hpp"
 #include "tests/programs/godwit-drill/flights/every_vehicle.hpp"
 
-namespace {
+namespace flight_cases_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -114,4 +114,4 @@ TEST(seed_range, is_one_seed_or_the_first_and_the_last) {
     EXPECT_FALSE(seed_range_from(wrong)) << wrong;
 }
 
-} // namespace
+} // namespace flight_cases_test

@@ -8,7 +8,7 @@
 #include "programs/godwit-drill/flights/flight_case.hpp"
 #include "tests/programs/godwit-drill/flights/every_vehicle.hpp"
 
-namespace {
+namespace known_findings_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -46,4 +46,4 @@ TEST(known_findings, hide_nothing_of_another_flight) {
   EXPECT_EQ(outcome.flaws.size(), 1U);
 }
 
-} // namespace
+} // namespace known_findings_test

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace {
+namespace random_flight_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -66,4 +66,4 @@ TEST(random_flight, finds_in_the_record_what_the_service_does_not_see) {
   EXPECT_NE(found_at(planted_flaw::forget_delivery, "reports_without_gap"), 0U);
 }
 
-} // namespace
+} // namespace random_flight_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace shrink_test {
 
 using godwit::drill::not_needed_to_fail;
 using faults = std::vector<std::uint64_t>;
@@ -41,4 +41,4 @@ TEST(shrink, leaves_out_nothing_that_is_needed) {
   EXPECT_TRUE(not_needed_to_fail(0, [](const faults&) { return true; }).empty());
 }
 
-} // namespace
+} // namespace shrink_test

@@ -7,7 +7,7 @@
 #include "programs/godwit-sim/camera/random.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace background_model_test {
 
 const cv::Size picture(320, 180);
 
@@ -84,5 +84,5 @@ TEST(blobs, what_is_as_dark_as_a_shadow_all_over_keeps_its_box) {
   EXPECT_EQ(found.blobs[0].box, cv::Rect2d(100, 60, 20, 10));
 }
 
-} // namespace
+} // namespace background_model_test
 } // namespace godwit::eyes

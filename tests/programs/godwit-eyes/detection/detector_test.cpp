@@ -15,7 +15,7 @@
 #include "tests/support/eyes/score.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace detector_test {
 
 using sim::camera::suite_case;
 using sim::camera::suite_options;
@@ -260,5 +260,5 @@ TEST(unusable, each_reason_has_a_name_and_a_sentence) {
   EXPECT_EQ(names.size(), static_cast<std::size_t>(unusable_count));
 }
 
-} // namespace
+} // namespace detector_test
 } // namespace godwit::eyes

@@ -6,7 +6,7 @@
 #include "programs/godwit-sim/camera/random.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace motion_proof_test {
 
 constexpr double picture_s = 1.0 / 30;
 constexpr int thing_px = 11;
@@ -105,5 +105,5 @@ TEST(motion_proof, without_earlier_pictures_nothing_is_proved) {
   EXPECT_FALSE(f.proof.has_moved(f.who, {}));
 }
 
-} // namespace
+} // namespace motion_proof_test
 } // namespace godwit::eyes

@@ -9,7 +9,7 @@
 #include "programs/godwit-sim/camera/suite.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace own_motion_test {
 
 using sim::camera::suite_case;
 
@@ -58,5 +58,5 @@ TEST(picture_check, is_reduced_by_whole_numbers_until_it_is_no_wider) {
   EXPECT_EQ(reduction_for(1920, 640), 3);
 }
 
-} // namespace
+} // namespace own_motion_test
 } // namespace godwit::eyes

@@ -5,7 +5,7 @@
 #include "tests/support/eyes/pose_of_view.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace parallax_test {
 
 // The camera looks straight down and flies to the north, which is up in the picture.
 struct flight {
@@ -41,5 +41,5 @@ TEST(parallax, a_camera_that_stands_sees_none) {
   EXPECT_FALSE(is_like_parallax(from, {0, 0, 0}, {320, 180}, {0, 7}));
 }
 
-} // namespace
+} // namespace parallax_test
 } // namespace godwit::eyes

@@ -5,7 +5,7 @@
 #include "programs/godwit-sim/camera/random.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace shadow_ratio_test {
 
 // Pictures with dark things of any brightness, and a part of them in shadows of this ratio.
 shadow_ratio seen(double shadows, float ratio, int pictures = 20) {
@@ -46,5 +46,5 @@ TEST(shadow_ratio, when_the_shadows_are_gone_it_is_forgotten) {
   EXPECT_FALSE(of.get());
 }
 
-} // namespace
+} // namespace shadow_ratio_test
 } // namespace godwit::eyes

@@ -9,7 +9,7 @@
 #include "programs/godwit-sim/camera/random.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace track_filter_test {
 
 constexpr double step_s = 1.0 / 30;
 
@@ -69,5 +69,5 @@ TEST(track_filter, is_surer_where_it_was_seen_than_where_it_was_not) {
   EXPECT_GT(seen.distance_squared({5, 0}, 1), lost.distance_squared({5, 0}, 1));
 }
 
-} // namespace
+} // namespace track_filter_test
 } // namespace godwit::eyes

@@ -10,7 +10,7 @@
 #include "programs/godwit-sim/camera/random.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace tracker_test {
 
 constexpr double picture_s = 1.0 / 30;
 const cv::Size picture(640, 360);
@@ -170,5 +170,5 @@ TEST(tracker, a_track_that_is_hidden_for_a_while_goes_on_by_its_speed) {
   EXPECT_EQ(of.tracks()[0].number, number);
 }
 
-} // namespace
+} // namespace tracker_test
 } // namespace godwit::eyes

@@ -12,7 +12,7 @@
 #include "tests/support/eyes/pose_of_view.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace ground_point_test {
 
 constexpr double radian = std::numbers::pi / 180;
 constexpr double limit = 70 * radian;
@@ -115,5 +115,5 @@ TEST(ground_point, beyond_the_limit_off_the_nadir_there_is_none) {
   EXPECT_FALSE(ground_point(from, box_at(639.5, 10), limit)); // 18 degrees higher
 }
 
-} // namespace
+} // namespace ground_point_test
 } // namespace godwit::eyes

@@ -9,7 +9,7 @@
 #include "tests/support/eyes/pose_of_view.hpp"
 
 namespace godwit::eyes {
-namespace {
+namespace sight_test {
 
 constexpr double one_degree_rad = std::numbers::pi / 180;
 
@@ -106,5 +106,5 @@ TEST(camera_parameters, what_can_not_be_is_named) {
   EXPECT_NE(problem_of(camera)->find("centre_y_px"), std::string::npos);
 }
 
-} // namespace
+} // namespace sight_test
 } // namespace godwit::eyes

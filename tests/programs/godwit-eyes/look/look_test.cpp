@@ -15,7 +15,7 @@
 #include "programs/godwit-sim/camera/suite.hpp"
 #include "tests/support/eyes/generated_frame.hpp"
 
-namespace {
+namespace look_test {
 
 using namespace godwit;
 using namespace godwit::eyes;
@@ -142,4 +142,4 @@ TEST_F(look_through_recording, what_is_no_recording_is_said) {
   EXPECT_NE(seen.error(), "");
 }
 
-} // namespace
+} // namespace look_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-namespace {
+namespace png_test {
 
 using namespace godwit::eyes;
 
@@ -58,4 +58,4 @@ TEST(png, a_file_that_can_not_be_written_is_named) {
   EXPECT_NE(written.error().find("/nowhere/at/all.png"), std::string::npos);
 }
 
-} // namespace
+} // namespace png_test

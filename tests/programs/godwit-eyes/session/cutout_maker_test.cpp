@@ -5,7 +5,7 @@
 #include "tests/io/video/painted_frame.hpp"
 #include "tests/support/time_units.hpp"
 
-namespace {
+namespace cutout_maker_test {
 
 using namespace godwit;
 using godwit::eyes::cutout_maker;
@@ -75,4 +75,4 @@ TEST(cutout_maker, of_each_track_there_is_one_a_second_and_of_a_picture_a_few) {
   EXPECT_EQ(m.slot.read_cutout(1)->captured_ns, 2 * s);
 }
 
-} // namespace
+} // namespace cutout_maker_test

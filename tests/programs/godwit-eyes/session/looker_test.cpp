@@ -13,7 +13,7 @@
 #include "programs/godwit-sim/camera/suite.hpp"
 #include "tests/support/eyes/generated_frame.hpp"
 
-namespace {
+namespace looker_test {
 
 using namespace godwit;
 using namespace godwit::eyes;
@@ -96,4 +96,4 @@ TEST(eyes_looker, a_change_of_size_makes_a_new_detector_and_one_that_can_not_be_
   }
 }
 
-} // namespace
+} // namespace looker_test

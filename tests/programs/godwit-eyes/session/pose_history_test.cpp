@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pose_history_test {
 
 using namespace godwit;
 using namespace godwit::eyes;
@@ -47,4 +47,4 @@ TEST(pose_history, what_is_not_newer_is_left_out_and_the_oldest_is_forgotten) {
   EXPECT_EQ(all.at(200 * ms)->at_ns, (1200 - static_cast<std::int64_t>(pose_history::max_poses)) * ms);
 }
 
-} // namespace
+} // namespace pose_history_test

@@ -11,7 +11,7 @@
 
 #include "io/eyes/helper.hpp"
 
-namespace {
+namespace process_test {
 
 using namespace godwit::io::eyes;
 using namespace std::chrono_literals;
@@ -86,4 +86,4 @@ TEST(eyes_process, it_ends_when_the_daemon_does) {
   EXPECT_EQ(s.process(), 0);
 }
 
-} // namespace
+} // namespace process_test

@@ -9,7 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace {
+namespace session_test {
 
 using namespace godwit;
 using namespace godwit::eyes;
@@ -138,4 +138,4 @@ TEST(eyes_session, garbage_of_the_daemon_ends_it) {
   EXPECT_EQ(s.leave(), session_end::garbage);
 }
 
-} // namespace
+} // namespace session_test

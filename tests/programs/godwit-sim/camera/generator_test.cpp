@@ -10,7 +10,7 @@
 #include "programs/godwit-sim/camera/suite.hpp"
 
 namespace godwit::sim::camera {
-namespace {
+namespace generator_test {
 
 lens small_lens() { return {.width = 320, .height = 180, .focal_px = 300, .readout_s = 0}; }
 
@@ -134,5 +134,5 @@ TEST(camera_generator, colours_follow_the_brightness) {
   EXPECT_EQ(colours[4], 200);
 }
 
-} // namespace
+} // namespace generator_test
 } // namespace godwit::sim::camera

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::camera {
-namespace {
+namespace scene_test {
 
 TEST(camera_scene, a_mover_goes_its_speed_along_its_arc) {
   mover who;
@@ -69,5 +69,5 @@ TEST(camera_scene, slopes_of_tier_b_are_such_that_the_search_for_the_ground_ends
   EXPECT_LT(steepest, 0.35);
 }
 
-} // namespace
+} // namespace scene_test
 } // namespace godwit::sim::camera

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::camera {
-namespace {
+namespace sensor_test {
 
 canvas even(int brightness) {
   canvas made(256, 128);
@@ -87,5 +87,5 @@ TEST(camera_sensor, defocus_takes_the_edges_and_leaves_the_brightness) {
   EXPECT_LT(std::abs(picture.pixels[picture.index(30, 30)] - picture.pixels[picture.index(31, 30)]), 8);
 }
 
-} // namespace
+} // namespace sensor_test
 } // namespace godwit::sim::camera

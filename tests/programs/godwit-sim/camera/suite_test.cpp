@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::camera {
-namespace {
+namespace suite_test {
 
 suite_options of_size(int width, int height) {
   suite_options options;
@@ -69,5 +69,5 @@ TEST(camera_suite, movers_have_the_size_of_the_range_in_the_picture) {
   EXPECT_GT(seen, 20);
 }
 
-} // namespace
+} // namespace suite_test
 } // namespace godwit::sim::camera

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::camera {
-namespace {
+namespace texture_test {
 
 TEST(camera_texture, has_the_contrast_that_was_asked_for) {
   const texture ground(7, {20, 0.7, 40});
@@ -48,5 +48,5 @@ TEST(camera_texture, a_smooth_field_repeats_and_has_deviation_1) {
   EXPECT_NEAR(squares, 1, 0.05);
 }
 
-} // namespace
+} // namespace texture_test
 } // namespace godwit::sim::camera

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 namespace godwit::sim::camera {
-namespace {
+namespace truth_test {
 
 TEST(camera_truth, a_line_is_json_and_ends) {
   truth what;
@@ -28,5 +28,5 @@ TEST(camera_truth, a_place_north_of_the_origin_has_a_higher_latitude) {
   EXPECT_NEAR(what.movers[0].longitude_deg, 8, 1e-9);
 }
 
-} // namespace
+} // namespace truth_test
 } // namespace godwit::sim::camera

@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::sim::camera {
-namespace {
+namespace view_test {
 
 constexpr double radian = std::numbers::pi / 180;
 
@@ -83,5 +83,5 @@ TEST(camera_view, a_turn_is_what_was_turned_by) {
   EXPECT_NEAR(found.z, by.z, 1e-9);
 }
 
-} // namespace
+} // namespace view_test
 } // namespace godwit::sim::camera

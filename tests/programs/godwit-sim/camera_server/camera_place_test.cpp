@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace camera_place_test {
 
 using namespace godwit::sim;
 
@@ -29,4 +29,4 @@ TEST(camera_place, what_is_no_place_is_refused_with_what_would_be_one) {
   }
 }
 
-} // namespace
+} // namespace camera_place_test

@@ -12,7 +12,7 @@
 
 #include "io/video/source.hpp"
 
-namespace {
+namespace vehicle_camera_test {
 
 using namespace godwit;
 using namespace godwit::sim;
@@ -60,4 +60,4 @@ TEST(vehicle_camera, its_pictures_come_over_rtsp_and_come_back_within_two_second
   std::filesystem::remove(truth);
 }
 
-} // namespace
+} // namespace vehicle_camera_test

@@ -9,7 +9,7 @@
 #include "tests/programs/godwit-sim/host/control_client.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace control_port_test {
 
 using json = nlohmann::json;
 using io::link::testing::tcp_caller;
@@ -83,5 +83,5 @@ TEST_F(control_port_test, a_ninth_client_is_turned_away) {
   EXPECT_TRUE(tcp_caller(number).is_hung_up());
 }
 
-} // namespace
+} // namespace control_port_test
 } // namespace godwit::sim

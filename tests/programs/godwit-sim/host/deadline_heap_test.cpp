@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace deadline_heap_test {
 
 TEST(deadline_heap, at_first_nobody_is_due) {
   const deadline_heap heap(3);
@@ -41,5 +41,5 @@ RC_GTEST_PROP(deadline_heap_property, the_first_is_always_the_least, ()) {
   }
 }
 
-} // namespace
+} // namespace deadline_heap_test
 } // namespace godwit::sim

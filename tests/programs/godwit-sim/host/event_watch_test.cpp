@@ -7,7 +7,7 @@
 #include "io/mavlink/messages/mission.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace event_watch_test {
 
 using sentences = std::vector<std::string>;
 namespace mavlink = io::mavlink;
@@ -102,5 +102,5 @@ TEST(event_watch, a_station_is_told_when_it_is_heard_first_and_their_number_is_b
   EXPECT_EQ(watch.heard(from(200).view()), "");
 }
 
-} // namespace
+} // namespace event_watch_test
 } // namespace godwit::sim

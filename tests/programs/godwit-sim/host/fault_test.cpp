@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace host_fault_test {
 
 using namespace std::chrono_literals;
 
@@ -81,5 +81,5 @@ TEST(fault, it_is_told_in_words) {
   EXPECT_EQ(sentence_of(fault::refuse{300, 2, 3}), "the command 300 is answered with 2, 3 times");
 }
 
-} // namespace
+} // namespace host_fault_test
 } // namespace godwit::sim

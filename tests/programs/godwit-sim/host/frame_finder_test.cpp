@@ -6,7 +6,7 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace frame_finder_test {
 
 namespace mavlink = io::mavlink;
 
@@ -68,5 +68,5 @@ TEST_F(frame_finder_test, streams_are_bounded_and_the_longest_silent_one_goes) {
   EXPECT_EQ(found, 1);
 }
 
-} // namespace
+} // namespace frame_finder_test
 } // namespace godwit::sim

@@ -11,7 +11,7 @@
 #include "tests/programs/godwit-sim/host/station.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace vehicle_host_test {
 
 using io::link::testing::eventually;
 namespace mavlink = io::mavlink;
@@ -323,5 +323,5 @@ TEST_F(vehicle_host_test, hosts_come_and_go_while_stations_talk) {
   }
 }
 
-} // namespace
+} // namespace vehicle_host_test
 } // namespace godwit::sim

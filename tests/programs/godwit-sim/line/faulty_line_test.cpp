@@ -10,7 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace faulty_line_test {
 
 using godwit::tests::ms;
 constexpr int many = 10'000;
@@ -281,5 +281,5 @@ TEST(faulty_line, who_sends_is_not_handed_what_comes_the_other_way) {
   EXPECT_EQ(deepest, 1);
 }
 
-} // namespace
+} // namespace faulty_line_test
 } // namespace godwit::sim

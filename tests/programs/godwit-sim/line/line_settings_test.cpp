@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace line_settings_test {
 
 using namespace std::chrono_literals;
 
@@ -86,5 +86,5 @@ RC_GTEST_PROP(line_settings_property, what_is_written_is_read_as_the_same_value,
   RC_ASSERT(parse_line_faults(text_of(both)).value() == both);
 }
 
-} // namespace
+} // namespace line_settings_test
 } // namespace godwit::sim

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::missions {
-namespace {
+namespace assignment_request_test {
 
 TEST(missions_assignment_request, what_is_left_out_is_left_open) {
   const auto wanted = parse_assignment_request(R"({"items": [{"id": "h", "kind": "return"}]})").value();
@@ -35,5 +35,5 @@ TEST(missions_assignment_request, a_mistake_is_named_with_its_place) {
   }
 }
 
-} // namespace
+} // namespace assignment_request_test
 } // namespace godwit::sim::missions

@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace change_test {
 
 std::string ids_of(const mission::document& of) {
   std::string all;
@@ -44,5 +44,5 @@ TEST(missions_change, the_mission_keeps_all_rules_afterwards) {
   EXPECT_TRUE(changed_mission(small_mission(), {}, many, behind::replace, "/items"));
 }
 
-} // namespace
+} // namespace change_test
 } // namespace godwit::sim::missions

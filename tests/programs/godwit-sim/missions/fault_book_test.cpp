@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::missions {
-namespace {
+namespace fault_book_test {
 
 TEST(missions_fault_book, a_fault_hits_the_calls_that_it_is_meant_for_from_its_first_to_its_last) {
   fault_book book;
@@ -45,5 +45,5 @@ TEST(missions_fault_book, there_are_only_so_many) {
   EXPECT_FALSE(book.add("lose"));
 }
 
-} // namespace
+} // namespace fault_book_test
 } // namespace godwit::sim::missions

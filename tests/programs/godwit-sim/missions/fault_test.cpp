@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::missions {
-namespace {
+namespace missions_fault_test {
 
 using namespace std::chrono_literals;
 
@@ -63,5 +63,5 @@ TEST(missions_fault, a_mistake_is_named_with_the_form) {
   }
 }
 
-} // namespace
+} // namespace missions_fault_test
 } // namespace godwit::sim::missions

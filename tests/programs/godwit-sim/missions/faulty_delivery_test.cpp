@@ -13,7 +13,7 @@
 #include "io/link/io_thread.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace faulty_delivery_test {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -91,5 +91,5 @@ TEST(missions_faulty_delivery, a_slow_answer_comes_late_and_whole) {
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(120));
 }
 
-} // namespace
+} // namespace faulty_delivery_test
 } // namespace godwit::sim::missions

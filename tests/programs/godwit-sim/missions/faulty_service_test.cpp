@@ -11,7 +11,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace faulty_service_test {
 
 struct faulty_world {
   explicit faulty_world(std::string_view fault) { EXPECT_TRUE(book.add(fault)) << fault; }
@@ -114,5 +114,5 @@ TEST(missions_faulty_service, several_faults_hit_one_answer) {
   EXPECT_EQ(given.delay, std::chrono::seconds(1));
 }
 
-} // namespace
+} // namespace faulty_service_test
 } // namespace godwit::sim::missions

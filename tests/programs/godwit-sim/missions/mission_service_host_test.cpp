@@ -22,7 +22,7 @@
 #include "tests/support/tls_identity.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace mission_service_host_test {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -345,5 +345,5 @@ TEST(mission_service_host, there_are_only_so_many_connections) {
   EXPECT_EQ(world.status(method::get), 200U);
 }
 
-} // namespace
+} // namespace mission_service_host_test
 } // namespace godwit::sim::missions

@@ -10,7 +10,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace pages_test {
 
 std::vector<mission::map_object> objects(std::uint64_t first, std::uint64_t last) {
   std::vector<mission::map_object> all;
@@ -107,5 +107,5 @@ TEST(missions_pages, a_page_has_no_more_bytes_than_a_vehicle_takes) {
   EXPECT_NE(body->find("\"next\""), std::string::npos);
 }
 
-} // namespace
+} // namespace pages_test
 } // namespace godwit::sim::missions

@@ -6,7 +6,7 @@
 #include "messages/mission/answer.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace problem_answer_test {
 
 mission::problem read_back(const answer& given) {
   const auto problem = mission::read<mission::problem>(given.body);
@@ -44,5 +44,5 @@ TEST(missions_problem_answer, the_kind_of_mistake_in_a_body_decides_about_the_st
   EXPECT_EQ(read_back(problem_answer({document_errc::wrong_form, one, 5})).detail, "6 places are wrong.");
 }
 
-} // namespace
+} // namespace problem_answer_test
 } // namespace godwit::sim::missions

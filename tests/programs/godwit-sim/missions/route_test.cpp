@@ -6,7 +6,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace route_test {
 
 TEST(missions_route, each_call_of_the_contract_is_known) {
   const struct {
@@ -90,5 +90,5 @@ TEST(missions_route, a_body_may_be_as_large_as_its_document) {
   EXPECT_EQ(max_body_bytes("GET", target()), 0U);
 }
 
-} // namespace
+} // namespace route_test
 } // namespace godwit::sim::missions

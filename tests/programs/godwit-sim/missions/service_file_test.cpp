@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace service_file_test {
 
 TEST(missions_service_file, the_file_of_another_program_is_left_alone) {
   scratch folder;
@@ -41,5 +41,5 @@ TEST(missions_service_file, the_first_error_is_kept_and_nothing_runs_until_it_is
   EXPECT_EQ(file->take_error(), "");
 }
 
-} // namespace
+} // namespace service_file_test
 } // namespace godwit::sim::missions

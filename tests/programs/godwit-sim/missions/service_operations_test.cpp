@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace service_operations_test {
 
 TEST(missions_service_operations, an_assignment_must_fit_its_mission_unless_it_is_meant_to_be_stale) {
   judged_service service;
@@ -36,5 +36,5 @@ TEST(missions_service_operations, what_is_refused_has_changed_nothing) {
   EXPECT_EQ(service.ask(get("/mapobjects")).body, R"({"schema_version":"1.0.0","map_objects":[]})");
 }
 
-} // namespace
+} // namespace service_operations_test
 } // namespace godwit::sim::missions

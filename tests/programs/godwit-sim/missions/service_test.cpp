@@ -12,7 +12,7 @@
 #include "tests/programs/godwit-sim/missions/missions_fixture.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace service_test {
 
 mission::receipt receipt_of(const answer& given) {
   EXPECT_EQ(given.status, 200U) << given.body;
@@ -314,5 +314,5 @@ TEST(missions_service, a_restarted_service_has_everything) {
   EXPECT_EQ(receipt_of(service.ask(posted("/progress", reports(3, 3, 5)))), (mission::receipt{1, 2}));
 }
 
-} // namespace
+} // namespace service_test
 } // namespace godwit::sim::missions

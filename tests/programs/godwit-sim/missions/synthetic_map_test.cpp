@@ -9,7 +9,7 @@
 #include "messages/mission/document.hpp"
 
 namespace godwit::sim::missions {
-namespace {
+namespace synthetic_map_test {
 
 TEST(missions_synthetic_map, objects_are_those_of_their_seed_and_lie_around_their_place) {
   const map_request wanted{500, 47.4, 8.5};
@@ -32,5 +32,5 @@ TEST(missions_synthetic_map, a_map_at_the_end_of_the_world_is_one_too) {
   }
 }
 
-} // namespace
+} // namespace synthetic_map_test
 } // namespace godwit::sim::missions

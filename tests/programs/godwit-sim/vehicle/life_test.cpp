@@ -10,7 +10,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace life_test {
 
 namespace transfer = vehicle_link::transfer;
 
@@ -168,5 +168,5 @@ TEST(life, goes_as_far_in_a_twentieth_of_the_time_at_speed_20) {
   EXPECT_GT(world.picture().world_ms, 20'000);
 }
 
-} // namespace
+} // namespace life_test
 } // namespace godwit::sim::test

@@ -16,7 +16,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace recorded_orders_test {
 
 using words = std::vector<std::string>;
 
@@ -231,5 +231,5 @@ TEST(recorded_orders, of_mavsdk_at_its_connection_are_all_taken) {
   EXPECT_EQ(std::count_if(said.begin(), said.end(), refused), 0);
 }
 
-} // namespace
+} // namespace recorded_orders_test
 } // namespace godwit::sim::test

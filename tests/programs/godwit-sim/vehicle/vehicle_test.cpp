@@ -8,7 +8,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace vehicle_test {
 
 constexpr std::array every_personality{personality::rover, personality::px4, personality::ardupilot,
                                        personality::plane};
@@ -262,5 +262,5 @@ TEST(vehicle, with_a_new_battery_flies_again) {
   EXPECT_EQ(world.command(mav_cmd::mission_start), mav_result::accepted);
 }
 
-} // namespace
+} // namespace vehicle_test
 } // namespace godwit::sim::test

@@ -10,7 +10,7 @@
 #include "tests/programs/godwit-trace/actors/command_fixture.hpp"
 #include "tests/programs/godwit-trace/actors/small_flight.hpp"
 
-namespace {
+namespace dead_letters_test {
 
 using namespace godwit;
 using namespace godwit::trace_tool;
@@ -55,4 +55,4 @@ TEST(dead_letters, a_journal_that_is_not_there_is_said_and_is_exit_code_1) {
   EXPECT_NE(seen.words.find("none.db"), std::string::npos) << seen.words;
 }
 
-} // namespace
+} // namespace dead_letters_test

@@ -13,7 +13,7 @@
 #include "tests/programs/godwit-trace/actors/command_fixture.hpp"
 #include "tests/programs/godwit-trace/actors/small_flight.hpp"
 
-namespace {
+namespace journal_facts_test {
 
 using namespace godwit;
 using namespace godwit::trace_tool;
@@ -82,4 +82,4 @@ TEST(journal_facts, verify_decides_what_is_promised_of_the_journal_only_where_on
   EXPECT_EQ(missing.code, exit_code::failed);
 }
 
-} // namespace
+} // namespace journal_facts_test

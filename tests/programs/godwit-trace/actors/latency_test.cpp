@@ -6,7 +6,7 @@
 #include "programs/godwit-trace/actors/text_forms.hpp"
 
 namespace godwit::trace_tool {
-namespace {
+namespace latency_test {
 
 TEST(latency_histogram, quantiles_are_exact_to_six_percent_at_every_size) {
   for (std::int64_t unit = 1; unit < 1'000'000'000'000; unit *= 10) {
@@ -70,5 +70,5 @@ TEST(text_forms, what_could_command_a_terminal_is_escaped) {
   EXPECT_EQ(out, "a\\x1b[2Jb\\x0a");
 }
 
-} // namespace
+} // namespace latency_test
 } // namespace godwit::trace_tool

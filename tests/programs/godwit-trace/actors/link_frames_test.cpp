@@ -10,7 +10,7 @@
 #include "tests/programs/godwit-trace/actors/small_flight.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace link_frames_test {
 
 class links_of_a_flight : public testing::Test {
 protected:
@@ -85,5 +85,5 @@ TEST_F(links_of_a_flight, a_damaged_or_missing_recording_is_said_and_the_rest_is
   EXPECT_NE(seen.words.find("vehicle-0000000001-000001.tlog: passed over"), std::string::npos) << seen.words;
 }
 
-} // namespace
+} // namespace link_frames_test
 } // namespace godwit::trace_tool::test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-trace/actors/small_flight.hpp"
 
 namespace godwit::trace_tool {
-namespace {
+namespace run_difference_test {
 
 struct row {
   std::uint64_t id = 0;
@@ -109,5 +109,5 @@ TEST(diff_command, says_the_message_and_the_fields_that_differ) {
   EXPECT_NE(other.out.find("/param1: 1 in A, 0 in B"), std::string::npos) << other.out;
 }
 
-} // namespace
+} // namespace run_difference_test
 } // namespace godwit::trace_tool

@@ -9,7 +9,7 @@
 #include "tests/programs/godwit-trace/actors/small_flight.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace trace_commands_test {
 
 using nlohmann::json;
 
@@ -152,5 +152,5 @@ TEST_F(trace_commands, what_the_trace_does_not_hold_is_said) {
   EXPECT_NE(seen.words.find("its writer was killed"), std::string::npos) << seen.words;
 }
 
-} // namespace
+} // namespace trace_commands_test
 } // namespace godwit::trace_tool::test

@@ -16,7 +16,7 @@
 #include "tests/programs/godwit-trace/actors/small_flight.hpp"
 
 namespace godwit::trace_tool::test {
-namespace {
+namespace bundle_command_test {
 
 namespace fs = std::filesystem;
 
@@ -149,5 +149,5 @@ TEST(secret_guard, a_key_is_known_as_bytes_and_as_digits_of_either_case) {
   EXPECT_EQ(guard.found_in("nothing of it"), "");
 }
 
-} // namespace
+} // namespace bundle_command_test
 } // namespace godwit::trace_tool::test

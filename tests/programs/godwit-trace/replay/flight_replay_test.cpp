@@ -20,7 +20,7 @@
 #include "programs/godwit-trace/replay/replay_text.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace flight_replay_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -246,4 +246,4 @@ TEST(flight_desk, an_actor_that_can_not_be_replayed_is_refused_with_the_reason) 
   EXPECT_NE(unknown.error().find("executor, failsafe"), std::string::npos) << unknown.error();
 }
 
-} // namespace
+} // namespace flight_replay_test

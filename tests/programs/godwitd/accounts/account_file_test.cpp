@@ -13,7 +13,7 @@
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace account_file_test {
 
 using namespace godwit;
 using namespace godwit::accounts;
@@ -153,4 +153,4 @@ TEST_F(account_files, tries_behind_a_failure_wait_and_too_many_of_one_address_ar
   EXPECT_TRUE(world.ask("anna", "correct horse", "::3")) << "from elsewhere";
 }
 
-} // namespace
+} // namespace account_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace login_delay_test {
 
 using godwit::accounts::login_delay;
 
@@ -48,4 +48,4 @@ TEST(login_delay, keeps_a_bounded_number_of_addresses) {
   EXPECT_EQ(delay.due_ms("anna", "10.0.0", 9'999), 9'999) << "the oldest is forgotten";
 }
 
-} // namespace
+} // namespace login_delay_test

@@ -4,7 +4,7 @@
 
 #include "programs/godwitd/accounts/token.hpp"
 
-namespace {
+namespace password_test {
 
 using namespace godwit::accounts;
 
@@ -63,4 +63,4 @@ TEST(token, its_hash_is_sha_256) { // NIST, FIPS 180-2, B.1
   EXPECT_EQ(hash_of_token("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-} // namespace
+} // namespace password_test

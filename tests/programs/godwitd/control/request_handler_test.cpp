@@ -8,7 +8,7 @@
 #include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 
-namespace {
+namespace request_handler_test {
 
 using namespace godwit;
 using namespace godwit::control;
@@ -361,4 +361,4 @@ TEST(control_requests, a_crash_is_for_drills_and_of_an_actor_that_runs) {
   EXPECT_EQ(process(true, true, true).ask(crash).at("ok"), false);
 }
 
-} // namespace
+} // namespace request_handler_test

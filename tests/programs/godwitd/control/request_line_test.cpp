@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace request_line_test {
 
 using namespace godwit::control;
 
@@ -146,4 +146,4 @@ TEST(control_request_line, a_refusal_is_one_line_of_json) {
   EXPECT_EQ(refusal_line("no\nway"), R"({"error":"no\nway","ok":false})");
 }
 
-} // namespace
+} // namespace request_line_test

@@ -17,7 +17,7 @@
 #include "programs/common/unix_address.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace server_test {
 
 using namespace godwit;
 using namespace godwit::control;
@@ -258,4 +258,4 @@ TEST(control_client, where_nobody_listens_it_says_so) {
   EXPECT_NE(answer.error().find("does it run"), std::string::npos);
 }
 
-} // namespace
+} // namespace server_test

@@ -9,7 +9,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace actor_crash_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -71,4 +71,4 @@ INSTANTIATE_TEST_SUITE_P(every_actor, actor_crash, testing::ValuesIn(all_cases()
   return std::string(io::name_of(each.param.who)) + "_" + each.param.actor;
 });
 
-} // namespace
+} // namespace actor_crash_test

@@ -11,7 +11,7 @@
 
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 
-namespace {
+namespace broker_flight_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -182,4 +182,4 @@ TEST_F(broker_flight, an_actor_that_hangs_takes_nothing_with_it) {
   land();
 }
 
-} // namespace
+} // namespace broker_flight_test

@@ -7,7 +7,7 @@
 
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 
-namespace {
+namespace commits_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, commits,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace commits_test

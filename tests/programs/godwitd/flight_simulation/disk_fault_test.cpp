@@ -5,7 +5,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
-namespace {
+namespace disk_fault_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -138,4 +138,4 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(io::name_of(each.param.who)) + (each.param.what == fault::full ? "_full" : "_fails");
     });
 
-} // namespace
+} // namespace disk_fault_test

@@ -8,7 +8,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/scan_mission.hpp"
 
-namespace {
+namespace eyes_flight_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -141,4 +141,4 @@ TEST_F(eyes_flight, a_process_killed_in_the_survey_opens_its_eyes_again) {
   land();
 }
 
-} // namespace
+} // namespace eyes_flight_test

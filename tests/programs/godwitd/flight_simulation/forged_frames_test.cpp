@@ -8,7 +8,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/forged_frames.hpp"
 
-namespace {
+namespace forged_frames_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -105,4 +105,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, forged_frames,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace forged_frames_test

@@ -10,7 +10,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 #include "tests/support/station_items.hpp"
 
-namespace {
+namespace mission_start_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -200,4 +200,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, start_of_disarmed,
                                          sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace mission_start_test

@@ -10,7 +10,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace operator_commands_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, operator_commands,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace operator_commands_test

@@ -9,7 +9,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace process_kill_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -114,4 +114,4 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(io::name_of(each.param.who)) + (each.param.where == side::before ? "_before" : "_behind");
     });
 
-} // namespace
+} // namespace process_kill_test

@@ -7,7 +7,7 @@
 #include "programs/godwit-drill/flights/random_flight.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace random_flight_test {
 
 using namespace godwit;
 using namespace godwit::tests;
@@ -22,4 +22,4 @@ TEST(random_flight, keeps_its_promises_whatever_happens) {
   }
 }
 
-} // namespace
+} // namespace random_flight_test

@@ -9,7 +9,7 @@
 #include "tests/programs/godwitd/sighting_text.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace scan_flight_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -191,4 +191,4 @@ INSTANTIATE_TEST_SUITE_P(each_point, scan_crash,
                                          crash_point::after_commit, crash_point::before_dispatch),
                          [](const auto& each) { return "point_" + std::to_string(static_cast<int>(each.param)); });
 
-} // namespace
+} // namespace scan_flight_test

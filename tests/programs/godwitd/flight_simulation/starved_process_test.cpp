@@ -7,7 +7,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
-namespace {
+namespace starved_process_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -69,4 +69,4 @@ TEST(restarted_actors, begin_no_second_chain_of_ticks) {
     EXPECT_NEAR(behind.at(type), once.at(type), 1) << type;
 }
 
-} // namespace
+} // namespace starved_process_test

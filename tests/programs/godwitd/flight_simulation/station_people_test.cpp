@@ -8,7 +8,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
-namespace {
+namespace station_people_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -149,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, station_people,
                                          sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace station_people_test

@@ -11,7 +11,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
-namespace {
+namespace stored_journal_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -83,4 +83,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, stored_journal,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
-} // namespace
+} // namespace stored_journal_test

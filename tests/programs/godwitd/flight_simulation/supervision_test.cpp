@@ -8,7 +8,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 
-namespace {
+namespace supervision_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -292,4 +292,4 @@ TEST_F(supervised, behind_ten_abnormal_ends_in_flight_only_what_flies_runs_until
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
-} // namespace
+} // namespace supervision_test

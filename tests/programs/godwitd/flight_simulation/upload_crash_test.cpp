@@ -9,7 +9,7 @@
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "tests/support/run_options.hpp"
 
-namespace {
+namespace upload_crash_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -115,4 +115,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, upload_crash,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace upload_crash_test

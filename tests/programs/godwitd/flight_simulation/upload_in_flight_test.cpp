@@ -8,7 +8,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 #include "tests/support/station_items.hpp"
 
-namespace {
+namespace upload_in_flight_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(every_vehicle, upload_at_port,
                                          sim::personality::plane),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
-} // namespace
+} // namespace upload_in_flight_test

@@ -11,7 +11,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 
-namespace {
+namespace views_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -200,4 +200,4 @@ TEST_F(views, who_only_shows_keeps_no_flight_from_its_start) {
   ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
 }
 
-} // namespace
+} // namespace views_test

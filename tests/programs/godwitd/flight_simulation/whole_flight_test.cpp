@@ -7,7 +7,7 @@
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
 
-namespace {
+namespace whole_flight_test {
 
 using namespace godwit;
 using namespace godwit::drill;
@@ -224,4 +224,4 @@ TEST(flight_simulation, the_same_seed_flies_the_same_flight) {
   EXPECT_NE(story_of(7), story_of(8));
 }
 
-} // namespace
+} // namespace whole_flight_test

@@ -10,7 +10,7 @@
 #include "tests/programs/godwitd/scratch.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
 
-namespace {
+namespace actor_test {
 
 using namespace godwit;
 using namespace godwit::ground_run;
@@ -255,4 +255,4 @@ TEST(ground_run_actor, an_assignment_is_turned_down_with_the_same_key_each_time)
   EXPECT_EQ(all.responses[0].response.idempotency_key, all.responses[1].response.idempotency_key);
 }
 
-} // namespace
+} // namespace actor_test

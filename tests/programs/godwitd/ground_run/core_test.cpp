@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace ground_run_core_test {
 
 using namespace godwit;
 using namespace godwit::ground_run;
@@ -244,4 +244,4 @@ TEST(ground_run_core, a_map_that_is_broken_ends_the_run) {
   EXPECT_TRUE(run.on_map_broken("the disk").empty());
 }
 
-} // namespace
+} // namespace ground_run_core_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::landing_watch {
-namespace {
+namespace landing_watch_core_test {
 
 using godwit::tests::s;
 
@@ -60,5 +60,5 @@ TEST(landing_watch, who_is_restarted_is_not_given_up) {
   EXPECT_TRUE(is_given_up(all, "executor"));
 }
 
-} // namespace
+} // namespace landing_watch_core_test
 } // namespace godwit::landing_watch

@@ -4,7 +4,7 @@
 
 #include "io/mcap/segment_folder.hpp"
 
-namespace {
+namespace link_log_options_test {
 
 using namespace godwit;
 
@@ -25,4 +25,4 @@ TEST(link_log_options, trace_and_both_links_together_keep_to_the_bound_of_the_tr
     }
 }
 
-} // namespace
+} // namespace link_log_options_test

@@ -5,7 +5,7 @@
 #include "tests/programs/godwitd/link_log/link_files.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace link_log_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -100,4 +100,4 @@ TEST(link_log, its_thread_writes_all_that_waited_before_it_ends) {
   EXPECT_EQ(test::records_of(of.file("vehicle-0000000003-000001.tlog")).size(), 1U);
 }
 
-} // namespace
+} // namespace link_log_test

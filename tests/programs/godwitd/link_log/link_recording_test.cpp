@@ -7,7 +7,7 @@
 #include "tests/programs/godwitd/link_log/link_files.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace link_recording_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -119,4 +119,4 @@ TEST(link_recording, a_disk_that_refuses_loses_what_it_refused_pushes_out_nothin
   EXPECT_EQ(records_of(link.file(names.back().c_str())).back().sequence, 3);
 }
 
-} // namespace
+} // namespace link_recording_test

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/details/log_msg.h>
 
-namespace {
+namespace line_forms_test {
 
 using namespace godwit::daemon;
 
@@ -45,4 +45,4 @@ TEST(line_forms, json_is_one_object_a_line_whatever_is_said) {
   EXPECT_EQ(read.at("message"), "a \"word\"\nand \xef\xbf\xbd");
 }
 
-} // namespace
+} // namespace line_forms_test

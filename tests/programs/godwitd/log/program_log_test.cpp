@@ -11,7 +11,7 @@
 
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace program_log_test {
 
 using namespace godwit;
 using namespace godwit::daemon;
@@ -114,4 +114,4 @@ TEST_F(daemon_log, nobody_waits_for_a_slow_reader_and_the_losses_are_json_too) {
   }
 }
 
-} // namespace
+} // namespace program_log_test

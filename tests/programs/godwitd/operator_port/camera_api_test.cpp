@@ -5,7 +5,7 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 #include "tests/io/http/server/server_fixture.hpp"
 
-namespace {
+namespace camera_api_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -99,4 +99,4 @@ TEST_F(camera_port, a_point_without_a_picture_and_what_is_no_number_are_not_foun
     EXPECT_EQ(get_at("points/" + std::string(each) + "/picture").result_int(), 404U) << each;
 }
 
-} // namespace
+} // namespace camera_api_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace client_table_test {
 
 using namespace godwit::operator_port;
 using boost::asio::ip::make_address;
@@ -29,4 +29,4 @@ TEST(client_table, a_place_is_free_again_when_it_is_given_back) {
   EXPECT_NE(table->admit(make_address("::1")), nullptr);
 }
 
-} // namespace
+} // namespace client_table_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace host_check_test {
 
 using namespace godwit::operator_port;
 
@@ -36,4 +36,4 @@ TEST(host_check, a_page_of_the_same_host_and_port_may_ask_and_who_is_no_page) {
     EXPECT_FALSE(is_same_origin(strange, "localhost:8088", false)) << strange;
 }
 
-} // namespace
+} // namespace host_check_test

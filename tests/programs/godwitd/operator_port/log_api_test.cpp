@@ -7,7 +7,7 @@
 #include "actors/telemetry_stream/core.hpp"
 #include "tests/io/http/server/server_fixture.hpp"
 
-namespace {
+namespace log_api_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -56,4 +56,4 @@ TEST_F(logged, of_too_many_the_oldest_go) {
   EXPECT_EQ(said.front().at("data").at("sentence"), "3");
 }
 
-} // namespace
+} // namespace log_api_test

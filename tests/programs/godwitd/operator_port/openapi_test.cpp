@@ -22,7 +22,7 @@
 #include "programs/godwitd/operator_port/view_desk.hpp"
 #include "tests/programs/godwitd/operator_port/api_world.hpp"
 
-namespace {
+namespace openapi_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -256,4 +256,4 @@ TEST(operator_port_openapi, describes_each_topic_of_the_stream) {
     expect_covers(schemas.at("topic_" + std::string(io::name_of(topic))), sent, std::string(io::name_of(topic)));
 }
 
-} // namespace
+} // namespace openapi_test

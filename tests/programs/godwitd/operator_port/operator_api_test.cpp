@@ -12,7 +12,7 @@ std::string api_world::utc_in(std::int64_t seconds) const {
   return mission::utc_text(world.time().wall_ns() + seconds * 1'000'000'000);
 }
 
-namespace {
+namespace operator_api_test {
 
 using namespace std::chrono_literals;
 using operators::role;
@@ -256,5 +256,5 @@ TEST(operator_api, the_audit_is_for_operators) {
   EXPECT_EQ(world.ask("GET", "/api/v1/audit").status, 401U);
 }
 
-} // namespace
+} // namespace operator_api_test
 } // namespace godwit::operator_port::tests

@@ -15,7 +15,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace operator_port_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -208,4 +208,4 @@ TEST_F(open_port, a_port_that_is_taken_is_named_with_the_remedy) {
   EXPECT_NE(opened.error().find("another program listens there"), std::string::npos) << opened.error();
 }
 
-} // namespace
+} // namespace operator_port_test

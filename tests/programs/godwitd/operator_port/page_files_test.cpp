@@ -9,7 +9,7 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 #include "tests/io/http/server/server_fixture.hpp"
 
-namespace {
+namespace page_files_test {
 
 using namespace godwit::operator_port;
 using godwit::io::http::test::get;
@@ -93,4 +93,4 @@ TEST_F(page_served, it_names_only_files_that_there_are_and_has_no_script_of_its_
   EXPECT_FALSE(std::regex_search(text, std::regex(R"(<script[^>]*>[^<]|<style|\son[a-z]+=)")));
 }
 
-} // namespace
+} // namespace page_files_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace request_body_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -87,4 +87,4 @@ TEST(operator_request_body, rows_of_the_audit_are_1_to_200) {
     EXPECT_FALSE(read_rows(target)) << target;
 }
 
-} // namespace
+} // namespace request_body_test

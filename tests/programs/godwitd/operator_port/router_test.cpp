@@ -4,7 +4,7 @@
 
 #include "tests/io/http/server/server_fixture.hpp"
 
-namespace {
+namespace router_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -101,4 +101,4 @@ TEST(operator_port_router, a_body_is_as_long_as_its_route_bears) {
   EXPECT_EQ(all.ask("POST /nowhere", "Host: localhost\r\n", "1").result_int(), 413U);
 }
 
-} // namespace
+} // namespace router_test

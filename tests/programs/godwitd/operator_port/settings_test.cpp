@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace operator_port_settings_test {
 
 using namespace godwit::operator_port;
 
@@ -43,4 +43,4 @@ TEST(operator_port_settings, further_names_stand_between_spaces_without_ports) {
   EXPECT_FALSE(read_hosts("a b c d e f g h i j k l m n o p q"));
 }
 
-} // namespace
+} // namespace operator_port_settings_test

@@ -11,7 +11,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 #include "tests/io/http/server/websocket_client.hpp"
 
-namespace {
+namespace stream_api_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -166,4 +166,4 @@ TEST_F(streamed, a_websocket_is_one_of_the_clients_of_its_address_for_as_long_as
   FAIL() << "the place was never free";
 }
 
-} // namespace
+} // namespace stream_api_test

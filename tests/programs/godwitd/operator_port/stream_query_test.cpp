@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace stream_query_test {
 
 using namespace godwit::operator_port;
 using godwit::telemetry_stream::topic;
@@ -37,4 +37,4 @@ TEST(stream_query, what_is_wrong_is_named_with_what_there_is_and_without_foreign
   EXPECT_FALSE(read_topics(many));
 }
 
-} // namespace
+} // namespace stream_query_test

@@ -10,7 +10,7 @@
 #include "tests/io/http/server/server_fixture.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
-namespace {
+namespace tile_file_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -79,4 +79,4 @@ TEST_F(tiles, a_file_that_is_none_is_refused_with_the_reason) {
   EXPECT_NE(vector.error().find("png, jpg and webp"), std::string::npos);
 }
 
-} // namespace
+} // namespace tile_file_test

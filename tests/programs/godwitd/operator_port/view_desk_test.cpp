@@ -5,7 +5,7 @@
 
 #include "tests/programs/godwitd/operator_port/api_world.hpp"
 
-namespace {
+namespace view_desk_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -64,4 +64,4 @@ TEST(view_desk, a_part_of_the_map_that_is_none_is_refused) {
   EXPECT_TRUE(read_objects_query("/api/v1/map/objects?"));
 }
 
-} // namespace
+} // namespace view_desk_test

@@ -11,7 +11,7 @@
 #include "tests/programs/godwitd/scratch.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
 
-namespace {
+namespace feeder_test {
 
 using namespace godwit;
 using namespace std::chrono_literals;
@@ -232,4 +232,4 @@ TEST(feeder, without_a_service_it_tells_the_map_which_mission_it_is) {
   EXPECT_EQ(p.log.seen.size(), static_cast<std::size_t>(lines));
 }
 
-} // namespace
+} // namespace feeder_test

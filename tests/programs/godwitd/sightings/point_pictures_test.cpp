@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace point_pictures_test {
 
 using namespace godwit;
 using daemon::point_pictures;
@@ -41,4 +41,4 @@ TEST(point_pictures, of_sightings_that_wait_and_of_points_the_oldest_go) {
   EXPECT_TRUE(all.of(point_pictures::max_points + 2));
 }
 
-} // namespace
+} // namespace point_pictures_test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwitd/scratch.hpp"
 #include "tests/programs/godwitd/sighting_text.hpp"
 
-namespace {
+namespace sighting_feed_test {
 
 using namespace godwit;
 using namespace std::chrono_literals;
@@ -102,4 +102,4 @@ TEST(sighting_feed, a_file_that_can_not_be_read_is_an_error_or_a_complaint) {
   EXPECT_EQ(from.feed->counts().unreadable, 1U);
 }
 
-} // namespace
+} // namespace sighting_feed_test

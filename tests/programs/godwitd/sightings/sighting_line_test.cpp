@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace sighting_line_test {
 
 using namespace godwit;
 using daemon::read_sighting;
@@ -58,4 +58,4 @@ TEST(sighting_line, what_is_wrong_is_named) {
   EXPECT_FALSE(read_sighting("{", "7d1c"));
 }
 
-} // namespace
+} // namespace sighting_line_test

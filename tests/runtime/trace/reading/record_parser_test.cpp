@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace record_parser_test {
 
 using namespace godwit::runtime;
 
@@ -81,4 +81,4 @@ TEST(record_parser, what_is_no_record_is_refused_at_every_cut_and_every_flip) {
     EXPECT_FALSE(parser.parse(each, fields)) << each;
 }
 
-} // namespace
+} // namespace record_parser_test

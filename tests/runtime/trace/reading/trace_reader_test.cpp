@@ -8,7 +8,7 @@
 #include "runtime/trace/reading/ordered_reader.hpp"
 #include "tests/runtime/trace/reading/written_trace.hpp"
 
-namespace {
+namespace trace_reader_test {
 
 using namespace godwit;
 using namespace godwit::runtime;
@@ -204,4 +204,4 @@ TEST(trace_files, the_folder_above_the_trace_serves_too) {
   EXPECT_EQ((*found)[0].number, 1U);
 }
 
-} // namespace
+} // namespace trace_reader_test

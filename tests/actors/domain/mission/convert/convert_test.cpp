@@ -8,7 +8,7 @@
 #include "tests/actors/domain/mission/sample_files.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace convert_test {
 
 TEST(convert, the_format_is_known_by_the_ending_of_the_name) {
   EXPECT_EQ(format_of_name("a/b.plan"), mission_format::plan);
@@ -122,5 +122,5 @@ RC_GTEST_PROP(convert_property, a_damaged_file_never_crashes_an_importer, ()) {
   }
 }
 
-} // namespace
+} // namespace convert_test
 } // namespace godwit::mission

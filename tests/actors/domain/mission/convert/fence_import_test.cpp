@@ -10,7 +10,7 @@
 #include "tests/actors/domain/mission/mission_maker.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace fence_import_test {
 
 // Local metres on the WGS 84 ellipsoid, from its two radii of curvature at CENTRE's latitude.
 double metres_between(const vertex& centre, const vertex& other) {
@@ -54,5 +54,5 @@ TEST(fence_import, no_polygon_near_a_pole_or_for_a_radius_that_is_none) {
   EXPECT_EQ(polygon_of_circle({0, 0}, std::nan(""), fence_kind::inclusion), std::nullopt);
 }
 
-} // namespace
+} // namespace fence_import_test
 } // namespace godwit::mission

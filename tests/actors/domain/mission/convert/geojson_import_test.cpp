@@ -13,7 +13,7 @@
 #include "tests/actors/domain/mission/sample_files.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace geojson_import_test {
 
 using nlohmann::json;
 
@@ -71,5 +71,5 @@ RC_GTEST_PROP(geojson_property, exported_read_and_exported_again_it_is_the_same,
   RC_ASSERT(export_geojson(again->mission).text == text);
 }
 
-} // namespace
+} // namespace geojson_import_test
 } // namespace godwit::mission

@@ -7,7 +7,7 @@
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace item_list_import_test {
 
 using io::mavlink::mav_cmd;
 using io::mavlink::mission_item_int;
@@ -138,5 +138,5 @@ TEST(import_fence_list, what_is_no_fence_is_refused_and_named) {
   EXPECT_NE(sentence_for({point}), "it was taken");
 }
 
-} // namespace
+} // namespace item_list_import_test
 } // namespace godwit::mission

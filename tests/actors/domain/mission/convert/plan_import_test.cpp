@@ -9,7 +9,7 @@
 #include "tests/actors/domain/mission/sample_files.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace plan_import_test {
 
 document whole(const std::string& name) {
   const auto result = import_plan(sample_file(name));
@@ -256,5 +256,5 @@ TEST(plan_import, nesting_is_bounded_however_deep_it_is) {
   EXPECT_FALSE(import_plan(R"({"fileType":)" + std::string(500'000, '[')).has_value());
 }
 
-} // namespace
+} // namespace plan_import_test
 } // namespace godwit::mission

@@ -6,7 +6,7 @@
 #include "tests/actors/domain/mission/sample_files.hpp"
 
 namespace godwit::mission {
-namespace {
+namespace waypoints_import_test {
 
 TEST(waypoints_import, the_first_line_of_mission_planner_is_home) {
   const auto result = import_waypoints(sample_file("mission_planner.waypoints"));
@@ -57,5 +57,5 @@ TEST(waypoints_import, what_was_written_reads_back_but_for_surveys_and_fences) {
             "geofence 1; a file of lines has no fences; instead: left out");
 }
 
-} // namespace
+} // namespace waypoints_import_test
 } // namespace godwit::mission

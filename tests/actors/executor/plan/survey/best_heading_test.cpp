@@ -9,7 +9,7 @@
 #include "tests/actors/domain/route/fences.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace best_heading_test {
 
 using corner_list = std::vector<geo::local_point>;
 
@@ -45,5 +45,5 @@ RC_GTEST_PROP(best_heading_property, no_other_heading_needs_fewer_lines, ()) {
     RC_ASSERT(width_m(corners, best_deg) <= width_m(corners, heading_deg) + 0.01);
 }
 
-} // namespace
+} // namespace best_heading_test
 } // namespace godwit::executor::plan

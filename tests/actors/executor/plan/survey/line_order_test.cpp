@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor::plan {
-namespace {
+namespace line_order_test {
 
 std::vector<scan_row> rows_of(int count, std::initializer_list<stretch> stretches) {
   std::vector<scan_row> rows;
@@ -58,5 +58,5 @@ TEST(line_order, each_stretch_is_flown_exactly_once) {
 
 TEST(line_order, no_rows_are_no_lines) { EXPECT_TRUE(lines_in_order({}, {0, 0}).empty()); }
 
-} // namespace
+} // namespace line_order_test
 } // namespace godwit::executor::plan

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::executor::plan {
-namespace {
+namespace scan_lines_test {
 
 using line_points = std::vector<line_point>;
 
@@ -46,5 +46,5 @@ TEST(scan_lines, there_is_a_bound) {
   EXPECT_FALSE(scan_rows(box, 1e-300, 100));
 }
 
-} // namespace
+} // namespace scan_lines_test
 } // namespace godwit::executor::plan

@@ -12,7 +12,7 @@
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
-namespace {
+namespace survey_lines_test {
 
 const auto survey_box = survey_of("box", tests::box(0, 0, 300, 100), 25);
 
@@ -158,5 +158,5 @@ RC_GTEST_PROP(survey_lines_property, the_same_survey_has_the_same_lines, ()) {
               (*once)[i].to.longitude_deg == (*again)[i].to.longitude_deg);
 }
 
-} // namespace
+} // namespace survey_lines_test
 } // namespace godwit::executor::plan

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace actors_test {
 
 using namespace test;
 
@@ -25,5 +25,5 @@ TEST(actors_check, fails_when_nothing_is_known_of_them) {
   EXPECT_EQ(look_at_actors(seen, {}).how, verdict::fail);
 }
 
-} // namespace
+} // namespace actors_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace autopilot_checks_test {
 
 using namespace test;
 
@@ -61,5 +61,5 @@ TEST(autopilot_check, another_autopilot_without_the_bit_says_nothing) {
   EXPECT_EQ(told_by(mav_autopilot::generic, 0x0200'002F, 0x0200'002F, 0x0200'002F), own_checks::not_told);
 }
 
-} // namespace
+} // namespace autopilot_checks_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace battery_test {
 
 using namespace test;
 
@@ -43,5 +43,5 @@ TEST(battery_check, is_skipped_while_the_vehicle_is_not_heard) {
   EXPECT_EQ(look_at_battery(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace battery_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace camera_test {
 
 using namespace test;
 
@@ -31,5 +31,5 @@ TEST(camera_check, fails_before_anything_was_heard_of_it) { EXPECT_EQ(with(camer
 
 TEST(camera_check, is_skipped_when_it_is_off) { EXPECT_EQ(with(camera_state::off), verdict::skipped); }
 
-} // namespace
+} // namespace camera_test
 } // namespace godwit::executor::preflight

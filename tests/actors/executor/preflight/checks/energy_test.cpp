@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace energy_test {
 
 using namespace test;
 
@@ -45,5 +45,5 @@ TEST(energy_check, is_skipped_while_the_vehicle_is_not_heard) {
   EXPECT_EQ(look_at_energy(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace energy_test
 } // namespace godwit::executor::preflight

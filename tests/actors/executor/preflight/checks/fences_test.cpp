@@ -6,7 +6,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace fences_test {
 
 using namespace test;
 
@@ -69,5 +69,5 @@ TEST(fences_check, is_skipped_when_there_is_no_way_and_the_mission_fails_then) {
   }
 }
 
-} // namespace
+} // namespace fences_test
 } // namespace godwit::executor::preflight

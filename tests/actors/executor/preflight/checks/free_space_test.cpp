@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace free_space_test {
 
 using namespace test;
 
@@ -33,5 +33,5 @@ TEST(free_space_check, fails_when_the_disk_is_all_but_full) {
   EXPECT_EQ(with(0).how, verdict::fail);
 }
 
-} // namespace
+} // namespace free_space_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace journal_test {
 
 using namespace test;
 
@@ -28,5 +28,5 @@ TEST(journal_check, fails_while_what_waits_to_be_written_is_near_its_bound) {
   EXPECT_EQ(look_at_journal(seen, {}).how, verdict::fail);
 }
 
-} // namespace
+} // namespace journal_test
 } // namespace godwit::executor::preflight

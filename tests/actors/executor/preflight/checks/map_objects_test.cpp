@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace map_objects_test {
 
 using namespace test;
 
@@ -43,5 +43,5 @@ TEST(map_objects_check, is_skipped_for_a_mission_that_has_no_service) {
   EXPECT_EQ(look_at_map_objects(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace map_objects_test
 } // namespace godwit::executor::preflight

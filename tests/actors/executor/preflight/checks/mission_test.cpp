@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace mission_test {
 
 using namespace test;
 
@@ -46,5 +46,5 @@ TEST(mission_check, fails_when_there_is_nothing_to_fly) {
   EXPECT_EQ(look_at_mission(seen, {}).how, verdict::fail);
 }
 
-} // namespace
+} // namespace mission_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace on_ground_test {
 
 using namespace test;
 
@@ -25,5 +25,5 @@ TEST(on_ground_check, is_skipped_while_the_vehicle_is_not_heard) {
   EXPECT_EQ(look_at_on_ground(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace on_ground_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace operator_session_test {
 
 using namespace test;
 
@@ -24,5 +24,5 @@ TEST(operator_session_check, is_skipped_when_none_is_required) {
   EXPECT_EQ(with(false, true), verdict::skipped);
 }
 
-} // namespace
+} // namespace operator_session_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace position_test {
 
 using namespace test;
 
@@ -63,5 +63,5 @@ TEST(position_check, is_skipped_while_the_vehicle_is_not_heard) {
   EXPECT_EQ(look_at_position(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace position_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace return_point_test {
 
 using namespace test;
 
@@ -54,5 +54,5 @@ TEST(return_point_check, is_skipped_without_a_mission) {
   EXPECT_EQ(look_at_return_point(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace return_point_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace straight_return_test {
 
 using namespace test;
 
@@ -53,5 +53,5 @@ TEST(straight_return_check, fails_before_it_was_looked_at_and_is_skipped_without
   EXPECT_EQ(look_at_straight_return(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace straight_return_test
 } // namespace godwit::executor::preflight

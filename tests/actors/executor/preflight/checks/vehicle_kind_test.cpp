@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace vehicle_kind_test {
 
 using namespace test;
 
@@ -43,5 +43,5 @@ TEST(vehicle_kind_check, is_skipped_while_the_vehicle_is_not_heard) {
   EXPECT_EQ(look_at_vehicle_kind(seen, {}).how, verdict::skipped);
 }
 
-} // namespace
+} // namespace vehicle_kind_test
 } // namespace godwit::executor::preflight

@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace vehicle_link_test {
 
 using namespace test;
 
@@ -39,5 +39,5 @@ TEST(vehicle_link_check, a_vehicle_with_another_key_is_not_called_silent) {
   EXPECT_NE(verdict.sentence.find("another key"), std::string::npos);
 }
 
-} // namespace
+} // namespace vehicle_link_test
 } // namespace godwit::executor::preflight

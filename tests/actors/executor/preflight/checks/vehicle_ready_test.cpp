@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace vehicle_ready_test {
 
 using namespace test;
 
@@ -70,5 +70,5 @@ TEST(vehicle_ready_check, waits_for_autopilots_that_have_a_message_for_it) {
   EXPECT_FALSE(tells_estimate(mav_autopilot::generic));
 }
 
-} // namespace
+} // namespace vehicle_ready_test
 } // namespace godwit::executor::preflight

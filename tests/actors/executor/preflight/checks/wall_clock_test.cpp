@@ -5,7 +5,7 @@
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
-namespace {
+namespace wall_clock_test {
 
 using namespace test;
 
@@ -23,5 +23,5 @@ TEST(wall_clock_check, fails_before_it) {
   EXPECT_EQ(look_at_wall_clock(seen, {}).how, verdict::fail);
 }
 
-} // namespace
+} // namespace wall_clock_test
 } // namespace godwit::executor::preflight

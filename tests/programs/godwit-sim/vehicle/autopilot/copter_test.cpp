@@ -9,7 +9,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace copter_test {
 
 constexpr float automatic = 3;
 constexpr float guided = 4;
@@ -377,5 +377,5 @@ TEST(copter, greets_who_asks_for_all_parameters) {
   EXPECT_EQ(values.size(), values.front().param_count);
 }
 
-} // namespace
+} // namespace copter_test
 } // namespace godwit::sim::test

@@ -4,7 +4,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace home_test {
 
 constexpr float force = 21'196;
 
@@ -103,5 +103,5 @@ TEST(home, of_the_rover_is_where_it_was_made) {
   EXPECT_NEAR(world.last<mavlink::home_position>()->latitude, world.home().latitude_deg * 1e7, 1);
 }
 
-} // namespace
+} // namespace home_test
 } // namespace godwit::sim::test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace message_orders_test {
 
 constexpr std::array every_personality{personality::rover, personality::px4, personality::ardupilot};
 constexpr float nobody_knows = 99'999;
@@ -88,5 +88,5 @@ TEST(message_orders, an_interval_is_set_stopped_and_told) {
   }
 }
 
-} // namespace
+} // namespace message_orders_test
 } // namespace godwit::sim::test

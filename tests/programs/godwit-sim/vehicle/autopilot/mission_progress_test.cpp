@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace mission_progress_test {
 
 std::vector<mavlink::mission_item_int> waypoints(int count) {
   mavlink::mission_item_int item{.frame = 3, .command = mavlink::number(mavlink::mav_cmd::nav_waypoint)};
@@ -54,5 +54,5 @@ TEST(mission_progress, tells_whether_there_is_a_mission_and_whether_its_mode_fli
   EXPECT_EQ(told(5, false).mission_mode, mavlink::number(mavlink::mission_mode::suspended));
 }
 
-} // namespace
+} // namespace mission_progress_test
 } // namespace godwit::sim

@@ -6,7 +6,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace mode_news_test {
 
 void expect_told(const vehicle_world& world, std::uint32_t actual, std::uint32_t intended) {
   const auto told = world.each<mavlink::current_mode>();
@@ -58,5 +58,5 @@ TEST(mode_news, what_a_px4_does_by_itself_for_safety_changes_the_actual_mode_alo
   expect_told(world, px4_mode(4, 6), px4_mode(4, 4));
 }
 
-} // namespace
+} // namespace mode_news_test
 } // namespace godwit::sim::test

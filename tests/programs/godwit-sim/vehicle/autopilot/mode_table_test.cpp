@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace mode_table_test {
 
 TEST(mode_table, names_and_numbers_are_unique) {
   for (const auto table : {rover_modes(), px4_modes(), copter_modes(), plane_modes()}) {
@@ -42,5 +42,5 @@ TEST(mode_table, each_has_the_modes_that_are_asked_for_by_kind) {
 
 TEST(mode_table, an_unknown_number_is_no_mode) { EXPECT_EQ(find_mode(copter_modes(), 99), nullptr); }
 
-} // namespace
+} // namespace mode_table_test
 } // namespace godwit::sim

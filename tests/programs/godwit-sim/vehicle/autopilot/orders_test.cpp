@@ -6,7 +6,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace orders_test {
 
 constexpr std::array all_personalities{personality::rover, personality::px4, personality::ardupilot};
 
@@ -67,5 +67,5 @@ TEST(orders, start_again_on_the_ground_when_asked_with_1) {
   }
 }
 
-} // namespace
+} // namespace orders_test
 } // namespace godwit::sim::test

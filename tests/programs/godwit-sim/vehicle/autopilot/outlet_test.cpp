@@ -10,7 +10,7 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace outlet_test {
 
 class outlet_to_a_list {
 public:
@@ -107,5 +107,5 @@ TEST(outlet, says_nothing_while_it_is_silent_and_begins_anew_after_a_restart) {
   EXPECT_EQ(mavlink::frame_view(list.frames.back().data()).sequence(), 0);
 }
 
-} // namespace
+} // namespace outlet_test
 } // namespace godwit::sim

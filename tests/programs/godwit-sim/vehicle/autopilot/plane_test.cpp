@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace plane_test {
 
 constexpr float automatic = 10;
 constexpr float rtl = 11;
@@ -190,5 +190,5 @@ TEST(plane, disarming_elsewhere_than_in_auto_puts_the_mission_back_to_its_beginn
   EXPECT_EQ(world.last<mavlink::mission_current>()->seq, 0);
 }
 
-} // namespace
+} // namespace plane_test
 } // namespace godwit::sim::test

@@ -8,7 +8,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace px4_test {
 
 // DO_SET_MODE: main and sub mode.
 constexpr order_params loiter_mode{.p1 = 1, .p2 = 4, .p3 = 3};
@@ -396,5 +396,5 @@ TEST(px4, starts_again_by_command_on_the_ground_alone) {
   EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::not_started));
 }
 
-} // namespace
+} // namespace px4_test
 } // namespace godwit::sim::test

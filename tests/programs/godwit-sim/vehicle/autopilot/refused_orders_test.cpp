@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace refused_orders_test {
 
 TEST(refused_orders, are_refused_so_many_times) {
   refused_orders orders;
@@ -23,5 +23,5 @@ TEST(refused_orders, are_refused_from_now_on_until_they_no_longer_are) {
   EXPECT_EQ(orders.take(300), std::nullopt);
 }
 
-} // namespace
+} // namespace refused_orders_test
 } // namespace godwit::sim

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace repeated_reached_test {
 
 TEST(repeated_reached, says_nothing_before_an_item_was_reached) {
   repeated_reached news;
@@ -38,5 +38,5 @@ TEST(repeated_reached, forgets) {
   EXPECT_EQ(news.next_ns(), never_ns);
 }
 
-} // namespace
+} // namespace repeated_reached_test
 } // namespace godwit::sim

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace rover_test {
 
 constexpr float hold = 4;
 constexpr float rover_auto = 10;
@@ -415,5 +415,5 @@ TEST(rover, an_empty_battery_stops_it) {
   EXPECT_EQ(world.command(mav_cmd::component_arm_disarm, {.p1 = 1}), mav_result::temporarily_rejected);
 }
 
-} // namespace
+} // namespace rover_test
 } // namespace godwit::sim::test

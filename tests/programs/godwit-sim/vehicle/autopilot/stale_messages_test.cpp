@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace stale_messages_test {
 
 TEST(stale_messages, is_told_before_or_behind_the_acknowledgement_or_not_at_all) {
   std::mt19937_64 random(1);
@@ -43,5 +43,5 @@ TEST(stale_messages, never_names_an_item_that_was_not_reached) {
   }
 }
 
-} // namespace
+} // namespace stale_messages_test
 } // namespace godwit::sim

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace telemetry_test {
 
 // A PX4 that flies north.
 class px4_under_way : public vehicle_world {
@@ -74,5 +74,5 @@ TEST(telemetry, a_boot_clock_and_a_calendar_go_on) {
   EXPECT_EQ(told[8].time_unix_usec - told[7].time_unix_usec, 1'000'000U);
 }
 
-} // namespace
+} // namespace telemetry_test
 } // namespace godwit::sim::test

@@ -8,7 +8,7 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::sim {
-namespace {
+namespace traits_test {
 
 constexpr std::array every_personality{personality::rover, personality::px4, personality::ardupilot,
                                        personality::plane};
@@ -45,5 +45,5 @@ TEST(traits, only_ardupilot_keeps_home_as_an_item) {
     EXPECT_EQ(traits_of(who).plan_quirks.home.has_value(), who == personality::ardupilot || who == personality::plane);
 }
 
-} // namespace
+} // namespace traits_test
 } // namespace godwit::sim

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::sim {
-namespace {
+namespace world_clock_test {
 
 TEST(world_clock, runs_speed_times_as_fast) {
   const world_clock clock(20, 5 * ns_per_s);
@@ -25,5 +25,5 @@ RC_GTEST_PROP(world_clock, the_time_outside_is_never_too_early_and_at_most_a_mom
   RC_ASSERT(clock.world_ns(real - 2) <= world);
 }
 
-} // namespace
+} // namespace world_clock_test
 } // namespace godwit::sim

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace do_command_test {
 
 constexpr position here{46, 7, 433};
 
@@ -74,5 +74,5 @@ TEST_F(sim_do_command, jumps_delays_and_marks_are_passed_over_in_silence) {
     EXPECT_EQ(carry(command(each, 1, 1)), std::nullopt) << each;
 }
 
-} // namespace
+} // namespace do_command_test
 } // namespace godwit::sim::test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace fixed_wing_flight_test {
 
 trip wing() { return trip(fixed_wing_craft()); }
 
@@ -129,5 +129,5 @@ TEST(sim_fixed_wing_flight, no_mission_makes_it_slower_than_it_can_fly) {
   EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 10, 0.1);
 }
 
-} // namespace
+} // namespace fixed_wing_flight_test
 } // namespace godwit::sim::test

@@ -10,7 +10,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace flight_test {
 
 using heard = std::vector<std::string>;
 
@@ -268,5 +268,5 @@ RC_GTEST_PROP(sim_flight, whatever_it_is_told_it_stays_a_vehicle, ()) {
   }
 }
 
-} // namespace
+} // namespace flight_test
 } // namespace godwit::sim::test

@@ -9,7 +9,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace item_legs_test {
 
 // The legs as text, such as "climb 10, go 10 within 2, wait 5"; altitudes above home.
 std::string text_of(const leg_list& legs) {
@@ -144,5 +144,5 @@ TEST(sim_item_legs, what_is_not_known_is_skipped_with_a_reason) {
   EXPECT_EQ(legs(with(waypoint(50, 0), [](item& it) { it.frame = 1; }), flying()), "frame 1 is not known");
 }
 
-} // namespace
+} // namespace item_legs_test
 } // namespace godwit::sim::test

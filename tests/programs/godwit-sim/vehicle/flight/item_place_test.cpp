@@ -8,7 +8,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace item_place_test {
 
 constexpr position start_place{46, 7, 433};
 
@@ -93,5 +93,5 @@ TEST(sim_item_place, what_is_not_on_earth_is_refused) {
   EXPECT_FALSE(place_of(east, home, start_place));
 }
 
-} // namespace
+} // namespace item_place_test
 } // namespace godwit::sim::test

@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace maneuver_test {
 
 constexpr double step_s = 0.02;
 
@@ -93,5 +93,5 @@ TEST_F(sim_maneuver, a_radius_of_nothing_is_reached_at_20_m_s) {
   EXPECT_LT(finish(racer) * step_s, 45);
 }
 
-} // namespace
+} // namespace maneuver_test
 } // namespace godwit::sim::test

@@ -8,7 +8,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace mission_pilot_test {
 
 using heard = std::vector<std::string>;
 
@@ -292,5 +292,5 @@ TEST(sim_mission_pilot, home_at_item_0_is_not_flown) {
   EXPECT_EQ(it.said, (heard{"begun 1", "reached 1", "completed"}));
 }
 
-} // namespace
+} // namespace mission_pilot_test
 } // namespace godwit::sim::test

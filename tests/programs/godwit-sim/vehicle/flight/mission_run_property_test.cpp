@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace mission_run_property_test {
 
 item any_item() {
   const auto kind = *rc::gen::inRange(0, 5);
@@ -103,5 +103,5 @@ RC_GTEST_PROP(sim_mission_run, when_nothing_is_flown_every_run_ends, ()) {
   }
 }
 
-} // namespace
+} // namespace mission_run_property_test
 } // namespace godwit::sim::test

@@ -7,7 +7,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace mission_run_test {
 
 const plan three{waypoint(10, 0), waypoint(20, 0), waypoint(30, 0)};
 
@@ -266,5 +266,5 @@ TEST(sim_mission_run_death, a_start_outside_of_the_plan_is_the_callers_mistake) 
   EXPECT_DEATH(empty.start(0), "one of its items");
 }
 
-} // namespace
+} // namespace mission_run_test
 } // namespace godwit::sim::test

@@ -5,7 +5,7 @@
 #include "tests/programs/godwit-sim/vehicle/flight/flight_fixture.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace mover_test {
 
 constexpr double step_s = 0.02;
 const pace own = own_pace(multirotor_craft());
@@ -71,5 +71,5 @@ TEST(sim_mover, a_rover_is_never_in_the_air) {
   EXPECT_EQ(it.where().where.altitude_m, home.altitude_m);
 }
 
-} // namespace
+} // namespace mover_test
 } // namespace godwit::sim::test

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace godwit::sim::test {
-namespace {
+namespace angle_test {
 
 TEST(sim_angle, headings_are_0_to_360_without_360) {
   EXPECT_EQ(heading_of(0), 0);
@@ -29,5 +29,5 @@ RC_GTEST_PROP(sim_angle, turning_by_the_difference_of_two_headings_leads_from_on
   RC_ASSERT(std::abs(turn_of(from_deg + turn_deg - to_deg)) < 1e-9);
 }
 
-} // namespace
+} // namespace angle_test
 } // namespace godwit::sim::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace godwit::sim::test {
-namespace {
+namespace battery_test {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
 
@@ -72,5 +72,5 @@ TEST(sim_battery, the_first_call_sets_the_clock_and_time_does_not_go_back) {
   EXPECT_NEAR(one.percent(), 49, 1e-9);
 }
 
-} // namespace
+} // namespace battery_test
 } // namespace godwit::sim::test

@@ -9,7 +9,7 @@
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace fixed_wing_motion_test {
 
 constexpr double wing_step_s = 0.02;
 constexpr fixed_wing_limits wing_limits;
@@ -97,5 +97,5 @@ RC_GTEST_PROP(sim_fixed_wing_motion, from_anywhere_it_comes_to_its_circle_and_st
   }
 }
 
-} // namespace
+} // namespace fixed_wing_motion_test
 } // namespace godwit::sim::test

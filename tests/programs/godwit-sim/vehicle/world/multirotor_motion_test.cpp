@@ -9,7 +9,7 @@
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace multirotor_motion_test {
 
 constexpr double rotor_step_s = 0.02;
 constexpr multirotor_limits rotor_limits;
@@ -124,5 +124,5 @@ TEST(sim_multirotor_motion, it_sinks_as_fast_as_it_is_told_and_falls_faster) {
   EXPECT_NEAR(falling.where.altitude_m, rotor_start.altitude_m - 19.6, 0.1);
 }
 
-} // namespace
+} // namespace multirotor_motion_test
 } // namespace godwit::sim::test

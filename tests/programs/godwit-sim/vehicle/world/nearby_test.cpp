@@ -8,7 +8,7 @@
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace nearby_test {
 
 // Where it is far enough from a pole.
 position somewhere() {
@@ -66,5 +66,5 @@ TEST(sim_nearby, of_no_distance_the_bearing_is_0) {
   EXPECT_EQ(course_nearby({47, 8, 0}, {47, 8, 0}).distance_m, 0);
 }
 
-} // namespace
+} // namespace nearby_test
 } // namespace godwit::sim::test

@@ -6,7 +6,7 @@
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace position_test {
 
 // The line from Flinders Peak to Buninyong, published with Vincenty's formulas, on an ellipsoid 0.1 mm different here.
 TEST(sim_position, a_published_geodesic_comes_out_to_the_millimetre) {
@@ -34,5 +34,5 @@ RC_GTEST_PROP(sim_position, the_way_to_where_one_has_moved_is_the_way_moved, ())
   RC_ASSERT(std::abs(turn_of(found.bearing_deg - by.bearing_deg)) * degree * by.distance_m < 1e-5);
 }
 
-} // namespace
+} // namespace position_test
 } // namespace godwit::sim::test

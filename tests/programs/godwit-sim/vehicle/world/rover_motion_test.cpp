@@ -9,7 +9,7 @@
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace rover_motion_test {
 
 constexpr double rover_step_s = 0.02;
 constexpr rover_limits rover_limits;
@@ -81,5 +81,5 @@ RC_GTEST_PROP(sim_rover_motion, it_never_circles_a_place, ()) {
   }
 }
 
-} // namespace
+} // namespace rover_motion_test
 } // namespace godwit::sim::test

@@ -9,7 +9,7 @@
 #include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim::test {
-namespace {
+namespace way_test {
 
 RC_GTEST_PROP(sim_way, who_steps_along_it_arrives_from_anywhere, ()) {
   position here{*rc::gen::inRange(-89'000, 89'000) / 1e3, *rc::gen::inRange(-180'000, 180'000) / 1e3, 0};
@@ -34,5 +34,5 @@ TEST(sim_way, far_away_an_answer_serves_for_a_second_of_steps) {
   EXPECT_EQ(answers, 50);
 }
 
-} // namespace
+} // namespace way_test
 } // namespace godwit::sim::test

@@ -245,6 +245,10 @@ private:
   void refuse_current(decision_context& t, const set_current_request& set_current, mavlink::mav_result result,
                       const std::string& text);
   void end_set_current(decision_context& t, mavlink::mav_result result, const std::string& text);
+  // Where shown_ and resolved_ have what belongs to TYPE.
+  [[nodiscard]] static std::size_t place_of(mavlink::mav_mission_type type) {
+    return static_cast<std::size_t>(mavlink::number(type));
+  }
   [[nodiscard]] bool is_running() const;
   [[nodiscard]] mavlink::mission_current current() const;
   void show_plans();

@@ -83,7 +83,8 @@ effects core::advance(instant now) {
   effects out;
   service_.ask_again(out, now);
   standstill_.look(out, now);
-  messages_.look(out, now.now_ns);
+  for (const auto& each : messages_.look(out, now.now_ns))
+    flight_.view.take(each, now.now_ns);
   parts_.give_up_late(out, now);
   arming_.look(out, now);
   clearing_.look(out, recovery_.has_looked(), now);
@@ -172,10 +173,11 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
 }
 
 effects core::on_vehicle(const io::mavlink::statustext& m, instant now) {
-  flight_.view.take(m, now.now_ns);
+  // That a person takes the vehicle does not wait for the rest of a text.
   flight_.authority.on_text(flight_.view.owner(), flight::text_of(m), now.now_ns);
   effects out;
-  messages_.take(out, m, now.now_ns);
+  for (const auto& each : messages_.take(out, m, now.now_ns))
+    flight_.view.take(each, now.now_ns);
   return out;
 }
 

@@ -85,12 +85,11 @@ void vehicle_view::take_estimate(std::uint16_t flags, std::int64_t now_ns) {
   estimate_ = {preflight::estimate_of(flags), now_ns};
 }
 
-void vehicle_view::take(const io::mavlink::statustext& m, std::int64_t now_ns) {
-  const auto text = flight::text_of(m);
-  if (flight::tells_why_not_armed(text))
-    why_not_armed_ = {std::string(text), now_ns};
-  if (m.severity <= io::mavlink::number(io::mavlink::mav_severity::warning) && !text.empty())
-    warned_ = {std::string(text), now_ns};
+void vehicle_view::take(const flight::vehicle_message& m, std::int64_t now_ns) {
+  if (flight::tells_why_not_armed(m.text))
+    why_not_armed_ = {m.text, now_ns};
+  if (m.severity <= io::mavlink::number(io::mavlink::mav_severity::warning) && !m.text.empty())
+    warned_ = {m.text, now_ns};
 }
 
 std::string vehicle_view::warned_since(std::int64_t ns) const {

@@ -9,6 +9,7 @@
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/domain/geo/point.hpp"
+#include "actors/domain/vehicle_text/text_assembler.hpp"
 #include "actors/executor/plan/setting.hpp"
 #include "actors/executor/preflight/facts.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
@@ -43,7 +44,7 @@ public:
   void take(const io::mavlink::mission_current& m, std::int64_t now_ns);
   void take(const io::mavlink::ekf_status_report& m, std::int64_t now_ns) { take_estimate(m.flags, now_ns); }
   void take(const io::mavlink::estimator_status& m, std::int64_t now_ns) { take_estimate(m.flags, now_ns); }
-  void take(const io::mavlink::statustext& m, std::int64_t now_ns);
+  void take(const flight::vehicle_message& m, std::int64_t now_ns); // a whole text
 
   [[nodiscard]] bool is_connected() const { return phase_ == vehicle_link::connection_phase::connected; }
   [[nodiscard]] vehicle_link::connection_phase link() const { return phase_; }

@@ -1,6 +1,7 @@
 #include "actors/executor/flight/vehicle_messages.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/mavlink/enums.hpp"
 
@@ -13,17 +14,28 @@ using io::mavlink::number;
 
 } // namespace
 
-void vehicle_messages::take(effects& out, const io::mavlink::statustext& piece, std::int64_t now_ns) {
-  look(out, now_ns);
-  for (const auto& each : pieces_.take(piece, now_ns))
+std::vector<flight::vehicle_message> vehicle_messages::take(effects& out, const io::mavlink::statustext& piece,
+                                                            std::int64_t now_ns) {
+  auto complete = look(out, now_ns);
+  for (auto& each : pieces_.take(piece, now_ns)) {
     tell(out, each, now_ns);
+    complete.push_back(std::move(each));
+  }
+  return complete;
 }
 
-void vehicle_messages::look(effects& out, std::int64_t now_ns) {
-  if (const auto late = pieces_.take_late(now_ns))
+std::vector<flight::vehicle_message> vehicle_messages::look(effects& out, std::int64_t now_ns) {
+  std::vector<flight::vehicle_message> complete;
+  if (auto late = pieces_.take_late(now_ns)) {
     tell(out, *late, now_ns);
-  if (now_ns - window_began_ns_ < window_ns)
-    return;
+    complete.push_back(*std::move(late));
+  }
+  if (now_ns - window_began_ns_ >= window_ns)
+    begin_window(out, now_ns);
+  return complete;
+}
+
+void vehicle_messages::begin_window(effects& out, std::int64_t now_ns) {
   if (left_out_ > 0)
     out.emplace_back(
         announce{"the vehicle has said " + std::to_string(left_out_) + " more texts, which are left out", true});

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "actors/domain/vehicle_text/text_assembler.hpp"
 #include "actors/executor/effects.hpp"
@@ -23,9 +24,10 @@ public:
   static constexpr std::size_t max_lines = 20;      // in a window; a start of PX4 says some ten things
   static constexpr std::size_t max_remembered = 32; // texts that are not repeated
 
-  void take(effects& out, const io::mavlink::statustext& piece, std::int64_t now_ns);
-  // To be asked often.
-  void look(effects& out, std::int64_t now_ns);
+  // Return the texts that are complete by then, also those that are told to nobody.
+  [[nodiscard]] std::vector<flight::vehicle_message> take(effects& out, const io::mavlink::statustext& piece,
+                                                          std::int64_t now_ns);
+  [[nodiscard]] std::vector<flight::vehicle_message> look(effects& out, std::int64_t now_ns); // to be asked often
 
 private:
   struct told_text {
@@ -33,6 +35,7 @@ private:
     std::int64_t at_ns = 0;
   };
 
+  void begin_window(effects& out, std::int64_t now_ns);
   void tell(effects& out, const flight::vehicle_message& message, std::int64_t now_ns);
   [[nodiscard]] bool is_repeated(const std::string& text, std::int64_t now_ns);
 

@@ -36,10 +36,7 @@ TEST(vehicle_view, stands_at_home_is_near_it_and_not_moving) {
 TEST(vehicle_view, what_it_has_warned_of_counts_from_then_on) {
   vehicle_view seen;
   const auto says = [&](const std::string& words, io::mavlink::mav_severity how, std::int64_t at_ns) {
-    io::mavlink::statustext text;
-    text.severity = io::mavlink::number(how);
-    std::ranges::copy(words, text.text.begin());
-    seen.take(text, at_ns);
+    seen.take(flight::vehicle_message{io::mavlink::number(how), words}, at_ns);
   };
   says("Arm: Throttle too high", io::mavlink::mav_severity::critical, 5);
   says("Mission: 1 WP", io::mavlink::mav_severity::info, 6);
@@ -101,10 +98,8 @@ TEST(vehicle_view, an_estimate_counts_as_long_as_it_is_told) {
 
 TEST(vehicle_view, why_it_is_not_armed_is_what_it_said_last_and_of_late) {
   auto seen = heard_of(io::mavlink::mav_autopilot::ardupilotmega);
-  const auto say = [&](std::string_view what, std::int64_t at_ns) {
-    io::mavlink::statustext text;
-    std::copy(what.begin(), what.end(), text.text.begin());
-    seen.take(text, at_ns);
+  const auto say = [&](const std::string& what, std::int64_t at_ns) {
+    seen.take(flight::vehicle_message{.text = what}, at_ns);
   };
   say("PreArm: Gyros not calibrated", now_ns);
   say("PreArm: Need Position Estimate", now_ns);

@@ -29,13 +29,13 @@ std::vector<std::string> told_of(const effects& what) {
 
 std::vector<std::string> take(vehicle_messages& messages, const io::mavlink::statustext& what, std::int64_t now_ns) {
   effects out;
-  messages.take(out, what, now_ns);
+  (void)messages.take(out, what, now_ns);
   return told_of(out);
 }
 
 std::vector<std::string> look(vehicle_messages& messages, std::int64_t now_ns) {
   effects out;
-  messages.look(out, now_ns);
+  (void)messages.look(out, now_ns);
   return told_of(out);
 }
 
@@ -69,6 +69,20 @@ TEST(vehicle_messages, of_a_flood_so_many_are_told_in_ten_seconds_and_how_many_w
   EXPECT_EQ(look(messages, 10 * second_ns), lines{"! the vehicle has said 980 more texts, which are left out"});
   EXPECT_EQ(take(messages, saying("text 999"), 11 * second_ns).size(), 1U) << "it was left out before";
   EXPECT_EQ(look(messages, 20 * second_ns), lines{});
+}
+
+// Also what no line is made of, and with each piece in its place.
+TEST(vehicle_messages, a_text_in_pieces_is_given_on_as_one) {
+  vehicle_messages messages;
+  effects out;
+  const std::string whole(70, 'x');
+  auto piece = saying(whole.substr(0, 50), 4);
+  piece.id = 3;
+  EXPECT_TRUE(messages.take(out, piece, 0).empty());
+  piece = saying(whole.substr(50), 4);
+  piece.id = 3;
+  piece.chunk_seq = 1;
+  EXPECT_EQ(messages.take(out, piece, 0), (std::vector<flight::vehicle_message>{{4, whole}}));
 }
 
 TEST(vehicle_messages, a_text_whose_last_piece_was_lost_is_told_when_it_is_late) {

@@ -192,6 +192,7 @@ checked read_ground(const json& ground, daemon_settings& to) {
   to.flight.shows_home = to.speaks_as_autopilot;
   to.unsigned_stations = io::value_of<godwit::operators::role>(text(ground, "unsigned_role")).value();
   to.ground_passes = text(ground, "passes") == "all";
+  to.ground_max_items = ground.at("max_items").get<int>();
   std::istringstream names(text(ground, "also_passes"));
   for (std::string each; names >> each;) {
     if (!ground_port::passing::is_for_setting(each))

@@ -53,6 +53,7 @@ struct daemon_settings {
       godwit::operators::role::operator_; // what they are where nothing is signed
   bool ground_passes = true;              // reading and what people do goes on to the vehicle
   std::vector<std::string> ground_also_passes;
+  int ground_max_items = 1'000; // of one plan of a station
   mapobjects_store::map_writer_options map;
   scan_controller::settings scan;
   std::optional<movement_detector::settings> camera; // none: nobody looks

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "actors/ground_port/settings.hpp"
 #include "io/mavlink/messages/gimbal.hpp"
 #include "programs/godwitd/configuration.hpp"
 
@@ -184,6 +185,13 @@ TEST(daemon_settings, the_line_for_ground_stations_is_a_link) {
   options["ground"] = "udpin://127.0.0.1:14555";
   EXPECT_TRUE(settings(options)->ground);
   expect_blames("ground", {{"ground", "udp:14555"}});
+}
+
+TEST(daemon_settings, how_long_the_plans_of_stations_may_be_is_a_setting) {
+  auto configuration = effective_configuration(usual(), {}).value();
+  EXPECT_EQ(settings_from(configuration)->ground_max_items, ground_port::settings().max_items);
+  configuration["ground"]["max_items"] = 5'000;
+  EXPECT_EQ(settings_from(configuration)->ground_max_items, ground_port::max_plan_items);
 }
 
 TEST(daemon_settings, a_camera_with_parameters_that_are_missing_or_impossible_is_refused_with_the_place) {

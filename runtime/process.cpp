@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "io/sqlite/work_queue.hpp"
+
 namespace godwit::runtime {
 
 namespace {
@@ -11,6 +13,17 @@ namespace {
 std::uint64_t mebibytes(const nlohmann::json& value) { return value.get<std::uint64_t>() << 20U; }
 
 milliseconds ms(const nlohmann::json& value) { return milliseconds(value.get<std::int64_t>()); }
+
+void post_journal(const journal_status& status, health_board& to) {
+  if (status.failing)
+    return to.post("journal", health_colour::red, status.reason);
+  if (status.fill >= io::sqlite::nearly_full)
+    return to.post("journal", health_colour::red,
+                   std::to_string(status.queued) + " writes wait for the disk, " +
+                       std::to_string(static_cast<int>(status.fill * 100)) +
+                       " % of what may: it is too slow or hangs. No mission is started and no plan changed until then");
+  to.post("journal", status.reason.empty() ? health_colour::green : health_colour::yellow, status.reason);
+}
 
 } // namespace
 
@@ -51,17 +64,15 @@ process_options options_from(const nlohmann::json& configuration) {
 
 tl::expected<std::unique_ptr<process>, std::string> process::open(process_options options) {
   std::unique_ptr<process> result(new process());
-  const auto post = [health = &result->health_](const journal_status& status) {
-    const auto well = status.reason.empty() ? health_colour::green : health_colour::yellow;
-    health->post("journal", status.failing ? health_colour::red : well, status.reason);
+  options.journal.on_health_change = [health = &result->health_](const journal_status& status) {
+    post_journal(status, *health);
   };
-  options.journal.on_health_change = post;
   options.journal.path = journal_in_use(options.journal.path);
   auto journal = sqlite_journal::open(options.journal);
   if (!journal)
     return tl::unexpected(journal.error().message());
   result->journal_ = std::move(*journal);
-  post(result->journal_->status());
+  (void)result->look_at_journal();
   if (options.trace) {
     options.trace->run = result->journal_->status().run;
     auto trace = ring_trace::open(std::move(*options.trace), result->names_, result->time_, result->health_);
@@ -82,6 +93,12 @@ tl::expected<std::unique_ptr<process>, std::string> process::open(process_option
 }
 
 process::~process() { (void)finish(0); }
+
+journal_status process::look_at_journal() {
+  auto status = journal_->status();
+  post_journal(status, health_);
+  return status;
+}
 
 int process::finish(int code) {
   const bool clean = !actors_ || actors_->stop();

@@ -62,6 +62,9 @@ public:
   [[nodiscard]] runtime::system& actors() { return *actors_; }
   [[nodiscard]] sqlite_journal& journal() { return *journal_; }
   [[nodiscard]] health_board& health() { return health_; }
+  // How the journal is, told to the health board as well: a disk that hangs says nothing itself, and what waits for it
+  // grows. To be called now and then.
+  journal_status look_at_journal();
   [[nodiscard]] trace_counts traced() const { return trace_ ? trace_->counts() : trace_counts{}; }
   [[nodiscard]] const time_source& time() const { return time_; }
 

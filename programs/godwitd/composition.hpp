@@ -77,7 +77,7 @@ private:
   [[nodiscard]] tl::expected<void, std::string> check_operators();
   // Numbers of points of interest that the camera has shown; empty: there is no camera.
   [[nodiscard]] std::function<std::vector<std::uint64_t>()> pictured_points() const;
-  [[nodiscard]] health::host_figures read_host() const;
+  [[nodiscard]] health::host_figures read_host();
   void open_feed();
   [[nodiscard]] tl::expected<void, std::string> make_eyes();
   void open_accounts();

@@ -180,4 +180,33 @@ TEST(process, its_actors_are_responsive_from_the_start_until_somebody_asks_for_t
   EXPECT_EQ((*host)->finish(0), 0);
 }
 
+journal_write nothing_of(const std::string& actor) {
+  journal_write result;
+  result.actor = actor;
+  result.incarnation = 1;
+  return result;
+}
+
+// What hangs in a write tells nobody itself.
+TEST(process, a_journal_whose_queue_is_nearly_full_is_red_until_it_is_written) {
+  const scratch_folder scratch;
+  auto options = in(scratch);
+  options.journal.own_thread = false;
+  options.journal.max_queued_writes = 10;
+  const auto host = process::open(std::move(options));
+  ASSERT_TRUE(host) << host.error();
+  const auto colour = [&] {
+    (void)(*host)->look_at_journal();
+    const auto shown = (*host)->health().entries();
+    return std::ranges::find(shown, "journal", &health_entry::component)->colour;
+  };
+  for (int i = 1; i <= 7; ++i)
+    ASSERT_TRUE((*host)->journal().submit(nothing_of("ledger")));
+  EXPECT_EQ(colour(), health_colour::green);
+  ASSERT_TRUE((*host)->journal().submit(nothing_of("ledger")));
+  EXPECT_EQ(colour(), health_colour::red);
+  EXPECT_TRUE((*host)->journal().flush(0ms));
+  EXPECT_EQ(colour(), health_colour::green);
+}
+
 } // namespace process_test

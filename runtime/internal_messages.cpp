@@ -26,6 +26,7 @@ GODWIT_DEFINE_MESSAGE(godwit::runtime::ask_failed);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::get_children);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::children);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::child_event);
+GODWIT_DEFINE_MESSAGE(godwit::runtime::child_alive);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::supervise);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::supervised);
 GODWIT_DEFINE_MESSAGE(godwit::runtime::trace_loss);

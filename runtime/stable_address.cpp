@@ -1,3 +1,5 @@
+// Forwarding, parking, and what the guardian and the incarnation do. The disk: stable_address_disk.cpp; requests that
+// wait for their answer: stable_address_answers.cpp.
 #include "runtime/stable_address.hpp"
 
 #include <algorithm>
@@ -10,19 +12,6 @@
 namespace godwit::runtime {
 
 namespace {
-
-caf::error receiver_down(const std::string& name) {
-  return caf::make_error(caf::sec::request_receiver_down, name + " takes no more messages");
-}
-
-caf::error outcome_unknown(const std::string& name) {
-  return caf::make_error(caf::sec::runtime_error, name + " crashed before it answered; whether it acted is not known");
-}
-
-void answer_with(const stable_address::requester& r, caf::error why) {
-  if (r.who && r.mid.is_request()) // a tell has nobody who waits
-    r.who->enqueue(nullptr, r.mid.response_id(), caf::make_message(std::move(why)), nullptr);
-}
 
 bool is_durable_effect(const caf::mailbox_element& element) {
   const auto* m = envelope_in(element);
@@ -76,7 +65,8 @@ void stable_address::enqueue(caf::mailbox_element_ptr element, caf::execution_un
     return;
   }
   const bool is_for_nobody = !target_ && !closed_ && away_ && !is_durable_effect(*element);
-  if (is_for_nobody || target_ || closed_ || arrived_while_parked_ >= options_.parking_bound) {
+  const bool is_over_bound = arrived_while_parked_ >= options_.parking_bound && !is_own(*element);
+  if (is_for_nobody || target_ || closed_ || is_over_bound) {
     ++(is_for_nobody && !element->mid.is_request() ? counters_.dropped : counters_.refused);
     guard.unlock();
     refuse(std::move(element));
@@ -95,18 +85,20 @@ void stable_address::hand_over(caf::mailbox_element_ptr element, caf::execution_
 
 // Of what the runtime told an incarnation that is gone, or runs already and is not bound yet. What the journal said
 // still counts, and so does what a receiver confirmed: the unbound incarnation lets effects out while it is born, and
-// would wait for their confirmation for ever.
+// would wait for their confirmation for ever. Its own retry of a write that the journal refused may be due as early.
 void stable_address::keep_for_next(caf::mailbox_element_ptr element) {
   const auto& m = *envelope_in(*element);
   if (m.is<durable>())
     durable_upto_ = std::max(durable_upto_, m.as<durable>().upto);
   else if (m.is<effect_taken>() && !closed_ && confirmations_.size() < max_confirmations)
     confirmations_.push_back(std::move(element));
+  else if (m.is<retry_write>() && !closed_)
+    retry_write_ = std::move(element);
 }
 
 void stable_address::refuse(caf::mailbox_element_ptr element) {
   if (element->mid.is_request())
-    answer_with({element->sender, element->mid}, receiver_down(options_.name));
+    requester{element->sender, element->mid}.fail(is_down());
 }
 
 // -- the incarnation ------------------------------------------------------------------------------
@@ -146,148 +138,6 @@ void stable_address::count_unhandled(std::uint64_t address_counters::*why) {
   ++unhandled_;
   if (why != nullptr)
     ++(counters_.*why);
-}
-
-bool stable_address::has_seen(std::uint32_t source, effect_id id) const {
-  const std::shared_lock guard(mutex_);
-  const auto found = seen_.find(source);
-  return found != seen_.end() && id <= found->second;
-}
-
-effect_id stable_address::mark_seen(std::uint32_t source, effect_id id) {
-  unseen_.seen(source, id);
-  const std::unique_lock guard(mutex_);
-  auto& mark = seen_[source];
-  return std::exchange(mark, std::max(mark, id));
-}
-
-void stable_address::submitted(unwritten_message message) {
-  const std::unique_lock guard(mutex_);
-  waiters_.submitted(std::move(message));
-}
-
-void stable_address::keep_from_return(std::uint64_t message_id) {
-  const std::unique_lock guard(mutex_);
-  waiters_.keep_from_return(message_id);
-}
-
-void stable_address::confirm(confirmation taken, caf::execution_unit* context) {
-  {
-    const std::unique_lock guard(mutex_);
-    if (waiters_.newest() != 0) {
-      waiters_.hold(std::move(taken));
-      return;
-    }
-  }
-  taken.to->enqueue(std::move(taken.mail), context);
-}
-
-void stable_address::written(std::int64_t upto) {
-  disk_waiters::done done;
-  {
-    const std::unique_lock guard(mutex_);
-    done = waiters_.written(upto);
-    for (const auto each : done.messages)
-      crashes_of_.erase(each);
-    trouble_.store(!crashes_of_.empty(), std::memory_order_relaxed);
-  }
-  for (auto& each : done.confirmations)
-    each.to->enqueue(std::move(each.mail), nullptr);
-}
-
-std::deque<unwritten_message> stable_address::take_unwritten(std::uint64_t incarnation, std::int64_t upto) {
-  const std::unique_lock guard(mutex_);
-  return unwritten_of(incarnation, upto);
-}
-
-std::deque<unwritten_message> stable_address::take_returned() {
-  const std::unique_lock guard(mutex_);
-  for (auto each = returned_.rbegin(); each != returned_.rend(); ++each) // seen again meanwhile, by a later one
-    if (each->content.head.effect_event != 0)
-      seen_[each->content.head.sender] = each->seen_before;
-  return std::exchange(returned_, {});
-}
-
-std::deque<unwritten_message> stable_address::unwritten_of(std::uint64_t incarnation, std::int64_t upto) {
-  auto result = waiters_.failed(incarnation, upto);
-  for (auto each = result.rbegin(); each != result.rend(); ++each) {
-    if (each->content.head.effect_event != 0)
-      seen_[each->content.head.sender] = each->seen_before;
-    if (const auto waiting = waiting_answers_.find(each->content.head.id); waiting != waiting_answers_.end()) {
-      each->sender = std::move(waiting->second.from.who);
-      each->mid = waiting->second.from.mid;
-      waiting_answers_.erase(waiting);
-    }
-  }
-  unhandled_ += static_cast<std::uint64_t>(
-      std::ranges::count_if(result, [](const auto& each) { return each.content.type != nullptr; }));
-  return result;
-}
-
-// A write can never commit. What led to it and to later ones is taken back at once; the incarnation that lives, or is
-// on its way and may have the write in its state, hears of it first of all and ends.
-void stable_address::take_back_unwritten(caf::mailbox_element_ptr failed, caf::execution_unit* context) {
-  const std::unique_lock guard(mutex_);
-  if (closed_)
-    return;
-  std::ranges::move(unwritten_of(envelope_in(*failed)->as<write_failed>().incarnation, 0),
-                    std::back_inserter(returned_));
-  if (!target_) {
-    write_failed_ = std::move(failed);
-    return;
-  }
-  enqueued_.fetch_add(1, std::memory_order_relaxed);
-  target_->enqueue(std::move(failed), context);
-}
-
-void stable_address::answer_failure(const requester& r, caf::sec code, const std::string& what) const {
-  answer_with(r, caf::make_error(code, options_.name + ' ' + what));
-}
-
-bool stable_address::expect_answer(std::uint64_t message_id, requester r) {
-  {
-    const std::unique_lock guard(mutex_);
-    if (waiting_answers_.size() < max_waiting_answers) {
-      waiting_answers_[message_id] = {std::move(r), incarnation_.load(std::memory_order_relaxed)};
-      return true;
-    }
-    ++counters_.refused;
-  }
-  answer_with(r, receiver_down(options_.name));
-  return false;
-}
-
-stable_address::requester stable_address::take_requester(std::uint64_t message_id) {
-  const std::unique_lock guard(mutex_);
-  const auto found = waiting_answers_.find(message_id);
-  if (found == waiting_answers_.end())
-    return {};
-  auto result = std::move(found->second.from);
-  waiting_answers_.erase(found);
-  return result;
-}
-
-std::optional<caf::message_id> stable_address::awaited_mid(std::uint64_t message_id) const {
-  const std::shared_lock guard(mutex_);
-  const auto found = waiting_answers_.find(message_id);
-  return found == waiting_answers_.end() ? std::nullopt : std::optional(found->second.from.mid);
-}
-
-void stable_address::give_up_answers(const std::vector<std::uint64_t>& keep, std::uint64_t incarnation) {
-  std::vector<requester> abandoned;
-  {
-    const std::unique_lock guard(mutex_);
-    for (auto each = waiting_answers_.begin(); each != waiting_answers_.end();) {
-      if (each->second.incarnation > incarnation || std::find(keep.begin(), keep.end(), each->first) != keep.end()) {
-        ++each;
-        continue;
-      }
-      abandoned.push_back(std::move(each->second.from));
-      each = waiting_answers_.erase(each);
-    }
-  }
-  for (const auto& each : abandoned)
-    answer_with(each, outcome_unknown(options_.name));
 }
 
 void stable_address::count_runtime_messages(std::size_t n) {
@@ -404,6 +254,10 @@ void stable_address::bind(caf::strong_actor_ptr incarnation, caf::execution_unit
   enqueued_.fetch_add(confirmations_.size(), std::memory_order_relaxed);
   for (auto& each : std::exchange(confirmations_, {}))
     target_->enqueue(std::move(each), context);
+  if (retry_write_) {
+    enqueued_.fetch_add(1, std::memory_order_relaxed);
+    target_->enqueue(std::exchange(retry_write_, nullptr), context);
+  }
 }
 
 std::size_t stable_address::abandon() {
@@ -442,14 +296,16 @@ void stable_address::close() {
   caf::strong_actor_ptr old;
   std::deque<caf::mailbox_element_ptr> mail;
   std::map<std::uint64_t, waiting_answer> waiting;
-  disk_waiters unwritten; // these two hold senders, who hold this address
+  disk_waiters unwritten; // these three hold senders, who hold this address
   std::deque<unwritten_message> returned;
+  caf::mailbox_element_ptr retry;
   {
     const std::unique_lock guard(mutex_);
     if (std::exchange(closed_, true))
       return;
     std::swap(unwritten, waiters_);
     returned.swap(returned_);
+    retry.swap(retry_write_);
     old.swap(target_);
     mail.swap(parked_);
     waiting.swap(waiting_answers_);
@@ -458,7 +314,7 @@ void stable_address::close() {
   for (auto& each : mail)
     refuse(std::move(each));
   for (const auto& [id, each] : waiting)
-    answer_with(each.from, receiver_down(options_.name));
+    each.from.fail(is_down());
   cleanup(caf::exit_reason::user_shutdown, nullptr);
 }
 

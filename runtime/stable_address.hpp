@@ -105,6 +105,7 @@ public:
   struct requester {
     caf::strong_actor_ptr who;
     caf::message_id mid;
+    void fail(caf::error why) const; // answers it with an error, if somebody waits
   };
   // Answers R, if there is one, with an error: this actor's name and WHAT.
   void answer_failure(const requester& r, caf::sec code, const std::string& what) const;
@@ -157,12 +158,15 @@ private:
   void take_back_unwritten(caf::mailbox_element_ptr failed, caf::execution_unit* context);
   [[nodiscard]] std::deque<unwritten_message> unwritten_of(std::uint64_t incarnation, std::int64_t upto); // under it
   void refuse(caf::mailbox_element_ptr element);
+  [[nodiscard]] caf::error is_down() const;
   void forward_again(std::vector<caf::mailbox_element_ptr>& mail); // under the lock
-  // The bound is for mail: without the runtime's own messages, whose number is bounded by what they answer, a busy
-  // actor would miss its pings and not hear that its effects are durable.
+  // The bounds are for the mail of others. Without the runtime's own messages, whose number is bounded by what they
+  // answer, a busy actor would miss its pings and not hear that its effects are durable; without its own timers, each
+  // of which the actor sets when the last has come, it would never tick again.
   [[nodiscard]] bool has_room_for(const caf::mailbox_element& element) const {
-    return !mailbox_full() || is_runtime_message(element);
+    return !mailbox_full() || is_own(element) || is_runtime_message(element);
   }
+  [[nodiscard]] bool is_own(const caf::mailbox_element& element) const { return element.sender.get() == ctrl(); }
   [[nodiscard]] bool mailbox_full() const {
     return enqueued_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_relaxed) >= options_.mailbox_bound;
   }
@@ -180,6 +184,7 @@ private:
   std::size_t arrived_while_parked_ = 0;
   std::int64_t durable_upto_ = 0;         // told by the journal while there was no incarnation to hear it
   caf::mailbox_element_ptr write_failed_; // while there was no incarnation to hear it
+  caf::mailbox_element_ptr retry_write_;  // likewise
   disk_waiters waiters_;
   std::deque<unwritten_message> returned_; // a write of theirs can never commit; the incarnation has not seen to it yet
   std::vector<caf::mailbox_element_ptr> confirmations_; // effect_taken, likewise; at most max_confirmations

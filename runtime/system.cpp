@@ -33,6 +33,7 @@ system::~system() {
     address_of(guardian_address_).close();
     children_.clear();
     supervisor_ = nullptr;
+    alive_ = {};
     guardian_address_ = {};
     return;
   }
@@ -75,6 +76,7 @@ void system::start() {
   options.floor = floor_;
   options.first_table = first_table_;
   options.may_end_fast = may_end_fast_;
+  options.alive = alive_;
   options.on_exit_request = [this](exit_request why) { request_exit(std::move(why)); };
   const auto spawned = spawn_guardian(*actors_, outside_, children_, std::move(options), supervisor_, status_);
   guardian_ = ref_of(spawned);

@@ -67,6 +67,10 @@ public:
 
   // The child that hears of all others and says by its table who runs. Before start().
   void set_supervisor(supervisor_handle supervisor) { supervisor_ = std::move(supervisor); }
+  // A child that hears, once in each period of the pings, that the children NAMES live. Before start().
+  void tell_who_lives(liveness_handle to, std::vector<std::string> names) {
+    alive_ = {std::move(to), std::move(names)};
+  }
   // Children that run whatever a table says. Before start().
   void set_floor(std::vector<std::string> names) { floor_ = std::move(names); }
   // What holds until the supervisor has said something, where it is not what add() was given. Before start().
@@ -121,6 +125,7 @@ private:
   std::unique_ptr<caf::actor_system> actors_;
   std::vector<child_spec> children_;
   supervisor_handle supervisor_;
+  liveness_listener alive_;
   std::vector<std::string> floor_;
   std::vector<child_entry> first_table_;
   bool may_end_fast_ = false;

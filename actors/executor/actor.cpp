@@ -105,7 +105,6 @@ actor::behavior_type actor::handlers() {
         tell_after(tick_period, me(), tick{incarnation_number()});
         supervise();
         read_host_status();
-        liveness_report();
         look_at_service();
         ask_for_failsafe_status();
         after_turn();
@@ -287,14 +286,6 @@ void actor::miss_failsafe() {
 void actor::say_all(const std::vector<announce>& sentences) {
   for (const auto& each : sentences)
     carry_out(each);
-}
-
-// The vehicle hears our heartbeat only while somebody is here who decides.
-void actor::liveness_report() {
-  if (now().now_ns - liveness_reported_ns_ < liveness_report_every_ns)
-    return;
-  liveness_reported_ns_ = now().now_ns;
-  tell(others_->vehicle, vehicle_link::liveness_report{actor_name()});
 }
 
 void actor::look_at_service() {

@@ -62,7 +62,6 @@ public:
   static constexpr std::chrono::milliseconds tick_period{200};
   // The guardian has its turns, or the process ends.
   static constexpr std::chrono::milliseconds guardian_patience{1'000};
-  static constexpr std::int64_t liveness_report_every_ns = 1'000'000'000;
   // Above those of starts, which count nanoseconds since 1970.
   static constexpr std::uint64_t keys_of_currents = std::uint64_t{1} << 63U;
   static constexpr int max_decisions_per_turn = 1'000;
@@ -112,7 +111,6 @@ private:
   void command_vehicle(std::uint64_t number, const Q& what);
   template <class Q>
   void transfer_plan(std::uint64_t number, const Q& what);
-  void liveness_report();
   void look_at_service();
   void ask_for_failsafe_status();
   void read_host_status();
@@ -138,7 +136,6 @@ private:
   using news = std::variant<progress::look_at_vehicle, progress::read_plan_back, progress::resolve_start,
                             progress::progress_event>;
   std::deque<news> news_;
-  std::int64_t liveness_reported_ns_ = -liveness_report_every_ns;
   bool is_asking_service_ = false;
   bool is_asking_failsafe_status_ = false;
   bool is_asking_children_ = false;

@@ -103,7 +103,6 @@ void actor::started() {
 
 void actor::on_tick() {
   plan_tick(std::chrono::milliseconds(tick_ms));
-  liveness_report();
   look_further(true);
   turn();
 }
@@ -115,13 +114,6 @@ void actor::judge_position() {
     return;
   position_judged_ns_ = now().monotonic_ns;
   turn();
-}
-
-void actor::liveness_report() {
-  if (liveness_reported_ns_ && now().monotonic_ns - *liveness_reported_ns_ < liveness_report_every_ms * ns_per_ms)
-    return;
-  liveness_reported_ns_ = now().monotonic_ns;
-  tell(vehicle_, vehicle_link::liveness_report{actor_name()});
 }
 
 // -- what is done ---------------------------------------------------------------------------------

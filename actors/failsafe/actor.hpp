@@ -25,7 +25,6 @@ namespace godwit::failsafe {
 inline constexpr std::chrono::milliseconds answer_patience{command_answer_ms - 500};
 // Each position is judged as it comes; of a stream that is faster than this, one so often, and the rest at the ticks.
 inline constexpr std::int64_t min_judged_gap_ms = 50;
-inline constexpr std::int64_t liveness_report_every_ms = 1'000;
 
 // Whom the failsafe speaks to besides the vehicle. Filled in while the process is composed, when the addresses of all
 // actors exist, and not changed after the actors were started. LOG is called on the failsafe's thread, and waits for
@@ -63,7 +62,6 @@ private:
   void take_heartbeat(const io::mavlink::heartbeat& m);
   void take_current_mode(const io::mavlink::current_mode& m);
   void judge_position();
-  void liveness_report();
   void turn();
   void carry_out(const effects& wanted);
   void carry_out(const command_vehicle& what) { due_.command = what; }
@@ -97,7 +95,6 @@ private:
   first_look look_;
   std::uint64_t tick_number_ = 0;
   std::optional<std::int64_t> position_judged_ns_;
-  std::optional<std::int64_t> liveness_reported_ns_;
   due_things due_;
 };
 

@@ -34,8 +34,8 @@ actor::behavior_type actor::handlers() {
       }),
       on<cancel_transfer>([this](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
       on<relayed_frame>([this](const relayed_frame& what) { then(core_->on_relayed(what, now())); }),
-      on<liveness_report>([this](const liveness_report& what) {
-        core_->on_liveness_report(what, now());
+      on<runtime::child_alive>([this](const runtime::child_alive& what) {
+        core_->on_child_alive(what, now());
         wake_at(core_->next_deadline_ns());
       }),
       on<get_connection>([this](const get_connection&) {

@@ -20,7 +20,7 @@ constexpr std::uint8_t usual_system = 1;
 
 core::core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling)
     : settings_(std::move(configured)), channel_(signing, ceiling), watch_(settings_.watch),
-      streams_(settings_.streams), gate_(settings_.liveness_reporters, settings_.liveness_report_lasts_ms) {}
+      streams_(settings_.streams), gate_(settings_.deciders, settings_.alive_lasts_ms) {}
 
 mavlink::sender core::ourselves() const {
   if (settings_.as.system != 0)
@@ -283,9 +283,9 @@ effects core::on_time(instant now) {
   return std::move(t.done);
 }
 
-// What was held back for want of a liveness_reporter does not wait for its next turn.
-void core::on_liveness_report(const liveness_report& what, instant now) {
-  gate_.on_liveness_report(what.who, now.monotonic_ns);
+// What was held back does not wait for its next turn.
+void core::on_child_alive(const runtime::child_alive& what, instant now) {
+  gate_.on_alive(what.name, now.monotonic_ns);
   if (heartbeat_held_back_ && !gate_.missing(now.monotonic_ns))
     next_beat_ns_ = now.monotonic_ns;
 }

@@ -29,6 +29,7 @@
 #include "actors/vehicle_link/vehicle_watch.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "runtime/condition.hpp"
+#include "runtime/supervision/messages.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -65,7 +66,7 @@ public:
   [[nodiscard]] effects on_cancel_transfer(instant now);
   // Of a ground station, to the vehicle; whoever tells it has let it pass.
   [[nodiscard]] effects on_relayed(const relayed_frame& what, instant now);
-  void on_liveness_report(const liveness_report& what, instant now);
+  void on_child_alive(const runtime::child_alive& what, instant now);
 
   [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
     return channel_.wanted_reservation(now.wall_ns);

@@ -86,7 +86,7 @@ runtime::condition core::health(instant now) {
   if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ms * ns_per_ms)
     return {runtime::health_colour::yellow, refused_sentence()};
   if (const auto who = gate_.missing(now.monotonic_ns))
-    return {runtime::health_colour::yellow, "our heartbeat is held back: " + *who + " does not say that it is well"};
+    return {runtime::health_colour::yellow, "our heartbeat is held back: " + *who + " does not answer its pings"};
   if (losses_.is_bad())
     return {runtime::health_colour::yellow, losses_.sentence()};
   return {runtime::health_colour::green, settings_.open_line};

@@ -19,7 +19,7 @@
 //
 // | Sent                                                        | When                                  |
 // |-------------------------------------------------------------|---------------------------------------|
-// | HEARTBEAT                                                   | once a second, while all liveness_report for us |
+// | HEARTBEAT                                                   | once a second, while who decides here lives     |
 // | COMMAND_LONG, COMMAND_INT, COMMAND_CANCEL, SET_MODE         | asked for                             |
 // | COMMAND_LONG REQUEST_MESSAGE for HEARTBEAT                  | nobody was heard yet on an open link  |
 // | MISSION_COUNT, _ITEM_INT, _ACK, _REQUEST_LIST, _REQUEST_INT, _CLEAR_ALL | a transfer is asked for   |

@@ -34,9 +34,8 @@ struct settings {
   std::vector<wanted_stream> streams = default_streams();
   std::int64_t heartbeat_ms = 1'000;
   std::int64_t command_timeout_ms = 1'000;
-  std::vector<std::string>
-      liveness_reporters; // who must liveness_report for this process; none: the heartbeat always goes out
-  std::int64_t liveness_report_lasts_ms = 3'000;
+  std::vector<std::string> deciders;   // the actors that must live for our heartbeat to go out; none: it always does
+  std::int64_t alive_lasts_ms = 3'000; // since one of them has begun or answered a ping
   bool relays = false;   // what the vehicle's components say is told to listeners as it came (relay_gate.hpp)
   std::string open_line; // why anybody can speak on it, as a sentence for people; empty: not anybody can
 };

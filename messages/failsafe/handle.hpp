@@ -40,9 +40,8 @@ using own_handle =
                      runtime::tells<tick>>;
 
 // What the failsafe needs of the link to the vehicle.
-using vehicle_handle =
-    runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,
-                     runtime::tells<vehicle_link::set_mode>, runtime::tells<vehicle_link::liveness_report>>;
+using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,
+                                        runtime::tells<vehicle_link::set_mode>>;
 
 // Who hears how the failsafe stands.
 using failsafe_status_ear = runtime::mailbox<runtime::tells<failsafe_status>>;

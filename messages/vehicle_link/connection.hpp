@@ -51,7 +51,7 @@ struct connection {
   std::uint8_t tx_seq = 0;                 // of the next frame out
   std::uint8_t rx_seq = 0;                 // of the last frame of the autopilot
   bool signing_enabled = false;
-  bool heartbeat_held_back = false; // whoever has to liveness_report for this process does not
+  bool heartbeat_held_back = false; // an actor without which nobody is in charge does not live
   std::uint64_t frames_in = 0;      // good ones
   std::uint64_t frames_out = 0;
   std::uint64_t sequence_gaps = 0; // frames of the autopilot that did not arrive
@@ -126,13 +126,6 @@ struct signing_alert {
   static constexpr auto fields =
       io::table("vehicle_link.signing_alert", io::field("rejected", &signing_alert::rejected),
                 io::field("reason", &signing_alert::reason));
-};
-
-// WHO is well. Our heartbeat goes out only while all who have to liveness_report did so lately, so that the autopilot's
-// own failsafe sees a companion whose executor hangs.
-struct liveness_report {
-  std::string who;
-  static constexpr auto fields = io::table("vehicle_link.vouch", io::field("who", &liveness_report::who));
 };
 
 } // namespace godwit::vehicle_link

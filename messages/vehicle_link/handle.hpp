@@ -6,6 +6,7 @@
 
 #include "messages/vehicle_link/types.hpp"
 #include "runtime/seam.hpp"
+#include "runtime/supervision/handle.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -17,8 +18,7 @@ using handle =
     runtime::mailbox<runtime::asks<send_command, command_outcome>, runtime::tells<set_mode>,
                      runtime::asks<set_current_item, command_outcome>, runtime::asks<upload_plan, transfer::outcome>,
                      runtime::asks<download_plan, transfer::outcome>, runtime::tells<cancel_transfer>,
-                     runtime::asks<set_up_signing, signing_answer>, runtime::tells<liveness_report>,
-                     runtime::asks<get_connection, connection>>;
+                     runtime::asks<set_up_signing, signing_answer>, runtime::asks<get_connection, connection>>;
 
 // The link's thread.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
@@ -27,6 +27,6 @@ using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 using relay_handle = runtime::mailbox<runtime::tells<relayed_frame>>;
 
 // All of it.
-using own_handle = runtime::combine<handle, relay_handle, wake_handle>;
+using own_handle = runtime::combine<handle, relay_handle, wake_handle, runtime::liveness_handle>;
 
 } // namespace godwit::vehicle_link

@@ -24,5 +24,4 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::outcome);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::progress);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::upload_plan);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::vehicle_restarted);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::liveness_report);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::wake);

@@ -130,10 +130,13 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
   link.watch.heartbeats_to_begin = heartbeats_to_begin(settings.vehicle, is_signed);
   link.open_line = open_line_warning(settings.vehicle, is_signed, "--signing-key");
   if (settings.flies)
-    link.liveness_reporters = {executor_name, failsafe_name};
+    link.deciders = {executor_name, failsafe_name};
+  const auto& ping = settings.process.actors.ping;
+  link.alive_lasts_ms = std::max(ping.warn, 2 * ping.period).count();
   made.vehicle =
       actors.add<vehicle_link::actor>({.name = "vehicle_link"}, essential, link, outside.vehicle_signing,
                                       outside.vehicle, std::shared_ptr<const vehicle_link::listeners>(made.of_vehicle));
+  actors.tell_who_lives(made.vehicle, link.deciders);
   if (settings.flies)
     made.failsafe = actors.add<failsafe::actor>({.name = failsafe_name}, essential, settings.failsafe, made.vehicle,
                                                 std::shared_ptr<const failsafe::peers>(made.of_failsafe));

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "runtime/actor_frame.hpp"
 #include "runtime/supervision/handle.hpp"
@@ -22,6 +23,12 @@ struct child_spec {
   child_policy policy;
   bool is_durable = false; // has state in the journal
   actor_maker make;
+};
+
+// Who hears that children live, and which.
+struct liveness_listener {
+  liveness_handle who;
+  std::vector<std::string> of;
 };
 
 enum class exit_cause {

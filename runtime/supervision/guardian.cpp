@@ -1,36 +1,18 @@
 #include "runtime/supervision/guardian.hpp"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
-#include <optional>
 #include <utility>
 
 #include "runtime/caf_mail.hpp"
 #include "runtime/internal_messages.hpp"
 #include "runtime/kill_message.hpp"
 #include "runtime/planted_bug.hpp"
-#include "runtime/stable_address.hpp"
+#include "runtime/supervision/child_list.hpp"
 #include "runtime/supervision/ping_ledger.hpp"
-#include "runtime/supervision/supervision_core.hpp"
 
 namespace godwit::runtime {
 
 namespace {
-
-// Where the journal's thread leaves what it recovered until the guardian picks it up.
-struct recovery_slot {
-  std::mutex mutex;
-  std::map<std::uint64_t, tl::expected<recovered, journal_error>> by_incarnation;
-};
-
-struct child_runtime {
-  child_spec spec;
-  caf::strong_actor_ptr incarnation;
-  std::uint64_t number = 0; // of the incarnation
-  std::shared_ptr<recovery_slot> slot = std::make_shared<recovery_slot>();
-  std::optional<std::int64_t> recovers_since_ns; // its durable state is being read
-};
 
 std::vector<child_policy> policies_of(const std::vector<child_spec>& children) {
   std::vector<child_policy> result;
@@ -46,9 +28,8 @@ public:
            guardian_options options, supervisor_handle supervisor, std::shared_ptr<guardian_status> status)
       : caf::event_based_actor(config), outside_(outside), options_(std::move(options)),
         supervisor_(std::move(supervisor)), status_(std::move(status)),
-        core_(options_.how, policies_of(children), outside.seed), pings_(options_.ping, children.size()) {
-    for (auto& each : children)
-      children_.push_back({.spec = std::move(each), .incarnation = nullptr, .recovers_since_ns = {}});
+        core_(options_.how, policies_of(children), outside.seed), pings_(options_.ping, children.size()),
+        children_(std::move(children)) {
     apply(options_.first_table);
     set_down_handler([this](caf::down_msg& message) { on_down(message); });
     set_default_handler(caf::drop);
@@ -91,7 +72,7 @@ private:
   void receive_of_supervisor(const envelope& m) {
     if (m.is<get_children>()) {
       auto promise = make_response_promise();
-      promise.deliver(envelope::of(stamp(m.head.id), report()));
+      promise.deliver(envelope::of(stamp(m.head.id), children_.report(core_, *outside_.health)));
     } else if (m.is<supervise>()) {
       take_table(m.as<supervise>());
       auto promise = make_response_promise();
@@ -137,20 +118,20 @@ private:
       std::visit([this](const auto& action) { act(action); }, each);
     for (std::size_t i = 0; i < children_.size(); ++i)
       if (!core_.shutting_down() && (!core_.is_wanted(i) || core_.phase(i) == child_phase::given_up))
-        address(children_[i]).go_away();
+        children_[i].address().go_away();
     if (core_.has_begun())
       status_->has_begun.store(true, std::memory_order_relaxed);
   }
 
   void act(const start_child& action) {
     auto& child = children_[action.child];
-    child.number = address(child).begin_incarnation();
+    child.number = child.address().begin_incarnation();
     if (!child.spec.is_durable || outside_.durable == nullptr) {
       make_incarnation(action.child, {});
       return;
     }
     child.recovers_since_ns = now_ns();
-    outside_.durable->recover(address(child).actor_name(), child.number,
+    outside_.durable->recover(child.name(), child.number,
                               [slot = child.slot, self = caf::strong_actor_ptr(ctrl()), index = action.child,
                                number = child.number](tl::expected<recovered, journal_error> result) {
                                 {
@@ -181,14 +162,14 @@ private:
 
   void act(const await_restart& action) {
     post_health(action.child, health_colour::yellow,
-                "crashed: " + address(children_[action.child]).last_crash() + "; it starts again in " +
+                "crashed: " + children_[action.child].address().last_crash() + "; it starts again in " +
                     std::to_string(action.delay_ns / 1'000'000) + " ms");
     later(std::chrono::nanoseconds(action.delay_ns), restart_due{action.child});
   }
 
   void act(const give_up_child& action) {
     auto& child = children_[action.child];
-    const auto reason = address(child).last_crash();
+    const auto reason = child.address().last_crash();
     tell_event(action.child, child_event_kind::gave_up, reason);
     post_health(action.child, health_colour::red, "given up: " + reason);
   }
@@ -196,12 +177,12 @@ private:
   void act(const bring_down& action) {
     const auto& child = children_[action.child];
     end_process(action.child, exit_cause::essential_given_up,
-                address(child).actor_name() + " is essential and was given up: " + address(child).last_crash());
+                child.name() + " is essential and was given up: " + child.address().last_crash());
   }
 
   void act(const all_stopped&) {
     for (auto& each : children_)
-      address(each).close();
+      each.address().close();
     quit(caf::exit_reason::user_shutdown);
   }
 
@@ -216,9 +197,9 @@ private:
                                     child.spec.make);
       child.incarnation = made;
       pings_.watch(index, now_ns());
-      address(child).bind(std::move(made), context());
+      child.address().bind(std::move(made), context());
     } catch (const std::exception& thrown) {
-      address(child).note_crash(thrown.what());
+      child.address().note_crash(thrown.what());
       tell_event(index, child_event_kind::crashed, thrown.what());
       carry_out(core_.down(index, now_ns()));
     }
@@ -244,24 +225,25 @@ private:
       make_incarnation(ready.child, std::move(*result));
       return;
     }
-    address(child).note_crash(result.error().message());
+    child.address().note_crash(result.error().message());
     tell_event(ready.child, child_event_kind::crashed, result.error().message());
     carry_out(core_.down(ready.child, now_ns()));
   }
 
   void on_up(const child_up& up) {
-    const auto index = find(up.actor);
+    const auto index = children_.find(up.actor);
     if (index >= children_.size() || children_[index].number != up.incarnation)
       return;
     if (up.incarnation > 1)
       status_->restarts.fetch_add(1, std::memory_order_relaxed);
     tell_event(index, child_event_kind::up, {});
     post_health(index, health_colour::green, {});
+    tell_alive(index);
     carry_out(core_.up(index));
   }
 
   void on_down(const caf::down_msg& message) {
-    const auto index = find(message.source);
+    const auto index = children_.find(message.source);
     if (index >= children_.size()) { // one that was left behind has come to its end after all
       if (status_->hanging.load() > 0)
         status_->hanging.fetch_sub(1);
@@ -273,9 +255,9 @@ private:
     pings_.forget(index);
     const bool stopping = core_.phase(index) == child_phase::stopping;
     if (!stopping && message.reason != caf::sec::runtime_error)
-      address(child).note_crash("killed");
-    tell_event(index, stopping ? child_event_kind::stopped : child_event_kind::crashed, address(child).last_crash());
-    carry_out(core_.down(index, now_ns(), address(child).is_beyond_restart()));
+      child.address().note_crash("killed");
+    tell_event(index, stopping ? child_event_kind::stopped : child_event_kind::crashed, child.address().last_crash());
+    carry_out(core_.down(index, now_ns(), child.address().is_beyond_restart()));
   }
 
   void on_stop_overdue(const stop_overdue& overdue) {
@@ -322,14 +304,20 @@ private:
       const auto reason =
           "the journal has not given its state back for " + std::to_string(options_.recovery_limit.count()) + " ms";
       post_health(i, health_colour::red, reason);
-      end_process(i, exit_cause::recovery_overdue, address(children_[i]).actor_name() + ": " + reason);
+      end_process(i, exit_cause::recovery_overdue, children_[i].name() + ": " + reason);
     }
   }
 
   void on_pong(const pong& answer) {
-    const auto index = find(answer.actor);
-    if (index < children_.size() && pings_.answered(index, answer.key))
+    const auto index = children_.find(answer.actor);
+    if (index >= children_.size())
+      return;
+    const auto how = pings_.answered(index, answer.key);
+    if (how == ping_ledger::answer::stale)
+      return;
+    if (how == ping_ledger::answer::late)
       post_health(index, health_colour::green, {});
+    tell_alive(index);
   }
 
   // A handler that does not return can not be stopped inside a process. The incarnation is left behind with what it had
@@ -337,12 +325,11 @@ private:
   void on_silent(std::size_t index) {
     const std::string reason = "did not answer a ping for " + std::to_string(options_.ping.fatal.count()) + " ms";
     const auto stranded = leave_behind(index);
-    address(children_[index]).note_crash(reason);
+    children_[index].address().note_crash(reason);
     tell_event(index, child_event_kind::silent, reason + "; " + std::to_string(stranded) + " messages are stranded");
     post_health(index, health_colour::red, reason);
     if (core_.policy(index).essential)
-      end_process(index, exit_cause::essential_silent,
-                  address(children_[index]).actor_name() + " is essential and " + reason);
+      end_process(index, exit_cause::essential_silent, children_[index].name() + " is essential and " + reason);
     carry_out(core_.down(index, now_ns()));
   }
 
@@ -352,12 +339,11 @@ private:
     child.incarnation = nullptr;
     status_->hanging.fetch_add(1);
     post_hanging();
-    return address(child).abandon();
+    return child.address().abandon();
   }
 
   // -- small things -------------------------------------------------------------------------------
 
-  static stable_address& address(const child_runtime& child) { return address_of(child.spec.address); }
   [[nodiscard]] std::int64_t now_ns() const { return outside_.time->monotonic_ns(); }
   [[nodiscard]] caf::actor_addr address_of_self() { return caf::event_based_actor::address(); }
 
@@ -366,67 +352,37 @@ private:
     clock().schedule_message(clock().now() + delay, caf::strong_actor_ptr(ctrl()), make_internal_mail(std::move(body)));
   }
 
-  template <class Predicate>
-  [[nodiscard]] std::size_t find_if(Predicate matches) const {
-    return static_cast<std::size_t>(std::find_if(children_.begin(), children_.end(), matches) - children_.begin());
-  }
-  [[nodiscard]] std::size_t find(const std::string& wanted) const {
-    return find_if([&](const child_runtime& each) { return address(each).actor_name() == wanted; });
-  }
   [[nodiscard]] std::size_t find_or_tell(const std::string& wanted) const {
-    const auto index = find(wanted);
+    const auto index = children_.find(wanted);
     if (index >= children_.size())
       outside_.health->post("guardian", health_colour::yellow,
                             "was told about " + wanted + ", which is no child of it");
     return index;
   }
-  [[nodiscard]] std::size_t find(std::uint32_t number) const {
-    return find_if([&](const child_runtime& each) { return address(each).number() == number; });
-  }
-  [[nodiscard]] std::size_t find(const caf::actor_addr& source) const {
-    return find_if(
-        [&](const child_runtime& each) { return each.incarnation && each.incarnation->address() == source; });
-  }
-
-  [[nodiscard]] children report() const {
-    children result;
-    for (std::size_t i = 0; i < children_.size(); ++i)
-      result.list.push_back(report_of(i));
-    for (const auto& shown : outside_.health->entries())
-      for (auto& each : result.list)
-        if (each.name == shown.component) {
-          each.health = shown.colour;
-          each.health_reason = shown.reason;
-        }
-    return result;
-  }
-
-  [[nodiscard]] child_report report_of(std::size_t i) const {
-    child_report result;
-    result.name = address(children_[i]).actor_name();
-    result.phase = core_.phase(i);
-    result.incarnation = children_[i].number;
-    result.restarts = core_.restarts(i);
-    result.last_crash = address(children_[i]).last_crash();
-    result.wanted = core_.is_wanted(i);
-    result.essential = core_.policy(i).essential;
-    return result;
-  }
-
   void tell_event(std::size_t index, child_event_kind kind, std::string reason) {
     const auto& child = children_[index];
-    child_event event{address(child).actor_name(), kind, child.number, std::move(reason)};
+    child_event event{child.name(), kind, child.number, std::move(reason)};
     if (outside_.trace != nullptr) {
       trace_entry entry;
       entry.began = outside_.trace->ticks();
       entry.ended = entry.began;
-      entry.actor = address(child).number();
+      entry.actor = child.address().number();
       entry.incarnation = static_cast<std::uint32_t>(child.number);
       outside_.trace->record(entry, type_of<child_event>(), &event);
     }
     if (supervisor_)
-      strong(supervisor_.ref())
-          ->enqueue(make_mail(nullptr, caf::make_message_id(), envelope::of(stamp(0), std::move(event))), context());
+      tell(supervisor_.ref(), std::move(event));
+  }
+
+  void tell_alive(std::size_t index) {
+    const auto& name = children_[index].name();
+    if (options_.alive.who && std::ranges::find(options_.alive.of, name) != options_.alive.of.end())
+      tell(options_.alive.who.ref(), child_alive{name});
+  }
+
+  template <class T>
+  void tell(const actor_ref& to, T body) {
+    strong(to)->enqueue(make_mail(nullptr, caf::make_message_id(), envelope::of(stamp(0), std::move(body))), context());
   }
 
   [[nodiscard]] header stamp(std::uint64_t cause) const {
@@ -435,7 +391,7 @@ private:
   }
 
   void post_health(std::size_t index, health_colour colour, std::string reason) {
-    outside_.health->post(address(children_[index]).actor_name(), colour, std::move(reason));
+    outside_.health->post(children_[index].name(), colour, std::move(reason));
   }
 
   void post_hanging() {
@@ -461,9 +417,9 @@ private:
   const guardian_options options_;
   const supervisor_handle supervisor_;
   const std::shared_ptr<guardian_status> status_;
-  std::vector<child_runtime> children_;
   supervision_core core_;
   ping_ledger pings_;
+  child_list children_;
   table_epoch epoch_; // of the last table
   std::uint64_t revivals_ = 0;
 };

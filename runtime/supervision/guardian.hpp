@@ -35,6 +35,7 @@ struct guardian_options {
   std::vector<std::string> floor;       // children that no table can have stopped
   std::vector<child_entry> first_table; // holds until the supervisor sends one
   bool may_end_fast = false;            // see process_end::fast_once
+  liveness_listener alive;
   std::function<void(exit_request)> on_exit_request; // any thread; the process should end in order
 };
 

@@ -8,5 +8,6 @@ namespace godwit::runtime {
 
 using guardian_handle = mailbox<asks<get_children, children>, asks<supervise, supervised>>;
 using supervisor_handle = mailbox<tells<child_event>>;
+using liveness_handle = mailbox<tells<child_alive>>;
 
 } // namespace godwit::runtime

@@ -74,6 +74,12 @@ struct child_event {
                 io::field("incarnation", &child_event::incarnation), io::field("reason", &child_event::reason));
 };
 
+// The guardian tells who has asked for it (system::tell_who_lives), each time that NAME has begun or answered a ping.
+struct child_alive {
+  std::string name;
+  static constexpr auto fields = io::table("runtime.child_alive", io::field("name", &child_alive::name));
+};
+
 // What holds for a child from now on.
 struct child_entry {
   std::string name;

@@ -1,5 +1,7 @@
 #include "runtime/supervision/ping_ledger.hpp"
 
+#include <utility>
+
 namespace godwit::runtime {
 
 namespace {
@@ -38,14 +40,12 @@ ping_ledger::verdict ping_ledger::tick(std::int64_t now_ns) {
   return result;
 }
 
-bool ping_ledger::answered(std::size_t child, std::uint64_t key) {
+ping_ledger::answer ping_ledger::answered(std::size_t child, std::uint64_t key) {
   auto& each = entries_[child];
   if (!each.watched || !each.waiting || each.key != key)
-    return false;
-  const bool ends_warning = each.warned;
+    return answer::stale;
   each.waiting = false;
-  each.warned = false;
-  return ends_warning;
+  return std::exchange(each.warned, false) ? answer::late : answer::in_time;
 }
 
 } // namespace godwit::runtime

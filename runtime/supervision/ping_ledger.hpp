@@ -23,8 +23,8 @@ public:
   void watch(std::size_t child, std::int64_t now_ns);
   void forget(std::size_t child) { entries_[child] = {}; }
   [[nodiscard]] verdict tick(std::int64_t now_ns);
-  // True when the answer ends a warning.
-  bool answered(std::size_t child, std::uint64_t key);
+  enum class answer { stale, in_time, late }; // stale: to no ping that is under way
+  answer answered(std::size_t child, std::uint64_t key);
   [[nodiscard]] std::uint64_t key_of(std::size_t child) const { return entries_[child].key; }
 
 private:

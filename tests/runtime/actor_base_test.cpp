@@ -63,6 +63,25 @@ private:
   counter_handle next_;
 };
 
+// Ticks every 10 ms, each tick by the one before.
+class ticker final : public actor_base<counter_handle> {
+public:
+  ticker(spawn_context context, int* ticks) : actor_base(std::move(context)), ticks_(ticks) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<add>([](const add&) {}), on<get_sum>([this](const get_sum&) { return sum{*ticks_}; })};
+  }
+  void started() override { wake_at(now_ns() + 10'000'000); }
+  void on_deadline() override {
+    ++*ticks_;
+    wake_at(now_ns() + 10'000'000);
+  }
+
+private:
+  int* ticks_;
+};
+
 address_options address(std::string name, on_crash policy) {
   address_options result;
   result.name = std::move(name);
@@ -239,6 +258,21 @@ TEST(actor_base, a_mailbox_is_bounded_and_what_is_over_it_is_counted) {
   world.run_until_idle();
   EXPECT_EQ(total, 5);
   EXPECT_EQ(world.counters("counter").refused, 3U);
+}
+
+TEST(actor_base, an_actor_whose_mailbox_is_full_still_ticks) {
+  simulated_disk disk;
+  int ticks = 0;
+  simulation world(disk, 1);
+  const auto busy = world.actors().add<ticker>({.name = "ticker", .mailbox_bound = 5}, {}, &ticks);
+  world.start();
+  world.run_until_idle();
+  for (int i = 0; i < 8; ++i)
+    world.tell(busy, add{1});
+  ASSERT_EQ(world.counters("ticker").refused, 3U);
+  world.pass_time_until(world.now_ns() + 10'000'000); // the first tick comes upon a full mailbox
+  world.advance(85ms);
+  EXPECT_EQ(ticks, 9);
 }
 
 } // namespace actor_base_test

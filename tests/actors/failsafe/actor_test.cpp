@@ -260,13 +260,6 @@ TEST(failsafe, its_health_is_on_the_board) {
   EXPECT_NE(f.process->health().reason.find("battery"), std::string::npos);
 }
 
-TEST(failsafe, it_vouches_for_itself_once_a_second) {
-  in_flight f;
-  const auto before = f.log.liveness_reported;
-  f.process->run_s(10);
-  EXPECT_NEAR(f.log.liveness_reported - before, 10, 1);
-}
-
 TEST(failsafe, while_nothing_happens_nothing_is_written_and_nothing_is_told) {
   in_flight f;
   const auto commits = f.disk.commits;

@@ -24,11 +24,9 @@ public:
 
 protected:
   behavior_type handlers() override {
-    return {
-        on_deferred<send_command, command_outcome>(
-            [this](const send_command& what, std::uint64_t request_id) { take(what, request_id); }),
-        on<vehicle_link::set_mode>([this](const vehicle_link::set_mode& what) { log_->modes.push_back(what); }),
-        on<vehicle_link::liveness_report>([this](const vehicle_link::liveness_report&) { ++log_->liveness_reported; })};
+    return {on_deferred<send_command, command_outcome>(
+                [this](const send_command& what, std::uint64_t request_id) { take(what, request_id); }),
+            on<vehicle_link::set_mode>([this](const vehicle_link::set_mode& what) { log_->modes.push_back(what); })};
   }
 
 private:

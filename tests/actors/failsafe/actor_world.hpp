@@ -56,7 +56,6 @@ struct flight_log {
   std::vector<std::string> order;  // "failsafe_status", "command"
   std::vector<std::string> texts;  // to people
   std::vector<std::string> logged; // the same, in the program's log
-  int liveness_reported = 0;
   [[nodiscard]] int returns() const;
 };
 

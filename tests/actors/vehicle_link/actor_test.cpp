@@ -138,14 +138,14 @@ TEST(vehicle_link, a_command_is_answered_by_the_vehicles_ack) {
   EXPECT_EQ(asked->answer.verdict, command_verdict::accepted);
 }
 
-TEST(vehicle_link, a_held_back_heartbeat_goes_out_as_soon_as_all_have_vouched) {
+TEST(vehicle_link, a_held_back_heartbeat_goes_out_as_soon_as_all_who_decide_live) {
   runtime::simulated_disk disk;
   auto careful = test::quiet();
-  careful.liveness_reporters = {"executor"};
+  careful.deciders = {"executor"};
   process p(disk, careful);
   p.connect();
   EXPECT_EQ(p.line->sent[mavlink::heartbeat::message_id], 0);
-  p.world.tell(p.link, liveness_report{"executor"});
+  p.world.tell(p.link, runtime::child_alive{"executor"});
   p.world.advance(50ms);
   EXPECT_EQ(p.line->sent[mavlink::heartbeat::message_id], 1);
 }

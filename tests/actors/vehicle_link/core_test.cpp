@@ -111,16 +111,16 @@ TEST(vehicle_link_core, heartbeats_go_on_while_the_link_is_down_because_one_may_
   EXPECT_EQ(it.describe(at(s)).phase, connection_phase::down);
 }
 
-TEST(vehicle_link_core, the_heartbeat_is_held_back_while_one_of_those_who_vouch_is_silent) {
+TEST(vehicle_link_core, the_heartbeat_is_held_back_while_an_actor_that_decides_is_silent) {
   auto configured = quiet();
-  configured.liveness_reporters = {"executor", "failsafe"};
+  configured.deciders = {"executor", "failsafe"};
   connected c(configured);
-  c.it.on_liveness_report({"executor"}, at(0));
+  c.it.on_child_alive({"executor"}, at(0));
   EXPECT_TRUE(sent_of<mavlink::heartbeat>(c.it.on_time(at(s))).empty());
   EXPECT_TRUE(c.it.describe(at(s)).heartbeat_held_back);
   EXPECT_EQ(c.it.health(at(s)).how, godwit::runtime::health_colour::yellow);
-  c.it.on_liveness_report({"executor"}, at(s));
-  c.it.on_liveness_report({"failsafe"}, at(s));
+  c.it.on_child_alive({"executor"}, at(s));
+  c.it.on_child_alive({"failsafe"}, at(s));
   EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(2 * s))).size(), 1U);
   EXPECT_EQ(sent_of<mavlink::heartbeat>(c.it.on_time(at(5 * s))).size(), 0U) << "both have hung since";
 }

@@ -168,11 +168,47 @@ struct world_of_workers {
 
 using list = std::vector<std::string>;
 
+class listener final : public actor_base<liveness_handle> {
+public:
+  listener(spawn_context context, list* heard) : actor_base(std::move(context)), heard_(heard) {}
+
+protected:
+  behavior_type handlers() override {
+    return {on<child_alive>([this](const child_alive& each) { heard_->push_back(each.name); })};
+  }
+
+private:
+  list* heard_;
+};
+
 TEST(guardian, starts_children_in_the_order_of_their_declaration) {
   world_of_workers w;
   w.start();
   EXPECT_EQ(w.events(), (list{"first up 1", "second up 1", "third up 1"}));
   EXPECT_EQ(w.health_of("first").colour, health_colour::green);
+}
+
+TEST(guardian, tells_who_has_asked_that_a_child_has_begun_and_answers_its_pings) {
+  world_of_workers w;
+  list heard;
+  w.world.actors().tell_who_lives(w.world.actors().add<listener>({.name = "listener"}, with(100), &heard), {"second"});
+  w.start();
+  EXPECT_EQ(heard, list{"second"});
+  w.world.advance(3500ms);
+  EXPECT_EQ(heard, list(4, "second")) << "one for each ping";
+  w.world.tell(w.workers.at("second"), fail{});
+  w.world.advance(100ms);
+  EXPECT_EQ(heard, list(5, "second")) << "begun again";
+}
+
+TEST(guardian, a_child_that_hangs_is_not_said_to_live) {
+  world_of_workers w;
+  list heard;
+  w.world.actors().tell_who_lives(w.world.actors().add<listener>({.name = "listener"}, with(100), &heard), {"second"});
+  w.start();
+  w.world.hang("second");
+  w.world.advance(5s);
+  EXPECT_EQ(heard, list{"second"});
 }
 
 TEST(guardian, stops_children_in_reverse_order) {

@@ -12,6 +12,8 @@ constexpr std::int64_t at(milliseconds time) { return std::chrono::nanoseconds(t
 
 constexpr ping_policy limits{.period = 1s, .warn = 3s, .fatal = 10s};
 
+using answer = ping_ledger::answer;
+
 TEST(ping_ledger, a_child_that_is_not_watched_is_not_pinged) {
   ping_ledger ledger(limits, 2);
   const auto verdict = ledger.tick(at(1h));
@@ -26,7 +28,7 @@ TEST(ping_ledger, a_ping_goes_out_one_period_after_the_last_one) {
   EXPECT_EQ(ledger.tick(at(5'999ms)).to_ping, indices{});
   EXPECT_EQ(ledger.tick(at(6s)).to_ping, indices{1});
   EXPECT_EQ(ledger.tick(at(6'500ms)).to_ping, indices{}) << "the first is not answered yet";
-  EXPECT_FALSE(ledger.answered(1, ledger.key_of(1)));
+  EXPECT_EQ(ledger.answered(1, ledger.key_of(1)), answer::in_time);
   EXPECT_EQ(ledger.tick(at(6'999ms)).to_ping, indices{});
   EXPECT_EQ(ledger.tick(at(7s)).to_ping, indices{1});
 }
@@ -38,7 +40,7 @@ TEST(ping_ledger, each_ping_has_a_key_of_its_own) {
   EXPECT_EQ(ledger.tick(at(1s)).to_ping, (indices{0, 1}));
   const auto first = ledger.key_of(0);
   EXPECT_NE(first, ledger.key_of(1));
-  EXPECT_FALSE(ledger.answered(0, first));
+  EXPECT_EQ(ledger.answered(0, first), answer::in_time);
   EXPECT_EQ(ledger.tick(at(2s)).to_ping, indices{0});
   EXPECT_NE(first, ledger.key_of(0));
 }
@@ -50,8 +52,8 @@ TEST(ping_ledger, a_late_answer_is_warned_of_once_and_ends_the_warning) {
   EXPECT_EQ(ledger.tick(at(3'999ms)).late, indices{});
   EXPECT_EQ(ledger.tick(at(4s)).late, indices{0});
   EXPECT_EQ(ledger.tick(at(5s)).late, indices{});
-  EXPECT_TRUE(ledger.answered(0, ledger.key_of(0)));
-  EXPECT_FALSE(ledger.answered(0, ledger.key_of(0))) << "an answer counts once";
+  EXPECT_EQ(ledger.answered(0, ledger.key_of(0)), answer::late);
+  EXPECT_EQ(ledger.answered(0, ledger.key_of(0)), answer::stale) << "an answer counts once";
   EXPECT_EQ(ledger.tick(at(5s)).to_ping, indices{0});
   EXPECT_EQ(ledger.tick(at(8s)).late, indices{0}) << "the next ping can be late again";
 }
@@ -72,10 +74,10 @@ TEST(ping_ledger, an_answer_with_an_old_key_is_ignored) {
   ledger.watch(0, 0);
   EXPECT_EQ(ledger.tick(at(1s)).to_ping, indices{0});
   const auto old = ledger.key_of(0);
-  EXPECT_FALSE(ledger.answered(0, old));
+  EXPECT_EQ(ledger.answered(0, old), answer::in_time);
   EXPECT_EQ(ledger.tick(at(2s)).to_ping, indices{0});
   EXPECT_EQ(ledger.tick(at(5s)).late, indices{0});
-  EXPECT_FALSE(ledger.answered(0, old));
+  EXPECT_EQ(ledger.answered(0, old), answer::stale);
   EXPECT_EQ(ledger.tick(at(12s)).silent, indices{0});
 }
 
@@ -86,7 +88,7 @@ TEST(ping_ledger, a_forgotten_child_owes_nothing) {
   const auto key = ledger.key_of(0);
   ledger.forget(0);
   EXPECT_EQ(ledger.tick(at(11s)).silent, indices{});
-  EXPECT_FALSE(ledger.answered(0, key));
+  EXPECT_EQ(ledger.answered(0, key), answer::stale);
 }
 
 TEST(ping_ledger, a_child_watched_again_starts_with_a_clean_sheet) {
@@ -97,7 +99,7 @@ TEST(ping_ledger, a_child_watched_again_starts_with_a_clean_sheet) {
   ledger.watch(0, at(9s));
   EXPECT_EQ(ledger.tick(at(9'999ms)).to_ping, indices{});
   EXPECT_EQ(ledger.tick(at(10s)).to_ping, indices{0});
-  EXPECT_FALSE(ledger.answered(0, of_the_dead));
+  EXPECT_EQ(ledger.answered(0, of_the_dead), answer::stale);
   EXPECT_EQ(ledger.tick(at(11s)).silent, indices{}) << "the old ping does not count";
 }
 

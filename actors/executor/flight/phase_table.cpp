@@ -118,6 +118,7 @@ constexpr std::array table{
     row(trigger::prepare_again, of(paused), no_guard, connected),
     row(trigger::checks_begun, of(connected, preflight, ready), no_guard, preflight),
     row(trigger::checks_passed, of(preflight), no_guard, uploading),
+    with(row(trigger::rest_refused, of(preflight), no_guard, paused), cause::not_done),
     flying_on(trigger::plan_brought, any, in_flight, flying),
     row(trigger::plan_brought, any, no_guard, ready),
     pauses(trigger::plan_brought_held, cause::asked, "held as asked"),

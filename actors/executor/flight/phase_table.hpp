@@ -27,6 +27,7 @@ enum class trigger {
   prepare_again,   // resume on the ground
   checks_begun,
   checks_passed,
+  rest_refused, // what is left of a mission that was begun can not be flown from where the vehicle stands
   plan_brought,
   plan_brought_held, // in flight, and it was held before
   start_waits,       // a person has to start
@@ -72,6 +73,7 @@ constexpr auto enum_names(trigger) {
                              {trigger::prepare_again, "prepare_again"},
                              {trigger::checks_begun, "checks_begun"},
                              {trigger::checks_passed, "checks_passed"},
+                             {trigger::rest_refused, "rest_refused"},
                              {trigger::plan_brought, "plan_brought"},
                              {trigger::plan_brought_held, "plan_brought_held"},
                              {trigger::start_waits, "start_waits"},

@@ -46,6 +46,7 @@ std::string preparation::why_no_mission() const {
 
 preflight::report preparation::look_at_all(instant now) {
   const auto& mission = flight_.s.mission;
+  plans_.reset();
   preflight::facts seen;
   seen.vehicle = look_at_vehicle(now);
   seen.mission.document = mission ? &*mission : nullptr;
@@ -152,6 +153,20 @@ void preparation::warn_of_straight_return(effects& out) const {
     out.emplace_back(announce{preflight::crossing_sentence(crossings_, *flight_.s.mission), true});
 }
 
+// Whether the mission is over nobody here knows, where the landing alone is left of it: only a person can look.
+std::string preparation::why_rest_refused() const {
+  const auto& view = flight_.view;
+  const auto& mission = flight_.s.mission;
+  const bool stands = !view.is_armed() && !view.is_under_way();
+  const bool was_begun = mission && flight_.first_item(*mission) > 0;
+  if (!stands || !was_begun || !plans_ || *plans_)
+    return {};
+  return "what is left of this mission, which was begun before, can not be flown from here, and whether it is over "
+         "nobody here knows. " +
+         plans_->error().message() +
+         " Nothing is sent; look at the vehicle. With a new revision, or another mission, resume prepares that";
+}
+
 preparation::result preparation::check(effects& out, instant now) {
   const auto at = flight_.s.status.now;
   if (checked_ns_ != 0 && now.now_ns - checked_ns_ < look_period_ns)
@@ -161,6 +176,10 @@ preparation::result preparation::check(effects& out, instant now) {
   if (preflight::matters(flight_.s.preflight, look, now.wall_ns)) {
     out.emplace_back(note{look});
     checked_ns_ = 0; // and what comes of it at once
+    return result::under_way;
+  }
+  if (const auto why = why_rest_refused(); at == phase::preflight && !why.empty()) {
+    phases_.go(out, trigger::rest_refused, why);
     return result::under_way;
   }
   if (!preflight::why_not_start(flight_.s.preflight, look.what, now.wall_ns).empty())

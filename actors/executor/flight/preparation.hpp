@@ -53,6 +53,9 @@ private:
   [[nodiscard]] std::string why_no_mission() const; // empty: nobody said
   [[nodiscard]] bool take_arrived(effects& out);
   void warn_of_straight_return(effects& out) const;
+  // Why what is left of a mission that was begun can not be flown from where the vehicle stands; empty: it can, or that
+  // is not known.
+  [[nodiscard]] std::string why_rest_refused() const;
   [[nodiscard]] result check(effects& out, instant now);
 
   flight_context& flight_;

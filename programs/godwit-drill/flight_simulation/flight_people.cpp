@@ -19,6 +19,11 @@ bool has_nothing_to_fly(const flight_simulation& flight) {
   return flight.status().now == phase::connected && flight.was_told("It has ended there and is not flown again");
 }
 
+bool waits_for_another_mission(const flight_simulation& flight) {
+  const auto& at = flight.status();
+  return at.now == phase::paused && at.reason.find("can not be flown from here") != std::string::npos;
+}
+
 bool fly_with_help(flight_simulation& flight) {
   constexpr int most_times = 60;
   constexpr double patience_s = 30;
@@ -30,7 +35,7 @@ bool fly_with_help(flight_simulation& flight) {
   };
   for (int i = 0; i < most_times && !is_at_rest(); ++i) {
     (void)flight.run_until([&] { return is_at_rest() || waits(); }, patience_s);
-    if (is_at_rest())
+    if (is_at_rest() || waits_for_another_mission(flight))
       break;
     if (!flight.vehicle().describe().in_air)
       flight.vehicle().set_battery(100, flight.now_ns());

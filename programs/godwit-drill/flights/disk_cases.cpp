@@ -9,6 +9,7 @@
 #include <map>
 
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
+#include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flights/disturbed_flight.hpp"
 
 namespace godwit::drill {
@@ -107,6 +108,19 @@ void expect_no_start(watched_flight& watched, bool was_under_way) {
                                                      : "it was started by itself behind a flight that nobody knew");
 }
 
+// Who has an older journal finds a mission that is further than he knew. A plane that has landed does not take off for
+// what seems to be left: a person is told.
+flight_outcome finish_with_older_journal(watched_flight& watched) {
+  auto& flight = watched.flight();
+  const auto since_ns = flight.now_ns();
+  if (flight.who() != sim::personality::plane)
+    return watched.finish();
+  (void)fly_with_help(flight);
+  if (waits_for_another_mission(flight))
+    watched.expect(starts_since(flight, since_ns) == 0 ? "" : "it was started for a rest that it can not fly");
+  return watched.finish(flight_ends::or_waits_with_the_rest);
+}
+
 flight_simulation::options options_for(const disk_case& what) {
   if (what.fault.what != disk_fault::slow_sync)
     return {.who = what.who, .seed = what.commit};
@@ -134,6 +148,8 @@ flight_outcome fly(const disk_case& what, const flight_wishes& wishes) {
   const auto has_ended = [&] { return is_there || executor::is_at_rest(flight.status().now); };
   if (!flight.run_until(has_ended, 600) || !is_there)
     watched.so_far().skipped = "the flight had no such commit";
+  else if (what.fault.what == disk_fault::replaced)
+    return finish_with_older_journal(watched);
   else if (what.fault.what == disk_fault::deleted)
     expect_no_start(watched, was_under_way);
   else

@@ -54,8 +54,10 @@ void watched_flight::note_recovery_since(std::int64_t since_ns) {
   note_recovery(static_cast<double>(flight_.now_ns() - since_ns) * 1e-6);
 }
 
-flight_outcome watched_flight::finish() {
-  expect(fly_with_help(flight_) ? "" : "it has no end");
+flight_outcome watched_flight::finish(flight_ends how) {
+  const bool has_ended = fly_with_help(flight_);
+  const bool waits = how == flight_ends::or_waits_with_the_rest && waits_for_another_mission(flight_);
+  expect(has_ended || waits ? "" : "it has no end");
   expect(flaw_of_end(flight_));
   expect(flaw_of_place(flight_));
   return judge();

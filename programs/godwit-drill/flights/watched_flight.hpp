@@ -11,6 +11,11 @@
 
 namespace godwit::drill {
 
+enum class flight_ends {
+  as_planned,
+  or_waits_with_the_rest // of its mission: it can not be flown from where the vehicle stands, and a person knows it
+};
+
 // Of all flights of a drill.
 struct flight_wishes {
   planted_flaw planted = planted_flaw::none;
@@ -37,7 +42,7 @@ public:
   void note_recovery_since(std::int64_t since_ns); // until now
   // Lets it come to its end with the help of people, and asks all judges; the vehicle must stand where its mission
   // leads.
-  [[nodiscard]] flight_outcome finish();
+  [[nodiscard]] flight_outcome finish(flight_ends how = flight_ends::as_planned);
   // The same, where a person has led the vehicle away: it may also wait for a person, and say for what.
   [[nodiscard]] flight_outcome finish_or_wait();
 

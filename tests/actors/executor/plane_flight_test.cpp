@@ -158,5 +158,82 @@ TEST(plane_flight, stood_in_auto_behind_its_landing_it_is_put_into_a_mode_in_whi
   EXPECT_FALSE(world.vehicle().describe().in_air) << world.story();
 }
 
+// -- what is left of a mission, and needs a take-off that is flown already ------------------------------
+
+// Somebody has brought it down behind w1, and has handed it back.
+testing::AssertionResult break_off(flight_world& world) {
+  if (const auto came = fly_to(world, plane_mission(), progress_kind::reached, "w1"); !came)
+    return came;
+  world.disarm_by_hand();
+  const auto is_down = [&] { return !world.durable().status.in_flight && !world.vehicle().describe().in_air; };
+  const bool came_down = world.run_until(is_down, 60) && world.durable().status.cause == pause_cause::taken_over;
+  const bool is_back = came_down && world.say(command_kind::hand_back).is_taken;
+  world.run_for(1);
+  return is_back ? testing::AssertionSuccess() : testing::AssertionFailure() << world.story();
+}
+
+bool waits_with_the_rest(const flight_world& world) {
+  const auto& at = world.durable().status;
+  return at.now == phase::paused && at.cause == pause_cause::not_done && !at.in_flight &&
+         at.reason.find("can not be flown from here") != std::string::npos;
+}
+
+TEST(plane_rest, that_can_not_be_flown_from_the_ground_waits_for_a_person_and_nothing_is_sent) {
+  flight_world world({.who = plane});
+  ASSERT_TRUE(break_off(world));
+  const auto orders = world.orders();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return waits_with_the_rest(world); }, 10)) << world.story();
+  EXPECT_NE(world.durable().status.reason.find("'w2'"), std::string::npos) << world.durable().status.reason;
+  world.run_for(120);
+  EXPECT_TRUE(waits_with_the_rest(world)) << world.story();
+  EXPECT_FALSE(world.say(command_kind::start).is_taken);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << "who has moved the vehicle may have it looked at again";
+  world.run_for(10);
+  EXPECT_TRUE(waits_with_the_rest(world)) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed);
+}
+
+TEST(plane_rest, waits_on_behind_a_crash) {
+  flight_world world({.who = plane});
+  ASSERT_TRUE(break_off(world));
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return waits_with_the_rest(world); }, 10)) << world.story();
+  const auto orders = world.orders();
+  world.crash_all();
+  world.run_for(30);
+  EXPECT_TRUE(waits_with_the_rest(world)) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+TEST(plane_rest, with_a_new_revision_is_prepared_on_a_persons_word_and_started_on_another) {
+  flight_world world({.who = plane});
+  ASSERT_TRUE(break_off(world));
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return waits_with_the_rest(world); }, 10)) << world.story();
+  auto again = plane_mission();
+  again.revision = 2;
+  again.items.insert(again.items.begin() + 2, mission::takeoff{"up again", 20});
+  world.load(again);
+  world.run_for(30);
+  EXPECT_TRUE(waits_with_the_rest(world)) << "whoever stands beside it has not said anything\n" << world.story();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 30)) << world.story();
+  world.run_for(30);
+  EXPECT_EQ(world.durable().status.now, phase::ready) << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done, 900)) << world.story();
+}
+
+TEST(plane_rest, is_not_spoken_of_where_nothing_was_flown) {
+  flight_world world({.who = plane});
+  auto mission = plane_mission();
+  mission.items.erase(mission.items.begin());
+  world.load(mission);
+  world.run_for(60);
+  EXPECT_EQ(world.durable().status.now, phase::preflight) << "it is as it always was\n" << world.story();
+}
+
 } // namespace plane_flight_test
 } // namespace godwit::executor

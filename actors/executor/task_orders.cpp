@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/executor/announced_modes.hpp"
 #include "actors/executor/task_runner.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
@@ -79,6 +80,9 @@ void task_runner::ask(const world& w, const stand_by&) {
 
 // The plan and the failsafe count heights from the same place, the vehicle's home.
 void task_runner::ask(const world& w, const guard&) {
+  if (auto modes = announced_modes(task_->kind, way_, at_, w.view.owner()); !modes.empty())
+    w.out.emplace_back(
+        say_to_failsafe{failsafe::expect_mode{std::move(modes), flight::order_is_expected_ns / 1'000'000}});
   failsafe::guard_mission limits;
   if (w.durable.flown) {
     if (w.durable.progress.last_generation == 0 || !GODWIT_PLANTED(forget_fence_revision))

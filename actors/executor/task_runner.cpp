@@ -5,6 +5,7 @@
 
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/home/home.hpp"
+#include "actors/executor/announced_modes.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -16,6 +17,12 @@ using io::mavlink::mav_result;
 using io::mavlink::number;
 using vehicle_link::command_verdict;
 namespace transfer = vehicle_link::transfer;
+
+// Nothing goes out in these modes: whoever is seen in one is somebody else.
+void withdraw_announced(const task_runner::world& w, std::vector<std::uint32_t> modes) {
+  if (!modes.empty())
+    w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
+}
 
 // The vehicle has looked at it and will not have it: to ask again the same would be answered the same.
 bool is_final(const vehicle_link::command_outcome& outcome) {
@@ -66,6 +73,8 @@ void task_runner::drop(const world& w) {
     w.out.emplace_back(give_up_transfer{});
   else if (is_open && stage_ != stage::resolving)
     w.out.emplace_back(note{uploads_.end_unsent("it was given up")});
+  if (!ended_ && at_ < way_.size() && std::holds_alternative<guard>(way_[at_]))
+    withdraw_announced(w, announced_modes(task_->kind, way_, at_, w.view.owner()));
   task_.reset();
 }
 
@@ -327,6 +336,7 @@ void task_runner::on_guarded(const world& w, std::uint64_t number, const std::st
     return was_obeyed(w);
   if (!is_final && tries_ < max_tries)
     return enter(stage::pausing, w.now_ns + pause_between_ns);
+  withdraw_announced(w, announced_modes(task_->kind, way_, at_, w.view.owner()));
   fail("the failsafe does not watch over this flight: " + refused);
 }
 

@@ -142,6 +142,12 @@ void actor::carry_out(const warning& what) {
   others_->log(what);
 }
 
+// What the executor sends behind the answer explains itself to the next process: the limits are on the disk, and the
+// modes that were announced before.
+void actor::carry_out(const guard_resolved& what) {
+  after_commit([this, what] { answer_later(what.request_id, what.answer); });
+}
+
 void actor::carry_out(const remember& what) { due_.record = what.what; }
 
 void actor::tell_failsafe_status() {

@@ -67,7 +67,7 @@ private:
   void carry_out(const command_vehicle& what) { due_.command = what; }
   void carry_out(const failsafe_status_changed&) { due_.failsafe_status_is_new = true; }
   void carry_out(const override_resolved& what) { answer_later(what.request_id, what.answer); }
-  void carry_out(const guard_resolved& what) { answer_later(what.request_id, what.answer); }
+  void carry_out(const guard_resolved& what);
   void carry_out(const warning& what);
   void carry_out(const runtime::condition&) {} // posted at the end of the turn
   void carry_out(const remember& what);

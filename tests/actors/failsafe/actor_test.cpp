@@ -221,6 +221,23 @@ TEST(failsafe, fences_that_make_no_sense_are_refused_with_the_reason_and_the_one
   EXPECT_EQ(f.log.returns(), 1);
 }
 
+TEST(failsafe, takes_the_limits_of_a_flight_when_they_and_what_was_announced_before_are_on_the_disk) {
+  in_flight f;
+  f.process->world.journal().fail_writes(true);
+  f.process->world.tell(f.process->failsafe, failsafe::expect_mode{{px4_hold}, 5'000});
+  const auto asked = f.process->world.ask(f.process->failsafe, 5s, failsafe::guard_mission{{}, {}, {}});
+  f.process->run_ms(500);
+  EXPECT_EQ(asked->answers, 0);
+  f.process->world.journal().fail_writes(false);
+  f.process->run_ms(500);
+  ASSERT_EQ(asked->answers, 1);
+  EXPECT_TRUE(asked->answer.taken) << asked->answer.reason;
+  f.restart_process();
+  f.vehicle.mode = px4_hold;
+  f.process->run_s(10);
+  EXPECT_FALSE(f.process->stands().taken_over) << "the next process knows whose it is";
+}
+
 TEST(failsafe, an_override_is_answered_and_holds_until_its_deadline) {
   in_flight f;
   const auto until_ns = runtime::simulated_time::start_ns + f.process->world.now_ns() + 20'000'000'000;

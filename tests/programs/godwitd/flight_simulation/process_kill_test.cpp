@@ -99,6 +99,43 @@ TEST_P(lost_journal, of_a_flight_that_is_over_does_not_fly_it_again) {
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
+// The mode of a resume is with the vehicle, and what the failsafe was told of it has to be on the disk by then: else
+// the next process takes it for a pilot's, and waits for a person without a reason that is true.
+class killed_in_resume : public testing::TestWithParam<sim::personality> {};
+
+TEST_P(killed_in_resume, right_behind_its_mode_nobody_is_taken_to_have_the_vehicle) {
+  constexpr std::uint64_t orders_of_events = 4; // drawn by the seed
+  constexpr double sync_s = 0.5;                // else all that is told at one time is on the disk at once
+  for (std::uint64_t seed = 1; seed <= orders_of_events; ++seed) {
+    flight_simulation flight({.who = GetParam(), .seed = seed});
+    const auto is_under_way = [&] {
+      const auto seen = flight.vehicle().describe();
+      return flight.status().now == executor::phase::flying && seen.mission_current >= 2 && seen.ground_speed_mps > 1;
+    };
+    ASSERT_TRUE(flight.run_until(is_under_way, 120)) << flight.story();
+    flight.say(operators::command_kind::pause);
+    ASSERT_TRUE(flight.run_until_phase(executor::phase::paused, 20)) << flight.story();
+    flight.run_for(1);
+    flight.slow_journal(sync_s);
+    const auto since_ns = flight.now_ns();
+    flight.say(operators::command_kind::resume);
+    ASSERT_TRUE(flight.run_until([&] { return moves_since(flight, since_ns) > 0; }, 10)) << flight.story();
+    flight.kill_process();
+    flight.slow_journal(0);
+    const auto is_taken = [&] { return executor::needs_hand_back(flight.status().cause); };
+    EXPECT_FALSE(flight.run_until(is_taken, 15)) << flight.story();
+    EXPECT_TRUE(fly_with_help(flight)) << flight.story();
+    EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+    if (HasFailure())
+      return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(every_vehicle, killed_in_resume,
+                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
+                                         sim::personality::plane),
+                         [](const auto& who) { return std::string(io::name_of(who.param)); });
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, lost_journal,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });

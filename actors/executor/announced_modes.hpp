@@ -1,0 +1,21 @@
+// What the failsafe is told beforehand: the modes in which a vehicle may be seen behind what follows a guard step.
+//
+// It answers when what it was told is on the disk. So a process that is killed right behind the mode leaves one that
+// knows whose it was, and takes nobody for a pilot who is none. Thread: pure.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/executor/steps.hpp"
+
+namespace godwit::executor {
+
+// By the first step of WAY behind AT that lets a vehicle go on which is under way. Empty: none does, or it is told to
+// hold first. A start is not among them: the failsafe knows whose a take-off in the mission mode is.
+[[nodiscard]] std::vector<std::uint32_t> announced_modes(task_kind kind, const steps& way, std::size_t at,
+                                                         const flight::mode_owner& whose);
+
+} // namespace godwit::executor

@@ -3,12 +3,14 @@
 
 #include "actors/mapobjects_store/map_writer.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
+#include "io/sqlite/fault_vfs.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
-#include "tests/support/fault_vfs.hpp"
 
 namespace godwit::mapobjects_store {
 namespace map_target_test {
 
+using io::sqlite::fault_kind;
+using io::sqlite::fault_vfs;
 using namespace godwit::tests;
 
 class map_target_test : public ::testing::Test {

@@ -3,12 +3,14 @@
 #include <future>
 
 #include "actors/mapobjects_store/sightings.hpp"
+#include "io/sqlite/fault_vfs.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
-#include "tests/support/fault_vfs.hpp"
 
 namespace godwit::mapobjects_store {
 namespace map_writer_test {
 
+using io::sqlite::fault_kind;
+using io::sqlite::fault_vfs;
 using namespace godwit::tests;
 using namespace std::chrono_literals;
 

@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "io/sqlite/fault_vfs.hpp"
 #include "io/sqlite/store_file.hpp"
-#include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
+
+using io::sqlite::fault_vfs;
 
 inline const io::sqlite::store_format& note_format() {
   static const io::sqlite::store_format format{

@@ -7,13 +7,15 @@
 #include <map>
 #include <thread>
 
+#include "io/sqlite/fault_vfs.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
-#include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
 namespace every_fault_test {
 
+using io::sqlite::fault_kind;
+using io::sqlite::fault_vfs;
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
 

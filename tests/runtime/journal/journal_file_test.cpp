@@ -6,13 +6,15 @@
 #include <sys/wait.h>
 
 #include "io/sqlite/database.hpp"
+#include "io/sqlite/fault_vfs.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
-#include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
 namespace journal_file_test {
 
+using io::sqlite::fault_kind;
+using io::sqlite::fault_vfs;
 using namespace godwit::runtime;
 
 class journal_file_test : public ::testing::Test {

@@ -1,11 +1,13 @@
 // The writer while the disk refuses: nothing is acknowledged, recoveries are answered, everything goes on afterwards.
+#include "io/sqlite/fault_vfs.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
-#include "tests/support/fault_vfs.hpp"
 
 namespace godwit::tests {
 namespace journal_target_test {
 
+using io::sqlite::fault_kind;
+using io::sqlite::fault_vfs;
 using namespace godwit::runtime;
 using namespace std::chrono_literals;
 

@@ -1,4 +1,4 @@
-#include "tests/support/fault_vfs.hpp"
+#include "io/sqlite/fault_vfs.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 #include <sqlite3.h>
 
-namespace godwit::tests {
+namespace godwit::io::sqlite {
 
 namespace {
 
@@ -57,7 +57,7 @@ void note_write(sqlite3_file* file, const void* data, int count, std::int64_t of
 
 int file_write(sqlite3_file* file, const void* data, int count, sqlite3_int64 offset) {
   auto* real = real_of(file);
-  const auto fault = fault_vfs::instance().next_operation();
+  const auto fault = fault_vfs::instance().next_operation(file_operation::write);
   if (fault == fault_kind::torn_write && count > 1) {
     note_write(file, data, count / 2, offset);
     real->pMethods->xWrite(real, data, count / 2, offset);
@@ -70,7 +70,7 @@ int file_write(sqlite3_file* file, const void* data, int count, sqlite3_int64 of
 
 int file_truncate(sqlite3_file* file, sqlite3_int64 size) {
   auto* real = real_of(file);
-  if (const auto fault = fault_vfs::instance().next_operation())
+  if (const auto fault = fault_vfs::instance().next_operation(file_operation::truncate))
     return code_of(*fault, SQLITE_IOERR_TRUNCATE);
   if (fault_vfs::instance().tracking()) {
     sqlite3_int64 before = 0;
@@ -81,7 +81,7 @@ int file_truncate(sqlite3_file* file, sqlite3_int64 size) {
 }
 
 int file_sync(sqlite3_file* file, int flags) {
-  if (const auto fault = fault_vfs::instance().next_operation())
+  if (const auto fault = fault_vfs::instance().next_operation(file_operation::sync))
     return code_of(*fault, SQLITE_IOERR_FSYNC);
   const int code = real_of(file)->pMethods->xSync(real_of(file), flags);
   if (code == SQLITE_OK)
@@ -119,7 +119,7 @@ const sqlite3_io_methods methods = {
 int vfs_open(sqlite3_vfs*, const char* path, sqlite3_file* file, int flags, int* out_flags) {
   file->pMethods = nullptr;
   auto& vfs = fault_vfs::instance();
-  if (const auto fault = vfs.next_operation())
+  if (const auto fault = vfs.next_operation(file_operation::open))
     return code_of(*fault, SQLITE_CANTOPEN);
   if (vfs.read_only() && (flags & SQLITE_OPEN_READWRITE) != 0) {
     flags &= ~(SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
@@ -133,7 +133,7 @@ int vfs_open(sqlite3_vfs*, const char* path, sqlite3_file* file, int flags, int*
 }
 
 int vfs_delete(sqlite3_vfs*, const char* path, int sync_folder) {
-  if (const auto fault = fault_vfs::instance().next_operation())
+  if (const auto fault = fault_vfs::instance().next_operation(file_operation::remove))
     return code_of(*fault, SQLITE_IOERR_DELETE);
   fault_vfs::instance().synced(path);
   return real_vfs()->xDelete(real_vfs(), path, sync_folder);
@@ -178,6 +178,7 @@ void fault_vfs::arm(const fault_plan& plan) {
   std::lock_guard lock(mutex_);
   plan_ = plan;
   operations_ = 0;
+  matching_ = 0;
   injected_ = false;
 }
 
@@ -185,6 +186,7 @@ void fault_vfs::disarm() {
   std::lock_guard lock(mutex_);
   plan_.reset();
   operations_ = 0;
+  matching_ = 0;
   injected_ = false;
   read_only_ = false;
   lying_ = false;
@@ -220,10 +222,13 @@ bool fault_vfs::tracking() const {
   return tracking_;
 }
 
-std::optional<fault_kind> fault_vfs::next_operation() {
+std::optional<fault_kind> fault_vfs::next_operation(file_operation what) {
   std::lock_guard lock(mutex_);
   ++operations_;
-  if (!plan_ || operations_ < plan_->at || (operations_ > plan_->at && !plan_->from_then_on))
+  if (!plan_ || (plan_->only && *plan_->only != what))
+    return std::nullopt;
+  ++matching_;
+  if (matching_ < plan_->at || (matching_ > plan_->at && !plan_->from_then_on))
     return std::nullopt;
   injected_ = true;
   return plan_->kind;
@@ -268,4 +273,4 @@ void fault_vfs::cut_power(std::optional<std::uint64_t> seed) {
   unsynced_.clear();
 }
 
-} // namespace godwit::tests
+} // namespace godwit::io::sqlite

@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace godwit::tests {
+namespace godwit::io::sqlite {
+
+enum class file_operation { open, write, sync, truncate, remove };
 
 enum class fault_kind {
   io_error,
@@ -22,8 +24,9 @@ enum class fault_kind {
 
 struct fault_plan {
   fault_kind kind = fault_kind::io_error;
-  std::int64_t at = 0;       // number of the operation
-  bool from_then_on = false; // or only this one
+  std::int64_t at = 0;                     // number of the operation
+  bool from_then_on = false;               // or only this one
+  std::optional<file_operation> only = {}; // these alone are counted, and fail
 };
 
 class fault_vfs {
@@ -51,7 +54,7 @@ public:
   void cut_power(std::optional<std::uint64_t> seed);
 
   // For the VFS's methods: the fault that this operation meets.
-  std::optional<fault_kind> next_operation();
+  std::optional<fault_kind> next_operation(file_operation what);
   [[nodiscard]] bool read_only() const;
   [[nodiscard]] bool tracking() const;
   struct change {
@@ -68,6 +71,7 @@ private:
   mutable std::mutex mutex_;
   std::optional<fault_plan> plan_;
   std::int64_t operations_ = 0;
+  std::int64_t matching_ = 0; // the plan's, since arm
   bool injected_ = false;
   bool read_only_ = false;
   bool lying_ = false;
@@ -75,4 +79,4 @@ private:
   std::map<std::string, std::vector<change>> unsynced_;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::io::sqlite

@@ -43,7 +43,15 @@ void apply(const journal_write& write, simulated_disk& disk) {
   disk.dead_letters.insert(disk.dead_letters.end(), write.dead_letters.begin(), write.dead_letters.end());
 }
 
+simulated_journal::simulated_journal(simulated_disk& disk) : disk_(disk) {
+  ++disk_.runs;
+  if (disk_.below)
+    below_ = disk_.below();
+}
+
 tl::expected<void, journal_error> simulated_journal::submit(journal_write&& write) {
+  if (below_ && !refusing_)
+    return submit_below(std::move(write));
   if (write.incarnation < newest_incarnation_[write.actor]) {
     ++counted_.refused;
     return tl::unexpected(journal_error{journal_errc::stale_incarnation, "simulation",
@@ -62,12 +70,19 @@ tl::expected<void, journal_error> simulated_journal::submit(journal_write&& writ
 }
 
 void simulated_journal::recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) {
+  if (below_)
+    return recover_below(actor, incarnation, std::move(callback));
   auto& newest = newest_incarnation_[actor];
   newest = std::max(newest, incarnation);
   queue_.emplace_back(recovery{std::move(actor), std::move(callback)});
 }
 
 journal_status simulated_journal::status() const {
+  if (below_) {
+    auto below = below_->writer().status();
+    below.run = disk_.runs;
+    return below;
+  }
   auto result = counted_;
   result.failing = failing_;
   result.reason = failing_ ? "the simulated disk fails" : "";
@@ -83,6 +98,8 @@ void simulated_journal::tell_failed() {
 }
 
 bool simulated_journal::step() {
+  if (below_)
+    return step_below();
   if (!failed_.empty()) {
     tell_failed();
     return true;
@@ -164,6 +181,57 @@ void simulated_journal::answer(const recovery& asked, const std::deque<queued_it
     if (const auto* write = std::get_if<journal_write>(&each); write != nullptr && write->actor == asked.actor)
       apply_to_actor(*write, result);
   asked.callback(std::move(result));
+}
+
+// -- a file below -----------------------------------------------------------------------------------
+
+tl::expected<void, journal_error> simulated_journal::submit_below(journal_write&& write) {
+  const auto told = std::exchange(write.done, {});
+  write.done = [this, told, kept = write](const commit_result& result) {
+    if (is_gone_)
+      return;
+    ++called_back_;
+    if (result)
+      apply(kept, disk_);
+    if (told)
+      told(result);
+  };
+  auto taken = below_->writer().submit(std::move(write));
+  if (!taken)
+    write.done = told; // NOLINT(bugprone-use-after-move): what is refused stays as it was
+  return taken;
+}
+
+void simulated_journal::recover_below(const std::string& actor, std::uint64_t incarnation,
+                                      recovered_callback callback) {
+  below_->writer().recover(actor, incarnation,
+                           [this, actor, callback = std::move(callback)](tl::expected<recovered, journal_error> found) {
+                             if (is_gone_)
+                               return;
+                             ++called_back_;
+                             if (found)
+                               look_at(actor, *found);
+                             callback(std::move(found));
+                           });
+}
+
+// A commit that failed for its process may be there all the same, when that one has ended before it tried again.
+void simulated_journal::look_at(const std::string& actor, const recovered& found) {
+  auto& kept = disk_.actors[actor].kept;
+  if (found.last_event < kept.last_event)
+    ++disk_.forgotten;
+  if (found.last_event == found.durable_upto) // nothing waits beside it
+    kept = found;
+}
+
+bool simulated_journal::step_below() {
+  if (holding_)
+    return false;
+  const auto before = called_back_;
+  below_->run_once();
+  const auto commits = below_->writer().status().commits;
+  disk_.commits += commits - std::exchange(counted_.commits, commits);
+  return called_back_ != before;
 }
 
 } // namespace godwit::runtime

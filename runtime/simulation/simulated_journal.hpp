@@ -2,11 +2,14 @@
 //
 // simulated_disk is what survives the process; simulated_journal is the writer and dies with it. Nothing happens until
 // step(): then all that waits commits in one group and the callbacks run, in the caller's thread. The disk can be told
-// to fail. Thread: one.
+// to fail. With a file below it the disk is that file, which decides what commits and is what a process recovers from;
+// what was acknowledged is kept in memory as well, and held against it. Thread: one.
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +17,17 @@
 #include "runtime/journal/journal.hpp"
 
 namespace godwit::runtime {
+
+// The writer of one process on a real file. Its end is that of the process: what was not committed is gone.
+class file_below {
+public:
+  file_below() = default;
+  file_below(const file_below&) = delete;
+  file_below& operator=(const file_below&) = delete;
+  virtual ~file_below() = default;
+  [[nodiscard]] virtual journal& writer() = 0; // calls back in run_once() alone
+  virtual void run_once() = 0;                 // at most one transaction
+};
 
 class simulated_disk {
 public:
@@ -27,11 +41,14 @@ public:
   std::vector<dead_letter> dead_letters;
   std::uint64_t runs = 0;
   std::uint64_t commits = 0;
+  std::function<std::unique_ptr<file_below>()> below = {}; // of each process; none: memory alone
+  std::uint64_t forgotten = 0;                             // recoveries that lacked what had been acknowledged
 };
 
 class simulated_journal final : public journal {
 public:
-  explicit simulated_journal(simulated_disk& disk) : disk_(disk) { ++disk_.runs; }
+  explicit simulated_journal(simulated_disk& disk);
+  ~simulated_journal() override { is_gone_ = true; }
 
   [[nodiscard]] tl::expected<void, journal_error> submit(journal_write&& write) override;
   void recover(std::string actor, std::uint64_t incarnation, recovered_callback callback) override;
@@ -47,7 +64,9 @@ public:
   // The next write of ACTOR with an event can never commit, nor can the first after each of the next TIMES - 1
   // recoveries.
   void break_writes_of(const std::string& actor, int times) { to_break_[actor] = times; }
-  [[nodiscard]] std::size_t waiting() const { return queue_.size() + failed_.size(); }
+  [[nodiscard]] std::size_t waiting() const {
+    return below_ ? static_cast<std::size_t>(below_->writer().status().queued) : queue_.size() + failed_.size();
+  }
 
 private:
   struct recovery {
@@ -56,6 +75,10 @@ private:
   };
   using queued_item = std::variant<journal_write, recovery>;
 
+  [[nodiscard]] tl::expected<void, journal_error> submit_below(journal_write&& write);
+  void recover_below(const std::string& actor, std::uint64_t incarnation, recovered_callback callback);
+  void look_at(const std::string& actor, const recovered& found);
+  bool step_below();
   void commit_group();
   [[nodiscard]] bool breaks(const journal_write& write);
   [[nodiscard]] bool is_broken(const journal_write& write) const;
@@ -73,6 +96,9 @@ private:
   std::vector<journal_write> failed_;           // and not told yet
   std::map<std::string, journal_error> broken_; // actors with a write that can never commit, until they recover
   journal_status counted_;
+  std::uint64_t called_back_ = 0; // by the file below
+  bool is_gone_ = false;          // with the process: who waits hears nothing any more
+  std::unique_ptr<file_below> below_;
 };
 
 // Adds one write to what an actor has; the one place where the meaning of a write is told.

@@ -37,6 +37,8 @@ void flight_simulation::lose_power(double seconds) {
   kill_process();
   note("the computer is off for " + std::to_string(seconds) + " s");
   ++boots_;
+  if (stored_)
+    stored_->lose_power(test_rng_());
   begins_ns_ = now_ns_ + ns_of(seconds);
 }
 

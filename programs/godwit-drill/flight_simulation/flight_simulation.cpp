@@ -76,6 +76,10 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   if (record_ && planted_ == planted_flaw::forget_delivery)
     record_->forget_second_report();
   outside_.record = record_.get();
+  if (wanted.has_stored_journal) {
+    stored_.emplace(folder_.file("godwit.db"), [this] { return now_ns_; });
+    outside_.journal.below = [this] { return stored_->open(); };
+  }
   begins_ns_ = now_ns_;
 }
 

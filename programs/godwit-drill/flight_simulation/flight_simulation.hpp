@@ -27,6 +27,7 @@
 #include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
+#include "programs/godwit-drill/flight_simulation/stored_disk.hpp"
 #include "programs/godwit-drill/scratch_folder.hpp"
 #include "programs/godwit-sim/line/faulty_line.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
@@ -58,8 +59,9 @@ public:
     sim::line_faults line = {};
     // On UDP one heartbeat is not believed; nobody goes there, the frames come by a line of the simulation's.
     std::string vehicle_line = "udpin://127.0.0.1:0";
-    bool is_shuffled = true;  // else in the order that costs least
-    bool is_recorded = false; // what its actors do is held against the promises of invariants/
+    bool is_shuffled = true;         // else in the order that costs least
+    bool has_stored_journal = false; // in a file, whose disk fails below SQLite; one flight at a time has one
+    bool is_recorded = false;        // what its actors do is held against the promises of invariants/
     planted_flaw planted = planted_flaw::none;
   };
 
@@ -128,6 +130,8 @@ public:
   [[nodiscard]] const sim::vehicle& vehicle() const { return *vehicle_; }
   [[nodiscard]] simulated_service& service() { return service_; }
   [[nodiscard]] simulated_station& station() { return station_; }
+  // Of a flight that has its journal in a file.
+  [[nodiscard]] stored_disk* stored() { return stored_ ? &*stored_ : nullptr; }
   // None while it is down.
   [[nodiscard]] daemon_process* process() { return process_.get(); }
   [[nodiscard]] process_surroundings& outside() { return outside_; }
@@ -215,6 +219,7 @@ private:
   io::mavlink::scanner damaged_;
 
   std::unique_ptr<flight_record> record_;
+  std::optional<stored_disk> stored_;
   process_surroundings outside_;
   std::unique_ptr<daemon_process> process_;
   int processes_ = 0;

@@ -45,6 +45,9 @@ using vehicles = std::span<const sim::personality>;
 // The journal's disk fails in one of several ways at each fourth commit of a flight.
 [[nodiscard]] std::vector<flight_case> disk_cases(vehicles which, std::span<const std::uint64_t> commits);
 
+// The journal is a file, and its disk fails below SQLite at each fourth commit of a flight.
+[[nodiscard]] std::vector<flight_case> stored_disk_cases(vehicles which, std::span<const std::uint64_t> commits);
+
 // Lines and services are cut, are bad throughout, or have a stranger on them; the autopilot starts again.
 [[nodiscard]] std::vector<flight_case> link_cases(vehicles which);
 

@@ -64,7 +64,7 @@ std::vector<flight_case> joined(std::vector<flight_case> some, std::vector<fligh
 std::vector<flight_case> cases_by_commit(flight_drill drill, vehicles which, unsigned jobs) {
   const auto flown = fly_each_undisturbed(which, jobs);
   if (drill == flight_drill::disk)
-    return disk_cases(which, flown.commits);
+    return joined(disk_cases(which, flown.commits), stored_disk_cases(which, flown.commits));
   return joined(process_cases(which, flown.commits), kill_cases(which, flown.flown_s));
 }
 

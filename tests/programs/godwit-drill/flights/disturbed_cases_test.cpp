@@ -78,6 +78,37 @@ TEST(disk_cases, a_flight_whose_journal_is_gone_or_an_older_one_doubles_nothing_
     }
 }
 
+TEST(stored_disk_cases, are_five_faults_at_each_fourth_commit) {
+  expect_cases(stored_disk_cases(every_vehicle, disk_commits), 5U * (3 + 10 + 2 + 1));
+}
+
+TEST(stored_disk_cases, a_flight_survives_each_fault_below_its_journal) {
+  const auto all = stored_disk_cases(every_vehicle, disk_commits);
+  for (const auto* fault :
+       {"file_write_error_10s", "file_sync_error_10s", "file_full_10s", "file_torn_write", "file_lost_sync"})
+    expect_held(fly(all, "px4/" + std::string(fault) + "/commit_37"));
+}
+
+// Its journal acknowledges what is not on the disk.
+TEST(stored_disk_cases, a_disk_that_lies_about_its_syncs_is_found) {
+  flight_simulation flight({.who = sim::personality::px4, .has_stored_journal = true});
+  ASSERT_TRUE(flight.run_until_phase(executor::phase::ready, 60)) << flight.story();
+  io::sqlite::fault_vfs::instance().set_lying(true);
+  ASSERT_TRUE(flight.run_until_phase(executor::phase::flying, 60)) << flight.story();
+  flight.run_for(5);
+  flight.lose_power(20);
+  flight.run_for(25);
+  EXPECT_GT(flight.outside().journal.forgotten, 0U) << flight.story();
+}
+
+TEST(stored_disk_cases, are_the_same_flight_each_time) {
+  const auto all = stored_disk_cases(every_vehicle, disk_commits);
+  const auto once = fly(all, "rover/file_torn_write/commit_9", {.tells_story = true});
+  const auto again = fly(all, "rover/file_torn_write/commit_9", {.tells_story = true});
+  EXPECT_FALSE(once.story.empty());
+  EXPECT_EQ(once.story, again.story);
+}
+
 TEST(clock_cases, are_six_in_each_part) { expect_cases(clock_cases(every_vehicle), 4U * 7 * 6); }
 
 TEST(clock_cases, a_flight_survives_a_clock_that_is_set_and_a_process_without_a_processor) {

@@ -4,6 +4,7 @@
 
 #include "programs/godwit-eyes/commands.hpp"
 #include "programs/godwit-eyes/console.hpp"
+#include "programs/godwit-eyes/detection/detector.hpp"
 #include "programs/godwit-eyes/session/session.hpp"
 
 namespace godwit::eyes {
@@ -19,6 +20,7 @@ exit_code serve_daemon() {
     say("is started by godwitd: " + slot.error());
     return exit_code::usage;
   }
+  keep_freed_memory();
   static_cast<void>(::setpriority(PRIO_PROCESS, 0, less_urgent));
   io::eyes::channel to_daemon{io::link::descriptor(socket_number)};
   switch (run_session(to_daemon, *slot)) {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <numbers>
 
+#include <malloc.h>
 #include <opencv2/imgproc.hpp>
 
 #include "programs/godwit-eyes/detection/background_model.hpp"
@@ -291,6 +292,13 @@ std::optional<std::string> problem_of(const detector_settings& settings) {
 }
 
 void use_one_thread() { cv::setNumThreads(1); }
+
+void keep_freed_memory() {
+  constexpr int largest_kept = 32 << 20; // the most that glibc takes
+  constexpr int kept_free = 64 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, largest_kept);
+  ::mallopt(M_TRIM_THRESHOLD, kept_free);
+}
 
 detector::detector(const detector_settings& settings) : parts_(std::make_unique<parts>(settings)) {
   const auto wrong = problem_of(settings);

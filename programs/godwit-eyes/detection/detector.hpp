@@ -140,6 +140,9 @@ struct detector_settings {
 
 // OpenCV would start a thread for each core, beside those of the program.
 void use_one_thread();
+// What a picture needs is freed and asked for again thirty times a second. Given back to the system each time, its
+// pages have to be mapped and cleared anew, which costs as much as some of the work in them. Once in the process.
+void keep_freed_memory();
 
 class detector {
 public:

@@ -195,6 +195,7 @@ int main(int argc, char** argv) {
   add_options(app, chosen);
   CLI11_PARSE(app, argc, argv);
   godwit::eyes::use_one_thread();
+  godwit::eyes::keep_freed_memory(); // as the program does
   std::printf("seeds: %s\n", chosen.is_tuning ? "for tuning" : "held back");
   bool is_well = true;
   for (const auto& part : chosen.parts) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include <opencv2/imgproc.hpp>
 
@@ -20,7 +21,7 @@ constexpr float oldest = 40;       // pictures; older ones are forgotten at this
 constexpr float fits_squared = 6;  // of a deviation to the variance: it is the same thing
 constexpr float found_squared = 5; // it may be a mover
 constexpr float sure_squared = 20; // it surely differs
-constexpr float young = 3;         // younger ground tells nothing
+constexpr float young = background_model::pictures_to_know;
 constexpr double least_scale = 0.8;
 constexpr double most_scale = 1.25;
 constexpr float shadow_tolerance = 0.06F; // of the ground's brightness
@@ -45,6 +46,24 @@ void refine(cv::Vec3f& mode, float deviation) {
 
 bool is_like(const cv::Vec3f& mode, float deviation) {
   return deviation * deviation < fits_squared * std::max(mode[1], least_variance);
+}
+
+// Rows in the order in which none is written over before it was read. What comes in is not known: zero.
+void shift(cv::Mat& of, const cv::Point& by) {
+  const cv::Rect all(cv::Point(), of.size());
+  const cv::Rect kept = (all + by) & all;
+  const auto bytes = [&](int pixels) { return static_cast<std::size_t>(pixels) * of.elemSize(); };
+  for (int n = 0; n < of.rows; ++n) {
+    const int y = by.y > 0 ? of.rows - 1 - n : n;
+    std::uint8_t* const row = of.ptr(y);
+    if (y < kept.y || y >= kept.br().y) {
+      std::memset(row, 0, bytes(of.cols));
+      continue;
+    }
+    std::memmove(row + bytes(kept.x), of.ptr(y - by.y) + bytes(kept.x - by.x), bytes(kept.width));
+    std::memset(row, 0, bytes(kept.x));
+    std::memset(row + bytes(kept.br().x), 0, bytes(of.cols - kept.br().x));
+  }
 }
 
 void learn(cv::Vec3f& ground, cv::Vec3f& other, float value) {
@@ -102,19 +121,15 @@ bool background_model::has_like_scale(const cv::Size& picture) const {
   return true;
 }
 
-// Whole pixels, so that nothing is interpolated. False: the picture is turned so far that it finds no room.
+// Whole pixels, so that nothing is interpolated. In place: these are the largest pictures of all, and fresh ones would
+// have to be cleared. False: the picture is turned so far that it finds no room.
 bool background_model::shift_canvas(const cv::Size& picture) {
   const cv::Rect laid = bounds_of(picture);
   if (laid.width > canvas_.width || laid.height > canvas_.height)
     return false;
   const cv::Point by((canvas_.width - laid.width) / 2 - laid.x, (canvas_.height - laid.height) / 2 - laid.y);
-  const cv::Rect kept = cv::Rect(by, canvas_) & cv::Rect(cv::Point(), canvas_);
-  for (cv::Mat* const each : {&ground_, &other_, &mean_}) {
-    cv::Mat shifted = cv::Mat::zeros(canvas_, each->type());
-    if (!kept.empty())
-      (*each)(kept - by).copyTo(shifted(kept));
-    *each = shifted;
-  }
+  for (cv::Mat* const each : {&ground_, &other_, &mean_})
+    shift(*each, by);
   canvas_to_now_ = canvas_to_now_ * cv::Matx33d(1, 0, -by.x, 0, 1, -by.y, 0, 0, 1);
   return true;
 }

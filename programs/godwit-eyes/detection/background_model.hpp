@@ -28,6 +28,9 @@ inline constexpr std::uint8_t sure = 255; // surely differs
 
 class background_model {
 public:
+  // That have seen a place before anything is found there: ground that is younger tells nothing.
+  static constexpr int pictures_to_know = 3;
+
   // The mask, in the picture's pixels: 0 ground or not known; else `mask_value`.
   // BEFORE_TO_NOW: how the ground moved since the last picture.
   [[nodiscard]] const cv::Mat& look(const cv::Mat& now, const cv::Matx33d& before_to_now);

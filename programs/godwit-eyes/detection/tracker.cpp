@@ -1,8 +1,10 @@
 #include "programs/godwit-eyes/detection/tracker.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "programs/godwit-eyes/detection/background_model.hpp"
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 
 namespace godwit::eyes {
@@ -31,8 +33,8 @@ constexpr demands of_calm{2.5, 0.25, 0.5, 0.5, 0.5};
 constexpr demands of_clutter{6, 1.0, 0.7, 0.75, 5};       // what sways stays within its own size
 constexpr demands of_proved_clutter{3, 0.4, 0.6, 0.6, 2}; // where a proof is asked for besides
 constexpr double calm_births = 0.4;                       // new tracks a picture
-constexpr double cluttered_births = 2.5;
-constexpr double births_share = 0.1; // of the newest picture in the mean
+constexpr double border_px = 1.5;                         // interpolation reaches so far in
+constexpr double births_share = 0.1;                      // of the newest picture in the mean
 constexpr double least_clutter_to_prove = 0.1;
 constexpr std::size_t most_places = 32; // remembered of a track
 
@@ -60,6 +62,15 @@ struct fit {
   std::size_t blob;
 };
 
+// All that it has shown is forgotten, but not how it moves.
+void begin_anew(track& who) {
+  who.born = who.filter.place();
+  who.age = who.seen = 1;
+  who.way_px = 0;
+  who.along_parallax = 0;
+  who.places.clear();
+}
+
 bool has_like_size(const cv::Size2d& known, const cv::Rect2d& box) {
   const double before = std::max(known.width, known.height) + 2;
   const double now = std::max(box.width, box.height) + 2;
@@ -84,6 +95,10 @@ void tracker::step(std::span<const blob> blobs, double dt_s, const cv::Matx33d& 
     ++each.missed; // taken back where it is seen
     each.way_px += cv::norm(each.filter.velocity()) * dt_s;
   }
+  picture_ = picture;
+  grounds_.push_back(ground);
+  if (grounds_.size() > background_model::pictures_to_know)
+    grounds_.pop_front();
   std::vector<bool> is_taken(blobs.size());
   assign(blobs, is_taken);
   const bool needs_proof = proves && clutter() > least_clutter_to_prove;
@@ -144,12 +159,29 @@ void tracker::assign(std::span<const blob> blobs, std::vector<bool>& is_taken) {
         is_taken[b] = true;
 }
 
+// The ground around it was known and it was not cut off: it is inside of this picture, and was inside of the first one
+// of those that make a place known.
+bool tracker::is_whole(const cv::Rect2d& box) const {
+  const cv::Rect2d inside(border_px, border_px, picture_.width - 2 * border_px, picture_.height - 2 * border_px);
+  cv::Matx33d then_to_now = cv::Matx33d::eye();
+  for (const auto& each : grounds_)
+    then_to_now = each * then_to_now;
+  const cv::Matx33d now_to_then = then_to_now.inv();
+  return std::ranges::all_of(
+      std::array{box.tl(), cv::Point2d(box.br().x, box.y), cv::Point2d(box.x, box.br().y), box.br()},
+      [&](const cv::Point2d& corner) {
+        return inside.contains(corner) && inside.contains(moved(now_to_then, corner));
+      });
+}
+
 void tracker::see(track& who, const cv::Rect2d& box) {
   who.filter.update(middle_of(box), deviation_of(who.size));
   who.size.width += size_share * (box.width - who.size.width);
   who.size.height += size_share * (box.height - who.size.height);
   ++who.seen;
   who.missed = 0;
+  if (!who.is_confirmed && !is_whole(box))
+    begin_anew(who);
   who.places.push_back({who.age, box});
   if (who.places.size() > most_places)
     who.places.pop_front();

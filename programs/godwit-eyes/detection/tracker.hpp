@@ -2,7 +2,9 @@
 //
 // A blob goes to the track that expects it, nearest first; blobs that lie in one track's box are parts of one thing. A
 // track is confirmed when it was seen in enough pictures, has gone farther than its place is unsure, and has gone there
-// straight rather than to and fro. Pixels are those of the reduced picture. Thread: one.
+// straight rather than to and fro. All of that is counted from where it was last cut off: at the border of what is
+// known a box shows where the border is. A scene is taken to be cluttered until pictures show that it is not. Pixels
+// are those of the reduced picture. Thread: one.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +46,8 @@ struct tracker_settings {
 
 class tracker {
 public:
+  static constexpr double cluttered_births = 2.5; // new tracks a picture
+
   explicit tracker(const tracker_settings& settings) : settings_(settings) {}
 
   // Whether a track that has shown all that is demanded has really moved.
@@ -57,18 +61,22 @@ public:
   [[nodiscard]] bool is_full() const { return is_full_; } // more things than it can follow
   void forget() {
     tracks_.clear();
-    births_ = 0;
+    grounds_.clear();
+    births_ = cluttered_births;
   }
 
 private:
   void assign(std::span<const blob> blobs, std::vector<bool>& is_taken);
   void see(track& who, const cv::Rect2d& box);
+  [[nodiscard]] bool is_whole(const cv::Rect2d& box) const;
   [[nodiscard]] double clutter() const; // 0 to 1
 
   tracker_settings settings_;
   std::vector<track> tracks_;
   std::uint32_t last_number_ = 0;
-  double births_ = 0; // new tracks a picture, smoothed: how cluttered the scene is
+  cv::Size picture_;
+  std::deque<cv::Matx33d> grounds_;  // how it moved, over the pictures that make a place known
+  double births_ = cluttered_births; // new tracks a picture, smoothed: how cluttered the scene is
   bool is_full_ = false;
 };
 

@@ -47,6 +47,54 @@ TEST(tracker, it_takes_as_many_pictures_as_the_settings_say) {
   EXPECT_EQ(confirmed(of), 1);
 }
 
+// Empty pictures, until the scene is known to be calm.
+void look_at_nothing(tracker& of, const cv::Matx33d& ground) {
+  for (int n = 0; n < 40; ++n)
+    of.step({}, picture_s, ground, picture);
+}
+
+TEST(tracker, what_stands_and_comes_in_over_the_border_is_never_confirmed) {
+  tracker of({});
+  const cv::Matx33d ground(1, 0, -3, 0, 1, 0, 0, 0, 1);
+  look_at_nothing(of, ground);
+  for (int n = 0; n < 60; ++n) {
+    // As much of it as lies on ground that three pictures have seen; so its middle goes against the ground.
+    const double left = 630 - 3 * n;
+    const double right = std::min(left + 60, 640.0 - 9);
+    std::vector<blob> seen;
+    if (right - left >= 3)
+      seen.push_back({cv::Rect2d(left, 100, right - left, 20), 200, 50});
+    of.step(seen, picture_s, ground, picture);
+    EXPECT_EQ(confirmed(of), 0) << n;
+  }
+}
+
+TEST(tracker, what_moves_and_comes_in_over_the_border_is_confirmed_when_it_was_seen_whole) {
+  tracker of({});
+  look_at_nothing(of, still);
+  int first = 0;
+  for (int n = 1; n < 40 && first == 0; ++n) {
+    const double right = std::min(4.0 * n, 640.0);
+    of.step(std::vector{blob{cv::Rect2d(std::max(right - 20, 0.0), 100, std::min(right, 20.0), 20), 200, 50}},
+            picture_s, still, picture);
+    first = confirmed(of) > 0 ? n : 0;
+  }
+  EXPECT_GE(first, 5 + 4) << "in the fifth picture it touches the border for the last time";
+  EXPECT_LE(first, 5 + 6);
+}
+
+TEST(tracker, a_scene_is_cluttered_until_pictures_show_that_it_is_not) {
+  tracker of({});
+  const auto never = [](const track&) { return false; };
+  int first = 0;
+  for (int n = 0; n < 40 && first == 0; ++n) {
+    of.step(std::vector{blob_at(100 + 3.0 * n, 100)}, picture_s, still, picture, never);
+    first = confirmed(of) > 0 ? n : 0;
+  }
+  EXPECT_GT(first, 9);
+  EXPECT_LT(first, 30);
+}
+
 TEST(tracker, what_stays_or_goes_to_and_fro_is_never_confirmed) {
   tracker of({});
   for (int n = 0; n < 100; ++n) {

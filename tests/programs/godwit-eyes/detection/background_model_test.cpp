@@ -46,6 +46,24 @@ TEST(background_model, a_long_way_over_still_ground_finds_nothing_and_a_thing_as
   EXPECT_EQ(found.blobs[0].box, cv::Rect2d(100, 60, 12, 8));
 }
 
+TEST(background_model, a_way_in_any_direction_over_still_ground_finds_nothing) {
+  const cv::Mat ground = wide_ground();
+  for (const auto& by : {cv::Point(4, 1), cv::Point(-4, -1), cv::Point(3, -2), cv::Point(-3, 2)}) {
+    cv::Point at(by.x > 0 ? 20 : 1060, by.y > 0 ? 4 : 216);
+    background_model of;
+    for (int n = 0; n < 90; ++n) {
+      const cv::Matx33d moved(1, 0, n == 0 ? 0 : -by.x, 0, 1, n == 0 ? 0 : -by.y, 0, 0, 1);
+      EXPECT_EQ(cv::countNonZero(of.look(ground(cv::Rect(at, picture)).clone(), moved)), 0) << by << n;
+      at += by;
+    }
+    cv::Mat now = ground(cv::Rect(at, picture)).clone();
+    now(cv::Rect(100, 60, 12, 8)) = 250;
+    const auto found = find_blobs(of.look(now, {1, 0, -double(by.x), 0, 1, -double(by.y), 0, 0, 1}));
+    ASSERT_EQ(found.blobs.size(), 1U) << by << "the ground is still known";
+    EXPECT_EQ(found.blobs[0].box, cv::Rect2d(100, 60, 12, 8));
+  }
+}
+
 TEST(background_model, what_was_seen_before_a_turn_that_needs_a_new_canvas_is_still_known) {
   over_ground flight;
   background_model of;
@@ -71,8 +89,17 @@ TEST(blobs, a_shadow_is_left_out_of_the_box_of_what_throws_it) {
   mask(cv::Rect(110, 60, 10, 10)) = mask_value::shadow_sure;
   const auto found = find_blobs(mask);
   ASSERT_EQ(found.blobs.size(), 1U);
-  EXPECT_NEAR(found.blobs[0].box.width, 10, 1) << "what lies beside a shadow may belong to it";
-  EXPECT_EQ(found.blobs[0].box.height, 10);
+  EXPECT_EQ(found.blobs[0].box, cv::Rect2d(100, 60, 9, 10)) << "the column that touches it is taken for its edge";
+}
+
+TEST(blobs, the_half_lit_edge_of_a_shadow_is_left_out_of_the_box_too) {
+  cv::Mat mask = cv::Mat::zeros(picture, CV_8UC1);
+  mask(cv::Rect(100, 60, 10, 10)) = mask_value::sure;
+  mask(cv::Rect(110, 60, 11, 10)) = mask_value::may_be;
+  mask(cv::Rect(110, 60, 10, 10)) = mask_value::shadow_sure;
+  const auto found = find_blobs(mask);
+  ASSERT_EQ(found.blobs.size(), 1U);
+  EXPECT_EQ(found.blobs[0].box, cv::Rect2d(100, 60, 9, 10));
 }
 
 TEST(blobs, what_is_as_dark_as_a_shadow_all_over_keeps_its_box) {

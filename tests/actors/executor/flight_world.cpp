@@ -532,7 +532,8 @@ void flight_world::take(const vehicle_link::observation& each) {
         if constexpr (
             requires(executor::vehicle_view view) { view.take(m); } ||
             requires(executor::vehicle_view view) { view.take(m, std::int64_t{}); } ||
-            std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::mission_item_reached>)
+            std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::mission_item_reached> ||
+            std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::statustext>)
           take(core_->on_vehicle(m, now()));
       },
       each);

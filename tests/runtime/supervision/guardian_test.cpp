@@ -196,9 +196,9 @@ TEST(guardian, tells_who_has_asked_that_a_child_has_begun_and_answers_its_pings)
   EXPECT_EQ(heard, list{"second"});
   w.world.advance(3500ms);
   EXPECT_EQ(heard, list(4, "second")) << "one for each ping";
-  w.world.tell(w.workers.at("second"), fail{});
-  w.world.advance(100ms);
-  EXPECT_EQ(heard, list(5, "second")) << "begun again";
+  heard.clear();
+  w.crash("second");
+  EXPECT_EQ(heard, list{"second"}) << "begun again";
 }
 
 TEST(guardian, a_child_that_hangs_is_not_said_to_live) {

@@ -98,7 +98,11 @@ bool raw_client::dribble_until_closed() {
   return read_to_end().empty();
 }
 
-void raw_client::close_sending() { socket_.shutdown(asio::ip::tcp::socket::shutdown_send); }
+void raw_client::close_sending() {
+  error_code ignored; // as in write
+  socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+}
+
 void raw_client::close() { socket_.close(); }
 
 } // namespace godwit::io::http::test

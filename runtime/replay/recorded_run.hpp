@@ -57,8 +57,9 @@ public:
   [[nodiscard]] std::optional<std::string> restored(std::uint32_t incarnation) const;
   // Why it crashed, as the guardian told it; empty: nobody was told.
   [[nodiscard]] std::string crash_reason(std::uint32_t incarnation) const;
-  // RECEIVER had begun when message ID was sent at FROM_NS, and took mail after TO_NS without having begun anew. In virtual
-  // time much happens in one moment: who began in the moment of the message had begun before it if its first mail is older.
+  // RECEIVER had begun when message ID was sent at FROM_NS, and took mail after TO_NS without having begun anew. In
+  // virtual time much happens in one moment: who began in the moment of the message had begun before it if its first
+  // mail is older.
   [[nodiscard]] bool lived_through(const std::string& receiver, std::uint64_t id, std::int64_t from_ns,
                                    std::int64_t to_ns) const;
   // It has taken mail: it is no thread that can only tell.

@@ -74,6 +74,8 @@ class Faults:
         self.over.append((now + 3, lambda: self.vehicle("faults none")))
 
     def break_service(self, _):
+        """What was not met is taken off, or in an hour the service has more than it takes."""
+        self.service.ask({"do": "faults off"})
         self.service.ask({"do": f"fault {self.drawn.choice(SERVICE)}"})
 
     def crash(self, _):

@@ -13,21 +13,21 @@
 
 namespace godwit::ground_port::passing {
 
-inline vehicle_link::relayed_frame as_said(std::uint32_t id, mavlink::sender who, mavlink::byte_view payload) {
+inline vehicle_link::relayed_frame as_said(std::uint32_t id, io::mavlink::sender who, io::mavlink::byte_view payload) {
   vehicle_link::relayed_frame result{id, who.system, who.component, {}};
   std::ranges::transform(payload, std::back_inserter(result.payload),
                          [](std::byte each) { return std::to_integer<std::uint8_t>(each); });
   return result;
 }
 
-inline vehicle_link::relayed_frame as_said(const mavlink::frame_view& frame) {
+inline vehicle_link::relayed_frame as_said(const io::mavlink::frame_view& frame) {
   return as_said(frame.id(), frame.from(), frame.payload());
 }
 
-template <mavlink::message M>
-vehicle_link::relayed_frame as_said(const M& message, mavlink::sender who) {
-  std::array<std::byte, mavlink::layout<M>::full_length> payload;
-  mavlink::write_fields(message, payload.data());
+template <io::mavlink::message M>
+vehicle_link::relayed_frame as_said(const M& message, io::mavlink::sender who) {
+  std::array<std::byte, io::mavlink::layout<M>::full_length> payload;
+  io::mavlink::write_fields(message, payload.data());
   return as_said(M::message_id, who, payload);
 }
 

@@ -1,5 +1,9 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
+#include <charconv>
+#include <string_view>
+#include <utility>
+
 namespace godwit::drill {
 
 using executor::phase;
@@ -11,6 +15,30 @@ bool is_told(flight_simulation& flight) {
   const auto reports = flight.reports();
   return !reports.empty() && (reports.back().kind == mission::progress_kind::complete ||
                               reports.back().kind == mission::progress_kind::aborted);
+}
+
+// The preflight report that an operator was asked to acknowledge last. Nothing: none ever was.
+std::optional<std::uint32_t> asked_report(flight_simulation& flight) {
+  constexpr std::string_view words = " waits for an acknowledgement";
+  constexpr std::string_view before = "preflight report ";
+  const auto story = flight.story();
+  const auto at = story.rfind(words);
+  const auto from = at == std::string::npos ? at : story.rfind(before, at);
+  if (from == std::string::npos)
+    return std::nullopt;
+  std::uint32_t number = 0;
+  std::from_chars(story.data() + from + before.size(), story.data() + at, number);
+  return number;
+}
+
+void acknowledge(flight_simulation& flight) {
+  const auto report = asked_report(flight);
+  if (flight.status().now != phase::preflight || !report)
+    return;
+  operators::command command;
+  command.kind = operators::command_kind::acknowledge;
+  command.report = *report;
+  flight.say(std::move(command));
 }
 
 } // namespace
@@ -46,6 +74,8 @@ bool fly_with_help(flight_simulation& flight) {
       flight.say(operators::command_kind::resume);
     else if (waits())
       flight.say(operators::command_kind::start);
+    else
+      acknowledge(flight);
     flight.run_for(1);
   }
   return is_at_rest() && flight.run_until([&] { return is_told(flight); }, delivery_s);

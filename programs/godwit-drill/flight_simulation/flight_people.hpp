@@ -13,8 +13,8 @@ namespace godwit::drill {
 [[nodiscard]] bool waits_for_another_mission(const flight_simulation& flight);
 
 // Lets it fly until it is at rest and the service knows. Whoever stands beside it hands it back and says
-// that it is to go on when it waits for a person, and changes the battery on the ground. False: it does not come to an
-// end, or waits for another mission.
+// that it is to go on when it waits for a person, acknowledges what preflight asks about, and changes the battery on
+// the ground. False: it does not come to an end, or waits for another mission.
 [[nodiscard]] bool fly_with_help(flight_simulation& flight);
 
 // A station starts the mission, again until it is under way: what is under way in godwit is a reason to be refused.

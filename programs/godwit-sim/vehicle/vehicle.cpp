@@ -11,7 +11,13 @@ vehicle::vehicle(const vehicle_settings& settings, std::int64_t now_ns, frame_si
 
 vehicle::~vehicle() = default;
 
-void vehicle::on_frame(const io::mavlink::frame_view& frame, std::int64_t now_ns) { parts_->on_frame(frame, now_ns); }
+vehicle::line_number vehicle::add_line(frame_sink send, std::int64_t now_ns) {
+  return parts_->add_line(std::move(send), now_ns);
+}
+
+void vehicle::on_frame(const io::mavlink::frame_view& frame, std::int64_t now_ns, line_number line) {
+  parts_->on_frame(frame, now_ns, line);
+}
 
 void vehicle::on_time(std::int64_t now_ns) { parts_->on_time(now_ns); }
 

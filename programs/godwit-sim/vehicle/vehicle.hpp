@@ -4,10 +4,17 @@
 //   rover.on_frame(frame, now_ns);          // from any station
 //   rover.on_time(now_ns);                  // no later than next_deadline_ns()
 //
+// Several lines may lead to it; station and godwit can be on the same one or on two:
+//
+//   const auto radio = rover.add_line(send_by_radio);
+//   rover.on_frame(frame, now_ns, radio);
+//
 // It answers as the autopilot whose personality it has was seen to answer (see personality.hpp). The world (motion,
 // battery, telemetry) runs `speed` times as fast as the time that comes in; the patience of transfers and commands does
 // not, because who talks to it lives in real time. Everything random comes from the seed. Pure: no clock, no socket; it
-// calls SEND with each frame, which goes to everybody who listens. Thread: one at a time.
+// calls the SEND of a line with each frame, which goes to everybody who listens there. What is an answer goes out on
+// the line of who asked, or where its autopilot sends it; what is asked for at an interval comes on that line alone.
+// Bounds: outlet::max_lines. Thread: one at a time.
 #pragma once
 
 #include <cstddef>
@@ -67,7 +74,12 @@ public:
   vehicle& operator=(const vehicle&) = delete;
   ~vehicle();
 
-  void on_frame(const io::mavlink::frame_view& frame, std::int64_t now_ns);
+  // Counted from 0; that of the constructor is 0.
+  using line_number = std::size_t;
+  // From now on it speaks there, too.
+  line_number add_line(frame_sink send, std::int64_t now_ns);
+
+  void on_frame(const io::mavlink::frame_view& frame, std::int64_t now_ns, line_number line = 0);
   void on_time(std::int64_t now_ns);
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 

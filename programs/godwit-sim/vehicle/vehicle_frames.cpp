@@ -1,6 +1,8 @@
 // What a simulated vehicle does with the messages that come in.
 #include "programs/godwit-sim/vehicle/vehicle_parts.hpp"
 
+#include <algorithm>
+
 namespace godwit::sim {
 
 namespace {
@@ -16,10 +18,11 @@ constexpr std::uint8_t every_component = 0;
 
 } // namespace
 
-void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now_ns) {
+void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now_ns, line_number line) {
   advance(now_ns);
   const auto from = frame.from();
   if (!is_starting_ && from != out_.ourselves()) {
+    out_.on_frame(from, line);
     plans_.lock(state_.is_armed && craft_.mission().state() == run_state::running);
     plans_.set_current(craft_.mission().current());
     heard_messages::visit(frame, [&](const auto& message) { hear(from, message); });
@@ -36,12 +39,13 @@ bool vehicle::parts::is_for_us(std::uint8_t system, std::uint8_t component) cons
 
 void vehicle::parts::hear(mavlink::sender from, const mavlink::heartbeat& m) { pilot_->hear_heartbeat(from, m); }
 
-void vehicle::parts::hear(mavlink::sender, const mavlink::set_mode& m) {
+void vehicle::parts::hear(mavlink::sender from, const mavlink::set_mode& m) {
   if (is_for_us(m.target_system, every_component))
-    pilot_->take(m);
+    pilot_->take(from, m);
 }
 
 void vehicle::parts::hear(mavlink::sender from, const mavlink::ping& m) {
+  const auto there = out_.aim(out_.line_of_event());
   if (quirks_.answers_ping && m.target_system == 0 && m.target_component == 0)
     out_.send(mavlink::ping{m.time_usec, m.seq, from.system, from.component});
 }
@@ -64,6 +68,7 @@ void vehicle::parts::hear(mavlink::sender from, const mavlink::timesync& m) {
     reply.target_component = 255;
     break;
   }
+  const auto there = out_.aim(out_.line_of_event());
   out_.send(reply);
 }
 
@@ -90,6 +95,7 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::mission_set_current& m
 void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_list& m) {
   if (!is_for_us(m.target_system, m.target_component))
     return;
+  params_line_ = out_.line_of_event();
   params_.on(m, now_.real_ns);
   for (const auto text : quirks_.banner)
     out_.say(mavlink::mav_severity::info, text);
@@ -103,10 +109,12 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_read& m)
   const bool is_by_name = m.param_index < 0;
   if (value && is_by_name && quirks_.hides_param_index)
     value->param_index = UINT16_MAX;
+  const auto there = out_.aim(out_.line_of_event());
   if (value)
     out_.send(*value);
 }
 
+// Who has set it and everybody else: a value that has changed is told on each line.
 void vehicle::parts::hear(mavlink::sender, const mavlink::param_set& m) {
   if (!is_for_us(m.target_system, m.target_component))
     return;
@@ -127,15 +135,17 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::request_data_stream& m
   for (const auto& each : stream_groups()) {
     if (m.req_stream_id != all_groups && m.req_stream_id != each.number)
       continue;
+    auto& streams = streams_[out_.line_of_event()];
     if (each.message == mavlink::mission_current::message_id)
-      current_.set_period(sends ? interval_us * 1'000 : 0, now_.world_ns);
+      streams.current.set_period(sends ? interval_us * 1'000 : 0, now_.world_ns);
     else
-      static_cast<void>(streams_.set_interval(each.message, interval_us, now_.world_ns)); // it is in the table
+      static_cast<void>(streams.messages.set_interval(each.message, interval_us, now_.world_ns)); // it is in the table
   }
 }
 
 void vehicle::parts::hear(mavlink::sender from, const plans::incoming& m) {
   const bool was_receiving = plans_.is_receiving();
+  note_partner(from);
   if (const auto* count = std::get_if<mavlink::mission_count>(&m))
     if (is_for_us(count->target_system, count->target_component) &&
         count->mission_type == mavlink::number(mavlink::mav_mission_type::mission))
@@ -149,12 +159,38 @@ void vehicle::parts::react(const plans::reaction& to, bool was_receiving) {
     is_whole = is_whole || each.kind != plans::plan_change_kind::begun_replacing;
     pilot_->on_change(each);
   }
+  outlet::line_set partner;
   for (const auto& each : to.messages)
-    std::visit([this](const auto& message) { out_.send(message); }, each);
-  for (const auto& each : to.texts)
-    out_.say(each.severity, each.text);
+    std::visit(
+        [&](const auto& message) {
+          partner = lines_of_partner({message.target_system, message.target_component});
+          const auto there = out_.aim(partner);
+          out_.send(message);
+        },
+        each);
+  for (const auto& each : to.texts) {
+    const bool is_for_partner =
+        std::ranges::find(quirks_.texts_for_uploader, each.text) != quirks_.texts_for_uploader.end();
+    if (is_for_partner)
+      out_.say_on(partner, each.severity, each.text);
+    else
+      out_.say(each.severity, each.text);
+  }
   if (was_receiving && !plans_.is_receiving() && !is_whole)
     pilot_->on_half_a_plan();
+}
+
+void vehicle::parts::note_partner(mavlink::sender who) {
+  const auto found = std::ranges::find(uploaders_, who, &decltype(uploaders_)::value_type::first);
+  if (found != uploaders_.end())
+    found->second = out_.line_of_event();
+  else if (uploaders_.size() < outlet::max_senders)
+    uploaders_.emplace_back(who, out_.line_of_event());
+}
+
+outlet::line_set vehicle::parts::lines_of_partner(mavlink::sender who) const {
+  const auto found = std::ranges::find(uploaders_, who, &decltype(uploaders_)::value_type::first);
+  return outlet::only(found == uploaders_.end() ? out_.line_of_event() : found->second);
 }
 
 } // namespace godwit::sim

@@ -65,26 +65,34 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
       craft_(quirks_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
       tells_(quirks_, craft_, power_, state_, out_),
       plans_(with_home(quirks_.plan_quirks, settings.home), out_.ourselves()),
-      params_(with_system(quirks_.params, settings.system), quirks_.param_encoding), streams_({}, 0),
-      current_(role::current_report::period_ns, quirks_.tells_current_on_change) {
+      params_(with_system(quirks_.params, settings.system), quirks_.param_encoding) {
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
   state_.mode = state_.intended = find_mode(quirks_.modes, quirks_.first_mode);
   state_.is_ready = quirks_.ready_after_ns == 0;
   state_.beats_at_mode_change = quirks_.beats_at_mode_change && settings.beats_at_mode_change;
   state_.has_estimate = quirks_.estimate_after_ns == 0;
-  make_streams();
-  pilot_ = make_autopilot(settings, {quirks_, craft_, plans_, out_, tells_, streams_, current_, state_, random_});
+  streams_.push_back(make_streams());
+  pilot_ = make_autopilot(settings, {quirks_, craft_, plans_, out_, tells_, streams_, state_, random_});
   pilot_->set_now(now_);
   find_deadline();
 }
 
-void vehicle::parts::make_streams() {
+line_number vehicle::parts::add_line(frame_sink send, std::int64_t now_ns) {
+  advance(now_ns);
+  streams_.push_back(make_streams());
+  const auto number = out_.add_line(std::move(send));
+  end_turn();
+  return number;
+}
+
+line_streams vehicle::parts::make_streams() {
   std::vector<role::streamed_message> table(quirks_.streams.begin(), quirks_.streams.end());
   for (auto& each : table)
     if (each.id != mavlink::heartbeat::message_id)
       each.interval_ns = static_cast<std::int64_t>(static_cast<double>(each.interval_ns) / settings_.stream_factor);
   const auto phase = static_cast<double>(random_() >> 11U) * 0x1p-53; // 0 to 1
-  streams_ = role::message_schedule(table, now_.world_ns, phase);
+  return {role::message_schedule(table, now_.world_ns, phase),
+          role::current_report(role::current_report::period_ns, quirks_.tells_current_on_change)};
 }
 
 // -- time -------------------------------------------------------------------------------------------
@@ -105,9 +113,16 @@ void vehicle::parts::advance(std::int64_t now_ns) {
   advance_autopilot();
   advance_plans();
   advance_params();
-  streams_.for_each_due(now_.world_ns, [this](std::uint32_t id) {
-    static_cast<void>(tells_.send(id, now_.world_ns)); // those of the table are known
-  });
+  send_streams();
+}
+
+void vehicle::parts::send_streams() {
+  for (line_number number = 0; number < streams_.size(); ++number) {
+    const auto there = out_.aim(number);
+    streams_[number].messages.for_each_due(now_.world_ns, [this](std::uint32_t id) {
+      static_cast<void>(tells_.send(id, now_.world_ns)); // those of the table are known
+    });
+  }
 }
 
 void vehicle::parts::advance_world() {
@@ -136,6 +151,7 @@ void vehicle::parts::advance_plans() {
 }
 
 void vehicle::parts::advance_params() {
+  const auto there = out_.aim(params_line_);
   while (const auto value = params_.due(now_.real_ns))
     out_.send(*value);
 }
@@ -143,8 +159,11 @@ void vehicle::parts::advance_params() {
 void vehicle::parts::end_turn() {
   if (!is_starting_) {
     out_.end_turn();
-    if (const auto message = current_.due(pilot_->progress(), now_.world_ns))
-      out_.send(*message);
+    for (line_number number = 0; number < streams_.size(); ++number)
+      if (const auto message = streams_[number].current.due(pilot_->progress(), now_.world_ns)) {
+        const auto there = out_.aim(number);
+        out_.send(*message);
+      }
     pilot_->end_turn();
     if (pilot_->take_restart_request())
       reboot(now_.real_ns);
@@ -157,8 +176,9 @@ void vehicle::parts::find_deadline() {
     deadline_ns_ = silent_until_ns_;
     return;
   }
-  const auto world =
-      std::min({craft_.next_step_ns(), pilot_->next_timer_ns(), streams_.next_due_ns(), current_.next_due_ns()});
+  auto world = std::min(craft_.next_step_ns(), pilot_->next_timer_ns());
+  for (const auto& each : streams_)
+    world = std::min(world, each.next_due_ns());
   deadline_ns_ = std::min({clock_.real_ns(world), plans_.next_deadline_ns(), params_.next_due_ns()});
 }
 
@@ -189,8 +209,8 @@ void vehicle::parts::start_up() {
   out_.be_silent(false);
   state_.started_world_ns = now_.world_ns;
   tells_.restart();
-  make_streams();
-  current_ = role::current_report(role::current_report::period_ns, quirks_.tells_current_on_change);
+  for (auto& each : streams_)
+    each = make_streams();
 }
 
 void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {

@@ -12,10 +12,10 @@
 #include <optional>
 #include <random>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "actors/ground_port/mission_server/server.hpp"
-#include "actors/ground_port/vehicle_role/current_report.hpp"
-#include "actors/ground_port/vehicle_role/message_schedule.hpp"
 #include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
@@ -27,7 +27,8 @@ class vehicle::parts {
 public:
   parts(const vehicle_settings& settings, std::int64_t now_ns, frame_sink send);
 
-  void on_frame(const mavlink::frame_view& frame, std::int64_t now_ns);
+  line_number add_line(frame_sink send, std::int64_t now_ns);
+  void on_frame(const mavlink::frame_view& frame, std::int64_t now_ns, line_number line);
   void on_time(std::int64_t now_ns);
   [[nodiscard]] std::int64_t next_deadline_ns() const { return deadline_ns_; }
 
@@ -71,8 +72,11 @@ private:
   [[nodiscard]] bool is_for_us(std::uint8_t system, std::uint8_t component) const;
   [[nodiscard]] bool is_asked_of_all(const mavlink::command_long& m) const;
   void react(const plans::reaction& to, bool was_receiving);
+  void note_partner(mavlink::sender who);
+  [[nodiscard]] outlet::line_set lines_of_partner(mavlink::sender who) const;
   [[nodiscard]] double load() const;
-  void make_streams();
+  [[nodiscard]] line_streams make_streams();
+  void send_streams();
 
   vehicle_settings settings_;
   const traits& quirks_;
@@ -86,10 +90,11 @@ private:
   telemetry tells_;
   plans::server plans_;
   role::param_table params_;
-  role::message_schedule streams_;
-  role::current_report current_;
+  std::vector<line_streams> streams_; // by line
   std::unique_ptr<autopilot> pilot_;
-  std::int64_t silent_until_ns_ = 0; // real time; while it starts
+  line_number params_line_ = 0;                                    // where all of them were asked for last
+  std::vector<std::pair<mavlink::sender, line_number>> uploaders_; // and readers: where each was heard last
+  std::int64_t silent_until_ns_ = 0;                               // real time; while it starts
   bool is_starting_ = false;
   std::int64_t deadline_ns_ = 0;
 };

@@ -19,8 +19,6 @@ namespace {
 
 constexpr std::int64_t executor_period_ns = 200'000'000;
 constexpr std::int64_t late_ms = 1'500;
-constexpr io::mavlink::sender station{255, 190};
-
 // Frames from anybody else than the vehicle do not reach vehicle_link here, and its requests have numbers of ours.
 constexpr io::link::peer_id line = 1;
 
@@ -30,8 +28,9 @@ constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 } // namespace
 
 flight_world::flight_world(const options& wanted)
-    : map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()), test_rng_(wanted.seed),
-      lost_(wanted.lost), doubled_(wanted.doubled), late_(wanted.late), most_delay_ms_(wanted.most_delay_ms) {
+    : who_(wanted.who), map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()),
+      test_rng_(wanted.seed), lost_(wanted.lost), doubled_(wanted.doubled), late_(wanted.late),
+      most_delay_ms_(wanted.most_delay_ms) {
   if (wanted.has_service)
     settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
@@ -52,6 +51,9 @@ flight_world::flight_world(const options& wanted)
   vehicle.endurance_s = wanted.endurance_s;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(),
                                             [this](std::span<const std::byte> frame) { hear(frame); });
+  if (wanted.is_person_on_other_line)
+    persons_line_ =
+        vehicle_->add_line([this](std::span<const std::byte> frame) { person_.receive(frame); }, time_.now_ns());
   core_ = std::make_unique<executor::core>(settings_, state_);
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
   begin_link();
@@ -299,6 +301,8 @@ void flight_world::step() {
   while (time_.next_ns() <= time_.now_ns())
     time_.run_next();
   vehicle_->on_time(time_.now_ns());
+  while (person_.answer()) {
+  }
   take(link_->on_time(link_now()));
   if (failsafe_due_ns_ <= time_.now_ns())
     tick_failsafe();
@@ -497,6 +501,8 @@ void flight_world::take(const vehicle_link::transmission& each) {
 }
 
 void flight_world::hear(std::span<const std::byte> frame) {
+  if (persons_line_ == 0)
+    person_.receive(frame);
   if (is_silenced(frame))
     return;
   carry(frame, [this, age = link_age_](const std::vector<std::byte>& bytes) {
@@ -548,44 +554,23 @@ void flight_world::take(const vehicle_link::announcement& each) {
 
 // -- people -----------------------------------------------------------------------------------------
 
-void flight_world::send_by_hand(std::uint16_t command, float param1, float param7, float param2) {
-  io::mavlink::command_long assignment;
-  assignment.target_system = 1;
-  assignment.target_component = 1;
-  assignment.command = command;
-  assignment.param1 = param1;
-  assignment.param2 = param2;
-  assignment.param7 = param7;
-  io::mavlink::scanner one;
-  one.feed(io::mavlink::encode(assignment, station, 0).span(),
-           [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
-}
-
 void flight_world::fly_by_hand(std::uint32_t custom_mode) {
-  constexpr std::uint16_t arm = 400;
-  constexpr std::uint16_t take_off = 22;
   constexpr std::uint32_t copter_guided = 4;
   constexpr std::uint32_t plane_take_off = 13;
   const bool is_px4 = owner_.autopilot == io::mavlink::mav_autopilot::px4;
   if (owner_.autopilot == io::mavlink::mav_autopilot::ardupilotmega)
     switch_mode(owner_.vehicle == flight::vehicle_class::fixed_wing ? plane_take_off : copter_guided);
   run_for(0.5);
-  send_by_hand(arm, 1);
+  person_.arm();
   run_for(0.5);
-  send_by_hand(take_off, 0, is_px4 ? 500 : 15); // above mean sea level; above home
+  person_.command(io::mavlink::mav_cmd::nav_takeoff, 0, 0, 0, is_px4 ? 500 : 15); // above mean sea level; above home
   run_for(8);
   switch_mode(custom_mode);
   run_for(2);
 }
 
-void flight_world::switch_mode(std::uint32_t custom_mode) {
-  io::mavlink::set_mode assignment;
-  assignment.target_system = 1;
-  assignment.base_mode = 1;
-  assignment.custom_mode = custom_mode;
-  io::mavlink::scanner one;
-  one.feed(io::mavlink::encode(assignment, station, 0).span(),
-           [this](const io::mavlink::frame_view& frame) { vehicle_->on_frame(frame, time_.now_ns()); });
+void flight_world::switch_mode(std::uint32_t custom_mode, mode_form how) {
+  person_.change_mode(who_, custom_mode, how);
 }
 
 void flight_world::vehicle_says(std::string_view text) {
@@ -605,14 +590,11 @@ void flight_world::vehicle_restarts() {
   run_until_idle();
 }
 
-void flight_world::arm_by_hand() { send_by_hand(400, 1); }
+void flight_world::arm_by_hand() { person_.arm(); }
 
-void flight_world::disarm_by_hand() {
-  constexpr float force = 21'196;
-  send_by_hand(400, 0, 0, force);
-}
+void flight_world::disarm_by_hand() { person_.disarm(true); }
 
-void flight_world::set_home_by_hand() { send_by_hand(179, 1); }
+void flight_world::set_home_by_hand() { person_.command(io::mavlink::mav_cmd::do_set_home, 1); }
 
 std::optional<std::uint32_t> flight_world::heard_mode() const {
   const auto& mode = core_->view().mode();

@@ -23,6 +23,7 @@
 #include "actors/vehicle_link/core.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
 #include "tests/support/short_mission.hpp"
+#include "tests/support/simulated_person.hpp"
 #include "tests/support/virtual_time.hpp"
 
 namespace godwit::tests {
@@ -52,6 +53,7 @@ public:
     double late = 0;                // by a second and a half
     std::int64_t most_delay_ms = 1; // frames overtake each other when it is above 1
     std::uint64_t seed = 1;
+    bool is_person_on_other_line = false; // to the vehicle; else on that of the link, which hears what it answers them
   };
 
   // Of all flights of this process that are over: so often each row of the phase table was taken, and from which phase.
@@ -161,7 +163,9 @@ public:
   // Somebody arms it, takes off (what flies) and goes on in this mode.
   void fly_by_hand(std::uint32_t custom_mode);
   // As a pilot's switch would.
-  void switch_mode(std::uint32_t custom_mode);
+  void switch_mode(std::uint32_t custom_mode, mode_form how = mode_form::set_mode);
+  // Whoever does this and all else by hand.
+  [[nodiscard]] simulated_person& person() { return person_; }
   // A STATUSTEXT of the autopilot.
   void vehicle_says(std::string_view text);
   // Its clock since boot went back, as far as the link can tell.
@@ -196,7 +200,6 @@ private:
   void take(const executor::say_to_client& each);
   void take(const executor::say_to_failsafe& each);
   void take(const executor::say_to_port& each);
-  void send_by_hand(std::uint16_t command, float param1, float param7 = 0, float param2 = 0);
   void take_report(const mission::progress_report& report);
   void take(const failsafe::effects& wanted);
   void take(const failsafe::command_vehicle& each);
@@ -226,6 +229,9 @@ private:
 
   static constexpr std::int64_t wall_began_ns = 1'790'000'000'000'000'000; // September 2026
 
+  static constexpr io::mavlink::sender persons_id{255, 190};
+
+  sim::personality who_;
   virtual_time time_{1'000'000'000};
   executor::settings settings_;
   executor::state state_;
@@ -246,6 +252,10 @@ private:
   std::map<std::uint64_t, bool> asked_; // of the link, and not answered yet; true: a transfer
   std::uint64_t link_age_ = 0;          // frames on their way to a link that has died are lost
   std::unique_ptr<sim::vehicle> vehicle_;
+  sim::vehicle::line_number persons_line_ = 0;
+  simulated_person person_{persons_id, [this](std::span<const std::byte> frame) {
+                             vehicle_->on_frame(io::mavlink::frame_view(frame.data()), time_.now_ns(), persons_line_);
+                           }};
   io::mavlink::scanner to_vehicle_;
   std::deque<executor::durable_core::event> notes_;
   std::deque<std::function<void()>> news_; // what they have led to

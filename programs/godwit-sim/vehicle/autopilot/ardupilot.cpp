@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/mavlink/plan_checksum.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
 
 namespace godwit::sim {
@@ -142,11 +143,40 @@ void ardupilot::reset_mission() {
 }
 
 void ardupilot::on_change(const plans::plan_change& what) {
-  if (what.type == mavlink::mav_mission_type::mission)
-    load_plan(); // cut, replaced or cleared: what was being flown is no more
+  if (what.type != mavlink::mav_mission_type::mission)
+    return;
+  const bool is_cut = what.kind == plans::plan_change_kind::begun_replacing;
+  if (run().current() >= what.count || (!is_cut && phase_ == mission_phase::complete))
+    load_plan(); // what was being flown is no more
+  else if (!is_cut || what.count < run().count())
+    take_plan_under_way();
 }
 
-void ardupilot::on_half_a_plan() { load_plan(); }
+// AP_Mission keeps its place while its items are written, and AP_Mission_ChangeDetector looks at the next three: where
+// they say something else the leg to a waypoint begins anew.
+void ardupilot::take_plan_under_way() {
+  constexpr int looked_at = 3;
+  const auto& items = held_mission().items;
+  const auto next_of = [from = run().current()](std::span<const mavlink::mission_item_int> plan) {
+    std::vector<mavlink::mission_item_int> result;
+    for (auto i = static_cast<std::size_t>(from); i < plan.size() && std::ssize(result) < looked_at; ++i)
+      if (is_nav(plan[i]))
+        result.push_back(plan[i]);
+    return mavlink::checksum_of(result);
+  };
+  const bool is_another = next_of(run().items()) != next_of(items);
+  const bool restarts = is_another && flies_mission() && is_waypoint(command_of(run().current()));
+  run().replace(items, first_flown, run().current());
+  if (restarts && says_mission_changed())
+    say(mav_severity::critical, "Auto mission changed, restarted command");
+}
+
+void ardupilot::on_half_a_plan() {
+  if (run().current() < std::ssize(held_mission().items))
+    take_plan_under_way();
+  else
+    load_plan();
+}
 
 bool ardupilot::choose(int sequence) {
   if (run().is_empty() || !run().set_current(std::max(sequence, first_flown)))
@@ -160,8 +190,10 @@ bool ardupilot::choose(int sequence) {
 }
 
 void ardupilot::take(const mavlink::mission_set_current& m) {
-  if (choose(m.seq))
-    with().out.send(progress());
+  if (!choose(m.seq))
+    return;
+  const auto there = aim_back();
+  with().out.send(progress());
 }
 
 autopilot::answer ardupilot::set_mission_current(const role::order& what) {

@@ -2,7 +2,8 @@
 //
 // It is ready some seconds after its start; until then the pre-arm bit of SYS_STATUS is off and arming FAILS. It does
 // not arm on MISSION_START. In the air AUTO begins at once. Leaving AUTO stops the mission, coming back goes on with
-// it. An upload cuts a mission that is being flown, and the vehicle stays where it is. Item 0 is home, which moves to
+// it. An upload of as many items changes a mission that is being flown under way, at the item that is current; one that
+// ends before that item cuts it, and the vehicle stays where it is. Item 0 is home, which moves to
 // where it is armed until a command has set it.
 //
 // What it is not: failsafes but for an empty battery and the loss of position; manual flight; fences are kept and a
@@ -53,6 +54,8 @@ protected:
   virtual void on_landed() = 0;
   virtual void on_completed() = 0;
   [[nodiscard]] virtual std::string words_of_reached(int sequence) const = 0;
+  // Of one that is replaced while it is flown (mode_auto.cpp of Copter and Rover; Plane has none).
+  [[nodiscard]] virtual bool says_mission_changed() const { return false; }
 
   // -- what they have at hand
 
@@ -72,6 +75,7 @@ protected:
 private:
   [[nodiscard]] std::string why_not(const flight_mode& mode) const;
   void load_plan();
+  void take_plan_under_way();
   void tell_begun(int sequence);
   void tell_reached(int sequence);
 

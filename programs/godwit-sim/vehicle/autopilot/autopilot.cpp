@@ -7,10 +7,20 @@
 
 namespace godwit::sim {
 
-void autopilot::take(const mavlink::set_mode& m) {
-  // It has no answer but the next HEARTBEAT.
-  if ((m.base_mode & mavlink::number(mavlink::mav_mode_flag::custom_mode_enabled)) != 0)
-    static_cast<void>(change_mode(find_mode(autopilot_quirks().modes, m.custom_mode), m.custom_mode));
+// ArduPilot answers it with the next HEARTBEAT alone; for a PX4 it is a DO_SET_MODE.
+void autopilot::take(mavlink::sender from, const mavlink::set_mode& m) {
+  if ((m.base_mode & mavlink::number(mavlink::mav_mode_flag::custom_mode_enabled)) == 0)
+    return;
+  const auto result = change_mode(find_mode(autopilot_quirks().modes, m.custom_mode), m.custom_mode);
+  if (autopilot_quirks().acknowledges_set_mode)
+    acknowledge({.from = from, .command = mavlink::number(mavlink::mav_cmd::do_set_mode)}, result);
+}
+
+void autopilot::acknowledge(const role::order& what, answer result) {
+  const auto asked_on = outlet::only(with_.out.line_of_event());
+  const auto there =
+      with_.out.aim(autopilot_quirks().acknowledges_where_heard ? with_.out.lines_of(what.from) : asked_on);
+  with_.out.send(role::answer_to(what, result));
 }
 
 void autopilot::hear_heartbeat(mavlink::sender, const mavlink::heartbeat&) {}

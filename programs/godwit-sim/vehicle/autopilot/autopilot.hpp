@@ -16,11 +16,11 @@
 #include <random>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "actors/ground_port/mission_server/server.hpp"
-#include "actors/ground_port/vehicle_role/current_report.hpp"
-#include "actors/ground_port/vehicle_role/message_schedule.hpp"
 #include "actors/ground_port/vehicle_role/order.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/line_streams.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/refused_orders.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/telemetry.hpp"
 
@@ -33,8 +33,7 @@ struct equipment {
   plans::server& plans;
   outlet& out;
   telemetry& tells;
-  role::message_schedule& streams;
-  role::current_report& current;
+  std::vector<line_streams>& streams; // by line
   condition& state;
   std::mt19937_64& random;
 };
@@ -51,7 +50,7 @@ public:
 
   // -- what comes in
   void take(const role::order& what);
-  void take(const mavlink::set_mode& m);
+  void take(mavlink::sender from, const mavlink::set_mode& m);
   virtual void take(const mavlink::mission_set_current& m) = 0;
   virtual void hear_heartbeat(mavlink::sender from, const mavlink::heartbeat& m);
   // A station asks to begin an upload of a mission, which need not be granted.
@@ -149,6 +148,11 @@ protected:
   [[nodiscard]] bool flies_mission() const {
     return state().is_armed && state().is_in(mode_kind::mission) && run().state() == run_state::running;
   }
+  // Of the line on which the frame came that is handled.
+  [[nodiscard]] line_streams& streams() { return with_.streams[with_.out.line_of_event()]; }
+  [[nodiscard]] outlet::aimed aim_back() { return with_.out.aim(with_.out.line_of_event()); }
+  // Where its autopilot sends it: on the line of who asked, or wherever it was heard.
+  void acknowledge(const role::order& what, answer result);
   void ask_for_restart() { wants_restart_ = true; }
   // A message that goes out behind the answer to the order that is being carried out.
   void owe(std::uint32_t message) { owed_message_ = message; }

@@ -34,6 +34,7 @@ protected:
   void on_landed() override;
   void on_completed() override;
   [[nodiscard]] std::string words_of_reached(int sequence) const override;
+  [[nodiscard]] bool says_mission_changed() const override { return true; }
 
 private:
   [[nodiscard]] bool begins_with_take_off() const;

@@ -37,8 +37,10 @@ mav_result autopilot::request_message(const role::order& what) {
   const auto message = message_in(what.param1);
   if (!message)
     return autopilot_quirks().unknown_message;
-  if (autopilot_quirks().sends_before_ack)
+  if (autopilot_quirks().sends_before_ack) {
+    const auto there = aim_back();
     return give(*message);
+  }
   const bool is_current =
       *message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away;
   if (!is_current && !with_.tells.knows(*message))
@@ -55,10 +57,10 @@ mav_result autopilot::set_message_interval(const role::order& what) {
   if (message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away &&
       interval_us >= -1) {
     const auto period_ns = interval_us == 0 ? role::current_report::period_ns : interval_us * 1'000;
-    with_.current.set_period(std::max<std::int64_t>(period_ns, 0), now_.world_ns);
+    streams().current.set_period(std::max<std::int64_t>(period_ns, 0), now_.world_ns);
     return mav_result::accepted;
   }
-  if (message && with_.streams.set_interval(*message, interval_us, now_.world_ns))
+  if (message && streams().messages.set_interval(*message, interval_us, now_.world_ns))
     return mav_result::accepted;
   if (autopilot_quirks().autopilot == mavlink::mav_autopilot::ardupilotmega && message)
     say(mavlink::mav_severity::info, "No ap_message for mavlink id (" + std::to_string(*message) + ")");
@@ -69,18 +71,21 @@ mav_result autopilot::get_message_interval(const role::order& what) {
   const auto message = message_in(what.param1);
   if (!message)
     return mav_result::denied;
-  const auto interval_us = with_.streams.interval_us(*message);
+  const auto interval_us = streams().messages.interval_us(*message);
   const auto id = static_cast<std::uint16_t>(*message);
   std::array<std::byte, message_interval_size> payload{};
   std::memcpy(payload.data(), &interval_us, sizeof interval_us);
   std::memcpy(payload.data() + sizeof interval_us, &id, sizeof id);
+  const auto there = aim_back();
   with_.out.send_payload(message_interval_id, message_interval_crc_extra, payload);
   return mav_result::accepted;
 }
 
 mav_result autopilot::request_capabilities(const role::order&) {
-  if (autopilot_quirks().sends_before_ack)
+  if (autopilot_quirks().sends_before_ack) {
+    const auto there = aim_back();
     return give(mavlink::autopilot_version::message_id);
+  }
   owed_message_ = mavlink::autopilot_version::message_id;
   return mav_result::accepted;
 }
@@ -88,12 +93,15 @@ mav_result autopilot::request_capabilities(const role::order&) {
 mav_result autopilot::request_protocol_version(const role::order&) {
   if (!autopilot_quirks().tells_protocol_version)
     return mav_result::unsupported;
+  const auto there = aim_back();
   return give(mavlink::protocol_version::message_id);
 }
 
 mav_result autopilot::get_home(const role::order&) {
-  if (autopilot_quirks().sends_before_ack)
+  if (autopilot_quirks().sends_before_ack) {
+    const auto there = aim_back();
     return give(mavlink::home_position::message_id);
+  }
   owed_message_ = mavlink::home_position::message_id;
   return mav_result::accepted;
 }

@@ -53,8 +53,10 @@ mav_result autopilot::carry_out(const role::order& what) {
 
 void autopilot::take(const role::order& what) {
   const auto result = carry_out(what);
-  with_.out.send(role::answer_to(what, result));
+  acknowledge(what, result);
   if (owed_message_) {
+    const bool is_for_all = *owed_message_ == mavlink::home_position::message_id;
+    const auto there = with_.out.aim(is_for_all ? outlet::line_set{}.set() : outlet::only(with_.out.line_of_event()));
     static_cast<void>(give(*owed_message_));
     owed_message_.reset();
   }

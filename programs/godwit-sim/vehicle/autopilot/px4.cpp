@@ -42,7 +42,7 @@ std::uint32_t px4::mode_in(const role::order& what) const {
 }
 
 // It answers such a command twice: once for having heard it.
-void px4::on_unknown_mode(const role::order& what) { with().out.send(role::answer_to(what, answer::accepted)); }
+void px4::on_unknown_mode(const role::order& what) { acknowledge(what, answer::accepted); }
 
 autopilot::answer px4::change_mode(const flight_mode* mode, std::uint32_t) {
   if (mode == nullptr)
@@ -120,9 +120,9 @@ void px4::on_restart() {
 }
 
 void px4::hear_heartbeat(mavlink::sender, const mavlink::heartbeat& m) {
-  with().out.hold_texts_back(false);
   if (m.type != mavlink::number(mavlink::mav_type::gcs))
     return;
+  with().out.hold_texts_back(with().out.line_of_event(), false);
   if (heard_station_ns_ >= 0 && now().real_ns - heard_station_ns_ > station_lost_after_ns)
     say_tabbed(mav_severity::info, "GCS connection regained");
   heard_station_ns_ = now().real_ns;

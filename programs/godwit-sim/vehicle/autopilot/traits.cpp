@@ -47,6 +47,9 @@ traits px4_traits() {
   t.streams = px4_streams();
   t.current_is_a_request_away = false;
   t.sends_before_ack = true;
+  // Mavlink::handleAndGetCurrentCommandAck: where MavlinkReceiver::component_was_seen; handle_message_set_mode.
+  t.acknowledges_where_heard = true;
+  t.acknowledges_set_mode = true;
   t.unknown_message = mav_result::denied;
   t.unknown_interval = mav_result::failed;
   t.numbers_each_text = true;
@@ -76,6 +79,8 @@ traits ardupilot_traits() {
   t.tells_current_on_change = false;
   t.unknown_message = mav_result::failed;
   t.unknown_interval = mav_result::denied;
+  // MissionItemProtocol_Waypoints::complete and ::timeout say it with the send_text of their link.
+  t.texts_for_uploader = {"Flight plan received", "Mission upload timeout"};
   t.answers_ping = false;
   t.hears_any_component = true;
   t.tells_stale_position = true;

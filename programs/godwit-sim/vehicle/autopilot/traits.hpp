@@ -51,6 +51,10 @@ struct traits {
   mavlink::mav_result unknown_message{};  // REQUEST_MESSAGE
   mavlink::mav_result unknown_interval{}; // SET_MESSAGE_INTERVAL
 
+  bool acknowledges_where_heard = false; // COMMAND_ACK, on each line where who asked was heard; else where it asked
+  bool acknowledges_set_mode = false;    // the message, as if it were DO_SET_MODE
+  std::vector<std::string_view> texts_for_uploader; // of transfers, on the line of who transfers alone
+
   bool answers_ping = true;
   sim::timesync_target timesync_target{};
   std::vector<std::string_view> banner; // said to a station that asks for all parameters

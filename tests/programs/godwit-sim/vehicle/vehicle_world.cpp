@@ -16,14 +16,22 @@ mavlink::sender to_vehicle(const vehicle_settings& settings) { return {settings.
 
 } // namespace
 
-vehicle_world::vehicle_world(const vehicle_settings& settings)
-    : settings_(settings), vehicle_(settings, start_ns, [this](std::span<const std::byte> bytes) { hear(bytes); }) {
+vehicle_world::vehicle_world(const vehicle_settings& settings, bool beats)
+    : settings_(settings), beats_(beats),
+      vehicle_(settings, start_ns, [this](std::span<const std::byte> bytes) { hear(bytes, 0); }) {
   run_for(0);
 }
 
-void vehicle_world::hear(std::span<const std::byte> bytes) {
+vehicle::line_number vehicle_world::add_line() {
+  const auto number = ++lines_added_;
+  EXPECT_EQ(vehicle_.add_line([this, number](std::span<const std::byte> bytes) { hear(bytes, number); }, now_ns_),
+            number);
+  return number;
+}
+
+void vehicle_world::hear(std::span<const std::byte> bytes, vehicle::line_number line) {
   const mavlink::frame_view frame(bytes.data());
-  heard_.push_back({now_ns_, frame.id(), {bytes.begin(), bytes.end()}});
+  heard_.push_back({now_ns_, line, frame.id(), {bytes.begin(), bytes.end()}});
 }
 
 void vehicle_world::check_deadline() const {
@@ -188,15 +196,15 @@ bool vehicle_world::make_ready() {
   return command(mav_cmd::component_arm_disarm, {.p1 = 1}) == mav_result::accepted;
 }
 
-std::vector<std::string> vehicle_world::texts() const {
+std::vector<std::string> vehicle_world::texts(std::optional<vehicle::line_number> line) const {
   std::vector<std::string> result;
-  for (const auto& each : each<mavlink::statustext>())
+  for (const auto& each : each<mavlink::statustext>(line))
     result.emplace_back(each.text.data(), std::find(each.text.begin(), each.text.end(), '\0') - each.text.begin());
   return result;
 }
 
-bool vehicle_world::said(const std::string& text) const {
-  const auto all_texts = texts();
+bool vehicle_world::said(const std::string& text, std::optional<vehicle::line_number> line) const {
+  const auto all_texts = texts(line);
   return std::find(all_texts.begin(), all_texts.end(), text) != all_texts.end();
 }
 

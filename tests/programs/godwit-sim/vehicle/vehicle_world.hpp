@@ -5,8 +5,10 @@
 //   EXPECT_EQ(world.command(mav_cmd::mission_start), mav_result::accepted);
 //   EXPECT_TRUE(world.run_until([&] { return !world.picture().armed; }, 300 * s));
 //
-// All that the vehicle says is kept, with its time. Time stands still but for the run_ functions. After each event the
-// vehicle's next deadline must lie ahead; a vehicle that wants to be woken for nothing is a failure.
+// More lines can be added, with other stations on them: send() has their number and sender.
+//
+// All that the vehicle says is kept, with its time and line. Time stands still but for the run_ functions. After each
+// event the vehicle's next deadline must lie ahead; a vehicle that wants to be woken for nothing is a failure.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +40,7 @@ using plan = std::vector<mavlink::mission_item_int>;
 // What was heard: one frame.
 struct heard {
   std::int64_t at_ns = 0;
+  vehicle::line_number line = 0;
   std::uint32_t id = 0;
   std::vector<std::byte> bytes;
 
@@ -62,7 +65,8 @@ public:
   static constexpr std::int64_t start_ns = 1'000 * s;
 
   explicit vehicle_world(personality who) : vehicle_world(vehicle_settings{.who = who}) {}
-  explicit vehicle_world(const vehicle_settings& settings);
+  // BEATS: as with beat().
+  explicit vehicle_world(const vehicle_settings& settings, bool beats = true);
   vehicle_world(const vehicle_world&) = delete;
   vehicle_world& operator=(const vehicle_world&) = delete;
 
@@ -75,13 +79,15 @@ public:
   // Whether the station sends a HEARTBEAT each second; it does.
   void beat(bool beats) { beats_ = beats; }
 
+  vehicle::line_number add_line();
+
   // -- the station speaks
   template <mavlink::message M>
-  void send(const M& message, mavlink::sender from = station_id) {
-    send_frame(mavlink::encode(message, from, sequence_++).view());
+  void send(const M& message, mavlink::sender from = station_id, vehicle::line_number line = 0) {
+    send_frame(mavlink::encode(message, from, sequence_++).view(), line);
   }
-  void send_frame(const mavlink::frame_view& frame) {
-    vehicle_.on_frame(frame, now_ns_);
+  void send_frame(const mavlink::frame_view& frame, vehicle::line_number line = 0) {
+    vehicle_.on_frame(frame, now_ns_, line);
     check_deadline();
   }
   // The answer to a COMMAND_LONG; none: it did not answer at once.
@@ -103,11 +109,12 @@ public:
   [[nodiscard]] const std::vector<heard>& all() const { return heard_; }
   // What came before is passed over from now on.
   void mark() { mark_ = heard_.size(); }
+  // Of all lines, or of one.
   template <mavlink::message M>
-  [[nodiscard]] std::vector<M> each() const {
+  [[nodiscard]] std::vector<M> each(std::optional<vehicle::line_number> line = {}) const {
     std::vector<M> result;
     for (auto i = mark_; i < heard_.size(); ++i)
-      if (heard_[i].id == M::message_id)
+      if (heard_[i].id == M::message_id && heard_[i].line == line.value_or(heard_[i].line))
         result.push_back(heard_[i].as<M>());
     return result;
   }
@@ -127,8 +134,9 @@ public:
         return heard_[i].at_ns;
     return -1;
   }
-  [[nodiscard]] std::vector<std::string> texts() const; // since the mark
-  [[nodiscard]] bool said(const std::string& text) const;
+  // Since the mark; of all lines, or of one.
+  [[nodiscard]] std::vector<std::string> texts(std::optional<vehicle::line_number> line = {}) const;
+  [[nodiscard]] bool said(const std::string& text, std::optional<vehicle::line_number> line = {}) const;
   [[nodiscard]] std::vector<int> reached() const; // sequences, since the mark
 
   [[nodiscard]] vehicle_picture picture() const { return vehicle_.describe(); }
@@ -136,7 +144,7 @@ public:
   [[nodiscard]] vehicle& subject() { return vehicle_; }
 
 private:
-  void hear(std::span<const std::byte> bytes);
+  void hear(std::span<const std::byte> bytes, vehicle::line_number line);
   void check_deadline() const;
   void run_to(std::int64_t until_ns);
   [[nodiscard]] std::optional<mav_result> answer_since(std::size_t from, std::uint16_t what) const;
@@ -146,6 +154,7 @@ private:
   std::int64_t next_beat_ns_ = start_ns;
   bool beats_ = true;
   std::uint8_t sequence_ = 0;
+  vehicle::line_number lines_added_ = 0;
   int wakes_ = 0;
   std::size_t mark_ = 0;
   std::vector<heard> heard_;

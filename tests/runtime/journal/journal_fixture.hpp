@@ -17,12 +17,12 @@
 
 namespace godwit::tests {
 
-// A new folder below the current one, which is in the build tree and so on a disk; removed at the end.
+// A new folder beside the test program, and so in the build tree and on a disk; removed at the end.
 class scratch_folder {
 public:
   scratch_folder() {
     auto name =
-        (std::filesystem::current_path() / "scratch_XXXXXX").string(); // what a killed test left stays another one
+        (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "scratch_XXXXXX").string(); // beside the test
     GODWIT_ASSERT(::mkdtemp(name.data()) != nullptr, "the current folder can be written");
     folder_ = name;
   }

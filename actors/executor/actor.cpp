@@ -86,6 +86,7 @@ actor::behavior_type actor::handlers() {
       hears<io::mavlink::statustext>(),
       hears<vehicle_link::connection_changed>(),
       hears<vehicle_link::vehicle_restarted>(),
+      hears<vehicle_link::foreign_act>(),
       on<runtime::child_event>([this](const runtime::child_event& m) {
         say_all(supervisor_->on_event(m, now().now_ns));
         greet_returned();
@@ -121,7 +122,7 @@ void actor::started() {
   at_end([this] { world_.on_phase_status(current_state().status); });
   supervise();
   read_host_status();
-  carry_out(core_->on_start());
+  carry_out(core_->on_start(incarnation_number() == 1));
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
       [this](const vehicle_link::connection& m) {

@@ -55,6 +55,8 @@ class actor final : public runtime::durable_actor<own_handle, durable_core> {
 public:
   // A command has its outcome by then; vehicle_link answers earlier.
   static constexpr std::chrono::seconds command_patience{15};
+  // vehicle_link gives up earlier.
+  static constexpr std::chrono::seconds look_patience{5};
   // The failsafe answers within a tick of its own.
   static constexpr std::chrono::milliseconds failsafe_status_patience{1'000};
   // A thousand items over a slow radio with losses.
@@ -95,6 +97,7 @@ private:
   void dispatch_effect(const order& each);
   void send(const order& each);
   void carry_out(const give_up_transfer&);
+  void carry_out(const watch_vehicle& each);
   void carry_out(const say_to_failsafe& each);
   void carry_out(const say_to_client& each);
   void carry_out(const say_to_port& each);
@@ -106,6 +109,7 @@ private:
   void send(std::uint64_t number, const vehicle_link::set_current_item& what);
   void send(std::uint64_t number, const vehicle_link::upload_plan& what) { transfer_plan(number, what); }
   void send(std::uint64_t number, const vehicle_link::download_plan& what) { transfer_plan(number, what); }
+  void send(std::uint64_t number, const vehicle_link::look& what);
   void send(std::uint64_t number, const failsafe::guard_mission& what);
   template <class Q>
   void command_vehicle(std::uint64_t number, const Q& what);

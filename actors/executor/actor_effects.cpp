@@ -25,6 +25,9 @@ void actor::dispatch_effect(const order& each) {
   case core::release::now:
     send(each);
     break;
+  case core::release::outdated:
+    at_end([this, each] { then(core_->on_outdated(each, now())); });
+    break;
   case core::release::too_late:
     at_end([this, each] { then(core_->on_late(each, now())); });
     break;
@@ -59,6 +62,15 @@ void actor::send(std::uint64_t number, const vehicle_link::send_command& what) {
 
 void actor::send(std::uint64_t number, const vehicle_link::set_current_item& what) { command_vehicle(number, what); }
 
+void actor::send(std::uint64_t number, const vehicle_link::look& what) {
+  ask(
+      others_->vehicle, look_patience, what,
+      [this, number](const vehicle_link::looked& seen) { then(core_->on_looked(number, seen, now())); },
+      [this, number](const runtime::ask_error&) {
+        then(core_->on_looked(number, {false, 0, "vehicle_link did not answer"}, now()));
+      });
+}
+
 void actor::send(std::uint64_t number, const failsafe::guard_mission& what) {
   ask(
       others_->failsafe, failsafe_status_patience, what,
@@ -83,6 +95,8 @@ void actor::transfer_plan(std::uint64_t number, const Q& what) {
 }
 
 void actor::carry_out(const give_up_transfer&) { tell(others_->vehicle, vehicle_link::cancel_transfer{}); }
+
+void actor::carry_out(const watch_vehicle& each) { tell(others_->vehicle, vehicle_link::watch_closely{each.is_close}); }
 
 void actor::carry_out(const say_to_failsafe& each) {
   std::visit([this](const auto& what) { tell(others_->failsafe, what); }, each.what);

@@ -18,9 +18,11 @@ namespace transfer = vehicle_link::transfer;
 constexpr std::int64_t check_period_ns = 1'000'000'000;
 
 // Each part numbers its orders in a range of its own.
-enum class order_owner { runner, recovery, clearing, last_line };
+enum class order_owner { runner, recovery, clearing, last_line, plan_watch };
 
 order_owner owner_of(std::uint64_t number) {
+  if (number >= first_of_plan_watch)
+    return order_owner::plan_watch;
   if (number >= first_of_last_line)
     return order_owner::last_line;
   if (number >= first_clearing)
@@ -53,9 +55,10 @@ const std::array<core::rule, 17> core::rules{
     &core::prepare,           // the next flight, on the ground
 };
 
-effects core::on_start() {
-  recovery_.begin();
+effects core::on_start(bool is_new_process) {
+  recovery_.begin(is_new_process);
   auto out = on_client_back();
+  out.emplace_back(watch_vehicle{false}); // the incarnation before may have begun a start
   if (flight_.s.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::restarted{}});
   return out;
@@ -83,6 +86,7 @@ effects core::advance(instant now) {
   effects out;
   service_.ask_again(out, now);
   standstill_.look(out, now);
+  plan_.check(out, now);
   for (const auto& each : messages_.look(out, now.now_ns))
     flight_.view.take(each, now.now_ns);
   parts_.give_up_late(out, now);
@@ -112,7 +116,8 @@ bool core::begin_wanted(effects& out, instant now) {
 
 bool core::prepare(effects& out, instant now) {
   const auto came = preparation_.advance(out, now);
-  return came == preparation::result::under_way || (came == preparation::result::ready && start_.begin_by_itself(out));
+  return came == preparation::result::under_way ||
+         (came == preparation::result::ready && start_.begin_by_itself(out, now));
 }
 
 // -- the vehicle ------------------------------------------------------------------------------------
@@ -127,6 +132,17 @@ effects core::on_vehicle(const vehicle_link::vehicle_restarted&, instant) {
   if (progress::matters(flight_.s.progress, progress::vehicle_rebooted{}, 0))
     out.emplace_back(note{progress::vehicle_rebooted{}});
   return out;
+}
+
+effects core::on_vehicle(const vehicle_link::foreign_act& m, instant) {
+  watch_.on_foreign(m);
+  return {};
+}
+
+effects core::on_vehicle(const io::mavlink::global_position_int& m, instant now) {
+  flight_.view.take(m, now.now_ns);
+  plan_.on_position(now);
+  return {};
 }
 
 effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
@@ -150,11 +166,14 @@ effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   watch_.on_place(now);
   const auto& s = flight_.s;
   effects out;
-  progress::current_told told{m, !flight_.view.is_armed(), !flight_.has_person() && flight_.authority.is_ours()};
+  progress::current_told told{m, !flight_.view.is_armed(), !flight_.has_person() && flight_.authority.is_ours(), {}};
   const bool believes_all = GODWIT_PLANTED(complete_on_foreign_landing);
   told.is_ours = told.is_ours || believes_all;
   if (flight_.view.says_complete() && !flight_.is_complete_credible(now) && !believes_all)
     told.message.mission_state = io::mavlink::number(io::mavlink::mission_state::active);
+  if (s.progress.plan && told.is_ours)
+    told.never_near = plan_.never_near(m.seq, told.message.mission_state ==
+                                                  io::mavlink::number(io::mavlink::mission_state::complete));
   if (s.progress.plan && progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});
   return out;
@@ -164,8 +183,10 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
   const auto& s = flight_.s;
   const bool is_early = flight_.ends_on_ground() && m.seq >= end_of_plan(flight_.view.owner(), s).from_sequence &&
                         !flight_.came_down_as_planned(now);
-  const progress::reached_told told{m.seq};
   effects out;
+  progress::reached_told told{m.seq, {}};
+  if (!is_early && s.progress.plan)
+    told.never_near = plan_.never_near(m.seq, true);
   if (!is_early && !flight_.has_person() && flight_.authority.is_ours() && s.progress.plan &&
       progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});
@@ -175,6 +196,8 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
 effects core::on_vehicle(const io::mavlink::statustext& m, instant now) {
   // That a person takes the vehicle does not wait for the rest of a text.
   flight_.authority.on_text(flight_.view.owner(), flight::text_of(m), now.now_ns);
+  if (flight::tells_new_plan(flight::text_of(m)) && !flight_.s.progress.upload)
+    flight_.evidence.plan.doubt(now.now_ns);
   effects out;
   for (const auto& each : messages_.take(out, m, now.now_ns))
     flight_.view.take(each, now.now_ns);
@@ -195,6 +218,8 @@ effects core::on_vehicle(const io::mavlink::home_position& m, instant now) {
 
 bool core::awaits(std::uint64_t number) const {
   switch (owner_of(number)) {
+  case order_owner::plan_watch:
+    return plan_.awaits(number);
   case order_owner::last_line:
     return last_line_.awaits(number);
   case order_owner::clearing:
@@ -207,18 +232,20 @@ bool core::awaits(std::uint64_t number) const {
   return flight_.runner.awaits(number);
 }
 
-bool core::may_go_out(std::uint64_t number) const {
-  switch (owner_of(number)) {
+permission core::may_go_out(const order& what, instant now) {
+  effects none;
+  switch (owner_of(what.number)) {
   case order_owner::last_line:
-    return last_line_.may_go_out();
+    return last_line_.may_go_out() ? permission::may : permission::wait;
   case order_owner::clearing:
-    return clearing_.may_go_out();
-  case order_owner::recovery: // it asks for what the vehicle holds, and changes nothing
-    return true;
+    return clearing_.may_go_out() ? permission::may : permission::wait;
+  case order_owner::recovery: // they ask for what the vehicle holds, and change nothing
+  case order_owner::plan_watch:
+    return permission::may;
   case order_owner::runner:
     break;
   }
-  return flight_.runner.may_go_out(flight_.view);
+  return flight_.runner.may_go_out(flight_.world(now, none));
 }
 
 core::release core::lets_out(const order& what, instant now) {
@@ -227,8 +254,11 @@ core::release core::lets_out(const order& what, instant now) {
   if (!awaits(what.number))
     return release::revoked;
   const bool is_old = now.now_ns - what.decided_ns > order_is_worth_ns;
-  if (is_old || flight_.authority.is_unclear() || !may_go_out(what.number))
+  const auto allowed = may_go_out(what, now);
+  if (is_old || flight_.authority.is_unclear() || allowed == permission::not_ours || allowed == permission::wait)
     return release::too_late;
+  if (allowed != permission::may)
+    return release::outdated;
   if (!what.expected.empty())
     flight_.authority.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
   return release::now;
@@ -256,6 +286,16 @@ effects core::on_late(const order& what, instant now) {
   return on_command(what.number, outcome, now);
 }
 
+// It is decided again, with another look at the vehicle.
+effects core::on_outdated(const order& what, instant now) {
+  if (std::holds_alternative<vehicle_link::upload_plan>(what.what))
+    return on_late(what, now);
+  vehicle_link::command_outcome outcome;
+  outcome.verdict = vehicle_link::command_verdict::outdated;
+  outcome.reason = "it has waited too long after the vehicle was looked at";
+  return on_command(what.number, outcome, now);
+}
+
 // It was given up before it went out, and so nobody answers it.
 effects core::on_revoked(const order& what) {
   const auto& doing = flight_.runner.doing();
@@ -275,6 +315,9 @@ effects core::on_command(std::uint64_t number, const vehicle_link::command_outco
 effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome, instant now) {
   effects out;
   switch (owner_of(number)) {
+  case order_owner::plan_watch:
+    plan_.on_transfer(out, number, outcome, now);
+    break;
   case order_owner::last_line:
     last_line_.on_transfer(out, number, outcome, now);
     break;
@@ -291,6 +334,12 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
       out.emplace_back(note{flight_.runner.uploads().end(outcome)});
     break;
   }
+  return out;
+}
+
+effects core::on_looked(std::uint64_t number, const vehicle_link::looked& what, instant now) {
+  effects out;
+  flight_.runner.on_looked(flight_.world(now, out), number, what);
   return out;
 }
 
@@ -395,6 +444,10 @@ effects core::on_news(const progress::progress_event& m, instant now) {
   case progress_event_kind::mission_complete:
     if (flight_.is_in_flight() && flight_.s.status.now == phase::flying)
       phases_.go(out, trigger::plan_done);
+    break;
+  case progress_event_kind::place_missed:
+    out.emplace_back(announce{plan_.missed_sentence(m.reason), true});
+    flight_.evidence.plan.doubt(now.now_ns);
     break;
   case progress_event_kind::generation_opened:
   case progress_event_kind::armed:

@@ -43,6 +43,7 @@
 #include "actors/executor/flight/phase_table.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
 #include "actors/executor/flight/plan_clearing.hpp"
+#include "actors/executor/flight/plan_watch.hpp"
 #include "actors/executor/flight/preparation.hpp"
 #include "actors/executor/flight/recovery.hpp"
 #include "actors/executor/flight/return_place.hpp"
@@ -64,7 +65,8 @@ public:
   core(const core&) = delete; // its parts refer to each other
   core& operator=(const core&) = delete;
 
-  [[nodiscard]] effects on_start();
+  // IS_NEW_PROCESS: nobody of it has heard the vehicle before.
+  [[nodiscard]] effects on_start(bool is_new_process);
   // The notes of the call before are applied to the durable state.
   void on_applied() { stations_.forget_shown(); }
   // What is to be done now: to be asked after everything else until nothing comes of it, and no later than
@@ -75,6 +77,7 @@ public:
   // -- the vehicle
   [[nodiscard]] effects on_vehicle(const vehicle_link::connection_changed& m, instant now);
   [[nodiscard]] effects on_vehicle(const vehicle_link::vehicle_restarted& m, instant now);
+  [[nodiscard]] effects on_vehicle(const vehicle_link::foreign_act& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::heartbeat& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::current_mode& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_current& m, instant now);
@@ -82,6 +85,7 @@ public:
   [[nodiscard]] effects on_vehicle(const io::mavlink::statustext& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::sys_status& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::home_position& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::global_position_int& m, instant now);
   template <class M>
   [[nodiscard]] effects on_vehicle(const M& m, instant now) {
     if constexpr (requires { flight_.view.take(m, now.now_ns); })
@@ -90,16 +94,18 @@ public:
       flight_.view.take(m);
     return {};
   }
-  // Whether an order that has waited for the disk still goes out: not behind a takeover, a failsafe or a newer order,
+  // Whether an order that has waited for the disk still goes out: not after a takeover, a failsafe or a newer order,
   // and not when its moment has passed or while it is unclear who has the vehicle. It is asked for again then, but for
-  // a start or a resume.
-  enum class release { now, revoked, too_late };
+  // a start or a resume. Outdated: what it was decided on has to be looked at anew.
+  enum class release { now, revoked, outdated, too_late };
   static constexpr std::int64_t order_is_worth_ns = 3'000'000'000;
   [[nodiscard]] release lets_out(const order& what, instant now);
   [[nodiscard]] effects on_late(const order& what, instant now);
+  [[nodiscard]] effects on_outdated(const order& what, instant now);
   [[nodiscard]] effects on_revoked(const order& what);
   [[nodiscard]] effects on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now);
   [[nodiscard]] effects on_transfer(std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
+  [[nodiscard]] effects on_looked(std::uint64_t number, const vehicle_link::looked& what, instant now);
 
   // -- the failsafe
   // Told at each change, and asked for by who begins anew: nothing is done before it is known.
@@ -178,11 +184,11 @@ private:
   [[nodiscard]] bool keep_home(effects& out, instant now) { return return_place_.advance(out, now); }
   [[nodiscard]] bool answer_assignment(effects& out, instant now) { return changes_.answer_assignment(out, now); }
   [[nodiscard]] bool deploy_arrived(effects& out, instant now) { return changes_.deploy_arrived(out, now); }
-  [[nodiscard]] bool follow_started(effects& out, instant) { return start_.follow(out); }
+  [[nodiscard]] bool follow_started(effects& out, instant now) { return start_.follow(out, now); }
   [[nodiscard]] bool take_back(effects& out, instant) { return watch_.take_back(out); }
   // What the order NUMBER is an answer to is still wanted; and may still be done.
   [[nodiscard]] bool awaits(std::uint64_t number) const;
-  [[nodiscard]] bool may_go_out(std::uint64_t number) const;
+  [[nodiscard]] permission may_go_out(const order& what, instant now);
   void lose_plan(effects& out, trigger what, instant now);
   [[nodiscard]] bool leave_to_person(effects& out, instant now);
   [[nodiscard]] bool bring_last_line(effects& out, instant now) { return last_line_.advance(out, now); }
@@ -207,6 +213,7 @@ private:
   operator_control operators_{flight_, phases_, tasks_, changes_, homecoming_, watch_};
   flight_end end_{flight_, phases_, tasks_, watch_};
   return_place return_place_{flight_, tasks_};
+  plan_watch plan_{flight_};
   plan_clearing clearing_{flight_, phases_};
   last_line last_line_{flight_, clearing_};
   gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};

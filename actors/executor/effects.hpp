@@ -33,7 +33,7 @@ struct order {
   std::int64_t decided_ns = 0;
   std::vector<std::uint32_t> expected; // the exact modes that obey it
   std::variant<vehicle_link::send_command, vehicle_link::set_current_item, vehicle_link::upload_plan,
-               vehicle_link::download_plan, failsafe::guard_mission>
+               vehicle_link::download_plan, vehicle_link::look, failsafe::guard_mission>
       what;
 };
 
@@ -50,6 +50,11 @@ struct say_to_port {
 // The transfer under way is given up.
 struct give_up_transfer {};
 
+// While a flight is started the vehicle is to tell its state more often.
+struct watch_vehicle {
+  bool is_close = false;
+};
+
 // To mission_client.
 struct say_to_client {
   std::variant<mission_client::begin_mission, mission_client::pull_map, mission_client::accept_copy,
@@ -63,7 +68,8 @@ struct announce {
   bool is_warning = false;
 };
 
-using effect = std::variant<note, order, give_up_transfer, say_to_failsafe, say_to_client, say_to_port, announce>;
+using effect =
+    std::variant<note, order, give_up_transfer, watch_vehicle, say_to_failsafe, say_to_client, say_to_port, announce>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::executor

@@ -12,8 +12,9 @@
 //   await arming                         mission mode, on the ground and disarmed
 //   free home                            set home where it stands
 //
-// A step looks before it acts: what the vehicle does already is not asked for. It tries so often, and waits so long for
-// the vehicle to show it; then it has failed, and with it the task. Thread: plain values.
+// A step looks before it acts: what the vehicle does already is not asked for. An order that moves the vehicle is given
+// once (may_send.hpp); one that the vehicle has refused may be given again, and so may what stops it or moves nothing.
+// What the vehicle does not show within its time has failed, and with it the task. Thread: plain values.
 #pragma once
 
 #include <cstdint>
@@ -57,10 +58,18 @@ using step = std::variant<change_mode, stand_by, await_arming, guard, bring_plan
                           free_home, arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
-inline constexpr int max_tries = 3;                             // of each step
-inline constexpr int max_tries_of_lost = 5;                     // of a command without an answer, and of a stop
-inline constexpr std::int64_t shown_within_ns = 4'000'000'000;  // from the answer to the heartbeat that shows it
-inline constexpr std::uint64_t heartbeats_to_show = 3;          // so many that do not show it: it was not obeyed
+inline constexpr int max_tries = 3;                            // of each step
+inline constexpr int max_tries_of_lost = 5;                    // of a command without an answer, and of a stop
+inline constexpr std::int64_t shown_within_ns = 4'000'000'000; // after the answer: a heartbeat may come 1.5 s late
+inline constexpr std::int64_t again_after_ns = 2'500'000'000;  // a stop or what moves nothing, accepted and not shown
+inline constexpr std::int64_t lost_after_ns = 1'200'000'000;   // the same without an answer: one heartbeat
+inline constexpr std::int64_t look_again_ns = 500'000'000;     // at a vehicle that does not show it yet
+inline constexpr std::int64_t look_within_ns = 6'000'000'000;  // longer than vehicle_link waits for a heartbeat
+inline constexpr int max_looks = 3;                            // that saw nothing, for one order
+inline constexpr std::int64_t prove_again_ns = 500'000'000;    // while another transfer is under way
+inline constexpr std::int64_t proof_within_ns =
+    30'000'000'000; // and proof_item_ns for each item: a Rover's 600 take 12 s
+inline constexpr std::int64_t proof_item_ns = 100'000'000;
 inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try of what was refused
 inline constexpr std::int64_t stop_answer_ms = 800;             // of a stop: it is obeyed within 2.5 s at 20 % loss
 inline constexpr std::int64_t until_heartbeat_ns = 100'000'000; // that vehicle_link has, and we have not: on its way

@@ -11,6 +11,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::progress::found_begun);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::mission_aborted);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::mission_opened);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::progress_event);
+GODWIT_DEFINE_MESSAGE(godwit::executor::progress::other_plan_found);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::plan_read_back);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::reached_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::read_plan_back);

@@ -98,14 +98,15 @@ void task_runner::ask(const world& w, const guard&) {
 void task_runner::ask(const world& w, const bring_plan&) {
   if (tries_ == 1)
     uploads_.begin(w.now_ns);
+  w.seen.plan.forget();
   w.out.emplace_back(
       order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-            vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items, w.known}});
+            vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, w.durable.brings->items, known(w)}});
 }
 
 void task_runner::ask(const world& w, const set_current_item& what) {
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-                           vehicle_link::set_current_item{what.sequence, w.known}});
+                           vehicle_link::set_current_item{what.sequence, known(w)}});
 }
 
 void task_runner::ask(const world& w, const set_home&) {
@@ -131,6 +132,7 @@ void task_runner::ask(const world& w, const arm&) {
   vehicle_link::send_command command;
   command.command = number(mav_cmd::component_arm_disarm);
   command.param1 = 1;
+  armed_ns_ = w.now_ns;
   give_order(w, command);
 }
 
@@ -142,15 +144,26 @@ void task_runner::ask(const world& w, const disarm&) {
 }
 
 // All items: ArduPilot denies other values, and the plan, or the item that was chosen, says where it begins. A vehicle
-// by the text alone is told.
+// by the text alone is told. A PX4 is started by its mission mode: MISSION_START arms a vehicle that a person has just
+// disarmed.
 void task_runner::ask(const world& w, const start_plan& what) {
   vehicle_link::send_command command;
   command.command = number(mav_cmd::mission_start);
   const auto autopilot = w.view.owner().autopilot;
-  if (autopilot != io::mavlink::mav_autopilot::px4 && autopilot != io::mavlink::mav_autopilot::ardupilotmega)
+  if (autopilot == io::mavlink::mav_autopilot::px4)
+    command = *flight::mode_command(w.view.owner(), flight::mode_kind::mission);
+  else if (autopilot != io::mavlink::mav_autopilot::ardupilotmega)
     command.param1 = static_cast<float>(what.sequence);
   expect(w, flight::modes_of_start(w.view.owner()));
   give_order(w, command);
+}
+
+// The look counts for the order that it was made for.
+std::optional<vehicle_link::seen_state> task_runner::known(const world& w) const {
+  auto result = w.known;
+  if (result && is_moving_)
+    result->looked_ns = looked_ns_;
+  return result;
 }
 
 // Also told to the failsafe, with the command.
@@ -169,7 +182,9 @@ void task_runner::give_order(const world& w, vehicle_link::send_command what) {
   what.confirmation = static_cast<std::uint8_t>(tries_ - 1);
   if (is_stop())
     what.timeout_ms = stop_answer_ms;
-  what.only_while = w.known;
+  if (is_moving_)
+    what.copies = vehicle_link::copies_of_moving_order;
+  what.only_while = known(w);
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), what});
 }
 

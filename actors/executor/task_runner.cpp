@@ -6,6 +6,7 @@
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/home/home.hpp"
 #include "actors/executor/announced_modes.hpp"
+#include "actors/executor/plan_proof.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -55,6 +56,8 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   must_ask_ = false;
   is_intent_noted_ = false;
   has_armed_ = false;
+  armed_ns_ = 0;
+  begin_looking();
   looked_after_ns_ = 0;
   was_starved_ = false;
   ended_.reset();
@@ -84,13 +87,22 @@ void task_runner::enter(stage next, std::int64_t deadline_ns) {
 }
 
 void task_runner::next_step() {
-  has_armed_ = has_armed_ || (tries_ > 0 && std::holds_alternative<arm>(way_[at_]));
   ++at_;
   tries_ = 0;
   outdated_ = 0;
   must_ask_ = false;
   is_intent_noted_ = false;
+  begin_looking();
   enter(stage::begin);
+}
+
+// Nothing that was seen for the step before counts for this one.
+void task_runner::begin_looking() {
+  looked_ns_ = 0;
+  next_look_ns_ = never_ns;
+  unseen_ = 0;
+  proving_since_ns_ = 0;
+  is_moving_ = false;
 }
 
 void task_runner::fail(std::string why) {
@@ -113,8 +125,12 @@ task_runner::verdict task_runner::advance(const world& w) {
       begin_step(w);
     else if (stage_ == stage::showing && is_shown(w))
       was_obeyed(w);
-    else if (stage_ == stage::showing && is_overdue(w))
+    else if (stage_ == stage::showing && w.now_ns >= deadline_ns_)
       was_not_done(w, last_reason_.empty() ? "the vehicle does not show it" : last_reason_, false);
+    else if (stage_ == stage::showing && w.now_ns >= next_look_ns_)
+      look(w);
+    else if (stage_ == stage::looking && w.now_ns >= deadline_ns_)
+      was_not_seen(w, "vehicle_link did not answer");
     else if (stage_ == stage::pausing && w.now_ns >= deadline_ns_)
       enter(stage::begin);
     else if (stage_ == stage::resolving)
@@ -128,7 +144,9 @@ task_runner::verdict task_runner::advance(const world& w) {
   return *ended_;
 }
 
-std::int64_t task_runner::next_deadline_ns() const { return task_ ? deadline_ns_ : never_ns; }
+std::int64_t task_runner::next_deadline_ns() const {
+  return task_ ? std::min(deadline_ns_, stage_ == stage::showing ? next_look_ns_ : never_ns) : never_ns;
+}
 
 // -- a step -----------------------------------------------------------------------------------------
 
@@ -187,6 +205,11 @@ void task_runner::begin_step(const world& w) {
     return fail(why);
   if (is_too_late_to_move())
     return end_too_late(w);
+  const auto allowed = may_send(intended(w), w.authority, w.seen, w.now_ns);
+  if (allowed == permission::not_ours || allowed == permission::wait) // the watch ends it, or goes on with it
+    return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
+  if (allowed == permission::prove)
+    return prove_plan(w);
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
     generation_before_ = w.durable.progress.last_generation;
@@ -196,7 +219,115 @@ void task_runner::begin_step(const world& w) {
       return note_and_wait(w, progress::start_intended{start->sequence});
     return note_and_wait(w, *intent_);
   }
+  if (allowed == permission::look) {
+    enter(stage::looking, w.now_ns + look_within_ns);
+    return look(w);
+  }
   ask(w);
+}
+
+// An order that moves the vehicle, or lets it move when somebody arms it.
+bool task_runner::moves(const world& w) const {
+  using flight::mode_kind;
+  const auto& what = way_[at_];
+  if (const auto* mode = std::get_if<change_mode>(&what))
+    return mode->to == mode_kind::mission || mode->to == mode_kind::guided;
+  const bool flies_plan = w.view.is_armed() && w.view.is_in(mode_kind::mission);
+  if (std::holds_alternative<set_current_item>(what))
+    return flies_plan; // else it only says where to go on
+  if (std::holds_alternative<bring_plan>(what))
+    return flies_plan && w.durable.status.in_flight; // PX4 flies it at once
+  return std::holds_alternative<arm>(what) || std::holds_alternative<await_arming>(what) ||
+         std::holds_alternative<start_plan>(what);
+}
+
+intended_order task_runner::intended(const world& w) const {
+  intended_order result;
+  const auto& what = way_[at_];
+  if (is_stop() || std::holds_alternative<stand_by>(what))
+    result.kind = order_kind::stops;
+  else if (moves(w))
+    result.kind = order_kind::moves;
+  const auto* mode = std::get_if<change_mode>(&what);
+  result.flies_plan = result.kind == order_kind::moves && !std::holds_alternative<bring_plan>(what) &&
+                      !(mode != nullptr && mode->to == flight::mode_kind::guided);
+  result.looked_ns = looked_ns_;
+  result.proof_from_ns = w.now_ns - proof_counts_ns;
+  // A vehicle without plan ids is read before it is armed: one that stands armed for as long may disarm itself.
+  const auto& plan = w.durable.progress.plan;
+  if (std::holds_alternative<start_plan>(what) && armed_ns_ != 0 && plan && !plan->vehicle_plan_id)
+    result.proof_from_ns = armed_ns_ - proof_counts_ns;
+  return result;
+}
+
+void task_runner::prove_plan(const world& w) {
+  const auto& plan = w.durable.progress.plan;
+  if (!plan || !w.durable.flown)
+    return end_step(w, "it is not known which plan the vehicle should hold");
+  if (proving_since_ns_ == 0)
+    proving_since_ns_ = w.now_ns;
+  read_since_ns_ = w.now_ns;
+  enter(stage::proving);
+  w.out.emplace_back(order{goes::at_once, ++last_order_, w.now_ns, {}, proof_request(*plan)});
+}
+
+void task_runner::on_read(const world& w, const transfer::outcome& outcome) {
+  const auto items = static_cast<std::int64_t>(w.durable.flown ? w.durable.flown->items.size() : 0);
+  if (outcome.verdict != transfer::verdict::accepted) {
+    if (w.now_ns - proving_since_ns_ < proof_within_ns + items * proof_item_ns)
+      return enter(stage::pausing, w.now_ns + prove_again_ns);
+    return end_step(w, "it could not be proved that the vehicle holds godwit's plan (" + outcome.reason +
+                           "); nothing is started");
+  }
+  if (holds_flown_plan(w.durable, outcome, w.view.owner())) {
+    w.seen.plan.prove(read_since_ns_, w.now_ns);
+    return enter(stage::begin);
+  }
+  w.seen.plan.forget();
+  w.out.emplace_back(note{progress::other_plan_found{}});
+  end_step(w, "the vehicle holds a plan that is not godwit's");
+}
+
+void task_runner::look(const world& w) {
+  next_look_ns_ = never_ns;
+  w.out.emplace_back(order{goes::at_once, ++last_order_, w.now_ns, {}, vehicle_link::look{}});
+}
+
+void task_runner::on_looked(const world& w, std::uint64_t number, const vehicle_link::looked& what) {
+  if (!task_ || ended_ || number != last_order_)
+    return;
+  if (stage_ == stage::showing)
+    next_look_ns_ = w.now_ns + look_again_ns;
+  if (stage_ != stage::looking)
+    return;
+  if (what.is_seen) {
+    looked_ns_ = what.at_ns;
+    return enter(stage::begin);
+  }
+  was_not_seen(w, what.reason);
+}
+
+void task_runner::was_not_seen(const world& w, const std::string& why) {
+  if (++unseen_ >= max_looks)
+    return end_step(w, "the vehicle can not be looked at before it is moved: " + why);
+  enter(stage::pausing, w.now_ns + look_again_ns);
+}
+
+// Before its order has gone out.
+void task_runner::end_step(const world& w, std::string why) {
+  was_refused_for_now_ = false;
+  if (!has_intent() || !is_intent_noted_)
+    return fail(std::move(why));
+  last_reason_ = why;
+  why_failed_ = std::move(why);
+  if (std::holds_alternative<bring_plan>(way_[at_])) {
+    if (tries_ == 0)
+      uploads_.begin(w.now_ns);
+    note_and_wait(w, uploads_.end_unsent(why_failed_));
+  } else {
+    note_and_wait(w, progress::start_ended{false});
+  }
+  enter(stage::closing);
 }
 
 // Before each send. PX4 arms by itself when it is started, and whoever has armed a vehicle that stood flies it.
@@ -222,13 +353,7 @@ bool task_runner::is_too_late_to_move() const {
 }
 
 void task_runner::end_too_late(const world& w) {
-  was_refused_for_now_ = false; // it is not tried on by itself
-  const std::string why = "godwit could not look after it for more than 3 s; a person has to say it again";
-  if (!has_intent() || !is_intent_noted_)
-    return fail(why);
-  why_failed_ = why;
-  note_and_wait(w, progress::start_ended{false});
-  enter(stage::closing);
+  end_step(w, "godwit could not look after it for more than 3 s; a person has to say it again");
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {
@@ -253,6 +378,7 @@ void task_runner::ask(const world& w) {
   last_reason_.clear();
   why_failed_.clear();
   asked_ns_ = w.now_ns;
+  is_moving_ = !is_stop() && moves(w);
   asked_at_heartbeat_ = w.view.heartbeats();
   was_in_mission_before_ = w.view.is_armed() && w.view.is_in(flight::mode_kind::mission);
   was_accepted_ = false;
@@ -276,23 +402,25 @@ bool task_runner::has_asked_to_start() const {
   return task_ && at_ < way_.size() && tries_ > 0 && std::holds_alternative<start_plan>(way_[at_]);
 }
 
-bool task_runner::may_go_out(const vehicle_view& view) const { return at_ < way_.size() && why_not_now(view).empty(); }
+permission task_runner::may_go_out(const world& w) const {
+  if (at_ >= way_.size() || !why_not_now(w.view).empty())
+    return permission::not_ours;
+  return may_send(intended(w), w.authority, w.seen, w.now_ns);
+}
 
 bool task_runner::awaits(std::uint64_t order) const {
-  return task_ && !ended_ && stage_ == stage::asked && order == last_order_;
+  const bool is_out = stage_ == stage::asked || stage_ == stage::proving || stage_ == stage::looking;
+  return task_ && !ended_ && is_out && order == last_order_;
 }
 
 // It goes out at once, and is said again as soon as it seems lost.
 bool task_runner::is_stop() const { return urgency() == goes::at_once && task_->kind != task_kind::stand_down; }
 
-bool task_runner::is_overdue(const world& w) const {
-  return w.now_ns >= deadline_ns_ || w.view.heartbeats() >= show_before_heartbeat_;
-}
-
 void task_runner::on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome) {
   if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
     return;
   last_reason_ = outcome.reason;
+  looked_ns_ = 0; // whatever goes out next is looked at anew
   was_lost_ = outcome.verdict == command_verdict::timed_out;
   const bool may_have_acted =
       outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
@@ -301,17 +429,18 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
     return;
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));
+  has_armed_ = has_armed_ || std::holds_alternative<arm>(way_[at_]);
   const bool goes_on_at_once = w.view.is_in(flight::mode_kind::mission);
   if (outcome.verdict == command_verdict::accepted && std::holds_alternative<set_current_item>(way_[at_]) &&
       goes_on_at_once)
     return was_obeyed(w);
   was_accepted_ = outcome.verdict == command_verdict::accepted;
-  if (!was_accepted_ && is_stop() && !is_shown(w)) {
-    show_before_heartbeat_ = 0; // lost, as far as anybody can tell; the mode is still the one in which it was said
+  if (!was_accepted_ && is_stop() && !is_shown(w)) // lost, as far as anybody can tell
     return enter(stage::showing, w.now_ns);
-  }
-  show_before_heartbeat_ = w.view.heartbeats() + (was_accepted_ ? heartbeats_to_show : 1);
-  enter(stage::showing, w.now_ns + shown_within_ns);
+  if (is_moving_)
+    next_look_ns_ = w.now_ns;
+  const auto not_moving_ns = was_accepted_ ? again_after_ns : lost_after_ns;
+  enter(stage::showing, w.now_ns + (is_moving_ ? shown_within_ns : not_moving_ns));
 }
 
 // It has not gone out: that was no try, and nothing comes of it. True: it is judged anew with the heartbeat that is on
@@ -341,9 +470,15 @@ void task_runner::on_guarded(const world& w, std::uint64_t number, const std::st
 }
 
 void task_runner::on_transfer(const world& w, std::uint64_t number, const transfer::outcome& outcome) {
-  if (!task_ || ended_ || number != last_order_ || stage_ != stage::asked)
+  if (!task_ || ended_ || number != last_order_)
+    return;
+  if (stage_ == stage::proving)
+    return on_read(w, outcome);
+  if (stage_ != stage::asked)
     return;
   last_reason_ = outcome.reason;
+  looked_ns_ = 0;
+  uploaded_ns_ = w.now_ns;
   if (uploads_.go_on(outcome, w.now_ns))
     return enter(stage::pausing, w.now_ns + pause_between_ns);
   note_and_wait(w, uploads_.end(outcome));
@@ -359,7 +494,8 @@ void task_runner::was_obeyed(const world& w) {
 
 void task_runner::was_not_done(const world& w, const std::string& why, bool is_final) {
   const bool was_refused = stage_ == stage::asked;
-  if (!is_final && tries_ < (is_stop() || was_lost_ ? max_tries_of_lost : max_tries))
+  const bool may_ask_again = was_refused || !is_moving_; // what may have moved the vehicle is not said twice
+  if (!is_final && may_ask_again && tries_ < (is_stop() || was_lost_ ? max_tries_of_lost : max_tries))
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
   const auto warned = w.view.warned_since(asked_ns_);
   const auto sentence = "the vehicle was asked " + what_is_asked() + ", and did not: " + why +
@@ -375,9 +511,10 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
 void task_runner::resolve_upload(const world& w) {
   if (w.durable.progress.upload)
     return;
-  if (w.durable.progress.last_generation != generation_before_)
+  if (w.durable.progress.last_generation != generation_before_) {
+    w.seen.plan.prove(uploaded_ns_, uploaded_ns_);
     next_step();
-  else
+  } else
     fail("the plan did not come to the vehicle: " + last_reason_);
 }
 

@@ -1,13 +1,15 @@
 // Brings the vehicle through the steps of one task, one after the other.
 //
-//   begin ──> noting ──applied──> asked ──answer──> showing ──seen──> closing ──applied──> next step
-//     ^  (the intent)               │                  │               (what came of it)
-//     └───── pausing <───not done───┴──── not seen ────┘        after max_tries: the task has failed
-//                                                               (an upload: as upload_tries says)
+//   begin ──> proving ──> noting ──applied──> looking ──> asked ──answer──> showing ──seen──> closing ──applied──> next
+//     ^   (flies a plan) (the intent)         (moves)       │                  │             (what came of it)
+//     └──────────────────── pausing <────────not done───────┴──── not seen ────┘       after max_tries: it has failed
+//                                                                              (an upload: as upload_tries says)
 //
 // A step whose intent progress has to know notes it first, and so it does with its end; an order goes out when what was
-// noted before it is on the disk. What has no such intent skips noting and closing. A command without an answer may
-// have been obeyed: the vehicle is looked at before it is said again. A start or resume that nobody has looked after
+// noted before it is on the disk. What has no such intent skips noting and closing. Before an order that moves the
+// vehicle the plan on it is proved and the vehicle is looked at (may_send.hpp); it is given once, and when the vehicle
+// does not show it within its time it is not done: a person has to start again. Only what was refused is asked for
+// again, and what stops the vehicle or moves nothing. A start or resume that nobody has looked after
 // for starved_ns is not gone on with: whoever stands beside the vehicle thinks that nothing comes of it any more. Pure;
 // the caller carries out what is in `out`. Thread: one at a time.
 #pragma once
@@ -20,6 +22,8 @@
 
 #include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/executor/effects.hpp"
+#include "actors/executor/evidence.hpp"
+#include "actors/executor/may_send.hpp"
 #include "actors/executor/steps.hpp"
 #include "actors/executor/upload_tries.hpp"
 #include "actors/executor/view.hpp"
@@ -39,6 +43,7 @@ public:
     const state& durable;
     const vehicle_view& view;
     flight::control_authority& authority;
+    evidence& seen;
     std::int64_t now_ns; // monotonic
     effects& out;
     std::optional<vehicle_link::seen_state> known; // goes with each order
@@ -64,20 +69,22 @@ public:
   void on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome);
   // REFUSED: why the failsafe does not take the limits; empty: it does. No answer is a reason as well.
   void on_guarded(const world& w, std::uint64_t number, const std::string& refused, bool is_final);
+  // Of an upload, or of a plan that was read to prove it.
   void on_transfer(const world& w, std::uint64_t number, const vehicle_link::transfer::outcome& outcome);
+  void on_looked(const world& w, std::uint64_t number, const vehicle_link::looked& what);
 
   // Of the upload that was asked for last, also when its task was dropped since.
   [[nodiscard]] const upload_tries& uploads() const { return uploads_; }
 
   // It is still what the task waits for.
   [[nodiscard]] bool awaits(std::uint64_t order) const;
-  // What the order that waited needs of the vehicle still holds.
-  [[nodiscard]] bool may_go_out(const vehicle_view& view) const;
+  // What the order that waited needs of the vehicle still holds; what it waits for otherwise.
+  [[nodiscard]] permission may_go_out(const world& w) const;
   // The start of the plan has gone out at least once, and may come through.
   [[nodiscard]] bool has_asked_to_start() const;
   // What was asked last was refused, and may be done when it is asked again.
   [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
-  // The vehicle is armed because of the task that began last.
+  // The vehicle is armed because of the task that began last, or may be.
   [[nodiscard]] bool has_armed() const { return has_armed_; }
 
   // What is under way holds the vehicle, or brings it home.
@@ -87,7 +94,7 @@ public:
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 
 private:
-  enum class stage { begin, noting, asked, showing, pausing, closing, resolving };
+  enum class stage { begin, proving, noting, looking, asked, showing, pausing, closing, resolving };
 
   static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
@@ -99,6 +106,15 @@ private:
   [[nodiscard]] goes urgency() const;
 
   void begin_step(const world& w);
+  void prove_plan(const world& w);
+  void on_read(const world& w, const vehicle_link::transfer::outcome& outcome);
+  void begin_looking();
+  void look(const world& w);
+  void was_not_seen(const world& w, const std::string& why);
+  void end_step(const world& w, std::string why);
+  [[nodiscard]] intended_order intended(const world& w) const;
+  [[nodiscard]] std::optional<vehicle_link::seen_state> known(const world& w) const;
+  [[nodiscard]] bool moves(const world& w) const;
   void ask(const world& w);
   void ask(const world& w, const change_mode& what);
   void ask(const world& w, const stand_by& what);
@@ -125,7 +141,6 @@ private:
   void look_at_time(const world& w);
   [[nodiscard]] bool is_too_late_to_move() const;
   void end_too_late(const world& w);
-  [[nodiscard]] bool is_overdue(const world& w) const;
   [[nodiscard]] bool is_shown(const world& w) const;
   [[nodiscard]] bool is_start_shown(const vehicle_view& view) const;
   [[nodiscard]] std::string what_is_asked() const;
@@ -148,7 +163,14 @@ private:
   std::uint64_t last_order_ = 0;
   bool must_ask_ = false;
   std::uint64_t asked_at_heartbeat_ = 0;
-  std::uint64_t show_before_heartbeat_ = 0;  // the number of the one that has to show it
+  std::int64_t looked_ns_ = 0;               // for the order that is next; 0: not yet
+  std::int64_t next_look_ns_ = 0;            // while the vehicle does not show what it was asked for
+  int unseen_ = 0;                           // looks for this order in which nothing was seen
+  bool is_moving_ = false;                   // what was asked last moves the vehicle
+  std::int64_t proving_since_ns_ = 0;        // this step; 0: not
+  std::int64_t read_since_ns_ = 0;           // the reading that is under way
+  std::int64_t armed_ns_ = 0;                // when arming was asked for, by this task
+  std::int64_t uploaded_ns_ = 0;             // when the answer to the upload came
   std::vector<std::uint32_t> expected_;      // by the order that is made
   std::vector<std::uint32_t> last_expected_; // by the last order, and by no earlier one
   int outdated_ = 0;                         // the step under way, so often

@@ -84,6 +84,7 @@ actor::behavior_type actor::handlers() {
             if (m.phase == vehicle_link::connection_phase::connected)
               look_.begin();
           }),
+          is_told<vehicle_link::foreign_act>(),
           on<ground_port::operator_link>([this](const ground_port::operator_link& m) {
             core_->take(operator_heard{m.ever_heard, m.age_ms}, now());
           }),

@@ -60,13 +60,16 @@ void core::take_one(const heartbeat& what, instant now) {
     home_.reset();
   newest_ = what;
   modes_.reset(); // told before it
+  newest_mode_ = what.mode;
   heartbeat_ns_ = now.monotonic_ns;
   flight_.on_heartbeat(what.what, what.armed, now.monotonic_ns);
 }
 
 void core::take_one(const modes_told& what, instant now) {
-  if (heartbeat_ns_ != 0)
-    modes_ = {what, now};
+  if (heartbeat_ns_ == 0)
+    return;
+  modes_ = {what, now};
+  newest_mode_ = flight::mode_of(owner(), what.actual);
 }
 
 void core::take_one(const landed& what, instant) { flight_.on_landed(what.how); }
@@ -114,6 +117,12 @@ void core::take_one(const asked_guard& what, instant) { new_limits_ = what; }
 void core::take_one(const expect_mode& what, instant) { orders_.push_back(what); }
 
 void core::take_one(const taken_over&, instant) { told_taken_over_ = true; }
+
+// On the ground somebody else may do as he likes; and who has it already may be handing it back in this moment.
+void core::take_one(const vehicle_link::foreign_act& what, instant) {
+  if (what.kind == vehicle_link::foreign_kind::command && failsafe_status_.in_flight && !pilot_.is_taken_over())
+    told_taken_over_ = true;
+}
 
 void core::take_one(const following& what, instant) { link_.on_following(what.on); }
 
@@ -228,7 +237,7 @@ void core::watch_pilot(const view& seen, instant now, effects& out) {
       pilot_.expect(each.modes, each.lasts_ms, now);
   }
   if (seen.flight.link_up)
-    pilot_.evaluate(seen.flight, {owner(), newest_.mode, newest_.is_critical, heartbeat_ns_}, now);
+    pilot_.evaluate(seen.flight, {owner(), newest_.mode, newest_.is_critical, heartbeat_ns_, newest_mode_}, now);
   if (const auto told = std::exchange(modes_, std::nullopt); told && seen.flight.in_flight)
     pilot_.on_current_mode(
         owner(), {flight::mode_of(owner(), told->what.actual), newest_.is_critical, told->what.intended}, told->at);

@@ -84,6 +84,7 @@ private:
   void take_one(const expect_mode& what, instant now);
   void take_one(const taken_over& what, instant now);
   void take_one(const following& what, instant now);
+  void take_one(const vehicle_link::foreign_act& what, instant now);
 
   [[nodiscard]] failsafe_status stand(bool in_flight) const;
   [[nodiscard]] view look(instant now);
@@ -117,6 +118,7 @@ private:
   reaction_driver reaction_;
 
   heartbeat newest_;
+  flight::flight_mode newest_mode_; // of the newest heartbeat, or of a CURRENT_MODE after it
   std::int64_t heartbeat_ns_ = 0;
   std::optional<std::uint16_t> sequence_; // of the newest limits' plan
   std::int64_t sequence_ns_ = 0;

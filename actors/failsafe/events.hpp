@@ -10,6 +10,7 @@
 #include "io/mavlink/enums/vehicle.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/vehicle_link/command.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 
 namespace godwit::failsafe {
 
@@ -92,6 +93,6 @@ struct asked_guard {
 
 using event = std::variant<heartbeat, modes_told, landed, position, home_told, battery, mission_current, autopilot_text,
                            command_resolved, operator_heard, asked_override, hand_back, asked_guard, expect_mode,
-                           taken_over, following>;
+                           taken_over, following, vehicle_link::foreign_act>;
 
 } // namespace godwit::failsafe

@@ -87,7 +87,7 @@ void takeover_detector::evaluate(const flight_now& flight, const seen_mode& seen
   }
   const bool was_known = authority_.is_watching();
   if (adopts_) {
-    authority_.begin(seen.mode);
+    authority_.begin(seen.newest.value_or(seen.mode));
     begun_ns_.reset();
   } else if (flight.in_flight && authority_.is_ours() && (flight.begins || begun_ns_ || !was_known)) {
     if (!begun_ns_) {

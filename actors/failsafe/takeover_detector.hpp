@@ -59,7 +59,8 @@ struct seen_mode {
   flight::mode_owner whose;
   flight_mode mode;
   bool is_critical = false;
-  std::int64_t heard_ns = 0; // monotonic; of the heartbeat
+  std::int64_t heard_ns = 0;              // monotonic; of the heartbeat
+  std::optional<flight_mode> newest = {}; // told since: what is handed back in this moment
 };
 
 class takeover_detector {

@@ -33,6 +33,9 @@ actor::behavior_type actor::handlers() {
         then(core_->on_download(request_id, what, now()));
       }),
       on<cancel_transfer>([this](const cancel_transfer&) { then(core_->on_cancel_transfer(now())); }),
+      on_deferred<look, looked>(
+          [this](const look&, std::uint64_t request_id) { then(core_->on_look(request_id, now())); }),
+      on<watch_closely>([this](const watch_closely& what) { then(core_->on_watch_closely(what, now())); }),
       on<relayed_frame>([this](const relayed_frame& what) { then(core_->on_relayed(what, now())); }),
       on<runtime::child_alive>([this](const runtime::child_alive& what) {
         core_->on_child_alive(what, now());
@@ -63,6 +66,8 @@ void actor::carry_out(const effects& wanted) {
 void actor::carry_out(const resolved_command& each) { answer_later(each.asked_by.request_id, each.outcome); }
 
 void actor::carry_out(const resolved_transfer& each) { answer_later(each.request_id, each.outcome); }
+
+void actor::carry_out(const resolved_look& each) { answer_later(each.request_id, each.what); }
 
 void actor::carry_out(const observation& each) {
   std::visit([this]<class M>(const M& message) { ears_->for_each<M>([&](const auto& who) { tell(who, message); }); },

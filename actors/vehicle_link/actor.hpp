@@ -38,6 +38,7 @@ private:
   void carry_out(const transmission& each) { queue_frame(each); }
   void carry_out(const resolved_command& each);
   void carry_out(const resolved_transfer& each);
+  void carry_out(const resolved_look& each);
   void carry_out(const observation& each);
   void carry_out(const announcement& each);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "actors/vehicle_link/core_context.hpp"
@@ -80,6 +81,8 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     t.done.emplace_back(observation(mavlink::decode<mavlink::radio_status>(frame)));
     return;
   }
+  if (watch_.vehicle() && from.system != watch_.vehicle()->system && from != ourselves())
+    tell_foreign(t, foreign_.on_frame(frame, watch_.vehicle()->system, t.now.monotonic_ns));
   const bool is_relayed = !is_forged && relay(t, frame);
   const bool is_gimbal = frame.id() == mavlink::gimbal_device_attitude_status::message_id && watch_.vehicle() &&
                          from.system == watch_.vehicle()->system && !is_forged;
@@ -114,6 +117,7 @@ effects core::on_relayed(const relayed_frame& what, instant now) {
                    : std::nullopt;
   if (frame) {
     ++relayed_to_vehicle_;
+    foreign_.on_forwarded(what, now.monotonic_ns);
     t.done.emplace_back(transmission{way_out(), *frame});
   } else {
     ++relays_dropped_;
@@ -135,8 +139,22 @@ bool core::is_late_mode(const mavlink::frame_view& frame, instant now) {
 template <mavlink::message M>
 requires transfer_messages<M>
 void core::take(decision_context& t, const M& message) {
+  constexpr bool tells_upload = std::is_same_v<M, mavlink::mission_ack> ||
+                                std::is_same_v<M, mavlink::mission_request> ||
+                                std::is_same_v<M, mavlink::mission_request_int>;
+  if constexpr (tells_upload)
+    if (!is_for_us(message.target_system, message.target_component) &&
+        message.mission_type == mavlink::number(mavlink::mav_mission_type::mission))
+      tell_foreign(t, foreign_.on_plan_answer(message.target_system, message.target_component, t.now.monotonic_ns));
   if (transfers_)
     go_on(t, transfers_->on(message, t.now.monotonic_ns));
+}
+
+void core::tell_foreign(decision_context& t, const std::optional<foreign_act>& what) {
+  if (!what)
+    return;
+  orders_.heard_foreign(what->at_ns);
+  t.announce(*what);
 }
 
 template <mavlink::message M>
@@ -150,6 +168,7 @@ void core::take(decision_context& t, const M& message) {
 void core::take(decision_context& t, const mavlink::heartbeat& m) {
   orders_.heard(m.custom_mode, io::mavlink::is_armed(m));
   t.done.emplace_back(observation(m));
+  answer_look(t, looks_.on_heartbeat(t.now.monotonic_ns));
 }
 
 // Its clock may be that of the gimbal, and tells nothing of a start of the autopilot.
@@ -163,7 +182,11 @@ void core::take(decision_context& t, const mavlink::current_mode& m) {
 }
 
 void core::take(decision_context& t, const mavlink::command_ack& m) {
-  // An older sender leaves the target at 0; what is meant for another station is none of our business.
+  // An older sender leaves the target at 0. What is meant for another station is no answer to us.
+  const bool is_for_nobody = m.target_system == 0 && m.target_component == 0;
+  const bool is_ours = is_for_us(m.target_system, m.target_component) &&
+                       (!is_for_nobody || commands_.is_own(m.command, t.now.monotonic_ns));
+  tell_foreign(t, foreign_.on_ack(m, is_ours, t.now.monotonic_ns));
   if (!is_for_us(m.target_system, m.target_component))
     return;
   if (const auto done = commands_.acknowledge(m, watch_.vehicle()->component, t.now.monotonic_ns))
@@ -212,6 +235,7 @@ void core::change_phase(decision_context& t, const std::optional<connection_chan
   t.announce(*change);
   if (change->phase != connection_phase::connected) {
     streams_.end();
+    answer_look(t, looks_.give_up("the vehicle is not heard"));
     return;
   }
   call_.end();
@@ -247,8 +271,11 @@ effects core::on_time(instant now) {
   decision_context t(*this, now);
   channel_.on_silence(now, [&](const auto& frame) { take_frame(t, way_out(), frame); });
   change_phase(t, watch_.on_time(now.monotonic_ns));
+  send_copies(t);
   for (const auto& each : commands_.expire(now.monotonic_ns))
     resolve(t, each);
+  answer_look(t, looks_.on_time(now.monotonic_ns));
+  ask_for_heartbeat(t);
   if (const auto outcome = current_.on_time(now.monotonic_ns))
     t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
   if (current_.wants_repetition(now.monotonic_ns) && watch_.vehicle())
@@ -292,9 +319,9 @@ void core::on_child_alive(const runtime::child_alive& what, instant now) {
 
 std::int64_t core::next_deadline_ns() const {
   auto result = next_beat_ns_;
-  for (const auto& each :
-       {watch_.next_deadline_ns(), call_.next_deadline_ns(), commands_.next_deadline_ns(), current_.next_deadline_ns(),
-        streams_.next_deadline_ns(), transfers_ ? transfers_->next_deadline_ns() : std::nullopt})
+  for (const auto& each : {watch_.next_deadline_ns(), call_.next_deadline_ns(), commands_.next_deadline_ns(),
+                           current_.next_deadline_ns(), streams_.next_deadline_ns(), looks_.next_deadline_ns(),
+                           transfers_ ? transfers_->next_deadline_ns() : std::nullopt})
     result = std::min(result, each.value_or(result));
   return result;
 }

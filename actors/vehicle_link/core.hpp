@@ -1,7 +1,8 @@
 // Every decision of vehicle_link: what to send, whom to answer, what to tell, when to look again.
 //
 //   bytes ──> channel ──frames──> vehicle_watch (which vehicle, is it alive, did it restart)
-//                          ├────> pending_commands, current_setter (answers to whoever asked)
+//                          ├────> pending_commands, current_setter, look_keeper (answers to whoever asked)
+//                          ├────> foreign_watch (does somebody else act on it?)
 //                          ├────> transfer::client (plan up and down)
 //                          ├────> stream_keeper (does what we need come?)
 //                          └────> observations for listeners, answers to TIMESYNC and PING
@@ -19,7 +20,9 @@
 #include "actors/vehicle_link/current_setter.hpp"
 #include "actors/vehicle_link/effects.hpp"
 #include "actors/vehicle_link/first_call.hpp"
+#include "actors/vehicle_link/foreign_watch.hpp"
 #include "actors/vehicle_link/heartbeat_gate.hpp"
+#include "actors/vehicle_link/look_keeper.hpp"
 #include "actors/vehicle_link/loss_watch.hpp"
 #include "actors/vehicle_link/order_check.hpp"
 #include "actors/vehicle_link/pending_commands.hpp"
@@ -64,6 +67,8 @@ public:
   [[nodiscard]] effects on_download(std::uint64_t request_id, const download_plan& what, instant now);
   [[nodiscard]] effects on_clear(std::uint64_t request_id, const clear_plan& what, instant now);
   [[nodiscard]] effects on_cancel_transfer(instant now);
+  [[nodiscard]] effects on_look(std::uint64_t request_id, instant now);
+  [[nodiscard]] effects on_watch_closely(const watch_closely& what, instant now);
   // Of a ground station, to the vehicle; whoever tells it has let it pass.
   [[nodiscard]] effects on_relayed(const relayed_frame& what, instant now);
   void on_child_alive(const runtime::child_alive& what, instant now);
@@ -110,6 +115,10 @@ private:
   void resolve(decision_context& t, const resolved_command& done);
   void ask_for_streams(decision_context& t);
   [[nodiscard]] std::string why_no_key() const; // is given to the vehicle now; empty: it may be
+  void tell_foreign(decision_context& t, const std::optional<foreign_act>& what);
+  void answer_look(decision_context& t, const std::optional<resolved_look>& done);
+  void ask_for_heartbeat(decision_context& t);
+  void send_copies(decision_context& t);
   void raise_alert(decision_context& t);
   [[nodiscard]] std::string refused_sentence() const;
   [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what, instant now);
@@ -137,6 +146,8 @@ private:
   std::uint64_t late_heartbeats_ = 0;
   std::uint64_t under_its_name_ = 0; // frames of the vehicle's name from another peer
   order_check orders_;
+  foreign_watch foreign_;
+  look_keeper looks_;
   std::int64_t next_beat_ns_ = 0;
   bool heartbeat_held_back_ = false;
   std::uint64_t not_accepted_ = 0;

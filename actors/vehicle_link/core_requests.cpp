@@ -107,6 +107,10 @@ void core::resolve(decision_context& t, const resolved_command& done) {
     streams_.on_outcome(done.outcome, t.now.monotonic_ns);
     ask_for_streams(t);
     return;
+  case asker_kind::look:
+    answer_look(t, looks_.on_outcome(done.outcome, t.now.monotonic_ns));
+    ask_for_heartbeat(t);
+    return;
   case asker_kind::current_item:
     if (const auto outcome = current_.on_outcome(done.outcome, t.now.monotonic_ns))
       t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, *outcome});
@@ -114,6 +118,26 @@ void core::resolve(decision_context& t, const resolved_command& done) {
       announce_current(t);
     return;
   }
+}
+
+// What has changed since it was decided ends it here: the answer to the copies before may still come.
+void core::send_copies(decision_context& t) {
+  for (const auto& each : commands_.due_copies(t.now.monotonic_ns)) {
+    if (watch_.vehicle() && orders_.why_not(each.only_while, t.now.monotonic_ns).empty())
+      send_out(t, each);
+    else
+      commands_.send_no_more_copies(each);
+  }
+}
+
+void core::answer_look(decision_context& t, const std::optional<resolved_look>& done) {
+  if (done)
+    t.done.emplace_back(*done);
+}
+
+void core::ask_for_heartbeat(decision_context& t) {
+  if (const auto request = looks_.next_request(t.now.monotonic_ns))
+    give(t, {asker_kind::look, 0}, *request);
 }
 
 void core::ask_for_streams(decision_context& t) {
@@ -183,6 +207,26 @@ std::pair<effects, signing_answer> core::on_set_up_signing(const set_up_signing&
   return {std::move(t.done), {true, {}}};
 }
 
+// PX4 sends what it is asked for before its answer, and ArduPilot after it.
+effects core::on_look(std::uint64_t request_id, instant now) {
+  decision_context t(*this, now);
+  if (watch_.phase() != connection_phase::connected) {
+    t.done.emplace_back(resolved_look{request_id, {false, 0, "the vehicle is not heard"}});
+    return std::move(t.done);
+  }
+  const bool is_px4 = watch_.vehicle()->autopilot == mavlink::number(mavlink::mav_autopilot::px4);
+  answer_look(t, looks_.begin(request_id, is_px4, now.monotonic_ns));
+  ask_for_heartbeat(t);
+  return std::move(t.done);
+}
+
+effects core::on_watch_closely(const watch_closely& what, instant now) {
+  decision_context t(*this, now);
+  streams_.want_heartbeats(what.is_close, now.monotonic_ns);
+  ask_for_streams(t);
+  return std::move(t.done);
+}
+
 // -- transfers ------------------------------------------------------------------------------------
 
 void core::go_on(decision_context& t, transfer::step next) {
@@ -228,8 +272,9 @@ effects core::on_upload(std::uint64_t request_id, const upload_plan& what, insta
 }
 
 effects core::on_download(std::uint64_t request_id, const download_plan& what, instant now) {
-  return begin_transfer(request_id, what.mission_type, {}, now,
-                        [&](transfer::client& client) { return client.download(what.mission_type, now.monotonic_ns); });
+  return begin_transfer(request_id, what.mission_type, {}, now, [&](transfer::client& client) {
+    return client.download(what.mission_type, now.monotonic_ns, what.id_suffices);
+  });
 }
 
 effects core::on_clear(std::uint64_t request_id, const clear_plan& what, instant now) {

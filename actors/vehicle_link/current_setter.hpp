@@ -3,7 +3,7 @@
 //   idle ──begin──> commanded ──accepted──────────────> done
 //                       │ └─────refused, timed out────> done
 //                       └─unsupported──> announced ──MISSION_CURRENT says so──> done
-//                                            │  └─announce_again_ms: MISSION_SET_CURRENT once more
+//                                            │  └─each copy_after_ms: MISSION_SET_CURRENT, three in all
 //                                            ├──announce_timeout_ms────> done (timed_out)
 //                                            └──another mode before either send──> done (outdated)
 //
@@ -23,7 +23,6 @@
 
 namespace godwit::vehicle_link {
 
-inline constexpr std::int64_t announce_again_ms = 1'000;
 inline constexpr std::int64_t announce_timeout_ms = 2'500; // MISSION_CURRENT comes once a second
 
 class current_setter {
@@ -41,6 +40,7 @@ public:
     send_command what;
     what.command = command;
     what.param1 = static_cast<float>(sequence_);
+    what.copies = copies_of_moving_order;
     what.only_while = only_while_;
     return what;
   }
@@ -58,7 +58,8 @@ public:
     if (!unknown_to_vehicle)
       return end(outcome);
     step_ = step::announced;
-    again_ns_ = now_ns + announce_again_ms * ns_per_ms;
+    copies_left_ = copies_of_moving_order - 1;
+    again_ns_ = now_ns + copy_after_ms * ns_per_ms;
     deadline_ns_ = now_ns + announce_timeout_ms * ns_per_ms;
     return std::nullopt;
   }
@@ -78,18 +79,19 @@ public:
                           " as its current one; its status text may say why"});
   }
 
-  // True once, when MISSION_SET_CURRENT is to be sent again.
+  // True when a copy of MISSION_SET_CURRENT is to be sent.
   [[nodiscard]] bool wants_repetition(std::int64_t now_ns) {
-    if (step_ != step::announced || !again_ns_ || now_ns < *again_ns_)
+    if (step_ != step::announced || copies_left_ == 0 || now_ns < again_ns_)
       return false;
-    again_ns_.reset();
+    --copies_left_;
+    again_ns_ = now_ns + copy_after_ms * ns_per_ms;
     return true;
   }
 
   [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const {
     if (step_ != step::announced)
       return std::nullopt;
-    return again_ns_.value_or(deadline_ns_);
+    return copies_left_ > 0 ? again_ns_ : deadline_ns_;
   }
 
 private:
@@ -105,7 +107,8 @@ private:
   std::uint64_t request_id_ = 0;
   std::uint16_t sequence_ = 0;
   std::optional<seen_state> only_while_;
-  std::optional<std::int64_t> again_ns_;
+  std::uint8_t copies_left_ = 0;
+  std::int64_t again_ns_ = 0;
   std::int64_t deadline_ns_ = 0;
 };
 

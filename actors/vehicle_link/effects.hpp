@@ -11,6 +11,7 @@
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/vehicle_link/connection.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 #include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 
@@ -28,9 +29,16 @@ struct resolved_transfer {
 
 // For whoever listens to the vehicle.
 using announcement =
-    std::variant<connection_changed, vehicle_restarted, signing_alert, transfer::progress, relayed_frame>;
+    std::variant<connection_changed, vehicle_restarted, signing_alert, transfer::progress, relayed_frame, foreign_act>;
 
-using effect = std::variant<transmission, resolved_command, resolved_transfer, observation, announcement>;
+// Who asked for a look at the vehicle has it, or not.
+struct resolved_look {
+  std::uint64_t request_id = 0;
+  looked what;
+};
+
+using effect =
+    std::variant<transmission, resolved_command, resolved_transfer, resolved_look, observation, announcement>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::vehicle_link

@@ -8,25 +8,27 @@
 // |--------------------------|------------------------------------------------------------------------|
 // | HEARTBEAT                | watchdog, mode, armed; told to listeners                               |
 // | CURRENT_MODE             | mode; told to listeners                                                |
-// | COMMAND_ACK              | the answer to whoever sent the command                                 |
+// | COMMAND_ACK              | the answer to whoever sent the command; to somebody else: foreign_watch |
 // | MISSION_COUNT, _ITEM_INT, _REQUEST, _REQUEST_INT, _ACK | mission transfer                         |
 // | MISSION_CURRENT          | mission transfer and set-current; told to listeners                    |
 // | TIMESYNC, PING           | answered; PX4 keeps its clock offset with them                         |
 // | the rest of `told`       | told to listeners as they are                                          |
 //
-// RADIO_STATUS is taken from any sender of the link: it is the radio's word and not the autopilot's. Of
-// GIMBAL_DEVICE_ATTITUDE_STATUS any component of the vehicle's system is heard: a gimbal may speak for itself.
+// MISSION_COUNT, MISSION_CLEAR_ALL, MISSION_WRITE_PARTIAL_LIST and MISSION_SET_CURRENT of anybody else to the vehicle
+// are signs of another plan (foreign_watch), and go no further. RADIO_STATUS is taken from any sender of the link: it
+// is the radio's word and not the autopilot's. Of GIMBAL_DEVICE_ATTITUDE_STATUS any component of the vehicle's system
+// is heard: a gimbal may speak for itself.
 //
 // | Sent                                                        | When                                  |
 // |-------------------------------------------------------------|---------------------------------------|
 // | HEARTBEAT                                                   | once a second, while who decides here lives     |
 // | COMMAND_LONG, COMMAND_INT, COMMAND_CANCEL, SET_MODE         | asked for                             |
-// | COMMAND_LONG REQUEST_MESSAGE for HEARTBEAT                  | nobody was heard yet on an open link  |
-// | MISSION_COUNT, _ITEM_INT, _ACK, _REQUEST_LIST, _REQUEST_INT, _CLEAR_ALL | a transfer is asked for   |
-// | MISSION_SET_CURRENT                                         | the vehicle has no DO_SET_MISSION_CURRENT |
-// | REQUEST_DATA_STREAM                                         | SET_MESSAGE_INTERVAL brought nothing   |
-// | TIMESYNC, PING                                              | answers                               |
-// | SETUP_SIGNING                                               | asked for, and the link is secure     |
+// | COMMAND_LONG REQUEST_MESSAGE for HEARTBEAT                  | nobody was heard yet on an open link; a look is asked
+// for | | MISSION_COUNT, _ITEM_INT, _ACK, _REQUEST_LIST, _REQUEST_INT, _CLEAR_ALL | a transfer is asked for   | |
+// MISSION_SET_CURRENT                                         | the vehicle has no DO_SET_MISSION_CURRENT | |
+// REQUEST_DATA_STREAM                                         | SET_MESSAGE_INTERVAL brought nothing   | | TIMESYNC,
+// PING                                              | answers                               | | SETUP_SIGNING | asked
+// for, and the link is secure     |
 #pragma once
 
 #include <concepts>

@@ -71,8 +71,46 @@ std::optional<command_verdict> pending_commands::take(asker asked_by, const send
   if (waiting_.size() >= max_commands_in_flight)
     return command_verdict::too_many;
   const auto timeout_ns = timeout_ms * ns_per_ms;
-  waiting_[which] = {asked_by, now_ns, timeout_ns, now_ns + timeout_ns};
+  auto& entry = waiting_[which];
+  entry = {asked_by, what, now_ns + copy_after_ns(), now_ns, timeout_ns, now_ns + timeout_ns};
+  stop_late_copies(entry);
+  std::erase_if(own_, [&](const auto& each) { return now_ns - each.second > own_answers_repeat_ns; });
+  own_[what.command] = now_ns;
   return std::nullopt;
+}
+
+std::int64_t pending_commands::copy_after_ns() const {
+  const auto slowest = std::ranges::max_element(round_trips_ns_);
+  return std::max(copy_after_ms * ns_per_ms, slowest == round_trips_ns_.end() ? 0 : *slowest);
+}
+
+void pending_commands::stop_late_copies(waiting& entry) const {
+  if (entry.copy_ns - entry.sent_ns > copies_within_ms * ns_per_ms)
+    entry.what.copies = 1;
+}
+
+bool pending_commands::is_own(std::uint16_t command, std::int64_t now_ns) const {
+  const auto found = own_.find(command);
+  return found != own_.end() && now_ns - found->second <= own_answers_repeat_ns;
+}
+
+std::vector<send_command> pending_commands::due_copies(std::int64_t now_ns) {
+  std::vector<send_command> result;
+  for (auto& [which, entry] : waiting_) {
+    if (entry.what.copies <= 1 || now_ns < entry.copy_ns)
+      continue;
+    --entry.what.copies;
+    ++entry.what.confirmation;
+    entry.copy_ns = now_ns + copy_after_ns();
+    result.push_back(entry.what);
+    stop_late_copies(entry);
+  }
+  return result;
+}
+
+void pending_commands::send_no_more_copies(const send_command& of) {
+  if (const auto found = waiting_.find({of.command, of.target_component}); found != waiting_.end())
+    found->second.what.copies = 1;
 }
 
 std::optional<resolved_command> pending_commands::acknowledge(const io::mavlink::command_ack& ack,
@@ -83,6 +121,10 @@ std::optional<resolved_command> pending_commands::acknowledge(const io::mavlink:
     return std::nullopt;
   }
   auto& entry = found->second;
+  entry.what.copies = 1;
+  if (round_trips_ns_.size() == round_trips_kept)
+    round_trips_ns_.erase(round_trips_ns_.begin());
+  round_trips_ns_.push_back(now_ns - entry.sent_ns);
   if (ack.result == static_cast<std::uint8_t>(mav_result::in_progress)) {
     entry.deadline_ns = std::min(now_ns + entry.timeout_ns, entry.sent_ns + max_progress_ms * ns_per_ms);
     return std::nullopt;
@@ -119,8 +161,10 @@ std::vector<resolved_command> pending_commands::end_all(command_verdict verdict,
 
 std::optional<std::int64_t> pending_commands::next_deadline_ns() const {
   std::optional<std::int64_t> result;
-  for (const auto& [which, entry] : waiting_)
-    result = std::min(result.value_or(entry.deadline_ns), entry.deadline_ns);
+  for (const auto& [which, entry] : waiting_) {
+    const auto due_ns = entry.what.copies > 1 ? std::min(entry.copy_ns, entry.deadline_ns) : entry.deadline_ns;
+    result = std::min(result.value_or(due_ns), due_ns);
+  }
   return result;
 }
 

@@ -54,6 +54,7 @@ stream_keeper::stream_keeper(std::vector<wanted_stream> wanted) {
 }
 
 void stream_keeper::begin(std::int64_t now_ns, std::optional<mavlink::mav_autopilot> whose) {
+  is_begun_ = true;
   for (auto& each : streams_) {
     const bool has_it = !each.wanted.only_of || each.wanted.only_of == whose;
     each = {.wanted = each.wanted, .at = has_it ? step::unasked : step::idle, .due_ns = now_ns, .window_from = now_ns};
@@ -61,8 +62,26 @@ void stream_keeper::begin(std::int64_t now_ns, std::optional<mavlink::mav_autopi
 }
 
 void stream_keeper::end() {
+  is_begun_ = false;
   for (auto& each : streams_)
     each = {.wanted = each.wanted};
+}
+
+void stream_keeper::want_heartbeats(bool is_close, std::int64_t now_ns) {
+  const auto interval_ms = is_close ? close_heartbeat_ms : usual_heartbeat_ms;
+  auto found = std::ranges::find(streams_, mavlink::heartbeat::message_id,
+                                 [](const stream& each) { return each.wanted.message; });
+  if (found == streams_.end()) {
+    if (!is_close)
+      return; // it was never asked for more
+    found = streams_.insert(streams_.end(), {.wanted = {mavlink::heartbeat::message_id, interval_ms, {}, true}});
+  } else if (found->wanted.interval_ms == interval_ms) {
+    return;
+  }
+  const bool is_asked = found->at == step::asked; // the answer to that request comes first
+  found->wanted.interval_ms = interval_ms;
+  if (!is_asked && is_begun_) // else with all others, when the vehicle is there
+    *found = {.wanted = found->wanted, .at = step::unasked, .due_ns = now_ns, .window_from = now_ns};
 }
 
 void stream_keeper::on_message(std::uint32_t id) {

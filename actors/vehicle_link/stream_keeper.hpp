@@ -37,6 +37,8 @@ inline constexpr std::size_t max_wanted_streams = 32;
 inline constexpr int stream_tries = 3;                      // of SET_MESSAGE_INTERVAL, before the older request
 inline constexpr std::int64_t stream_window_min_ms = 3'000; // what comes is counted over at least so long
 inline constexpr std::int64_t stream_retry_ms = 60'000;     // for what does not come after all
+inline constexpr std::int32_t close_heartbeat_ms = 200;     // a person who acts is seen within this
+inline constexpr std::int32_t usual_heartbeat_ms = 1'000;   // of all autopilots
 
 class stream_keeper {
 public:
@@ -46,6 +48,8 @@ public:
   // The vehicle is there, or has started again: ask for all that it has.
   void begin(std::int64_t now_ns, std::optional<io::mavlink::mav_autopilot> whose = {});
   void end(); // it is gone
+  // Five a second, or one again. A vehicle that can not (PX4) goes on with one a second.
+  void want_heartbeats(bool is_close, std::int64_t now_ns);
   void on_message(std::uint32_t id);
   void on_outcome(const command_outcome& outcome, std::int64_t now_ns);
 
@@ -74,6 +78,7 @@ private:
   [[nodiscard]] request request_for(stream& s);
 
   std::vector<stream> streams_;
+  bool is_begun_ = false; // the vehicle is there
 };
 
 } // namespace godwit::vehicle_link

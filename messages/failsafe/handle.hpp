@@ -25,7 +25,7 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::home_position>,
                      runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::mission_current>,
                      runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
-                     runtime::tells<vehicle_link::connection_changed>>;
+                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::foreign_act>>;
 
 // All of it; ground_port tells operator_link.
 using own_handle =
@@ -36,8 +36,8 @@ using own_handle =
                      runtime::tells<io::mavlink::global_position_int>, runtime::tells<io::mavlink::home_position>,
                      runtime::tells<io::mavlink::sys_status>, runtime::tells<io::mavlink::mission_current>,
                      runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
-                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<ground_port::operator_link>,
-                     runtime::tells<tick>>;
+                     runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::foreign_act>,
+                     runtime::tells<ground_port::operator_link>, runtime::tells<tick>>;
 
 // What the failsafe needs of the link to the vehicle.
 using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,

@@ -2,9 +2,9 @@
 //
 // ACCEPTED means that the autopilot will try, not that it is done. Each command has exactly one outcome; it is typed,
 // so that "refused", "no answer" and "whether it acted is not known" can not be mistaken for each other. vehicle_link
-// sends a command once: who asked decides about trying again, with `confirmation` one higher, after looking at the
-// vehicle. Source: MAVLink command protocol, COMMAND_LONG (76), COMMAND_INT (75), COMMAND_ACK (77), COMMAND_CANCEL
-// (80).
+// sends a command in as many copies as it says (one as a rule): who asked decides about trying again, with
+// `confirmation` one higher, after looking at the vehicle. Source: MAVLink command protocol, COMMAND_LONG (76),
+// COMMAND_INT (75), COMMAND_ACK (77), COMMAND_CANCEL (80).
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,29 @@ constexpr auto enum_names(command_form) {
       {{command_form::in_floats, "COMMAND_LONG"}, {command_form::in_integers, "COMMAND_INT"}});
 }
 
+// An order that moves the vehicle goes out in so many copies until its acknowledgement comes, and never again: within
+// 200 ms a frame or two may be lost, and nobody has walked up to the vehicle. A copy goes out when the acknowledgement
+// of the one before could have come: on a line with a round trip above 200 ms there is none, since it would come to the
+// vehicle after what a person does about the first.
+inline constexpr std::uint8_t copies_of_moving_order = 3;
+inline constexpr std::int64_t copy_after_ms = 80; // at least
+inline constexpr std::int64_t copies_within_ms = 200;
+
+// So long a look at the vehicle counts for an order: what was decided on it and has waited longer (for the disk, for a
+// process that was stopped) may meet somebody who has come since.
+inline constexpr std::int64_t look_counts_ns = 1'000'000'000;
+
 // What the sender of an order knows when it decides.
 struct seen_state {
   std::uint32_t custom_mode = 0;      // as the newest heartbeat of the vehicle has it
   bool is_armed = false;              // the same
   std::uint64_t failsafe_command = 0; // the failsafe's last one, in its count; in its own orders: this one
+  std::int64_t foreign_ns = 0;        // of the newest foreign_act that it knows of; 0: none
+  std::int64_t looked_ns = 0;         // of an order that moves the vehicle: when it was looked at for it; 0: of none
   static constexpr auto fields = io::table(
       "vehicle_link.seen_state", io::field("custom_mode", &seen_state::custom_mode),
-      io::field("is_armed", &seen_state::is_armed), io::field("failsafe_command", &seen_state::failsafe_command));
+      io::field("is_armed", &seen_state::is_armed), io::field("failsafe_command", &seen_state::failsafe_command),
+      io::field("foreign_ns", &seen_state::foreign_ns), io::field("looked_ns", &seen_state::looked_ns));
   friend bool operator==(const seen_state&, const seen_state&) = default;
 };
 
@@ -50,8 +65,9 @@ struct send_command {
   std::uint8_t confirmation = 0;     // 0 at the first try, one more at each further one
   std::uint8_t target_component = 1; // the autopilot
   std::int64_t timeout_ms = 0;       // 0: the configured one (1 s)
-  // What the sender knew when it decided: another newest heartbeat here, or a command of the failsafe that it did not
-  // know of, and the command is `outdated`. Absent: whatever.
+  std::uint8_t copies = 1;           // at most so many, copy_after_ms apart, until the answer comes
+  // What the sender knew when it decided: another newest heartbeat here, a command of the failsafe or an act of
+  // somebody else that it did not know of, or a look that is too old, and the command is `outdated`. Absent: whatever.
   std::optional<seen_state> only_while;
   static constexpr auto fields = io::table(
       "vehicle_link.send_command", io::field("command", &send_command::command), io::field("form", &send_command::form),
@@ -61,7 +77,8 @@ struct send_command {
       io::field("x", &send_command::x), io::field("y", &send_command::y), io::field("z", &send_command::z),
       io::field("frame", &send_command::frame), io::field("confirmation", &send_command::confirmation),
       io::field("target_component", &send_command::target_component),
-      io::field("timeout_ms", &send_command::timeout_ms), io::field("only_while", &send_command::only_while));
+      io::field("timeout_ms", &send_command::timeout_ms), io::field("copies", &send_command::copies),
+      io::field("only_while", &send_command::only_while));
 };
 
 enum class command_verdict {
@@ -113,7 +130,8 @@ struct set_mode {
 };
 
 // Makes SEQUENCE the current item of the vehicle's mission: DO_SET_MISSION_CURRENT, and MISSION_SET_CURRENT where the
-// vehicle does not know that. Accepted means that the vehicle acknowledged it, or broadcasts this sequence.
+// vehicle does not know that; each in at most copies_of_moving_order. Accepted means that the vehicle acknowledged it,
+// or broadcasts this sequence.
 struct set_current_item {
   std::uint16_t sequence = 0;                // as the vehicle counts
   std::optional<seen_state> only_while = {}; // as in send_command, and looked at before MISSION_SET_CURRENT again

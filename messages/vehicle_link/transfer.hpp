@@ -148,8 +148,10 @@ struct upload_plan {
 
 struct download_plan {
   io::mavlink::mav_mission_type mission_type = io::mavlink::mav_mission_type::mission;
+  bool id_suffices = false; // no items are asked for where the vehicle's MISSION_COUNT names the plan (PX4)
   static constexpr auto fields =
-      io::table("vehicle_link.download_plan", io::field("mission_type", &download_plan::mission_type));
+      io::table("vehicle_link.download_plan", io::field("mission_type", &download_plan::mission_type),
+                io::field("id_suffices", &download_plan::id_suffices));
 };
 
 struct clear_plan {

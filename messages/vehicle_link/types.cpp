@@ -1,6 +1,7 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
 #include "messages/vehicle_link/command.hpp"
 #include "messages/vehicle_link/connection.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 #include "messages/vehicle_link/port.hpp"
 #include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"
@@ -12,7 +13,10 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::command_outcome);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection_changed);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::download_plan);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::foreign_act);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::get_connection);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::look);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::looked);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::relayed_frame);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::send_command);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_current_item);
@@ -25,3 +29,4 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::progress);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::upload_plan);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::vehicle_restarted);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::wake);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::watch_closely);

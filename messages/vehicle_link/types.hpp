@@ -3,6 +3,7 @@
 
 #include "messages/vehicle_link/command.hpp"
 #include "messages/vehicle_link/connection.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 #include "messages/vehicle_link/port.hpp"
 #include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"

@@ -12,6 +12,8 @@ constexpr std::array<std::string_view, 9> failsafes{
 constexpr std::array<std::string_view, 2> changes_nothing{"Cleared", "Continuing"};
 constexpr std::array<std::string_view, 2> not_armed{"PreArm: ", "Preflight Fail: "};
 
+constexpr std::array<std::string_view, 2> new_plan{"Auto mission changed", "Flight plan received"};
+
 template <class Texts>
 bool begins_with_one_of(std::string_view text, const Texts& texts) {
   return std::ranges::any_of(texts, [&](std::string_view each) { return text.starts_with(each); });
@@ -28,6 +30,8 @@ bool tells_failsafe(std::string_view text) {
   const auto says = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
   return begins_with_one_of(text, failsafes) && std::ranges::none_of(changes_nothing, says);
 }
+
+bool tells_new_plan(std::string_view text) { return begins_with_one_of(text, new_plan); }
 
 bool tells_why_not_armed(std::string_view text) { return begins_with_one_of(text, not_armed); }
 

@@ -19,6 +19,10 @@ namespace godwit::flight {
 // RTL". Not: one that is over ("GCS Failsafe Cleared"), or that changes nothing ("Radio Failsafe - Continuing Auto").
 [[nodiscard]] bool tells_failsafe(std::string_view text);
 
+// Another plan is on the vehicle: "Auto mission changed, restarted command" (ArduPilot in AUTO, on all lines), "Flight
+// plan received" (to whoever has uploaded it). An upload of ours makes it say so as well.
+[[nodiscard]] bool tells_new_plan(std::string_view text);
+
 // Why it can not be armed: "PreArm: Compass not calibrated" (ArduPilot), "Preflight Fail: ..." (PX4).
 [[nodiscard]] bool tells_why_not_armed(std::string_view text);
 

@@ -1,8 +1,10 @@
 #include "actors/executor/flight/control_watch.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/fields/field_table.hpp"
+#include "io/mavlink/enums.hpp"
 #include "runtime/planted_bug.hpp"
 
 namespace godwit::executor {
@@ -39,6 +41,20 @@ void control_watch::on_place(instant now) {
   judge_place(now);
 }
 
+void control_watch::on_foreign(const vehicle_link::foreign_act& m) {
+  flight_.evidence.foreign_ns = std::max(flight_.evidence.foreign_ns, m.at_ns);
+  if (m.kind == vehicle_link::foreign_kind::plan)
+    return flight_.evidence.plan.doubt(m.at_ns);
+  flight_.evidence.commanded_ns = m.at_ns;
+  if (!judges_modes() || flight_.has_person())
+    return;
+  const auto command = static_cast<io::mavlink::mav_cmd>(m.command);
+  const auto name = io::name_of(command);
+  who_acts_ = (m.system == 0 ? std::string("somebody else") : name_of(station{m.system, m.component})) +
+              " commands the vehicle (" + (name.empty() ? std::to_string(m.command) : std::string(name)) + ")";
+  flight_.authority.take_away(flight::holder::person);
+}
+
 void control_watch::judge_mode(instant now) {
   const auto& view = flight_.view;
   flight_.authority.on_mode(view.owner(), *view.mode(), view.is_critical(), now.now_ns);
@@ -62,6 +78,9 @@ void control_watch::know_plan_end() {
 
 void control_watch::begin_start(effects& out) {
   flight_.authority.begin(*flight_.view.mode());
+  who_acts_.clear();
+  is_close_ = true;
+  out.emplace_back(watch_vehicle{true});
   was_armed_ = flight_.view.is_armed();
   if (flight_.failsafe_status &&
       flight_.failsafe_status->taken_over) { // of a flight before; whoever starts this one hands it over
@@ -85,6 +104,10 @@ void control_watch::end_flight() {
 // -- who has it -------------------------------------------------------------------------------------
 
 bool control_watch::heed(effects& out, instant now) {
+  if (is_close_ && !flight_.is_starting()) {
+    is_close_ = false;
+    out.emplace_back(watch_vehicle{false});
+  }
   const bool is_ours_to_lose = flight_.is_in_flight() || flight_.is_starting();
   const auto& failsafe_status = flight_.failsafe_status;
   if (!is_ours_to_lose && flight_.has_person() && failsafe_status && failsafe_status->in_flight &&
@@ -123,7 +146,8 @@ bool control_watch::judge_holder(effects& out) {
           "the vehicle was disarmed while it was started, and not by godwit; nothing is sent until an operator hands "
           "it back");
   else if (!flight_.authority.is_ours() || flight_.failsafe_status->taken_over)
-    yield(out, trigger::person_took_over, "a pilot has the vehicle" + in_its_mode());
+    yield(out, trigger::person_took_over,
+          (who_acts_.empty() ? std::string("a pilot has the vehicle") : std::exchange(who_acts_, {})) + in_its_mode());
   else
     return flight_.authority.is_unclear();
   return true;

@@ -25,6 +25,8 @@ public:
   void on_mode(instant now);
   void on_current_mode(std::uint32_t intended, instant now);
   void on_place(instant now);
+  // Somebody else acts on the vehicle, as its line shows.
+  void on_foreign(const vehicle_link::foreign_act& m);
 
   // godwit starts the vehicle, and has it from here on.
   void begin_start(effects& out);
@@ -59,6 +61,8 @@ private:
   task_control& tasks_;
   std::optional<std::uint32_t> known_end_; // the generation whose end the authority knows
   bool was_armed_ = false;                 // in the start that is under way
+  bool is_close_ = false;                  // the vehicle is watched closely, for a start
+  std::string who_acts_;                   // the one whose command the vehicle obeys; empty: its mode alone shows it
 };
 
 } // namespace godwit::executor

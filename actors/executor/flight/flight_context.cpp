@@ -40,7 +40,7 @@ std::optional<vehicle_link::seen_state> flight_context::known() const {
   if (!view.mode())
     return std::nullopt;
   return vehicle_link::seen_state{view.mode()->custom_mode, view.is_armed(),
-                                  failsafe_status ? failsafe_status->last_command : 0};
+                                  failsafe_status ? failsafe_status->last_command : 0, evidence.foreign_ns, 0};
 }
 
 std::string flight_context::sentence() const {

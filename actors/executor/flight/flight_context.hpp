@@ -15,6 +15,7 @@
 
 #include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/executor/effects.hpp"
+#include "actors/executor/evidence.hpp"
 #include "actors/executor/flight/command_queue.hpp"
 #include "actors/executor/plan/builder.hpp"
 #include "actors/executor/settings.hpp"
@@ -53,6 +54,7 @@ struct flight_context {
   const state& s; // outlives it, and changes only between two calls of the core
   vehicle_view view;
   flight::control_authority authority;
+  executor::evidence evidence;
   task_runner runner;
   std::optional<failsafe::failsafe_status> failsafe_status; // none: not told to this incarnation yet
   bool is_failsafe_gone = false;                            // in this flight: no plan is changed
@@ -70,7 +72,7 @@ struct flight_context {
   // The vehicle flies our plan, and godwit has it from here on.
   void adopt_flight();
   [[nodiscard]] task_runner::world world(instant now, effects& out) {
-    return {s, view, authority, now.now_ns, out, known()};
+    return {s, view, authority, evidence, now.now_ns, out, known()};
   }
   // Why a start would be for nothing; empty: the vehicle is armed, or a start arms it.
   [[nodiscard]] std::string why_not_armed() const;

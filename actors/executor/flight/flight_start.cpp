@@ -136,7 +136,7 @@ void flight_start::refuse(effects& out, const std::string& why) {
   flight_.wanted.start.reset();
 }
 
-bool flight_start::begin_by_itself(effects& out) {
+bool flight_start::begin_by_itself(effects& out, instant now) {
   const auto& configured = flight_.configured;
   const bool is_automatic = configured.start == start_policy::automatic;
   const bool waits_for_word = flight_.s.awaits_word && configured.takeoff_again == start_policy::on_command;
@@ -144,13 +144,16 @@ bool flight_start::begin_by_itself(effects& out) {
   const bool is_held_rover = is_rover && flight_.view.is_in(mode_kind::hold); // nobody drives it
   if (is_automatic && waits_for_word)
     phases_.go(out, trigger::start_waits);
+  const auto commanded_ns = flight_.evidence.commanded_ns;
+  if (commanded_ns != 0 && now.now_ns - commanded_ns < person_acts_ns)
+    return false;
   if (!is_automatic || !configured.arm_on_start || waits_for_word || !(!flight_.view.is_under_way() || is_held_rover))
     return false;
   begin(out, {}, first_sequence());
   return true;
 }
 
-bool flight_start::follow(effects& out) {
+bool flight_start::follow(effects& out, instant now) {
   const auto& status = flight_.s.status;
   const bool waits =
       status.now == phase::ready || (status.now == phase::paused && status.cause == pause_cause::restarted);
@@ -159,6 +162,7 @@ bool flight_start::follow(effects& out) {
       !flight_.s.flown)
     return false;
   flight_.adopt_flight();
+  flight_.evidence.plan.doubt(now.now_ns); // whoever has started it may have brought another one
   flight_.wanted.set_current_item = false; // it goes on from where it is
   out.emplace_back(note{preflight::took_off{}});
   if (flight_.view.current())

@@ -11,6 +11,9 @@ namespace godwit::executor {
 
 class flight_start {
 public:
+  // Nothing begins by itself so long after somebody else has commanded the vehicle: he stands beside it.
+  static constexpr std::int64_t person_acts_ns = 10'000'000'000;
+
   flight_start(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
                preparation& prepared, part_choice& parts, start_by_arming& arming)
       : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), preparation_(prepared), parts_(parts),
@@ -19,10 +22,10 @@ public:
   // The one that is wanted.
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
   // The flight is ready, and nobody has asked.
-  [[nodiscard]] bool begin_by_itself(effects& out);
+  [[nodiscard]] bool begin_by_itself(effects& out, instant now);
   // Our plan is flown, and nobody here has started it: a start whose sender died came through, or somebody else has
   // said it. It is followed, and guarded; nothing else is sent.
-  [[nodiscard]] bool follow(effects& out);
+  [[nodiscard]] bool follow(effects& out, instant now);
   // Somebody else has the vehicle: who waits for a start is told.
   void refuse(effects& out, const std::string& why);
 

@@ -30,7 +30,8 @@ constexpr std::string_view call_again =
 
 } // namespace
 
-void recovery::begin() {
+void recovery::begin(bool is_new_process) {
+  is_new_process_ = is_new_process;
   const auto& s = flight_.s;
   last_task_before_ = s.last_task;
   if (const auto& plan = s.progress.plan) // what was to be done about it died with the incarnation that was told
@@ -154,6 +155,8 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
     return find_called_home(out, now);
   const bool is_held = flight_.authority.is_ours() && flight_.view.obeys(mode_kind::hold);
   const bool was_to_go_on = is(task_kind::resume) || (is(task_kind::deploy) && doing->goes_on);
+  if (is_held && was_to_go_on && is_new_process_)
+    return phases_.go(out, trigger::found_held, "godwit was restarted while the vehicle was held; resume goes on");
   if (is_held && was_to_go_on) {
     flight_.wanted.finish_replan = true;
     return phases_.go(out, trigger::found_on_its_way);

@@ -2,8 +2,9 @@
 //
 // It knows what it meant to do, and not what the vehicle does. So it looks before anything; on the ground nothing
 // begins by itself; in flight what was meant is finished by a mode change, and only out of a hold that godwit has
-// commanded. Uploads and starts without an answer are resolved by what the vehicle holds and says. Pure. Thread: one at
-// a time.
+// commanded and that this process has heard: after a restart of the process that hold may be a person's, and only a
+// person's resume ends it. Uploads and starts without an answer are resolved by what the vehicle holds and says. Pure.
+// Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@ public:
   recovery(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch)
       : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch) {}
 
-  void begin();
+  void begin(bool is_new_process);
   [[nodiscard]] bool has_looked() const { return has_looked_; }
   // True: the rest waits for it.
   [[nodiscard]] bool look(effects& out, instant now);
@@ -64,6 +65,7 @@ private:
   phase_machine& phases_;
   task_control& tasks_;
   control_watch& watch_;
+  bool is_new_process_ = false;
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   question looking_ = question::none;
   std::int64_t looking_since_ns_ = 0;

@@ -107,7 +107,7 @@ bool task_control::run(effects& out, instant now) {
   case task_runner::verdict::under_way:
     break;
   case task_runner::verdict::done:
-    finish(out, *what);
+    finish(out, *what, now);
     break;
   case task_runner::verdict::failed:
     fail(out, *what, flight_.runner.why_failed(), now);
@@ -139,7 +139,14 @@ void task_control::end(effects& out, const std::string& why) {
 
 // -- the end ----------------------------------------------------------------------------------------
 
-void task_control::finish(effects& out, const task& what) {
+// A vehicle without plan ids does not tell when somebody else has brought it a plan between the proof and the order.
+void task_control::verify_plan(instant now) {
+  const auto& plan = flight_.s.progress.plan;
+  if (plan && !plan->vehicle_plan_id)
+    flight_.evidence.plan.doubt(now.now_ns);
+}
+
+void task_control::finish(effects& out, const task& what, instant now) {
   out.emplace_back(note{task_ended{what.number}});
   if (what.start_key)
     answer_start(out, *what.start_key,
@@ -149,6 +156,7 @@ void task_control::finish(effects& out, const task& what) {
     finish_deploy(out, what);
     return;
   case task_kind::start:
+    verify_plan(now);
     start_refused_since_ns_ = 0;
     flight_.was_up = flight_.view.is_under_way();
     out.emplace_back(note{preflight::took_off{}});
@@ -158,6 +166,7 @@ void task_control::finish(effects& out, const task& what) {
     phases_.go(out, trigger::held, std::exchange(flight_.wanted.why_halt, {}));
     return;
   case task_kind::resume:
+    verify_plan(now);
     phases_.go(out, trigger::resumed);
     return;
   case task_kind::come_home:
@@ -193,8 +202,8 @@ void task_control::finish_deploy(effects& out, const task& what) {
 bool task_control::is_start_tried_on(const task& what, instant now) {
   const bool is_automatic =
       what.kind == task_kind::start && !what.start_key && flight_.configured.start == start_policy::automatic;
-  if (!is_automatic || !flight_.runner.was_refused_for_now())
-    return false;
+  if (!is_automatic || !flight_.runner.was_refused_for_now() || flight_.runner.has_armed())
+    return false; // after an ARM that may have been obeyed only a person starts again
   if (start_refused_since_ns_ == 0)
     start_refused_since_ns_ = now.now_ns;
   if (now.now_ns - start_refused_since_ns_ < start_patience_ns)

@@ -46,7 +46,8 @@ private:
                   const std::optional<std::string>& assignment = {});
   void finish_way_home(effects& out);
   [[nodiscard]] bool is_pointless(const task& what) const;
-  void finish(effects& out, const task& what);
+  void verify_plan(instant now);
+  void finish(effects& out, const task& what, instant now);
   void finish_deploy(effects& out, const task& what);
   void fail(effects& out, const task& what, const std::string& why, instant now);
   [[nodiscard]] bool is_start_tried_on(const task& what, instant now);

@@ -23,10 +23,22 @@ bool awaits_reached(const followed_plan& plan) {
 
 void note_resolved(followed_plan& plan) { plan.ever_resolved = std::max(plan.ever_resolved, plan.generation.resolved); }
 
+// Of all its places: a survey of which some lines were jumped over is not done.
+bool was_never_near(const followed_plan& plan, const mapped_item& item) {
+  return std::ranges::any_of(plan.generation.never_near, [&](std::uint16_t each) {
+    return each >= item.first_sequence && each < item.first_sequence + item.sequence_count;
+  });
+}
+
 // The next item, as KIND. One without vehicle items is skipped whatever happens, and that is worth saying once.
 void resolve_next(decision_context& t, progress_kind kind, bool is_inferred) {
   auto& plan = *t.s.plan;
   const auto& item = plan.map.items[plan.generation.resolved];
+  if (kind == progress_kind::reached && was_never_near(plan, item)) {
+    kind = progress_kind::skipped;
+    is_inferred = false;
+    tell(t, progress_event_kind::place_missed, item.item_id);
+  }
   if (item.sequence_count > 0)
     report_item(t, kind, item, is_inferred);
   else if (plan.generation.resolved >= plan.ever_resolved)
@@ -171,6 +183,7 @@ void open_generation(decision_context& t, generation_origin origin, std::uint16_
                      .moved_to = {},
                      .complete_upto = {},
                      .stale_reached = plan.vehicle_plan_id ? plan.last_reached : std::nullopt,
+                     .never_near = {},
                      .started_position = {}};
   for (const auto& each : left_out)
     report_item(t, progress_kind::skipped, each, false);

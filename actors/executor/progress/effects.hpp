@@ -52,6 +52,7 @@ enum class progress_event_kind {
   plan_done,         // the last item of the plan that moves the vehicle is done
   mission_complete,  // and no further plan follows
   upload_failed,     // the plan before stays in force
+  place_missed,      // its track contradicts that it was at an item, which the reason names
   foreign_plan,      // paused: the vehicle holds a plan that is not ours
   vehicle_restarted  // paused: what the vehicle flew is lost
 };
@@ -63,6 +64,7 @@ constexpr auto enum_names(progress_event_kind) {
                                          {progress_event_kind::plan_done, "plan_done"},
                                          {progress_event_kind::mission_complete, "mission_complete"},
                                          {progress_event_kind::upload_failed, "upload_failed"},
+                                         {progress_event_kind::place_missed, "place_missed"},
                                          {progress_event_kind::foreign_plan, "foreign_plan"},
                                          {progress_event_kind::vehicle_restarted, "vehicle_restarted"}});
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "actors/executor/progress/plan_map.hpp"
 #include "io/fields/field_table.hpp"
@@ -148,15 +149,19 @@ struct current_told {
   io::mavlink::mission_current message;
   bool is_disarmed = false; // the vehicle flies nothing, whatever its mode (PX4 lands and stays in that of its mission)
   bool is_ours = true;      // godwit has the vehicle; what it does under anybody else is no progress of the mission
+  std::vector<std::uint16_t> never_near = {}; // places of the plan that the track contradicts: not reached
   static constexpr auto fields =
       io::table("executor.progress_current_told", io::field("message", &current_told::message),
-                io::field("is_disarmed", &current_told::is_disarmed), io::field("is_ours", &current_told::is_ours));
+                io::field("is_disarmed", &current_told::is_disarmed), io::field("is_ours", &current_told::is_ours),
+                io::field("never_near", &current_told::never_near));
 };
 
 struct reached_told {
   std::uint16_t sequence = 0;
+  std::vector<std::uint16_t> never_near = {}; // as in current_told
   static constexpr auto fields =
-      io::table("executor.progress_reached_told", io::field("sequence", &reached_told::sequence));
+      io::table("executor.progress_reached_told", io::field("sequence", &reached_told::sequence),
+                io::field("never_near", &reached_told::never_near));
 };
 
 // It stands on the ground, disarmed, and nobody has taken it from its mission: a plan that ends with a landing or a
@@ -166,6 +171,11 @@ struct came_down {
   static constexpr auto fields = io::table("executor.progress_came_down");
 };
 
+// It was read, and holds a plan that is not the one that was brought to it.
+struct other_plan_found {
+  static constexpr auto fields = io::table("executor.progress_other_plan_found");
+};
+
 // Its clock since boot went back.
 struct vehicle_rebooted {
   static constexpr auto fields = io::table("executor.progress_vehicle_rebooted");
@@ -173,6 +183,6 @@ struct vehicle_rebooted {
 
 using event = std::variant<mission_opened, earlier_reports_told, upload_intended, start_intended, mission_aborted,
                            upload_ended, vehicle_looked_at, plan_read_back, found_begun, start_ended, current_told,
-                           reached_told, came_down, vehicle_rebooted>;
+                           reached_told, came_down, other_plan_found, vehicle_rebooted>;
 
 } // namespace godwit::executor::progress

@@ -177,6 +177,8 @@ bool may_be_started(const decision_context& t, const mission_current& message) {
 
 // A vehicle that stands begins nothing: what it says then counts for a plan that it has flown.
 void take(decision_context& t, const current_told& what) {
+  if (t.s.plan)
+    t.s.plan->generation.never_near = what.never_near;
   const bool has_begun = t.s.plan && t.s.plan->generation.is_armed;
   if (!what.is_ours || (what.is_disarmed && !has_begun)) {
     if (t.s.plan && !t.s.paused && !t.s.upload && !t.s.start)
@@ -192,6 +194,8 @@ void take(decision_context& t, const current_told& what) {
 }
 
 void take(decision_context& t, const reached_told& what) {
+  if (t.s.plan)
+    t.s.plan->generation.never_near = what.never_near;
   note_reached(t, what.sequence);
   if (t.s.start && !t.s.held.empty() && what.sequence >= t.s.start->sequence)
     return; // the vehicle seems to have begun there already
@@ -207,6 +211,11 @@ void take(decision_context& t, const came_down&) {
     return;
   note_complete(t, static_cast<std::uint16_t>(end_sequence(t.s.plan->map) - 1));
   catch_up(t);
+}
+
+void take(decision_context& t, const other_plan_found&) {
+  if (t.s.plan && !t.s.paused && !t.s.upload)
+    pause(t, pause_reason::foreign_plan);
 }
 
 void take(decision_context& t, const vehicle_rebooted&) {

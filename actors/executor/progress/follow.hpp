@@ -27,6 +27,7 @@ namespace godwit::executor::progress {
 void take(decision_context& t, const current_told& what);
 void take(decision_context& t, const reached_told& what);
 void take(decision_context& t, const came_down& what);
+void take(decision_context& t, const other_plan_found& what);
 void take(decision_context& t, const vehicle_rebooted& what);
 
 // No intent is under way any more: what was held is looked at.

@@ -75,6 +75,7 @@ struct generation_state {
   // A vehicle with plan ids (PX4) repeats the last MISSION_ITEM_REACHED, and goes on with that behind a start which
   // changes nothing for it: this one is no news until another one was told.
   std::optional<std::uint16_t> stale_reached;
+  std::vector<std::uint16_t> never_near;         // places that the track contradicts: their items were not reached
   std::uint32_t resolved = 0;                    // so many items from the front are done or skipped
   std::optional<std::uint32_t> started_position; // the last item that was reported as started
   static constexpr auto fields = io::table(
@@ -88,7 +89,8 @@ struct generation_state {
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
       io::field("complete_upto", &generation_state::complete_upto),
       io::field("waiting_since_ns", &generation_state::waiting_since_ns),
-      io::field("stale_reached", &generation_state::stale_reached), io::field("settled", &generation_state::resolved),
+      io::field("stale_reached", &generation_state::stale_reached),
+      io::field("never_near", &generation_state::never_near), io::field("settled", &generation_state::resolved),
       io::field("started_position", &generation_state::started_position));
 };
 

@@ -66,9 +66,9 @@ step client::upload(mav_mission_type type, std::vector<mavlink::mission_item_int
       now_ns);
 }
 
-step client::download(mav_mission_type type, std::int64_t now_ns) {
+step client::download(mav_mission_type type, std::int64_t now_ns, bool id_suffices) {
   const auto who = with(type);
-  return begin(who, std::make_unique<transfer::download>(who, profile_, line_), now_ns);
+  return begin(who, std::make_unique<transfer::download>(id_suffices, who, profile_, line_), now_ns);
 }
 
 step client::clear(mav_mission_type type, std::int64_t now_ns) {

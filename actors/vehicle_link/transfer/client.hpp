@@ -45,7 +45,8 @@ public:
   // the plan is cleared. More than plan_reader::max_items: refused here.
   [[nodiscard]] step upload(mavlink::mav_mission_type type, std::vector<mavlink::mission_item_int> plan,
                             std::int64_t now_ns);
-  [[nodiscard]] step download(mavlink::mav_mission_type type, std::int64_t now_ns);
+  // ID_SUFFICES: no items are asked for where the vehicle names its plan by an id.
+  [[nodiscard]] step download(mavlink::mav_mission_type type, std::int64_t now_ns, bool id_suffices = false);
   [[nodiscard]] step clear(mavlink::mav_mission_type type, std::int64_t now_ns);
   // Nothing happens when is_idle().
   [[nodiscard]] step cancel(std::int64_t now_ns);

@@ -47,7 +47,7 @@ void download::look_at_reader(step& out, std::int64_t now_ns) {
   case plan_reader::state::complete: {
     reader_.close(out, mav_mission_result::accepted);
     auto result = failed(verdict::accepted, {});
-    result.proof = proof::read_back;
+    result.proof = reader_.received() < reader_.count() ? proof::plan_id : proof::read_back;
     result.holding = holding::this_plan;
     result.items_on_vehicle = static_cast<std::uint16_t>(reader_.count());
     if (reader_.plan_id() != 0)

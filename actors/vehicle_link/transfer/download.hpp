@@ -1,6 +1,6 @@
 // Brings the plan of the vehicle to us: plan_reader with an outcome.
 //
-//   start ──> listing ──> reading ──> accepted, with the items
+//   start ──> listing ──> reading ──> accepted, with the items (or with the plan's id alone)
 //                └───────────┴──────> refused, timed_out, cancelled
 //
 // The transfer is always closed with a MISSION_ACK, an empty one too. Thread: one at a time.
@@ -15,9 +15,9 @@ namespace godwit::vehicle_link::transfer {
 
 class download final : public operation {
 public:
-  // LINE outlives it.
-  download(const parties& who, const peer_profile& peer, round_trip& line)
-      : who_(who), reader_(plan_reader::depth::items, who, peer, line) {}
+  // ID_SUFFICES: of a plan that the vehicle names by an id no items are asked for. LINE outlives it.
+  download(bool id_suffices, const parties& who, const peer_profile& peer, round_trip& line)
+      : who_(who), reader_(id_suffices ? plan_reader::depth::plan_id : plan_reader::depth::items, who, peer, line) {}
 
   void start(step& out, std::int64_t now_ns) override;
   void on_count(step& out, const mavlink::mission_count& m, std::int64_t now_ns) override;

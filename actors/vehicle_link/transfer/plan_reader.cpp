@@ -38,7 +38,7 @@ void plan_reader::on_count(step& out, const mavlink::mission_count& m, std::int6
   note_progress(now_ns);
   count_ = m.count;
   plan_id_ = m.opaque_id;
-  if (count_ == 0 || depth_ == depth::count) {
+  if (count_ == 0 || depth_ == depth::count || (depth_ == depth::plan_id && plan_id_ != 0)) {
     state_ = state::complete;
     return;
   }

@@ -31,7 +31,7 @@ namespace godwit::vehicle_link::transfer {
 
 class plan_reader {
 public:
-  enum class depth { count, items };
+  enum class depth { count, plan_id, items }; // plan_id: the items of a plan without one
   enum class state { listing, reading, complete, refused, silent };
 
   // What a sequence number can count. 3 MB of items.

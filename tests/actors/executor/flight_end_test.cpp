@@ -93,21 +93,36 @@ TEST_P(landing_end, on_the_ground_it_is_taken_out_of_its_mission_before_the_next
 
 // -- the start ------------------------------------------------------------------------------------------
 
-constexpr std::uint16_t start_of_mission = 300;
+constexpr std::uint16_t arming = 400;
+// A PX4 is started by its mission mode.
+std::uint16_t start_of(sim::personality who) { return who == sim::personality::px4 ? 176 : 300; }
 constexpr std::uint8_t failed = 4;
 
 TEST_P(flight_end, an_automatic_start_that_is_refused_for_now_is_tried_on) {
   flight_world world({.who = GetParam(), .speed = 1});
-  world.vehicle().refuse_command(start_of_mission, failed, 8);
+  world.vehicle().refuse_command(arming, failed, 8);
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
-  EXPECT_GT(std::ranges::count(world.commands(), start_of_mission), 8);
+  EXPECT_GT(std::ranges::count(world.commands(), arming), 8);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+// It may stand armed, with a person beside it who thinks that nothing comes of it any more.
+TEST_P(flight_end, after_an_arm_that_was_not_refused_only_a_person_starts_again) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.vehicle().refuse_command(start_of(GetParam()), failed, 8);
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 60)) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::not_done) << world.story();
+  const auto armings = std::ranges::count(world.commands(), arming);
+  world.run_for(90);
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  EXPECT_EQ(std::ranges::count(world.commands(), arming), armings) << "it is disarmed, and not armed again";
 }
 
 TEST_P(flight_end, what_was_armed_for_a_start_that_failed_is_disarmed_again) {
   flight_world world({.who = GetParam(), .speed = 1}); // faster, PX4 would disarm by itself
-  world.vehicle().refuse_command(start_of_mission, failed, -1);
+  world.vehicle().refuse_command(start_of(GetParam()), failed, -1);
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::paused, 120)) << world.story();
   EXPECT_EQ(world.durable().status.cause, pause_cause::not_done);

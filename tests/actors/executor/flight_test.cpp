@@ -235,6 +235,9 @@ TEST_P(every_vehicle, a_survey_that_is_replanned_goes_on_with_the_line_that_was_
   ASSERT_EQ(world.durable().flown->surveys.size(), 1U);
   EXPECT_EQ(world.durable().flown->surveys[0].lines_before, 2U);
   world.crash_all();
+  if (world.run_until_phase(phase::paused, 5)) { // held for the new plan: a person goes on
+    ASSERT_TRUE(world.say(operators::command_kind::resume).is_taken) << world.story();
+  }
   ASSERT_TRUE(world.run_until_phase(phase::done, 1'800)) << world.story();
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete);
   const auto& reports = world.reports();

@@ -57,7 +57,7 @@ flight_world::flight_world(const options& wanted)
   core_ = std::make_unique<executor::core>(settings_, state_);
   failsafe_ = std::make_unique<failsafe::core>(failsafe_settings_, record_, failsafe_now());
   begin_link();
-  begin_executor();
+  begin_executor(true);
 }
 
 std::unique_ptr<vehicle_link::core> flight_world::new_link() {
@@ -69,10 +69,10 @@ void flight_world::begin_link() {
   take(link_->on_link(io::link::link_status{io::link::link_phase::up, {}, 0}, link_now()));
 }
 
-void flight_world::begin_executor() {
+void flight_world::begin_executor(bool is_new_process) {
   core_->on_host_status(host_status());
   core_->on_failsafe_status(failsafe_->told());
-  take(core_->on_start());
+  take(core_->on_start(is_new_process));
   run_until_idle();
 }
 
@@ -194,6 +194,7 @@ bool flight_world::acknowledge() {
 
 void flight_world::crash() {
   asked_.clear(); // nobody waits for the answers
+  looks_.clear();
   notes_.clear();
   news_.clear();
   restore();
@@ -201,7 +202,7 @@ void flight_world::crash() {
   core_ = std::make_unique<executor::core>(settings_, state_);
   take(core_->on_vehicle(
       vehicle_link::connection_changed{link_->describe(link_now()).phase, link_->describe(link_now()).reason}, now()));
-  begin_executor();
+  begin_executor(false);
 }
 
 void flight_world::crash_failsafe() {
@@ -224,11 +225,14 @@ void flight_world::crash_link() {
       outcome.verdict = vehicle_link::command_verdict::timed_out;
       take(core_->on_command(number, outcome, now()));
     }
+  for (const auto number : std::exchange(looks_, {}))
+    take(core_->on_looked(number, {false, 0, "vehicle_link did not answer"}, now()));
   run_until_idle();
 }
 
 void flight_world::crash_all() {
   asked_.clear();
+  looks_.clear();
   notes_.clear();
   news_.clear();
   restore();
@@ -238,7 +242,7 @@ void flight_world::crash_all() {
   end_core();
   core_ = std::make_unique<executor::core>(settings_, state_);
   begin_link();
-  begin_executor();
+  begin_executor(true);
 }
 
 void flight_world::cut_line(double seconds) {
@@ -412,10 +416,15 @@ void flight_world::take(const executor::order& each) {
     take(executor::say_to_failsafe{failsafe::expect_mode{each.expected, flight::order_is_expected_ns / 1'000'000}});
   const bool stands_by = state_.doing && state_.doing->kind == executor::task_kind::stand_by;
   const bool changes_nothing = std::holds_alternative<failsafe::guard_mission>(each.what) ||
-                               std::holds_alternative<vehicle_link::download_plan>(each.what);
+                               std::holds_alternative<vehicle_link::download_plan>(each.what) ||
+                               std::holds_alternative<vehicle_link::look>(each.what);
   const bool is_last_line = each.number >= executor::first_of_last_line;
   last_line_orders_ += is_last_line ? 1 : 0;
   orders_ += stands_by || changes_nothing || is_last_line ? 0 : 1;
+  if (std::holds_alternative<vehicle_link::look>(each.what)) {
+    looks_.insert(each.number);
+    return take(link_->on_look(each.number, link_now()));
+  }
   if (!std::holds_alternative<failsafe::guard_mission>(each.what))
     asked_[each.number] = std::holds_alternative<vehicle_link::upload_plan>(each.what) ||
                           std::holds_alternative<vehicle_link::download_plan>(each.what);
@@ -425,6 +434,13 @@ void flight_world::take(const executor::order& each) {
           failsafe_->take(failsafe::asked_guard{each.number, what}, failsafe_now());
           tick_failsafe();
         } else if constexpr (std::is_same_v<M, vehicle_link::send_command>) {
+          const bool is_starting = state_.doing && state_.doing->kind == executor::task_kind::start;
+          const bool is_px4 = owner_.autopilot == io::mavlink::mav_autopilot::px4;
+          starts_ +=
+              what.command == io::mavlink::number(io::mavlink::mav_cmd::mission_start) ||
+                      (is_px4 && is_starting && what.command == io::mavlink::number(io::mavlink::mav_cmd::do_set_mode))
+                  ? 1
+                  : 0;
           if (stands_by)
             ++stand_bys_;
           else
@@ -434,7 +450,7 @@ void flight_world::take(const executor::order& each) {
           take(link_->on_set_current(each.number, what, link_now()));
         } else if constexpr (std::is_same_v<M, vehicle_link::upload_plan>) {
           take(link_->on_upload(each.number, what, link_now()));
-        } else {
+        } else if constexpr (std::is_same_v<M, vehicle_link::download_plan>) {
           take(link_->on_download(each.number, what, link_now()));
         }
       },
@@ -550,6 +566,10 @@ void flight_world::take(const vehicle_link::announcement& each) {
     take(core_->on_vehicle(*changed, now()));
   else if (const auto* restarted = std::get_if<vehicle_link::vehicle_restarted>(&each))
     take(core_->on_vehicle(*restarted, now()));
+  else if (const auto* foreign = std::get_if<vehicle_link::foreign_act>(&each)) {
+    failsafe_->take(*foreign, failsafe_now());
+    take(core_->on_vehicle(*foreign, now()));
+  }
 }
 
 // -- people -----------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -136,6 +137,8 @@ public:
   // mode on the ground, which are counted by themselves.
   [[nodiscard]] int stand_bys() const { return stand_bys_; }
   [[nodiscard]] const std::vector<std::uint16_t>& commands() const { return commands_; }
+  // Of these, so many start its plan: MISSION_START, or of a PX4 its mission mode.
+  [[nodiscard]] int starts() const { return starts_; }
   // All that went to the vehicle to change something: commands, uploads, items to go on with; what is counted in
   // stand_bys() is not.
   [[nodiscard]] int orders() const { return orders_; }
@@ -190,13 +193,14 @@ private:
   [[nodiscard]] static std::unique_ptr<vehicle_link::core> new_link();
   void tell_map(const std::string& mission_id);
   void begin_link();
-  void begin_executor();
+  void begin_executor(bool is_new_process);
   void step();
   void run_until_idle();
   void take(const executor::effects& wanted);
   void take(const executor::note& each) { notes_.push_back(each.what); }
   void take(const executor::order& each);
   void take(const executor::give_up_transfer&) { take(link_->on_cancel_transfer(link_now())); }
+  void take(const executor::watch_vehicle& each) { take(link_->on_watch_closely({each.is_close}, link_now())); }
   void take(const executor::say_to_client& each);
   void take(const executor::say_to_failsafe& each);
   void take(const executor::say_to_port& each);
@@ -217,6 +221,10 @@ private:
   void take(const vehicle_link::transmission& each);
   void take(const vehicle_link::resolved_command& each);
   void take(const vehicle_link::resolved_transfer& each);
+  void take(const vehicle_link::resolved_look& each) {
+    if (looks_.erase(each.request_id) > 0)
+      take(core_->on_looked(each.request_id, each.what, now()));
+  }
   void take(const vehicle_link::observation& each);
   void take(const vehicle_link::announcement& each);
   void dispatch(const executor::durable_core::effect& each);
@@ -250,6 +258,7 @@ private:
   std::int64_t most_delay_ms_ = 1;
   std::int64_t cut_until_ns_ = 0;
   std::map<std::uint64_t, bool> asked_; // of the link, and not answered yet; true: a transfer
+  std::set<std::uint64_t> looks_;       // the same
   std::uint64_t link_age_ = 0;          // frames on their way to a link that has died are lost
   std::unique_ptr<sim::vehicle> vehicle_;
   sim::vehicle::line_number persons_line_ = 0;
@@ -264,6 +273,7 @@ private:
   std::vector<std::string> said_;
   std::vector<std::uint16_t> commands_;
   int stand_bys_ = 0;
+  int starts_ = 0;
   int orders_ = 0;
   int last_line_orders_ = 0;
   bool loses_fences_ = false;

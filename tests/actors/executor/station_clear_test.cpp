@@ -164,7 +164,7 @@ TEST(clear_of_a_station, nothing_is_sent_to_a_vehicle_that_is_armed_meanwhile) {
   alone.has_service = false;
   core it(alone, durable);
   const instant now{1'000'000'000, 1'800'000'000'000'000'000};
-  static_cast<void>(it.on_start());
+  static_cast<void>(it.on_start(true));
   static_cast<void>(
       it.on_vehicle(vehicle_link::connection_changed{vehicle_link::connection_phase::connected, {}}, now));
   io::mavlink::heartbeat beat;

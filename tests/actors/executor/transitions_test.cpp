@@ -122,6 +122,7 @@ TEST_P(transitions, handed_back_in_its_mission_mode_it_flies_on) {
   world.switch_mode(mission_mode(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == mission_mode(GetParam()); }, 5)) << world.story();
   EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  world.run_for(0.1); // the acknowledgement of the pilot's mode is on its way
   ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
   world.run_for(0.5);
   EXPECT_EQ(world.durable().status.now, phase::flying) << world.story();

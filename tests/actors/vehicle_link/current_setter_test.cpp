@@ -50,13 +50,16 @@ TEST(current_setter, a_broadcast_of_before_is_not_the_answer_to_the_command) {
   EXPECT_TRUE(setter.is_busy());
 }
 
-TEST(current_setter, is_announced_twice_and_then_given_up) {
+TEST(current_setter, is_announced_in_three_copies_and_then_given_up) {
   current_setter setter;
-  (void)setter.begin(5, {3, {}});
+  EXPECT_EQ(setter.begin(5, {3, {}}).copies, copies_of_moving_order);
   (void)setter.on_outcome(refused(mav_result::unsupported), 0);
-  EXPECT_EQ(setter.next_deadline_ns(), announce_again_ms * ms);
-  EXPECT_TRUE(setter.wants_repetition(announce_again_ms * ms));
-  EXPECT_FALSE(setter.wants_repetition(announce_again_ms * ms));
+  for (int copy = 1; copy < copies_of_moving_order; ++copy) {
+    EXPECT_EQ(setter.next_deadline_ns(), copy * copy_after_ms * ms);
+    EXPECT_TRUE(setter.wants_repetition(copy * copy_after_ms * ms));
+    EXPECT_FALSE(setter.wants_repetition(copy * copy_after_ms * ms));
+  }
+  EXPECT_FALSE(setter.wants_repetition(10 * copy_after_ms * ms)) << "never again";
   EXPECT_FALSE(setter.on_time(announce_timeout_ms * ms - 1));
   EXPECT_EQ(setter.on_time(announce_timeout_ms * ms)->verdict, command_verdict::timed_out);
 }

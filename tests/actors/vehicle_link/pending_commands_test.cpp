@@ -121,4 +121,45 @@ TEST(pending_commands, every_result_has_its_own_sentence) {
   EXPECT_EQ(sentences.size(), 12U);
 }
 
+send_command moving(std::uint16_t id) {
+  auto result = command(id);
+  result.copies = copies_of_moving_order;
+  return result;
+}
+
+TEST(pending_commands, an_order_that_moves_the_vehicle_goes_out_three_times_within_200_ms_and_never_again) {
+  pending_commands commands;
+  EXPECT_FALSE(commands.take({asker_kind::outside, 7}, moving(400), timeout_ms, 0));
+  std::vector<std::int64_t> copies;
+  for (std::int64_t now_ns = 0; now_ns < 10'000 * ms; now_ns += 5 * ms)
+    for (const auto& each : commands.due_copies(now_ns)) {
+      copies.push_back(now_ns / ms);
+      EXPECT_EQ(each.confirmation, copies.size());
+    }
+  EXPECT_EQ(copies, (std::vector<std::int64_t>{80, 160}));
+}
+
+TEST(pending_commands, no_copy_goes_out_after_the_answer) {
+  pending_commands commands;
+  EXPECT_FALSE(commands.take({asker_kind::outside, 7}, moving(400), timeout_ms, 0));
+  EXPECT_TRUE(commands.acknowledge(ack(400, mav_result::accepted), 1, 20 * ms));
+  EXPECT_TRUE(commands.due_copies(100 * ms).empty());
+}
+
+TEST(pending_commands, no_copy_goes_out_after_the_vehicle_has_begun_to_obey) {
+  pending_commands commands;
+  EXPECT_FALSE(commands.take({asker_kind::outside, 7}, moving(400), timeout_ms, 0));
+  EXPECT_FALSE(commands.acknowledge(ack(400, mav_result::in_progress), 1, 20 * ms));
+  EXPECT_TRUE(commands.due_copies(100 * ms).empty());
+}
+
+// It would come to the vehicle after what a person does about the first.
+TEST(pending_commands, on_a_slow_line_there_are_no_copies) {
+  pending_commands commands;
+  EXPECT_FALSE(commands.take({asker_kind::outside, 1}, command(512), timeout_ms, 0));
+  EXPECT_TRUE(commands.acknowledge(ack(512, mav_result::accepted), 1, 300 * ms));
+  EXPECT_FALSE(commands.take({asker_kind::outside, 7}, moving(400), timeout_ms, 1'000 * ms));
+  EXPECT_TRUE(commands.due_copies(1'900 * ms).empty());
+}
+
 } // namespace pending_commands_test

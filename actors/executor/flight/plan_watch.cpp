@@ -1,0 +1,106 @@
+#include "actors/executor/flight/plan_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "actors/executor/plan_proof.hpp"
+
+namespace godwit::executor {
+
+namespace transfer = vehicle_link::transfer;
+
+void plan_watch::on_position(instant now) {
+  if (const auto at = flight_.view.place(now.now_ns); at && flight_.s.progress.plan)
+    track_.on_position({at->latitude, at->longitude}, now.now_ns);
+}
+
+// A new incarnation has not seen when the place before was left: nothing is contradicted until it has seen one.
+void plan_watch::follow_plan(instant now) {
+  const auto& s = flight_.s;
+  if (!s.progress.plan || !s.flown)
+    return;
+  const auto& g = s.progress.plan->generation;
+  if (followed_ != g.number) {
+    const bool is_found = !followed_ && g.is_armed;
+    track_.begin(s.flown->items, flight_.view.owner().vehicle, flight_.configured.own_loiter_radius_m,
+                 is_found ? 0 : now.now_ns);
+    followed_ = g.number;
+    resolved_ = g.resolved;
+  }
+  if (resolved_ != g.resolved)
+    track_.on_left(now.now_ns);
+  resolved_ = g.resolved;
+}
+
+bool plan_watch::may_read() const {
+  const auto& s = flight_.s;
+  return flight_.is_in_flight() && !flight_.has_person() && !flight_.has_open_intent() && s.progress.plan && s.flown &&
+         !s.progress.paused && s.cut_off_uploads == 0 && flight_.view.is_connected() &&
+         flight_.evidence.plan.is_doubted();
+}
+
+void plan_watch::check(effects& out, instant now) {
+  follow_plan(now);
+  if (flight_.runner.is_busy()) {
+    if (std::exchange(reading_, 0) != 0)
+      out.emplace_back(give_up_transfer{});
+    next_ns_ = now.now_ns + read_again_ns;
+    return;
+  }
+  if (reading_ != 0 || now.now_ns < next_ns_ || !may_read())
+    return;
+  reading_ = ++last_number_;
+  begun_ns_ = now.now_ns;
+  out.emplace_back(order{goes::at_once, reading_, now.now_ns, {}, proof_request(*flight_.s.progress.plan)});
+}
+
+void plan_watch::on_transfer(effects& out, std::uint64_t number, const transfer::outcome& outcome, instant now) {
+  if (number != reading_)
+    return;
+  reading_ = 0;
+  next_ns_ = now.now_ns + read_again_ns;
+  if (!may_read())
+    return;
+  auto& plan = flight_.evidence.plan;
+  if (outcome.verdict != transfer::verdict::accepted) {
+    if (!is_told_ && now.now_ns - plan.doubted_ns() > told_after_ns) {
+      is_told_ = true;
+      out.emplace_back(announce{"it can not be read whether the vehicle still flies godwit's plan: " + outcome.reason +
+                                    ". Somebody else may have brought another one; watch the vehicle.",
+                                true});
+    }
+    return;
+  }
+  is_told_ = false;
+  if (holds_flown_plan(flight_.s, outcome, flight_.view.owner()))
+    return plan.prove(begun_ns_, now.now_ns);
+  plan.forget();
+  out.emplace_back(note{progress::other_plan_found{}});
+}
+
+std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, bool is_done) const {
+  const auto& plan = flight_.s.progress.plan;
+  if (!plan || followed_ != plan->generation.number || !plan->generation.is_armed)
+    return {};
+  const auto first = plan->generation.current;
+  if (!is_done && sequence <= first)
+    return {};
+  return track_.never_near(first, is_done ? sequence : static_cast<std::uint16_t>(sequence - 1));
+}
+
+std::string plan_watch::missed_sentence(const std::string& item_id) const {
+  auto nearest_m = std::numeric_limits<double>::infinity();
+  if (const auto& plan = flight_.s.progress.plan) {
+    const auto item = std::ranges::find(plan->map.items, item_id, &progress::mapped_item::item_id);
+    for (std::uint32_t i = 0; item != plan->map.items.end() && i < item->sequence_count; ++i)
+      if (const auto near = track_.nearest_m(static_cast<std::uint16_t>(item->first_sequence + i)))
+        nearest_m = std::min(nearest_m, *near);
+  }
+  return "item '" + item_id +
+         "' is reported as skipped: the vehicle has passed it in its plan and was never nearer than " +
+         (std::isfinite(nearest_m) ? std::to_string(std::lround(nearest_m)) + " m" : std::string("its margin")) +
+         " to it; somebody else may have changed its plan or its current item";
+}
+
+} // namespace godwit::executor

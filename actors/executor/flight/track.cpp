@@ -1,0 +1,88 @@
+#include "actors/executor/flight/track.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
+
+namespace godwit::executor {
+
+namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::number;
+
+constexpr double metres_of_degree = 111'195; // of latitude, on a sphere
+constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
+
+// Good to a percent within the tens of kilometres of a mission.
+double metres_between(const geo::point& a, const geo::point& b) {
+  const double longitude = std::remainder(a.longitude_deg - b.longitude_deg, 360.0);
+  const double cosine = std::cos(a.latitude_deg * std::numbers::pi / 180);
+  return metres_of_degree * std::hypot(a.latitude_deg - b.latitude_deg, longitude * cosine);
+}
+
+bool is_loiter(std::uint16_t command) {
+  constexpr std::array loiters{number(mav_cmd::nav_loiter_unlim), number(mav_cmd::nav_loiter_turns),
+                               number(mav_cmd::nav_loiter_time)};
+  return std::ranges::find(loiters, command) != loiters.end();
+}
+
+bool is_place(const io::mavlink::mission_item_int& item) {
+  return (item.command == number(mav_cmd::nav_waypoint) || is_loiter(item.command)) && (item.x != 0 || item.y != 0);
+}
+
+} // namespace
+
+void track::begin(const std::vector<io::mavlink::mission_item_int>& items, flight::vehicle_class vehicle,
+                  double own_loiter_radius_m, std::int64_t now_ns) {
+  const bool is_wing = vehicle == flight::vehicle_class::fixed_wing;
+  places_.clear();
+  for (const auto& each : items) {
+    if (!is_place(each))
+      continue;
+    const double radius_m = is_loiter(each.command) && each.param3 != 0 ? std::abs(each.param3) : own_loiter_radius_m;
+    const bool circles = is_wing || is_loiter(each.command);
+    const double accepted_m = each.command == number(mav_cmd::nav_waypoint) ? std::abs(each.param2) : 0;
+    places_.push_back({each.seq,
+                       {each.x / units, each.y / units},
+                       accepted_m + (circles ? radius_m : 0) + (is_wing ? wing_margin_m : margin_m),
+                       std::numeric_limits<double>::infinity()});
+  }
+  left_ns_ = now_ns;
+  longest_step_m_ = 0;
+}
+
+void track::on_position(const geo::point& at, std::int64_t now_ns) {
+  if (!last_ || now_ns - last_ns_ > max_gap_ns)
+    unbroken_ns_ = now_ns;
+  else
+    longest_step_m_ = std::max(longest_step_m_, metres_between(*last_, at));
+  last_ = at;
+  last_ns_ = now_ns;
+  for (auto& each : places_)
+    each.nearest_m = std::min(each.nearest_m, metres_between(at, each.at));
+}
+
+std::vector<std::uint16_t> track::never_near(std::uint16_t first, std::uint16_t last) const {
+  std::vector<std::uint16_t> result;
+  if (!last_ || unbroken_ns_ > left_ns_)
+    return result;
+  for (const auto& each : places_)
+    if (each.sequence >= first && each.sequence <= last && each.nearest_m > each.arrives_m + longest_step_m_)
+      result.push_back(each.sequence);
+  return result;
+}
+
+std::optional<double> track::nearest_m(std::uint16_t sequence) const {
+  const auto found = std::ranges::find(places_, sequence, &place::sequence);
+  if (found == places_.end() || !std::isfinite(found->nearest_m))
+    return std::nullopt;
+  return found->nearest_m;
+}
+
+} // namespace godwit::executor

@@ -1,0 +1,59 @@
+// Signs on the vehicle's line that somebody else acts, and the look at the vehicle before an order that moves it.
+//
+// A vehicle acknowledges a command to whoever sent it. ArduPilot sends that on the sender's own line, PX4 on every line
+// where the sender was seen; so what is heard here is sure, and what is not heard says nothing. Times: monotonic
+// nanoseconds. Thread: plain values. Source: COMMAND_ACK (77), MISSION_ACK (47), MISSION_REQUEST(_INT) (40, 51) to
+// somebody else; MISSION_COUNT (44), MISSION_CLEAR_ALL (45), MISSION_SET_CURRENT (41) of somebody else.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::vehicle_link {
+
+enum class foreign_kind {
+  command, // the vehicle does what somebody else told it
+  plan     // somebody else brings it another plan, or has
+};
+
+constexpr auto enum_names(foreign_kind) {
+  return io::names<foreign_kind>({{foreign_kind::command, "command"}, {foreign_kind::plan, "plan"}});
+}
+
+// Not about commands that this process has forwarded for a ground station: their answers are judged by ground_port.
+struct foreign_act {
+  foreign_kind kind = foreign_kind::command;
+  std::uint16_t command = 0;  // MAV_CMD as the vehicle acknowledges it; 0: of a plan
+  std::uint8_t system = 0;    // who did it; 0: the vehicle does not say
+  std::uint8_t component = 0; // the same
+  std::int64_t at_ns = 0;     // when it was heard; never the same twice
+  static constexpr auto fields =
+      io::table("vehicle_link.foreign_act", io::field("kind", &foreign_act::kind),
+                io::field("command", &foreign_act::command), io::field("system", &foreign_act::system),
+                io::field("component", &foreign_act::component), io::field("at_ns", &foreign_act::at_ns));
+};
+
+// Asks the vehicle for a heartbeat, and is answered when one has come that it sent after it was asked: HEARTBEATs that
+// came before are told to listeners before the answer. A newer look takes the place of one that waits.
+struct look {
+  static constexpr auto fields = io::table("vehicle_link.look");
+};
+
+struct looked {
+  bool is_seen = false;
+  std::int64_t at_ns = 0; // when that heartbeat came
+  std::string reason;     // sentence for people; empty when seen
+  static constexpr auto fields = io::table("vehicle_link.looked", io::field("is_seen", &looked::is_seen),
+                                           io::field("at_ns", &looked::at_ns), io::field("reason", &looked::reason));
+};
+
+// While a flight is started the vehicle is asked for five heartbeats a second, and for one again afterwards.
+struct watch_closely {
+  bool is_close = false;
+  static constexpr auto fields =
+      io::table("vehicle_link.watch_closely", io::field("is_close", &watch_closely::is_close));
+};
+
+} // namespace godwit::vehicle_link

@@ -1,0 +1,241 @@
+// What real vehicles were seen to do to people beside them, each on every simulated vehicle, with the person on
+// godwit's line to it and on another one.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "io/mavlink/enums.hpp"
+#include "tests/actors/executor/flight_checks.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
+
+namespace godwit::executor {
+namespace dangers_test {
+
+using mission::progress_kind;
+using operators::command_kind;
+using sim::personality;
+using tests::flight_world;
+using tests::hold_mode;
+using tests::mission_mode;
+using tests::pilot_mode;
+
+constexpr std::uint16_t arming = 400;
+
+class danger : public testing::TestWithParam<std::tuple<personality, bool>> {
+protected:
+  [[nodiscard]] static personality who() { return std::get<0>(GetParam()); }
+  [[nodiscard]] static flight_world::options settings() {
+    flight_world::options result;
+    result.who = who();
+    result.start = start_policy::on_command;
+    result.speed = 1;
+    result.is_person_on_other_line = std::get<1>(GetParam());
+    return result;
+  }
+  [[nodiscard]] static auto count(const flight_world& world, std::uint16_t command) {
+    return std::ranges::count(world.commands(), command);
+  }
+  // The items of the plan on the vehicle, each place moved: as many, and another way.
+  [[nodiscard]] static std::vector<io::mavlink::mission_item_int> another_plan(const flight_world& world) {
+    auto result = world.durable().flown->items;
+    for (auto& each : result)
+      if (each.x != 0)
+        each.x += 20'000; // 220 m to the north
+    return result;
+  }
+  [[nodiscard]] static bool is_reported(const flight_world& world, progress_kind kind, const std::string& item) {
+    return tests::is_told(world, kind, item);
+  }
+};
+
+// The person's disarm meets the start before or after its heartbeat; with a slow line anywhere between two orders. On a
+// slow line the copies of the arming come 0.2 s and a delay after it at most.
+TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_start_is_not_armed_again) {
+  for (const std::int64_t delay_ms : {1, 40, 400})
+    for (const double seconds : {0.0, 0.02, 0.1, 0.3, 0.6, 0.9}) {
+      if (seconds < 0.2 + delay_ms / 1e3 && delay_ms > 1)
+        continue;
+      auto wanted = settings();
+      wanted.most_delay_ms = delay_ms;
+      flight_world world(wanted);
+      world.load(tests::short_mission(who()));
+      ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+      ASSERT_TRUE(world.say(command_kind::start).is_taken);
+      ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 10)) << world.story();
+      world.run_for(seconds);
+      if (world.vehicle().describe().in_air)
+        continue; // it is too late for a disarm
+      world.disarm_by_hand();
+      world.run_for(delay_ms / 1e3 + 0.01); // what was on the line
+      EXPECT_LE(count(world, arming), 1) << world.story();
+      const auto starts = world.starts();
+      world.run_for(30);
+      EXPECT_EQ(count(world, arming), 1) << world.story();
+      EXPECT_LE(world.starts(), starts + 1) << world.story();
+      EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+      EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+    }
+}
+
+TEST_P(danger, an_order_that_was_accepted_is_never_sent_again) {
+  flight_world world(settings());
+  world.load(tests::short_mission(who()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 10)) << world.story();
+  world.lose_message(io::mavlink::heartbeat::message_id); // nothing shows it
+  world.run_for(4.5);
+  world.lose_message(0);
+  world.run_for(30);
+  EXPECT_EQ(count(world, arming), 1) << world.story();
+}
+
+TEST_P(danger, a_pilots_hold_right_after_a_start_is_not_flown_over) {
+  for (const double seconds : {0.0, 0.02, 0.05, 0.2}) {
+    auto wanted = settings();
+    wanted.most_delay_ms = 20;
+    flight_world world(wanted);
+    world.load(tests::short_mission(who()));
+    ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+    const auto before = world.starts();
+    ASSERT_TRUE(world.say(command_kind::start).is_taken);
+    ASSERT_TRUE(world.run_until([&] { return world.starts() == before + 1; }, 10)) << world.story();
+    world.run_for(0.02 + seconds); // it has come
+    world.switch_mode(hold_mode(who()));
+    world.run_for(30);
+    EXPECT_EQ(world.starts(), before + 1) << world.story();
+    EXPECT_NE(world.heard_mode(), mission_mode(who())) << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  }
+}
+
+TEST_P(danger, a_pilots_hold_right_after_the_way_to_a_new_plan_is_not_flown_over) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+  mission::assignment assignment;
+  assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
+  assignment.base_revision = 1;
+  assignment.revision = 2;
+  assignment.replace_after_item_id = "w2";
+  assignment.items = {tests::place(who(), "z", -20, 20)};
+  world.assign(assignment);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
+  const auto is_sent_on = [&] { return world.durable().doing && world.heard_mode() == mission_mode(who()); };
+  ASSERT_TRUE(world.run_until(is_sent_on, 10) || !world.durable().doing) << world.story();
+  world.run_for(0.05);
+  world.switch_mode(hold_mode(who()));
+  world.run_for(1.2);
+  const auto orders = world.orders();
+  world.run_for(30);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_NE(world.heard_mode(), mission_mode(who())) << world.story();
+}
+
+// An acknowledgement goes to who has asked, on that line.
+class danger_on_its_line : public danger {};
+
+TEST_P(danger_on_its_line, what_somebody_else_commands_is_known_at_once) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+  world.run_for(0.3);
+  world.lose_message(io::mavlink::heartbeat::message_id); // and CURRENT_MODE comes each half second
+  const auto orders = world.orders();
+  world.switch_mode(pilot_mode(who()), tests::mode_form::do_set_mode);
+  world.run_for(0.02);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_FALSE(world.say(command_kind::come_home).is_taken) << world.story();
+  world.lose_message(0);
+  world.run_for(5);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+TEST_P(danger, a_plan_of_somebody_else_is_not_started) {
+  flight_world world(settings());
+  world.load(tests::short_mission(who()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  world.run_for(3); // the answer to an upload of ours is a proof for 2 s
+  world.person().upload(another_plan(world));
+  ASSERT_TRUE(world.run_until([&] { return world.person().plan_answer().has_value(); }, 20)) << world.story();
+  ASSERT_EQ(world.person().plan_answer(), 0) << world.story();
+  static_cast<void>(world.say(command_kind::start));
+  world.run_for(20);
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+  EXPECT_EQ(count(world, arming), 0) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << "it brings ours again\n" << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+}
+
+TEST_P(danger, a_plan_of_somebody_else_is_not_resumed) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  world.run_for(5);
+  world.person().upload(another_plan(world));
+  ASSERT_TRUE(world.run_until([&] { return world.person().plan_answer().has_value(); }, 20)) << world.story();
+  static_cast<void>(world.say(command_kind::resume));
+  world.run_for(20);
+  EXPECT_NE(world.heard_mode(), mission_mode(who())) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
+}
+
+TEST_P(danger, a_plan_of_somebody_else_in_flight_makes_no_report) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+  world.run_for(2);
+  world.person().upload(another_plan(world));
+  world.run_for(90);
+  EXPECT_FALSE(is_reported(world, progress_kind::reached, "w3")) << world.story();
+  EXPECT_FALSE(std::ranges::any_of(world.reports(), [](const auto& each) {
+    return each.kind == progress_kind::complete;
+  })) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
+}
+
+TEST_P(danger, items_that_somebody_else_jumps_over_are_not_reported_as_reached) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w1"));
+  world.run_for(1);
+  const auto& items = world.durable().progress.plan->map.items;
+  const auto w3 = std::ranges::find(items, "w3", &progress::mapped_item::item_id);
+  ASSERT_NE(w3, items.end());
+  world.person().choose_item(w3->first_sequence, who() == personality::px4);
+  world.run_for(120);
+  EXPECT_FALSE(is_reported(world, progress_kind::reached, "w2")) << world.story();
+}
+
+std::string name_of_case(const testing::TestParamInfo<std::tuple<personality, bool>>& info) {
+  constexpr std::array names{"rover", "px4", "copter", "plane"}; // by personality
+  return std::string(names.at(static_cast<std::size_t>(std::get<0>(info.param)))) +
+         (std::get<1>(info.param) ? "_person_on_another_line" : "_person_on_its_line");
+}
+
+INSTANTIATE_TEST_SUITE_P(vehicles, danger,
+                         testing::Combine(testing::Values(personality::rover, personality::px4, personality::ardupilot,
+                                                          personality::plane),
+                                          testing::Bool()),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(vehicles, danger_on_its_line,
+                         testing::Combine(testing::Values(personality::rover, personality::px4, personality::ardupilot,
+                                                          personality::plane),
+                                          testing::Values(false)),
+                         name_of_case);
+
+} // namespace dangers_test
+} // namespace godwit::executor

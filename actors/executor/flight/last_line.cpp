@@ -81,7 +81,7 @@ void last_line::prepare(effects& out) {
   waiting_.clear();
   plan::fence_list fences;
   if (s.mission)
-    fences = plan::fence_items(s.mission->geofences, flight_.view.owner().autopilot);
+    fences = plan::fence_items(s.mission->geofences);
   for (const auto& why : fences.left_out)
     out.emplace_back(announce{"not all fences go to the vehicle, and godwit alone watches the others: " + why, true});
   const bool is_stations = uploaded_mission(s) != nullptr;

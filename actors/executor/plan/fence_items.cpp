@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::executor::plan {
@@ -34,20 +35,20 @@ void append(std::vector<mission_item_int>& to, const mission::geofence& fence) {
 
 } // namespace
 
-fence_list fence_items(const std::vector<mission::geofence>& fences, io::mavlink::mav_autopilot autopilot) {
+fence_list fence_items(const std::vector<mission::geofence>& fences) {
   fence_list result;
-  const auto inclusions = std::ranges::count(fences, fence_kind::inclusion, &mission::geofence::kind);
-  const bool means_all = autopilot == io::mavlink::mav_autopilot::ardupilotmega && inclusions > 1;
+  const bool has_several = std::ranges::count(fences, fence_kind::inclusion, &mission::geofence::kind) > 1;
   bool has_block_of_air = false;
   for (const auto& each : fences) {
     const bool is_inclusion = each.kind == fence_kind::inclusion;
     const bool is_block = !is_inclusion && has_altitudes(each);
     has_block_of_air = has_block_of_air || is_block;
-    if (!is_block && !(is_inclusion && means_all))
+    if (!is_block && !(is_inclusion && has_several))
       append(result.items, each);
   }
-  if (means_all)
-    result.left_out.emplace_back("an ArduPilot would have to be inside of all inclusion fences at once");
+  if (has_several)
+    result.left_out.emplace_back(
+        "by its own fence the vehicle would have to be inside of all inclusion fences at once");
   if (has_block_of_air)
     result.left_out.emplace_back("an exclusion fence with a floor or a ceiling would be one for all altitudes there");
   return result;

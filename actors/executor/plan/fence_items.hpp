@@ -4,17 +4,17 @@
 // does is left out, and said.
 //
 //   inclusion                     a polygon, without its floor and ceiling: wider than the mission's
-//   several, on an ArduPilot      left out: it has to be inside of all of them, and the mission means one of them
-//   exclusion                     a polygon
-//   with a floor or a ceiling     left out: the vehicle may fly over or under it, and its polygon is for all altitudes
+//   several of them               left out: PX4 and ArduPilot have to be inside of all, and the mission means one of
+//   them exclusion                     a polygon with a floor or a ceiling     left out: the vehicle may fly over or
+//   under it, and its polygon is for all altitudes
 //
-// Pure. Source: MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION (5001), _EXCLUSION (5002); ArduPilot's FENCE_OPTIONS.
+// Pure. Source: MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION (5001), _EXCLUSION (5002); ArduPilot's FENCE_OPTIONS; PX4's
+// Geofence::checkPolygons, which asks each polygon.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
 #include "messages/mission/document.hpp"
 
@@ -25,7 +25,6 @@ struct fence_list {
   std::vector<std::string> left_out;                // why, a sentence each; at most one of each kind
 };
 
-[[nodiscard]] fence_list fence_items(const std::vector<mission::geofence>& fences,
-                                     io::mavlink::mav_autopilot autopilot);
+[[nodiscard]] fence_list fence_items(const std::vector<mission::geofence>& fences);
 
 } // namespace godwit::executor::plan

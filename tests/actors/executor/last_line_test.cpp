@@ -160,6 +160,23 @@ TEST_P(last_line_of, the_fences_of_a_service_go_there_too_unless_it_is_set_other
   }
 }
 
+// By its own fence the vehicle would have to be inside of all of them, and the mission means one of them.
+TEST_P(last_line_of, several_inclusions_of_a_mission_stay_with_godwit_and_that_is_said) {
+  flight_world other({.who = GetParam(), .start = start_policy::on_command});
+  auto mission = tests::short_mission(GetParam());
+  for (const double half_side_m : {500.0, 600.0})
+    mission.geofences.push_back(mission::import_fence_list(fence_around(GetParam(), half_side_m))->front());
+  other.load(mission);
+  ASSERT_TRUE(other.run_until_phase(phase::ready)) << other.story();
+  other.run_for(5);
+  EXPECT_EQ(other.vehicle().describe().fence_count, 0) << other.story();
+  EXPECT_EQ(other.last_line_orders(), 0);
+  EXPECT_TRUE(was_said(other, "godwit alone watches the others")) << other.story();
+  ASSERT_TRUE(other.say(operators::command_kind::start).is_taken);
+  ASSERT_TRUE(other.run_until_phase(phase::flying)) << other.story();
+  EXPECT_EQ(other.guarded().size(), 2U);
+}
+
 INSTANTIATE_TEST_SUITE_P(each, last_line_of,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
                                          sim::personality::plane),

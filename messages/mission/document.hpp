@@ -38,19 +38,32 @@ struct geofence {
   friend bool operator==(const geofence&, const geofence&) = default;
 };
 
+// Where the home of the vehicle was thought to be when the mission was drawn. Nobody flies there.
+struct planned_home {
+  double latitude = 0;
+  double longitude = 0;
+  std::optional<double> above_sea_m;
+
+  static constexpr auto fields =
+      io::table("mission.planned_home", io::field("latitude", &planned_home::latitude),
+                io::field("longitude", &planned_home::longitude), io::field("above_sea_m", &planned_home::above_sea_m));
+  friend bool operator==(const planned_home&, const planned_home&) = default;
+};
+
 struct document {
   std::string mission_id; // UUID
   std::string schema_version{mission::schema_version};
   std::int32_t revision = 1;
   std::vector<item> items;
   std::vector<geofence> geofences;
-  position return_point;
+  std::optional<position> return_point;              // absent: no item leads there
+  std::optional<mission::planned_home> planned_home; // of the file that the mission was read from
 
   static constexpr auto fields =
       io::table("mission.document", io::field("mission_id", &document::mission_id),
                 io::field("schema_version", &document::schema_version), io::field("revision", &document::revision),
                 io::field("items", &document::items), io::field("geofences", &document::geofences),
-                io::field("return_point", &document::return_point));
+                io::field("return_point", &document::return_point), io::field("planned_home", &document::planned_home));
   friend bool operator==(const document&, const document&) = default;
 };
 

@@ -94,12 +94,20 @@ struct land {
   friend bool operator==(const land&, const land&) = default;
 };
 
+enum class return_goal {
+  home // the vehicle's own return: to its home, at its own return altitude
+};
+
+constexpr auto enum_names(return_goal) { return io::names<return_goal>({{return_goal::home, "HOME"}}); }
+
 // To the return point, and land there. Its kind is "return".
 struct return_home {
   std::string id;
+  std::optional<return_goal> to{}; // absent: the return point of the mission
 
   static constexpr std::string_view kind = "return";
-  static constexpr auto fields = io::table("mission.return", io::field("id", &return_home::id));
+  static constexpr auto fields =
+      io::table("mission.return", io::field("id", &return_home::id), io::field("to", &return_home::to));
   friend bool operator==(const return_home&, const return_home&) = default;
 };
 

@@ -79,12 +79,21 @@ done read_mission(const std::string& file, bool allow_partial, missions_request&
   return {};
 }
 
+// Where the first mission leads back to, or was planned for.
+mission::vertex middle_of_map(const mission::document& mission) {
+  if (mission.return_point)
+    return {mission.return_point->latitude, mission.return_point->longitude};
+  return mission.planned_home ? mission::vertex{mission.planned_home->latitude, mission.planned_home->longitude}
+                              : mission::vertex{};
+}
+
 done read_map(const missions_arguments& given, missions::service_settings& to) {
   if (given.map_objects > missions::max_synthetic_objects)
     return in_option("--map-objects", "at most " + std::to_string(missions::max_synthetic_objects));
   to.map.count = given.map_objects;
-  to.map.latitude = to.missions.front().return_point.latitude;
-  to.map.longitude = to.missions.front().return_point.longitude;
+  const auto middle = middle_of_map(to.missions.front());
+  to.map.latitude = middle.latitude;
+  to.map.longitude = middle.longitude;
   if (given.around.empty())
     return {};
   const auto parts = parts_of(given.around, ',');

@@ -81,7 +81,7 @@ tl::expected<mission::imported, std::string> load_mission_file(const std::string
   const auto text = read_file(file);
   if (!text)
     return tl::make_unexpected(text.error());
-  auto mission = mission::import_mission(*text, *format, {allow_partial, {}, {}});
+  auto mission = mission::import_mission(*text, *format, {allow_partial, {}});
   if (!mission)
     return tl::make_unexpected(explained(file, mission.error()));
   return *std::move(mission);
@@ -95,7 +95,7 @@ exit_code run_convert(const convert_arguments& given, bool allow_partial) {
   const auto text = read_file(given.in);
   if (!text)
     return fail(text.error());
-  const auto result = mission::convert(*text, *from, *to, {allow_partial, {}, {}});
+  const auto result = mission::convert(*text, *from, *to, {allow_partial, {}});
   if (!result)
     return fail(explained(given.in, result.error()));
   if (const auto written = write_file(given.out, result->text); !written)

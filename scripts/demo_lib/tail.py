@@ -102,9 +102,14 @@ def detour(before, behind, fences):
     return centre
 
 
+def middle_of(mission):
+    """Where the mission leads back to; of a file that a ground station has written, where it was planned for."""
+    return mission.get("return_point") or mission["planned_home"]
+
+
 def other_tail(mission, index, number):
     """Items that replace all behind item INDEX. NUMBER tells their names from those of earlier tails."""
-    plane = Plane(mission["return_point"])
+    plane = Plane(middle_of(mission))
     fences = [(each["kind"], [plane.point(corner) for corner in each["vertices"]]) for each in mission["geofences"]]
     flown, rest = mission["items"][: index + 1], mission["items"][index + 1 :]
     point = detour(first_points(flown[::-1], plane), first_points(rest, plane), fences)

@@ -22,7 +22,7 @@ constexpr mission_format formats[] = {mission_format::plan, mission_format::geoj
                                       mission_format::json};
 
 void check(std::string_view text, mission_format format) {
-  const auto partial = import_mission(text, format, {true, {}, {}});
+  const auto partial = import_mission(text, format, {true, {}});
   const auto whole = import_mission(text, format);
   if (!partial) {
     if (whole || partial.error().message().empty())
@@ -37,7 +37,7 @@ void check(std::string_view text, mission_format format) {
     const auto written = export_mission(partial->mission, to);
     // A file of lines without items, which is what surveys alone come to, is no mission.
     const bool is_whole = to != mission_format::waypoints && written.losses.empty();
-    if (is_whole && !import_mission(written.text, to, {true, {}, {}}))
+    if (is_whole && !import_mission(written.text, to, {true, {}}))
       finding("what was written can not be read");
   }
 }

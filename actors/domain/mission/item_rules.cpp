@@ -52,6 +52,10 @@ void add_position_problems(const position& place, const std::string& pointer, pr
   add_unless_finite(place, pointer, problems);
 }
 
+void add_position_problems(const planned_home& place, const std::string& pointer, problems_list& problems) {
+  add_unless_finite(place, pointer, problems);
+}
+
 void add_item_problems(std::span<const item> items, const std::string& pointer, problems_list& problems) {
   add_repeated_ids(items, pointer, problems);
   std::size_t corners = 0;

@@ -1,5 +1,6 @@
 #include "actors/domain/mission/rules.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -25,6 +26,20 @@ void add_fence_problems(const geofence& fence, const std::string& pointer, docum
   add_polygon_problems(fence.vertices, pointer_to(pointer, "vertices"), problems);
   if (fence.floor_m && fence.ceiling_m && !(*fence.floor_m < *fence.ceiling_m))
     problems.push_back({pointer_to(pointer, "floor_m"), "is not below ceiling_m", "a floor below the ceiling"});
+}
+
+bool leads_to_return_point(const item& each) {
+  const auto* const back = std::get_if<return_home>(&each);
+  return back != nullptr && !back->to;
+}
+
+void add_return_problems(const document& value, document_problems& problems) {
+  if (value.return_point)
+    add_position_problems(*value.return_point, "/return_point", problems);
+  else if (std::ranges::any_of(value.items, leads_to_return_point))
+    problems.push_back({"/return_point", "is missing", "a position: an item returns there"});
+  if (value.planned_home)
+    add_position_problems(*value.planned_home, "/planned_home", problems);
 }
 
 void add_assignment_problems(const assignment& value, const std::string& pointer, document_problems& problems) {
@@ -87,7 +102,7 @@ document_problems broken_rules(const document& value) {
   add_item_problems(value.items, "/items", problems);
   for (std::size_t i = 0; i < value.geofences.size(); ++i)
     add_fence_problems(value.geofences[i], pointer_to("/geofences", i), problems);
-  add_position_problems(value.return_point, "/return_point", problems);
+  add_return_problems(value, problems);
   return problems;
 }
 

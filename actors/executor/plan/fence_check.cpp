@@ -121,10 +121,12 @@ std::vector<violation> fence_violations(const flight_plan& plan, const mission::
 }
 
 std::vector<violation> return_point_violations(const mission::document& mission) {
+  if (!mission.return_point)
+    return {};
   const auto fences = fence_set::build(mission.geofences);
   if (!fences)
     return {refusal(fences.error())};
-  const auto at = point_of(mission.return_point);
+  const auto at = point_of(*mission.return_point);
   auto all = violations_of(*fences, {at, at, {}, geofence::no_altitudes, "The return point"});
   if (all.size() > max_violations)
     all.resize(max_violations);

@@ -45,7 +45,8 @@ struct violation {
 [[nodiscard]] std::vector<violation> fence_violations(const flight_plan& plan, const mission::document& mission,
                                                       vehicle_class vehicle);
 
-// The same for the return point, whatever the altitude: it lies in an inclusion if there are any, and in no exclusion.
+// The same for the return point, if there is one, whatever the altitude: it lies in an inclusion if there are any, and
+// in no exclusion.
 [[nodiscard]] std::vector<violation> return_point_violations(const mission::document& mission);
 
 } // namespace godwit::executor::plan

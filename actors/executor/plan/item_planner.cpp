@@ -61,8 +61,7 @@ bool item_planner::stands_at(const mission::position& at) const {
   return !writer_.began_under_way() && !writer_.has_moved() && is_same_place(writer_.start(), at);
 }
 
-bool item_planner::returns_by_itself() const {
-  const auto& goal = mission_.return_point;
+bool item_planner::is_home(const mission::position& goal) const {
   return is_same_place(goal, setting_.home) && (writer_.began_under_way() || is_same_place(goal, writer_.start()));
 }
 
@@ -235,19 +234,23 @@ item_planner::outcome item_planner::plan(const mission::land& item) {
   return std::nullopt;
 }
 
-item_planner::outcome item_planner::plan(const mission::return_home&) {
-  if (stands_at(mission_.return_point))
+item_planner::outcome item_planner::plan(const mission::return_home& item) {
+  const bool is_own = item.to == mission::return_goal::home;
+  if (!is_own && !mission_.return_point)
+    return error(plan_errc::no_return_point, "It returns to the return point, and the mission has none",
+                 "give the mission a return point, or send the vehicle to its home (\"to\": \"HOME\")");
+  const auto goal = is_own ? home_of(setting_) : *mission_.return_point;
+  if (stands_at(goal))
     return std::nullopt;
   if (auto problem = why_not_flown())
     return problem;
-  if (!returns_by_itself())
-    return return_by_places();
-  return_by_itself();
+  if (!is_own && !is_home(goal))
+    return return_by_places(goal);
+  return_by_itself(goal);
   return std::nullopt;
 }
 
-void item_planner::return_by_itself() {
-  const auto& goal = mission_.return_point;
+void item_planner::return_by_itself(const mission::position& goal) {
   writer_.add_nav(return_item());
   if (is(vehicle_class::rover)) {
     writer_.cruise_to(goal);
@@ -259,8 +262,7 @@ void item_planner::return_by_itself() {
   writer_.descend_to(goal);
 }
 
-item_planner::outcome item_planner::return_by_places() {
-  const auto& goal = mission_.return_point;
+item_planner::outcome item_planner::return_by_places(const mission::position& goal) {
   if (is(vehicle_class::fixed_wing))
     return error(plan_errc::return_point_not_home,
                  "The vehicle would return to its home, and the return point is elsewhere",

@@ -16,13 +16,15 @@
 // | ... when the | NAV_WAYPOINT over the return    | refused                          | NAV_WAYPOINT at the return |
 // | return point | point, NAV_LAND                 |                                  | point                      |
 // | is not home  |                                 |                                  |                            |
+// | return to    | NAV_RETURN_TO_LAUNCH wherever   | the same                         | the same                   |
+// | HOME         | the vehicle's home is           |                                  |                            |
 //
 // Home moves to where a vehicle arms. So the return point is home only if the flight began there; the return from a
-// delivery is said in places. Landing or returning where the vehicle stands already is nothing to do. A rover has no
-// altitudes: what a mission says of them goes to the vehicle as it is, and is not looked at. Multirotors and fixed
-// wings that stand on the ground begin with a take-off, and none comes in the middle of a flight. Some numbers are
-// wishes that a vehicle may not know: the radius of arrival (ArduPilot's multirotors and rovers have their own), and
-// the radius of a circle for those who hover. Thread: one owner.
+// delivery is said in places, unless it is one to HOME. Landing or returning where the vehicle stands already is
+// nothing to do. A rover has no altitudes: what a mission says of them goes to the vehicle as it is, and is not looked
+// at. Multirotors and fixed wings that stand on the ground begin with a take-off, and none comes in the middle of a
+// flight. Some numbers are wishes that a vehicle may not know: the radius of arrival (ArduPilot's multirotors and
+// rovers have their own), and the radius of a circle for those who hover. Thread: one owner.
 #pragma once
 
 #include <cstddef>
@@ -69,8 +71,8 @@ private:
   outcome plan(const mission::land& item);
   outcome plan(const mission::return_home& item);
 
-  outcome return_by_places();
-  void return_by_itself();
+  outcome return_by_places(const mission::position& goal);
+  void return_by_itself(const mission::position& goal);
   void stay(const mission::position& at, double radius_m);
 
   [[nodiscard]] outcome why_not_flown() const;
@@ -84,7 +86,7 @@ private:
   [[nodiscard]] bool is(vehicle_class one) const { return setting_.vehicle == one; }
   // It stands there, and has not moved since.
   [[nodiscard]] bool stands_at(const mission::position& at) const;
-  [[nodiscard]] bool returns_by_itself() const;
+  [[nodiscard]] bool is_home(const mission::position& goal) const;
   [[nodiscard]] double take_off_altitude_m(double asked_m) const;
 
   const mission::document& mission_;

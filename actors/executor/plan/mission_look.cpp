@@ -19,6 +19,11 @@ std::optional<mission::vertex> place_of(const mission::item& each) {
       each);
 }
 
+template <class Place>
+std::optional<mission::vertex> vertex_of(const std::optional<Place>& at) {
+  return at ? std::optional(mission::vertex{at->latitude, at->longitude}) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<mission::vertex> place_after(const mission::document& mission, std::size_t index) {
@@ -27,8 +32,8 @@ std::optional<mission::vertex> place_after(const mission::document& mission, std
       return std::nullopt;
     if (const auto place = place_of(mission.items[i]))
       return place;
-    if (std::holds_alternative<mission::return_home>(mission.items[i]))
-      return mission::vertex{mission.return_point.latitude, mission.return_point.longitude};
+    if (const auto* back = std::get_if<mission::return_home>(&mission.items[i]))
+      return back->to ? std::nullopt : vertex_of(mission.return_point);
   }
   return std::nullopt;
 }
@@ -37,7 +42,11 @@ mission::vertex place_before(const mission::document& mission, std::size_t index
   for (std::size_t i = index; i > 0; --i)
     if (const auto place = place_of(mission.items[i - 1]))
       return *place;
-  return {mission.return_point.latitude, mission.return_point.longitude};
+  if (const auto back = vertex_of(mission.return_point))
+    return *back;
+  if (const auto home = vertex_of(mission.planned_home))
+    return *home;
+  return place_of(mission.items.at(index)).value_or(mission::vertex{});
 }
 
 std::optional<double> speed_before(const mission::document& mission, std::size_t index) {

@@ -9,11 +9,13 @@
 
 namespace godwit::executor::plan {
 
-// The first place that is flown to after item INDEX and before the next take-off; of a survey its first corner.
+// The first place that is flown to after item INDEX and before the next take-off; of a survey its first corner. None
+// where the vehicle returns to its home, which a mission does not know.
 [[nodiscard]] std::optional<mission::vertex> place_after(const mission::document& mission, std::size_t index);
 
 // From where a vehicle comes to item INDEX, as far as the mission says it: a place of the item before it that has one,
-// else the return point. Not where the vehicle really is: a survey must have the same lines whenever it is planned.
+// else the return point, the planned home, or its own first place. Not where the vehicle really is: a survey must have
+// the same lines whenever it is planned.
 [[nodiscard]] mission::vertex place_before(const mission::document& mission, std::size_t index);
 
 // The speed that the items before INDEX have asked for last.

@@ -22,6 +22,7 @@ enum class plan_errc {
   circle_not_kept,       // the vehicle has a circle of its own only
   wait_too_long,         // for the number that the vehicle keeps
   return_point_not_home, // a fixed wing returns, and would return to somewhere else
+  no_return_point,       // an item leads there, and the mission has none
   area_too_large,        // of a survey
   area_too_small,        // no line fits into it
   too_many_lines,        // of a survey
@@ -41,6 +42,7 @@ constexpr auto enum_names(plan_errc) {
                                {plan_errc::circle_not_kept, "circle_not_kept"},
                                {plan_errc::wait_too_long, "wait_too_long"},
                                {plan_errc::return_point_not_home, "return_point_not_home"},
+                               {plan_errc::no_return_point, "no_return_point"},
                                {plan_errc::area_too_large, "area_too_large"},
                                {plan_errc::area_too_small, "area_too_small"},
                                {plan_errc::too_many_lines, "too_many_lines"},

@@ -46,4 +46,12 @@ struct plan_setting {
   bool marks_landings = false;
 };
 
+// Where the vehicle returns to by itself when it flies the plans of WHERE: home moves to where it is armed, unless it
+// is under way or its home is set again.
+[[nodiscard]] inline mission::position home_of(const plan_setting& where) {
+  if (where.is_under_way || where.is_home_set_again)
+    return {where.home.latitude, where.home.longitude, where.home.above_mission_zero_m};
+  return where.start;
+}
+
 } // namespace godwit::executor::plan

@@ -51,9 +51,7 @@ std::vector<return_crossing> straight_return_crossings(const flight_plan& plan, 
   std::vector<return_crossing> all;
   if (!fences || plan.legs.empty())
     return all;
-  // At the first take-off home moves to where the vehicle stands; behind a landing on the way it is set there again.
-  const bool has_home = setting.is_under_way || setting.is_home_set_again;
-  const auto home = has_home ? point_of(setting.home) : point_of(setting.start);
+  const auto home = point_of(home_of(setting));
   for (const auto& each : plan.legs)
     for (std::size_t i = 0; i < fences->size(); ++i) {
       const return_crossing found{each.item_index, i};

@@ -109,7 +109,7 @@ std::string flaw_of_place(flight_simulation& flight) {
   constexpr double near_plane_m = 150; // a fixed wing lands by a long approach
   const auto seen = flight.vehicle().describe();
   const auto mission = flight.service().mission(flight.mission_id());
-  auto wanted = mission.return_point;
+  auto wanted = mission.return_point.value_or(mission::position{});
   if (const auto* place = std::get_if<mission::waypoint>(&mission.items.back()))
     wanted = place->at;
   else if (const auto* landing = std::get_if<mission::land>(&mission.items.back()))

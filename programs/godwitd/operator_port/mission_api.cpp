@@ -52,8 +52,7 @@ tl::expected<checked_mission, server_response> read_mission(const server_request
   const auto format = io::value_of<mission::mission_format>(of_query(asked.target, "format"));
   if (!format)
     return refused(problem(400, "a format is missing: json, plan, waypoints or geojson", "format"));
-  auto read =
-      mission::import_mission(asked.body, *format, {of_query(asked.target, "partial") == "yes", fresh_id(), {}});
+  auto read = mission::import_mission(asked.body, *format, {of_query(asked.target, "partial") == "yes", fresh_id()});
   if (read)
     return checked_mission{std::move(read->mission), std::move(read->losses.all)};
   const bool is_lossy = read.error().error.code == mission::document_errc::lossy;

@@ -332,7 +332,7 @@ private:
     here_ = {at.latitude_deg, at.longitude_deg};
     if (!world_.durable().mission)
       return;
-    const auto& home = world_.durable().mission->return_point;
+    const auto& home = *world_.durable().mission->return_point;
     if (!world_.vehicle().describe().in_air && distance_to(home.latitude, home.longitude) <= home_within())
       at_home_ns_ = world_.now_ns();
     for (const auto& each : world_.durable().mission->items)

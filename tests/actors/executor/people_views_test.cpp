@@ -36,8 +36,8 @@ TEST_P(people_views, the_plan_is_the_mission_and_the_way_through_the_items_on_th
   ASSERT_GE(shown.way.size(), 2U);
   EXPECT_LE(shown.way.size(), world.durable().flown->items.size());
   for (const auto& each : shown.way) {
-    EXPECT_NEAR(each.latitude, mission.return_point.latitude, 0.1);
-    EXPECT_NEAR(each.longitude, mission.return_point.longitude, 0.1);
+    EXPECT_NEAR(each.latitude, mission.return_point->latitude, 0.1);
+    EXPECT_NEAR(each.longitude, mission.return_point->longitude, 0.1);
   }
   ASSERT_TRUE(shown.home);
   EXPECT_NEAR(shown.home->latitude, 47.4, 1e-6);

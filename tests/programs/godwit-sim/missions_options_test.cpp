@@ -62,7 +62,7 @@ TEST_F(missions_options, the_map_lies_around_the_first_return_point_unless_it_is
   given.map_objects = 10;
   const auto wanted = read(given);
   ASSERT_TRUE(wanted) << wanted.error();
-  EXPECT_EQ(wanted->settings.map.latitude, missions::small_mission().return_point.latitude);
+  EXPECT_EQ(wanted->settings.map.latitude, missions::small_mission().return_point->latitude);
 }
 
 TEST_F(missions_options, a_plan_is_taken_when_nothing_of_it_is_lost_or_when_that_is_allowed) {

@@ -16,7 +16,6 @@ namespace godwit::mission {
 struct import_options {
   bool allow_partial = false;            // take what can be taken; else a loss is an error
   std::optional<std::string> mission_id; // UUID; absent: made from the text, so that a file always has the same
-  std::optional<position> return_point;  // absent: the home position of the file
 };
 
 struct imported {

@@ -24,7 +24,6 @@ import_result import_json(std::string_view text, const import_options& options) 
   if (!result)
     return tl::unexpected(conversion_error{std::move(result.error()), {}});
   result->mission_id = options.mission_id.value_or(result->mission_id);
-  result->return_point = options.return_point.value_or(result->return_point);
   return finished(*result, {}, options, text);
 }
 

@@ -15,8 +15,19 @@ constexpr double largest_metres_a_degree = 111'694;  // at the poles
 constexpr double highest_latitude = 80;              // beyond, a degree of longitude changes too much in a circle
 constexpr double largest_radius_m = 100'000;
 
-fence_kind kind_of_fence(plan_source& source, const plan_node& node) {
-  return source.flag(node, "inclusion", true) ? fence_kind::inclusion : fence_kind::exclusion;
+// Nothing where the file does not say it: the one kind keeps the vehicle in, the other keeps it out. The problem is
+// noted.
+std::optional<fence_kind> kind_of_fence(plan_source& source, const plan_node& node) {
+  const auto before = source.problems.size();
+  const bool is_inclusion = source.flag(node, "inclusion");
+  if (source.problems.size() != before)
+    return std::nullopt;
+  return is_inclusion ? fence_kind::inclusion : fence_kind::exclusion;
+}
+
+void import_polygon(plan_source& source, const plan_node& node, std::vector<geofence>& fences) {
+  if (const auto kind = kind_of_fence(source, node))
+    fences.push_back({*kind, source.corners(node, "polygon"), {}, {}});
 }
 
 void import_circle(plan_source& source, const plan_node& node, std::vector<geofence>& fences) {
@@ -24,16 +35,18 @@ void import_circle(plan_source& source, const plan_node& node, std::vector<geofe
   const auto centre = source.place(circle, "center");
   const auto radius_m = source.number(circle, "radius");
   const auto kind = kind_of_fence(source, node);
-  auto corners = polygon_of_circle({centre[0], centre[1]}, radius_m, kind);
+  if (!kind)
+    return;
+  auto corners = polygon_of_circle({centre[0], centre[1]}, radius_m, *kind);
   const auto what = "fence: circle of " + number_text(radius_m) + " m";
   if (!corners) {
     source.losses.add({{}, what, "a mission's fences are polygons", "left out: it can not be made one"});
     return;
   }
-  const std::string where = kind == fence_kind::inclusion ? " corners within it" : " corners around it";
+  const std::string where = *kind == fence_kind::inclusion ? " corners within it" : " corners around it";
   source.losses.add(
       {{}, what, "a mission's fences are polygons", "a polygon with " + std::to_string(corners->size()) + where});
-  fences.push_back({kind, std::move(*corners), {}, {}});
+  fences.push_back({*kind, std::move(*corners), {}, {}});
 }
 
 // Version 1 stands in plans of an older form, mostly with nothing in it.
@@ -85,7 +98,7 @@ std::vector<geofence> import_fence(plan_source& source, const plan_node& fence) 
   if (fence.has("breachReturn"))
     source.losses.add({{}, "fence: point to return to after a breach", "a mission returns to one point", "left out"});
   for (const auto& each : source.list(fence, "polygons"))
-    fences.push_back({kind_of_fence(source, each), source.corners(each, "polygon"), {}, {}});
+    import_polygon(source, each, fences);
   for (const auto& each : source.list(fence, "circles"))
     import_circle(source, each, fences);
   return fences;

@@ -63,6 +63,13 @@ ordered_json fence_feature(const geofence& each) {
   return feature("geofence", ring_of(each.vertices), fields);
 }
 
+ordered_json planned_home_feature(const planned_home& home) {
+  auto place = ordered_json::array({home.longitude, home.latitude});
+  if (home.above_sea_m)
+    place.push_back(*home.above_sea_m);
+  return feature("planned_home", {{"type", "Point"}, {"coordinates", std::move(place)}}, ordered_json::object());
+}
+
 } // namespace
 
 exported export_geojson(const document& mission) {
@@ -72,7 +79,10 @@ exported export_geojson(const document& mission) {
     features.push_back(item_feature(each, path));
   for (const auto& each : mission.geofences)
     features.push_back(fence_feature(each));
-  features.push_back(feature("return_point", point_of(fields_of(mission.return_point)), ordered_json::object()));
+  if (mission.return_point)
+    features.push_back(feature("return_point", point_of(fields_of(*mission.return_point)), ordered_json::object()));
+  if (mission.planned_home)
+    features.push_back(planned_home_feature(*mission.planned_home));
   if (path.size() > 1)
     features.push_back(feature("path", ordered_json{{"type", "LineString"}, {"coordinates", std::move(path)}},
                                ordered_json::object()));

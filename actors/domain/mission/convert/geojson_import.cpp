@@ -28,6 +28,16 @@ json position_of(const json& geometry) {
   return {{"longitude", place[0]}, {"latitude", place[1]}, {"altitude_m", place[2]}};
 }
 
+json planned_home_of(const json& geometry) {
+  const auto& place = at_or_null(geometry, "coordinates");
+  if (!has_type(geometry, "Point") || !place.is_array() || place.size() < 2 || place.size() > 3)
+    return geometry;
+  json home{{"longitude", place[0]}, {"latitude", place[1]}};
+  if (place.size() == 3)
+    home["above_sea_m"] = place[2];
+  return home;
+}
+
 json corners_of(const json& geometry) {
   const auto& rings = at_or_null(geometry, "coordinates");
   if (!has_type(geometry, "Polygon") || !rings.is_array() || rings.size() != 1 || !rings[0].is_array())
@@ -64,9 +74,12 @@ std::optional<document_problem> take_feature(const json& feature, const std::str
     mission["geofences"].push_back(std::move(fields));
   } else if (role == "return_point") {
     mission["return_point"] = position_of(geometry);
+  } else if (role == "planned_home") {
+    mission["planned_home"] = planned_home_of(geometry);
   } else if (role != "path") {
     return document_problem{pointer_to(pointer_to(pointer, "properties"), "role"),
-                            "is " + in_quotes(role.get<std::string>()), "item, geofence, return_point or path"};
+                            "is " + in_quotes(role.get<std::string>()),
+                            "item, geofence, return_point, planned_home or path"};
   }
   return std::nullopt;
 }
@@ -96,8 +109,6 @@ import_result import_geojson(std::string_view text, const import_options& option
   auto result = read<document>(mission.dump(-1, ' ', false, json::error_handler_t::replace));
   if (!result)
     return tl::unexpected(conversion_error{bounded(std::move(result.error()), text), {}});
-  if (options.return_point)
-    result->return_point = *options.return_point;
   return finished(*result, {}, options, text);
 }
 

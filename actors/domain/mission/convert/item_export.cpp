@@ -57,6 +57,13 @@ item_list vehicle_items_of(const item& each) {
   return std::visit([](const auto& value) { return made_of(value); }, each);
 }
 
+planned_home home_to_write(const document& mission) {
+  if (mission.planned_home)
+    return *mission.planned_home;
+  const auto& back = mission.return_point;
+  return back ? planned_home{back->latitude, back->longitude, {}} : planned_home{};
+}
+
 void add_place_losses(std::span<const item> items, loss_list& losses) {
   for (std::size_t i = 0; i < items.size(); ++i)
     for (const auto& each : vehicle_items_of(items[i]))

@@ -25,6 +25,12 @@ std::string new_id(std::size_t count) { return "item-" + std::to_string(count + 
 
 } // namespace
 
+import_context context_of(const std::optional<planned_home>& home, bool is_for_px4) {
+  if (!home)
+    return {{}, {}, is_for_px4};
+  return {vertex{home->latitude, home->longitude}, home->above_sea_m, is_for_px4};
+}
+
 void item_importer::append(item each) {
   std::visit([&](auto& value) { value.id = new_id(items_.size()); }, each);
   items_.push_back(std::move(each));
@@ -52,7 +58,7 @@ void item_importer::take(const vehicle_item& each) {
   case command::land:
     return take_land(each);
   case command::return_to_launch:
-    return append(return_home{});
+    return append(return_home{{}, return_goal::home});
   case command::change_speed:
     return take_speed(each);
   default:

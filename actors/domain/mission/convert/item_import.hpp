@@ -6,7 +6,7 @@
 //   NAV_LOITER_TIME                  loiter        time, radius
 //   DO_CHANGE_SPEED                  change_speed  air or ground speed; not climb, descent and throttle
 //   NAV_LAND, NAV_VTOL_LAND          land          without a place: where the item before it was
-//   NAV_RETURN_TO_LAUNCH             return
+//   NAV_RETURN_TO_LAUNCH             return        to the home of the vehicle, which is not the planned one
 //
 // Altitudes above home are ours; those above mean sea level are turned into them with the planned home position, as a
 // loss, because the vehicle may start elsewhere; those above terrain are not taken. A yaw of 0 is "none given" unless
@@ -19,15 +19,17 @@
 
 #include "actors/domain/mission/convert/loss.hpp"
 #include "actors/domain/mission/convert/vehicle_item.hpp"
-#include "messages/mission/item.hpp"
+#include "messages/mission/document.hpp"
 
 namespace godwit::mission {
 
 struct import_context {
-  std::optional<vertex> home;
+  std::optional<vertex> home;            // where a take-off is meant to be
   std::optional<double> home_altitude_m; // above mean sea level
   bool is_for_px4 = false;
 };
+
+[[nodiscard]] import_context context_of(const std::optional<planned_home>& home, bool is_for_px4);
 
 class item_importer {
 public:

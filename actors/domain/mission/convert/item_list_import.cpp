@@ -70,8 +70,7 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
   mission.mission_id = options.mission_id;
   mission.items = std::move(importer.items());
   mission.geofences = options.geofences;
-  mission.return_point = options.home.value_or(first_place(items).value_or(position{}));
-  auto checked = finished(mission, std::move(losses), {options.allow_partial, {}, {}}, source_text(items));
+  auto checked = finished(mission, std::move(losses), {options.allow_partial, {}}, source_text(items));
   if (!checked)
     return tl::unexpected(std::move(checked.error()));
   result.mission = std::move(checked->mission);

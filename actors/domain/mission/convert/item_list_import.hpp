@@ -25,7 +25,6 @@ namespace godwit::mission {
 struct item_list_options {
   std::string mission_id;                // UUID
   bool allow_partial = false;            // take what can be taken; else a loss is an error
-  std::optional<position> home;          // becomes the return point; absent: the first place of the list
   std::optional<double> home_altitude_m; // above mean sea level; absent: heights above it are losses
   std::vector<geofence> geofences;
 };

@@ -97,10 +97,10 @@ json items_of(const document& mission) {
 
 exported export_plan(const document& mission) {
   exported result;
-  const auto& home = mission.return_point;
-  if (home.altitude_m != 0)
+  const auto home = home_to_write(mission);
+  if (mission.return_point && mission.return_point->altitude_m != 0)
     result.losses.add({{},
-                       "return point: height of " + number_text(home.altitude_m) + " m",
+                       "return point: height of " + number_text(mission.return_point->altitude_m) + " m",
                        "a plan's home position is on the ground",
                        "left out"});
   add_place_losses(mission.items, result.losses);
@@ -109,7 +109,7 @@ exported export_plan(const document& mission) {
                   {"globalPlanAltitudeMode", above_home},
                   {"hoverSpeed", usual_mps},
                   {"items", items_of(mission)},
-                  {"plannedHomePosition", json::array({home.latitude, home.longitude, 0})},
+                  {"plannedHomePosition", json::array({home.latitude, home.longitude, home.above_sea_m.value_or(0)})},
                   {"vehicleType", multirotor},
                   {"version", 2}};
   const json plan{{"fileType", "Plan"},

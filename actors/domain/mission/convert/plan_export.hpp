@@ -1,8 +1,8 @@
 // A mission as a plan of QGroundControl, in the form that it writes itself; the way back of plan_import.hpp.
 //
-// A survey becomes its survey pattern without lines: the ground station lays them when it opens the file. The return
-// point becomes the planned home position. Losses: what a plan does not know (heights of fences and of the return
-// point). Thread: pure.
+// A survey becomes its survey pattern without lines: the ground station lays them when it opens the file. A return
+// becomes the vehicle's own. The planned home is written as it is; without one the return point stands there. Losses:
+// what a plan does not know (heights of fences and of the return point). Thread: pure.
 #pragma once
 
 #include "actors/domain/mission/convert/conversion.hpp"

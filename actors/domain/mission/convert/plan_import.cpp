@@ -56,18 +56,13 @@ document import_root(plan_source& source, const plan_node& root) {
   const auto mission = source.object(root, "mission");
   source.lose_unknown(mission, {"cruiseSpeed", "firmwareType", "globalPlanAltitudeMode", "hoverSpeed", "items",
                                 "plannedHomePosition", "vehicleType", "version"});
-  const auto home = source.place(mission, "plannedHomePosition");
-  import_context context{vertex{home[0], home[1]}, home[2],
-                         source.number_or(mission, "firmwareType", 0) == px4_firmware};
-  if (!std::isfinite(home[2]))
-    context.home_altitude_m.reset();
-  if (!std::isfinite(home[0]) || !std::isfinite(home[1]))
-    context.home.reset();
-  item_importer importer(context, source.losses);
-  import_items(source, mission, importer);
+  const auto place = source.place(mission, "plannedHomePosition");
   document result;
+  result.planned_home = home_at(place[0], place[1], place[2]);
+  const bool is_for_px4 = source.integer(mission, "firmwareType") == px4_firmware;
+  item_importer importer(context_of(result.planned_home, is_for_px4), source.losses);
+  import_items(source, mission, importer);
   result.items = std::move(importer.items());
-  result.return_point = {home[0], home[1], 0};
   if (root.has("geoFence"))
     result.geofences = import_fence(source, source.object(root, "geoFence"));
   if (root.has("rallyPoints"))
@@ -91,8 +86,6 @@ import_result import_plan(std::string_view text, const import_options& options) 
     return tl::unexpected(
         conversion_error{bounded({document_errc::wrong_form, std::move(source.problems)}, text), std::move(losses)});
   mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
-  if (options.return_point)
-    mission.return_point = *options.return_point;
   return finished(mission, std::move(losses), options, text);
 }
 

@@ -10,7 +10,7 @@
 //   StructureScan           left out, as a loss
 //   fence polygons          geofences; circles become polygons, inclusions within the circle and exclusions around it
 //   rally points            left out, as losses: a mission returns to one point
-//   planned home position   the return point
+//   planned home position   the planned home: compared with the vehicle's, and never flown to; 0/0 is none
 //
 // Cameras, gimbals and payload are losses each. Speeds and firmware of the file's head only help to read it. Errors: as
 // values; the losses are in the error when it is `lossy`. Thread: pure. Source: QGroundControl's developer guide, "Plan

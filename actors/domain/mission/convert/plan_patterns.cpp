@@ -31,7 +31,7 @@ bool is_above_home(plan_source& source, const plan_node& camera) {
   constexpr std::int64_t relative = 1;
   if (camera.has("DistanceMode"))
     return source.integer(camera, "DistanceMode") == relative;
-  return source.flag(camera, "DistanceToSurfaceRelative", false);
+  return source.flag_or(camera, "DistanceToSurfaceRelative", false);
 }
 
 bool triggers_camera(const plan_node& transects) {
@@ -50,11 +50,11 @@ void lose_survey_details(plan_source& source, const plan_node& node, const plan_
   if (const auto turn_m = source.number_or(transects, "TurnAroundDistance", 0); turn_m != 0)
     lose(source, node, "survey: turns " + number_text(turn_m) + " m outside of the area",
          "the lines of a mission's survey end at its edge", left_out);
-  if (source.flag(transects, "HoverAndCapture", false))
+  if (source.flag_or(transects, "HoverAndCapture", false))
     lose(source, node, "survey: stop for each picture", "a mission's survey flies on", left_out);
-  if (source.flag(transects, "Refly90Degrees", false))
+  if (source.flag_or(transects, "Refly90Degrees", false))
     lose(source, node, "survey: flown again across", "a mission's survey has one direction", "flown once");
-  if (source.flag(node, "flyAlternateTransects", false))
+  if (source.flag_or(node, "flyAlternateTransects", false))
     lose(source, node, "survey: every other line first", "a mission leaves the order to whoever plans the flight",
          left_out);
 }
@@ -62,7 +62,7 @@ void lose_survey_details(plan_source& source, const plan_node& node, const plan_
 // Why this survey can not be one of a mission; empty when it can.
 std::string why_no_survey(plan_source& source, const plan_node& transects, const survey& area,
                           const plan_node& camera) {
-  if (source.flag(transects, "FollowTerrain", false))
+  if (source.flag_or(transects, "FollowTerrain", false))
     return "it follows the terrain";
   if (!is_above_home(source, camera))
     return "its height is not above home";
@@ -103,13 +103,16 @@ void import_landing(plan_source& source, const plan_node& node, item_importer& i
       node.has("landingApproachCoordinate") ? "landingApproachCoordinate" : "loiterCoordinate";
   const auto approach = source.place(node, approach_key);
   const auto landing = source.place(node, "landCoordinate");
-  const auto used_frame = source.flag(node, "altitudesAreRelative", true) ? frame::global_relative : frame::global;
+  const auto before = source.problems.size();
+  const auto used_frame = source.flag(node, "altitudesAreRelative") ? frame::global_relative : frame::global;
+  if (source.problems.size() != before)
+    return;
   lose(source, node, "landing pattern: its start mark", "a mission has no marks for landings", left_out);
-  if (source.flag(node, "useLoiterToAlt", true))
+  if (source.flag_or(node, "useLoiterToAlt", true))
     lose(source, node,
          "landing pattern: circle of " + number_text(source.number_or(node, "loiterRadius", 0)) + " m down",
          "no item of a mission changes the height in circles", "a waypoint in its middle");
-  if (source.flag(node, "stopTakingPhotos", false) || source.flag(node, "stopVideoPhotos", false))
+  if (source.flag_or(node, "stopTakingPhotos", false) || source.flag_or(node, "stopVideoPhotos", false))
     lose(source, node, "landing pattern: end of pictures", "a mission has no commands for cameras and gimbals",
          left_out);
   const auto number = node.item.value_or(0);
@@ -171,7 +174,7 @@ std::optional<vehicle_item> read_simple_item(plan_source& source, const plan_nod
     source.wrong(node, "has a command or frame that MAVLink can not say", {});
   result.command = static_cast<std::uint16_t>(id);
   result.frame = static_cast<std::uint8_t>(used_frame);
-  result.autocontinue = source.flag(node, "autoContinue", true);
+  result.autocontinue = source.flag(node, "autoContinue");
   read_params(source, node, result);
   return source.problems.size() == before ? std::optional(result) : std::nullopt;
 }

@@ -1,6 +1,7 @@
 #include "actors/domain/mission/convert/plan_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "actors/domain/mission/convert/vehicle_item.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 using nlohmann::json;
 
 const json nothing_there;
+
+constexpr double max_plan_integer = 65'535;
 
 // null and NaN are both "not given".
 double number_of(const json& value) { return value.is_number() ? value.get<double>() : not_given; }
@@ -65,10 +68,11 @@ double plan_source::number_or(const plan_node& parent, std::string_view key, dou
 }
 
 std::int64_t plan_source::integer(const plan_node& parent, std::string_view key) {
-  const auto& found = at(parent, key);
-  if (!found.is_number_integer() || (found.is_number_unsigned() && found.get<std::uint64_t>() > 65'535))
+  const auto value = number_of(at(parent, key));
+  const bool is_whole = std::abs(value) <= max_plan_integer && value == std::trunc(value);
+  if (!is_whole)
     wrong_at(parent, key, "a whole number up to 65535");
-  return found.is_number_integer() ? found.get<std::int64_t>() : 0;
+  return is_whole ? static_cast<std::int64_t>(value) : 0;
 }
 
 std::string plan_source::text(const plan_node& parent, std::string_view key) {
@@ -78,11 +82,15 @@ std::string plan_source::text(const plan_node& parent, std::string_view key) {
   return found.is_string() ? found.get<std::string>() : std::string();
 }
 
-bool plan_source::flag(const plan_node& parent, std::string_view key, bool when_absent) {
+bool plan_source::flag(const plan_node& parent, std::string_view key) {
   const auto& found = at(parent, key);
-  if (parent.has(key) && !found.is_boolean())
+  if (!found.is_boolean())
     wrong_at(parent, key, "true or false");
-  return found.is_boolean() ? found.get<bool>() : when_absent;
+  return found.is_boolean() && found.get<bool>();
+}
+
+bool plan_source::flag_or(const plan_node& parent, std::string_view key, bool when_absent) {
+  return parent.has(key) ? flag(parent, key) : when_absent;
 }
 
 std::array<double, 3> plan_source::numbers(const plan_node& list_of_2_or_3) {

@@ -40,7 +40,8 @@ public:
   [[nodiscard]] double number(const plan_node& parent, std::string_view key);
   [[nodiscard]] std::int64_t integer(const plan_node& parent, std::string_view key);
   [[nodiscard]] std::string text(const plan_node& parent, std::string_view key);
-  [[nodiscard]] bool flag(const plan_node& parent, std::string_view key, bool when_absent);
+  [[nodiscard]] bool flag(const plan_node& parent, std::string_view key);
+  [[nodiscard]] bool flag_or(const plan_node& parent, std::string_view key, bool when_absent);
   [[nodiscard]] double number_or(const plan_node& parent, std::string_view key, double when_absent);
   // [latitude, longitude] or [latitude, longitude, altitude]; what is null is NaN.
   [[nodiscard]] std::array<double, 3> place(const plan_node& parent, std::string_view key);

@@ -96,11 +96,11 @@ std::string why_no_counterpart(std::uint16_t id) {
   return row == nullptr ? "a mission has no counterpart of it" : std::string(row->why);
 }
 
-std::optional<position> first_place(std::span<const vehicle_item> items) {
-  for (const auto& each : items)
-    if (each.frame != frame::mission && each.has_place())
-      return position{each.latitude(), each.longitude(), 0};
-  return std::nullopt;
+std::optional<planned_home> home_at(double latitude, double longitude, double above_sea_m) {
+  const bool is_place = std::isfinite(latitude) && std::isfinite(longitude) && (latitude != 0 || longitude != 0);
+  if (!is_place)
+    return std::nullopt;
+  return planned_home{latitude, longitude, std::isfinite(above_sea_m) ? std::optional(above_sea_m) : std::nullopt};
 }
 
 std::string number_text(double value) {

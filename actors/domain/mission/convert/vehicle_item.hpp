@@ -10,10 +10,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 
-#include "messages/mission/place.hpp"
+#include "messages/mission/document.hpp"
 
 namespace godwit::mission {
 
@@ -63,8 +62,8 @@ inline constexpr std::uint8_t global_relative_int = 6;
 // Why a mission has no counterpart of this command, as a sentence without an end.
 [[nodiscard]] std::string why_no_counterpart(std::uint16_t id);
 
-// Of the first item that has one; its height is 0.
-[[nodiscard]] std::optional<position> first_place(std::span<const vehicle_item> items);
+// The home that a file was planned for; nothing for 0/0, which ground stations write when they have none.
+[[nodiscard]] std::optional<planned_home> home_at(double latitude, double longitude, double above_sea_m);
 
 // A number as people write it: 25, 0.5.
 [[nodiscard]] std::string number_text(double value);

@@ -17,7 +17,7 @@ using io::mavlink::mission_item_int;
 std::int32_t scaled(double degrees) { return static_cast<std::int32_t>(std::lround(degrees * 1e7)); }
 
 // HOME stands in where an item has no place: x and y of a line are whole numbers, which can not be "not given".
-mission_item_int line_of(const vehicle_item& each, const position& home) {
+mission_item_int line_of(const vehicle_item& each, const planned_home& home) {
   mission_item_int line;
   line.frame = each.frame;
   line.command = each.command;
@@ -38,10 +38,11 @@ mission_item_int line_of(const vehicle_item& each, const position& home) {
 
 exported export_waypoints(const document& mission) {
   exported result;
-  const auto& home = mission.return_point;
-  std::vector<mission_item_int> lines{
-      line_of({0, command::waypoint, frame::global, {0, 0, 0, 0, home.latitude, home.longitude, 0}}, home)};
-  if (home.altitude_m != 0)
+  const auto home = home_to_write(mission);
+  std::vector<mission_item_int> lines{line_of(
+      {0, command::waypoint, frame::global, {0, 0, 0, 0, home.latitude, home.longitude, home.above_sea_m.value_or(0)}},
+      home)};
+  if (mission.return_point && mission.return_point->altitude_m != 0)
     result.losses.add({{}, "return point: height", "a home position is on the ground", "left out"});
   add_place_losses(mission.items, result.losses);
   for (std::size_t i = 0; i < mission.items.size(); ++i) {

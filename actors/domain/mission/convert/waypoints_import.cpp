@@ -16,8 +16,8 @@ namespace {
 
 bool is_home(const vehicle_item& first) {
   const auto none = [&](std::size_t from_1) { return !(std::abs(first.param(from_1)) > 0); };
-  return first.command == command::waypoint && first.has_place() &&
-         (first.frame == frame::global || first.frame == frame::global_int) && none(1) && none(2) && none(3) && none(4);
+  return first.command == command::waypoint && (first.frame == frame::global || first.frame == frame::global_int) &&
+         none(1) && none(2) && none(3) && none(4);
 }
 
 document_error error_of(const io::mavlink::waypoint_error& found, std::string_view text) {
@@ -40,21 +40,14 @@ import_result import_waypoints(std::string_view text, const import_options& opti
     all.push_back(vehicle_item_of(each));
   std::span<const vehicle_item> items = all;
   loss_list losses;
-  import_context context;
   document mission;
   mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
   if (!items.empty() && is_home(items.front())) {
     const auto& home = items.front();
-    context = {vertex{home.latitude(), home.longitude()}, home.altitude_m(), false};
-    mission.return_point = {home.latitude(), home.longitude(), 0};
+    mission.planned_home = home_at(home.latitude(), home.longitude(), home.altitude_m());
     items = items.subspan(1);
-  } else if (const auto place = first_place(items); place && !options.return_point) {
-    losses.add({{}, "the home position", "the file has none", "the place of the first item"});
-    mission.return_point = *place;
   }
-  if (options.return_point)
-    mission.return_point = *options.return_point;
-  item_importer importer(context, losses);
+  item_importer importer(context_of(mission.planned_home, false), losses);
   for (const auto& each : items)
     importer.take(each);
   mission.items = std::move(importer.items());

@@ -6,6 +6,8 @@ result look_at_return_point(const facts& seen, const settings&) {
   const auto& now = seen.mission;
   if (now.document == nullptr)
     return skipped("There is no mission whose return point could be looked at.");
+  if (!now.document->return_point)
+    return skipped("The mission has no return point of its own.");
   if (now.document->geofences.empty())
     return skipped("The mission has no fences.");
   if (!now.return_point)

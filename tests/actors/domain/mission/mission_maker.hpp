@@ -21,6 +21,8 @@ public:
     result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
     result.revision = whole(1, 2'000'000'000);
     result.return_point = place();
+    if (whole(0, 1) == 0)
+      result.planned_home = planned_home{number(-90, 90), number(-180, 180), maybe(-100, 3000)};
     const auto items = static_cast<std::size_t>(whole(1, static_cast<int>(most_items)));
     for (std::size_t i = 0; i < items; ++i)
       result.items.push_back(any_item("item-" + std::to_string(i + 1)));
@@ -42,7 +44,7 @@ public:
     case 4:
       return land{id, place()};
     case 5:
-      return return_home{id};
+      return return_home{id, whole(0, 1) == 0 ? std::optional(return_goal::home) : std::nullopt};
     default:
       return waypoint{id, place(), number(0, 60), number(0, 20), maybe(0.1, 40)};
     }

@@ -68,7 +68,8 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
        "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42"},
       {"/revision", 0, form, "/revision is 0; allowed: a whole number from 1 to 2147483647"},
       {"/pilot", "me", form,
-       "/pilot is not known; allowed: geofences, items, mission_id, return_point, revision, schema_version"},
+       "/pilot is not known; allowed: geofences, items, mission_id, planned_home, return_point, revision, "
+       "schema_version"},
       {"/geofences/0/kind", "inclusion", form,
        "/geofences/0/kind is \"inclusion\"; allowed: \"INCLUSION\" or \"EXCLUSION\""},
       {"/items/5/id", "up", rule, "/items/5/id is \"up\", as of item 0; allowed: an id that no other item has"},
@@ -105,10 +106,22 @@ TEST(read_mission, the_version_is_told_before_the_form_because_the_form_may_have
 
 TEST(read_mission, a_missing_property_is_named) {
   auto mission = valid();
-  mission.erase("return_point");
+  mission.erase("geofences");
   mission["items"][2].erase("hold_s");
-  EXPECT_EQ(error_of(mission).message(), "/return_point is missing; allowed: a position\n"
+  EXPECT_EQ(error_of(mission).message(), "/geofences is missing; allowed: a list of up to 100 entries\n"
                                          "/items/2/hold_s is missing; allowed: a number from 0 to 86400");
+}
+
+TEST(read_mission, a_return_needs_a_return_point_unless_it_leads_home) {
+  auto mission = valid();
+  mission.erase("return_point");
+  EXPECT_EQ(error_of(mission).message(), "/return_point is missing; allowed: a position: an item returns there");
+  for (auto& each : mission["items"])
+    if (each["kind"] == "return")
+      each["to"] = "HOME";
+  EXPECT_TRUE(read<document>(mission.dump()).has_value());
+  mission["items"].back()["to"] = "home";
+  EXPECT_FALSE(read<document>(mission.dump()).has_value());
 }
 
 TEST(read_mission, an_item_without_a_kind_is_not_judged_as_each_kind) {

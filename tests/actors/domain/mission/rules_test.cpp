@@ -37,9 +37,17 @@ void expect_same_again(const T& value) {
 TEST(rules, a_number_that_is_not_finite_is_never_handed_on) {
   document mission;
   mission.items = {waypoint{"w", {1, std::numeric_limits<double>::infinity(), 3}, 0, 0, {}}};
-  mission.return_point.altitude_m = std::numeric_limits<double>::quiet_NaN();
+  mission.return_point = position{1, 2, std::numeric_limits<double>::quiet_NaN()};
   EXPECT_EQ(problems_of(mission), "/items/0/at/longitude is no finite number\n"
                                   "/return_point/altitude_m is no finite number\n");
+}
+
+TEST(rules, a_return_point_may_be_absent_only_when_no_item_leads_there) {
+  document mission;
+  mission.items = {waypoint{"w", {1, 2, 3}, 0, 0, {}}, return_home{"r", return_goal::home}};
+  EXPECT_EQ(problems_of(mission), "");
+  mission.items.emplace_back(return_home{"back", {}});
+  EXPECT_EQ(problems_of(mission), "/return_point is missing; allowed: a position: an item returns there\n");
 }
 
 TEST(rules, an_assignment_has_a_revision_above_its_base) {

@@ -170,6 +170,21 @@ TEST(fence_check, there_is_a_bound) {
   EXPECT_EQ(found_in(mission_with({field}, items)).size(), max_violations);
 }
 
+TEST(fence_check, the_way_of_a_return_to_home_leads_to_the_home_of_the_vehicle) {
+  auto mission = mission_of({mission::takeoff{"up", 30}, waypoint("out", at(300, 0, 30)),
+                             mission::return_home{"back", mission::return_goal::home}});
+  mission.return_point.reset();
+  mission.geofences = {tests::exclusion(tests::box(140, -20, 160, 20))};
+  auto setting = px4_copter;
+  setting.start = at(300, 300, 0);
+  const auto violations = [&] {
+    return fence_violations(build_plans(mission, setting)->front(), mission, vehicle_class::multirotor);
+  };
+  EXPECT_TRUE(violations().empty()) << "home moves to where it is armed, and the way back leads around";
+  setting.start = at(0, 0, 0);
+  EXPECT_FALSE(violations().empty());
+}
+
 TEST(fence_check, the_return_point_lies_inside_whatever_the_altitude) {
   auto mission = mission_with({between(field, 20, 30), exclusion(box(400, -50, 500, 50))}, {up});
   EXPECT_TRUE(return_point_violations(mission).empty());

@@ -234,6 +234,39 @@ TEST(item_planner, the_return_from_a_delivery_does_not_rely_on_a_home_that_moves
   EXPECT_EQ(commands_of(mission, px4_copter), (commands{22, 21, 22, 16, 21}));
 }
 
+TEST(item_planner, a_return_to_home_is_the_vehicles_own_wherever_the_return_point_and_the_planned_home_are) {
+  auto mission = mission_of({take_off_item, out, mission::return_home{"back", mission::return_goal::home}});
+  mission.planned_home = mission::planned_home{at(0, 350, 0).latitude, at(0, 350, 0).longitude, 431};
+  for (const auto& there : {std::optional<mission::position>(), std::optional(at(0, 300, 4))}) {
+    mission.return_point = there;
+    for (const auto& setting : {px4_copter, ardupilot_copter, px4_plane, ardupilot_plane, rover}) {
+      const auto plans = build_plans(mission, setting);
+      ASSERT_TRUE(plans.has_value()) << plans.error().message();
+      EXPECT_EQ(plans->front().items.back().command, 20);
+      EXPECT_EQ(plans->front().ends_at.longitude, at(0, 0, 0).longitude) << "energy and fences count the way home";
+      EXPECT_EQ(plans->front().legs.back().to.latitude, at(0, 0, 0).latitude);
+    }
+  }
+}
+
+// Home is set again to where the mission first took off.
+TEST(item_planner, a_return_to_home_from_a_delivery_leads_to_the_home_of_the_mission) {
+  const auto mission = mission_of({take_off_item, land_at(at(700, 0, 0)), mission::takeoff{"up again", 30},
+                                   mission::return_home{"back", mission::return_goal::home}});
+  const auto plans = build_plans(mission, px4_copter);
+  ASSERT_TRUE(plans.has_value()) << plans.error().message();
+  EXPECT_EQ(commands_of(mission, px4_copter), (commands{22, 21, 22, 20}));
+  EXPECT_EQ(plans->back().ends_at.longitude, at(0, 0, 0).longitude);
+}
+
+TEST(item_planner, a_return_to_a_return_point_that_is_missing_is_refused) {
+  auto mission = mission_of({take_off_item, out, home_again});
+  mission.return_point.reset();
+  EXPECT_EQ(why_not(mission, px4_copter),
+            "Item 'back': It returns to the return point, and the mission has none; give the mission a return point, "
+            "or send the vehicle to its home (\"to\": \"HOME\").");
+}
+
 TEST(item_planner, landing_or_returning_where_the_vehicle_stands_is_nothing_to_do) {
   const auto mission = mission_of({take_off_item, out, home_again, land_at(at(2, 0, 0))});
   const auto plans = build_plans(mission, px4_copter);

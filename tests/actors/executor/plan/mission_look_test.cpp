@@ -14,13 +14,13 @@ const auto mission =
 TEST(mission_look, the_next_place_is_that_of_the_first_item_that_has_one) {
   EXPECT_EQ(place_after(mission, 0)->longitude, at(100, 0, 0).longitude);
   EXPECT_EQ(place_after(mission, 2)->longitude, at(200, 0, 0).longitude);
-  EXPECT_EQ(place_after(mission, 4)->longitude, mission.return_point.longitude);
+  EXPECT_EQ(place_after(mission, 4)->longitude, mission.return_point->longitude);
 }
 
 TEST(mission_look, a_take_off_ends_the_search_for_it) { EXPECT_EQ(place_after(mission, 3), std::nullopt); }
 
 TEST(mission_look, the_place_before_is_the_return_point_when_there_is_none) {
-  EXPECT_EQ(place_before(mission, 2).longitude, mission.return_point.longitude);
+  EXPECT_EQ(place_before(mission, 2).longitude, mission.return_point->longitude);
   EXPECT_EQ(place_before(mission, 3).longitude, at(100, 0, 0).longitude);
 }
 

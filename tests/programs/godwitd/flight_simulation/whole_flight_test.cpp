@@ -194,7 +194,7 @@ TEST(landed_at_home_by_a_pilot, a_mission_is_complete_or_flown_on_and_never_both
     flight_simulation flight({.who = sim::personality::px4});
     const auto is_over_home = [&] {
       const auto seen = flight.vehicle().describe().where;
-      const auto& home = flight.first_mission().return_point;
+      const auto home = flight.first_mission().return_point.value();
       return flight.track().was_near(place_at("w3"), 10, flight.now_ns()) &&
              geo::distance_m(geo::point{seen.latitude_deg, seen.longitude_deg},
                              geo::point{home.latitude, home.longitude}) < 5;

@@ -180,7 +180,7 @@ export interface mission_document {
   revision: number;
   items: mission_item[];
   geofences: geofence[];
-  return_point: place & { altitude_m: number };
+  return_point: (place & { altitude_m: number }) | null; // null: nothing leads there
 }
 
 export interface plan_view {

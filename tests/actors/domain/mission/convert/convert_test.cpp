@@ -1,6 +1,7 @@
 #include "actors/domain/mission/convert/convert.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
 
 #include "actors/domain/mission/write.hpp"
@@ -26,7 +27,7 @@ TEST(convert, a_plan_goes_through_our_format_and_back_without_a_change) {
   const auto plan = convert(ours->text, mission_format::json, mission_format::plan);
   ASSERT_TRUE(plan.has_value()) << plan.error().message();
   const auto id = import_mission(ours->text, mission_format::json)->mission.mission_id;
-  const auto again = convert(plan->text, mission_format::plan, mission_format::json, {false, id, {}});
+  const auto again = convert(plan->text, mission_format::plan, mission_format::json, {false, id});
   ASSERT_TRUE(again.has_value()) << again.error().message();
   EXPECT_EQ(again->text, ours->text);
 }
@@ -39,9 +40,21 @@ TEST(convert, what_is_lost_on_either_way_is_an_error_unless_it_is_allowed) {
                                        "geofence 1; a file of lines has no fences; instead: left out\n"
                                        "geofence 2; a file of lines has no fences; instead: left out");
   const auto allowed =
-      convert(sample_file("ardupilot.plan"), mission_format::plan, mission_format::waypoints, {true, {}, {}});
+      convert(sample_file("ardupilot.plan"), mission_format::plan, mission_format::waypoints, {true, {}});
   ASSERT_TRUE(allowed.has_value());
   EXPECT_EQ(allowed->losses.all.size(), 5U);
+}
+
+// By way of our own form as well: nothing turns it into a flight to the planned home.
+TEST(convert, return_to_launch_of_a_plan_stays_one_on_its_way_through_our_format) {
+  const auto ours = convert(sample_file("home_elsewhere.plan"), mission_format::plan, mission_format::json);
+  ASSERT_TRUE(ours.has_value()) << ours.error().message();
+  const auto mission = import_mission(ours->text, mission_format::json)->mission;
+  EXPECT_EQ(mission.items.back(), item(return_home{"item-3", return_goal::home}));
+  EXPECT_EQ(mission.planned_home, (planned_home{47.399, 8.55, 488}));
+  const auto plan = nlohmann::json::parse(convert(ours->text, mission_format::json, mission_format::plan)->text);
+  EXPECT_EQ(plan["mission"]["items"].back()["command"], 20);
+  EXPECT_EQ(plan["mission"]["plannedHomePosition"], nlohmann::json({47.399, 8.55, 488.0}));
 }
 
 TEST(convert, heights_of_fences_have_no_place_in_a_plan) {
@@ -66,16 +79,20 @@ TEST(convert, the_list_of_losses_is_bounded_and_says_that_there_are_more) {
   EXPECT_TRUE(losses.message().ends_with("and 5 further losses"));
 }
 
-// What a plan can say: no heights of fences and of home, a speed as an item of its own, a survey with a heading, no
-// change of ids.
+// What a plan can say: returns to the home of the vehicle, a planned home with a height, no heights of fences, a speed
+// as an item of its own, a survey with a heading, no change of ids.
 document plan_like(document mission) {
-  mission.return_point.altitude_m = 0;
+  mission.return_point.reset();
+  if (mission.planned_home)
+    mission.planned_home->above_sea_m = mission.planned_home->above_sea_m.value_or(0);
   mission.revision = 1;
   for (auto& each : mission.geofences) {
     each.floor_m.reset();
     each.ceiling_m.reset();
   }
   for (auto& each : mission.items) {
+    if (auto* back = std::get_if<return_home>(&each))
+      back->to = return_goal::home;
     if (auto* point = std::get_if<waypoint>(&each))
       point->speed_mps.reset();
     if (auto* area = std::get_if<survey>(&each))
@@ -88,7 +105,7 @@ RC_GTEST_PROP(convert_property, a_mission_that_a_plan_can_say_comes_back_from_it
   const auto mission = plan_like(mission_maker(*rc::gen::arbitrary<std::uint64_t>()).mission());
   const auto plan = export_mission(mission, mission_format::plan);
   RC_ASSERT(plan.losses.empty());
-  const auto again = import_mission(plan.text, mission_format::plan, {false, mission.mission_id, {}});
+  const auto again = import_mission(plan.text, mission_format::plan, {false, mission.mission_id});
   if (!again)
     RC_FAIL(again.error().message());
   auto expected = mission;
@@ -116,7 +133,7 @@ RC_GTEST_PROP(convert_property, a_damaged_file_never_crashes_an_importer, ()) {
     auto text = export_mission(mission, format).text;
     for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
       text[*rc::gen::inRange<std::size_t>(0, text.size())] = *rc::gen::arbitrary<char>();
-    const auto result = import_mission(text, format, {true, {}, {}});
+    const auto result = import_mission(text, format, {true, {}});
     if (!result)
       RC_ASSERT(!result.error().message().empty());
   }

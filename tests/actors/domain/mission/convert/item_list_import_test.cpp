@@ -27,7 +27,6 @@ mission_item_int item_of(std::uint16_t seq, mav_cmd command, std::uint8_t in_fra
 item_list_options options() {
   item_list_options result;
   result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
-  result.home = position{47.39774, 8.54559, 0};
   return result;
 }
 
@@ -44,7 +43,6 @@ TEST(import_item_list, each_item_knows_its_place_in_the_upload) {
   ASSERT_EQ(result->mission.items.size(), 4U);
   EXPECT_EQ(result->places, (std::vector<std::uint16_t>{0, 1, 2, 3}));
   EXPECT_EQ(std::get<waypoint>(result->mission.items[2]).at, (position{47.397742, 8.545794, 20}));
-  EXPECT_EQ(result->mission.return_point, (position{47.39774, 8.54559, 0}));
   EXPECT_EQ(result->mission.revision, 1);
 }
 
@@ -77,12 +75,11 @@ TEST(import_item_list, heights_above_the_sea_count_from_a_home_that_is_known) {
   EXPECT_EQ(std::get<waypoint>(result->mission.items[2]).at.altitude_m, 32);
 }
 
-TEST(import_item_list, without_home_the_first_place_is_returned_to) {
-  auto unknown = options();
-  unknown.home.reset();
-  const auto result = import_item_list(short_list(), unknown);
+TEST(import_item_list, a_return_to_launch_stays_one_of_the_vehicle) {
+  const auto result = import_item_list(short_list(), options());
   ASSERT_TRUE(result.has_value()) << result.error().message();
-  EXPECT_EQ(result->mission.return_point, (position{47.397742, 8.545594, 0}));
+  EXPECT_EQ(result->mission.items.back(), item(return_home{"item-4", return_goal::home}));
+  EXPECT_EQ(result->mission.return_point, std::nullopt);
 }
 
 TEST(import_item_list, a_list_that_makes_no_mission_is_refused) {

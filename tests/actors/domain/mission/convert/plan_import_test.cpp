@@ -22,14 +22,14 @@ imported partial(const std::string& name) {
   const auto refused = import_plan(sample_file(name));
   EXPECT_FALSE(refused.has_value()) << name;
   EXPECT_TRUE(!refused && refused.error().error.code == document_errc::lossy) << name;
-  const auto result = import_plan(sample_file(name), {true, {}, {}});
+  const auto result = import_plan(sample_file(name), {true, {}});
   EXPECT_TRUE(result.has_value()) << result.error().message();
   EXPECT_TRUE(!refused && result && refused.error().losses.all == result->losses.all) << name;
   return result ? *result : imported{};
 }
 
 conversion_error refused(const std::string& name) {
-  const auto result = import_plan(sample_file(name), {true, {}, {}});
+  const auto result = import_plan(sample_file(name), {true, {}});
   return result ? conversion_error{} : result.error();
 }
 
@@ -43,7 +43,7 @@ std::string kinds(const document& mission) {
 TEST(plan_import, a_simple_plan_is_taken_whole) {
   const auto mission = whole("simple.plan");
   EXPECT_EQ(kinds(mission), "takeoff change_speed waypoint waypoint loiter waypoint return");
-  EXPECT_EQ(mission.return_point, (position{47.3977419, 8.5455938, 0}));
+  EXPECT_EQ(mission.planned_home, (planned_home{47.3977419, 8.5455938, 488.1}));
   EXPECT_EQ(std::get<takeoff>(mission.items[0]).altitude_m, 50);
   EXPECT_EQ(std::get<waypoint>(mission.items[3]), (waypoint{"item-4", {47.3991, 8.5472, 60}, 5, 3, {}}));
   EXPECT_EQ(std::get<loiter>(mission.items[4]), (loiter{"item-5", {47.3987, 8.5481, 55}, 25, 30}));
@@ -54,8 +54,60 @@ TEST(plan_import, the_same_file_always_gets_the_same_id_unless_one_is_given) {
   EXPECT_EQ(import_plan(text)->mission.mission_id, import_plan(text)->mission.mission_id);
   EXPECT_NE(import_plan(text)->mission.mission_id, import_plan(text + ' ')->mission.mission_id);
   const std::string id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
-  EXPECT_EQ(import_plan(text, {false, id, {}})->mission.mission_id, id);
-  EXPECT_EQ(import_plan(text, {false, "x", {}}).error().error.code, document_errc::wrong_form);
+  EXPECT_EQ(import_plan(text, {false, id})->mission.mission_id, id);
+  EXPECT_EQ(import_plan(text, {false, "x"}).error().error.code, document_errc::wrong_form);
+}
+
+TEST(plan_import, return_to_launch_stays_a_return_to_the_vehicles_home_and_the_planned_home_is_only_kept) {
+  const auto mission = whole("home_elsewhere.plan");
+  EXPECT_EQ(mission.items.back(), item(return_home{"item-3", return_goal::home}));
+  EXPECT_EQ(mission.return_point, std::nullopt);
+  EXPECT_EQ(mission.planned_home, (planned_home{47.399, 8.55, 488}));
+}
+
+TEST(plan_import, a_planned_home_at_0_0_is_no_home) {
+  auto plan = nlohmann::json::parse(sample_file("home_elsewhere.plan"));
+  plan["mission"]["plannedHomePosition"] = {0, 0, 0};
+  const auto result = import_plan(plan.dump());
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_EQ(result->mission.planned_home, std::nullopt);
+  EXPECT_EQ(result->mission.items.size(), 3U);
+}
+
+// The one keeps the vehicle in and the other keeps it out: nobody guesses which of them is meant.
+TEST(plan_import, a_fence_that_does_not_say_whether_it_keeps_in_or_out_is_refused_with_its_place) {
+  EXPECT_EQ(refused("fence_without_inclusion.plan").message(),
+            "/geoFence/polygons/0/inclusion is missing; allowed: true or false\n"
+            "/geoFence/circles/0/inclusion is missing; allowed: true or false");
+  auto plan = nlohmann::json::parse(sample_file("fence.plan"));
+  for (const auto& other : {nlohmann::json("true"), nlohmann::json(1), nlohmann::json()}) {
+    plan["geoFence"]["polygons"][1]["inclusion"] = other;
+    EXPECT_EQ(import_plan(plan.dump(), {true, {}}).error().message(),
+              "/geoFence/polygons/1/inclusion is of another type; allowed: true or false");
+  }
+}
+
+TEST(plan_import, what_decides_about_the_flight_has_no_default) {
+  auto plan = nlohmann::json::parse(sample_file("simple.plan"));
+  plan["mission"].erase("firmwareType");
+  plan["mission"]["items"][2].erase("autoContinue");
+  EXPECT_EQ(import_plan(plan.dump(), {true, {}}).error().message(),
+            "/mission/firmwareType is missing; allowed: a whole number up to 65535\n"
+            "/mission/items/2/autoContinue is missing; allowed: true or false");
+  plan = nlohmann::json::parse(sample_file("landing_pattern.plan"));
+  plan["mission"]["items"][2].erase("altitudesAreRelative");
+  EXPECT_EQ(import_plan(plan.dump(), {true, {}}).error().error.message(),
+            "/mission/items/2/altitudesAreRelative is missing; allowed: true or false");
+}
+
+TEST(plan_import, a_whole_number_may_have_a_decimal_point) {
+  auto plan = nlohmann::json::parse(sample_file("simple.plan"));
+  plan["mission"]["items"][2]["command"] = 16.0;
+  EXPECT_TRUE(import_plan(plan.dump()).has_value());
+  for (const auto no_number : {16.5, 65'536.0, -70'000.0}) {
+    plan["mission"]["items"][2]["command"] = no_number;
+    EXPECT_FALSE(import_plan(plan.dump()).has_value()) << no_number;
+  }
 }
 
 TEST(plan_import, null_is_not_given_and_a_landing_without_a_place_is_where_the_item_before_it_was) {
@@ -235,7 +287,7 @@ TEST(plan_import, every_sample_is_taken_or_refused_with_a_reason) {
     if (entry.path().extension() != ".plan")
       continue;
     ++samples;
-    const auto result = import_plan(sample_file(entry.path().filename()), {true, {}, {}});
+    const auto result = import_plan(sample_file(entry.path().filename()), {true, {}});
     if (result)
       EXPECT_TRUE(broken_rules(result->mission).empty()) << entry.path();
     else

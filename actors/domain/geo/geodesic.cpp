@@ -14,6 +14,15 @@ double distance_m(const point& from, const point& to) {
   return metres;
 }
 
+double bearing_deg(const point& from, const point& to) {
+  GODWIT_ASSERT(is_valid(from) && is_valid(to), "geo: a bearing has two places on the globe");
+  double at_start_deg = 0;
+  double at_end_deg = 0;
+  GeographicLib::Geodesic::WGS84().Inverse(from.latitude_deg, from.longitude_deg, to.latitude_deg, to.longitude_deg,
+                                           at_start_deg, at_end_deg);
+  return at_start_deg;
+}
+
 point destination(const point& from, double bearing_deg, double distance_m) {
   GODWIT_ASSERT(is_valid(from), "geo: a way begins on the globe");
   point end;

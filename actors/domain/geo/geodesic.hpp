@@ -10,6 +10,9 @@ namespace godwit::geo {
 
 [[nodiscard]] double distance_m(const point& from, const point& to);
 
+// At FROM, clockwise from north: -180 to 180 degrees. Of two equal places: any.
+[[nodiscard]] double bearing_deg(const point& from, const point& to);
+
 // The bearing is clockwise from north, at the start.
 [[nodiscard]] point destination(const point& from, double bearing_deg, double distance_m);
 

@@ -209,12 +209,39 @@ tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(cons
   const auto where = setting(now);
   if (!where)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
+  if (const auto found = out_of_limits(mission, first_item, now); found && !found->empty())
+    return tl::make_unexpected(found->front());
   auto plans = plan::build_plans(mission, *where, going_on(mission, first_item));
   if (!plans)
     return tl::make_unexpected(plans.error().message());
   if (const auto found = plan::fence_violations(plans->front(), mission, where->vehicle); !found.empty())
     return tl::make_unexpected(found.front().message);
   return std::move(plans->front());
+}
+
+// Until the vehicle reports where it stands, where its home was at last.
+std::optional<mission::limits_origin> flight_context::limits_origin(instant now) const {
+  if (const auto where = setting(now)) {
+    const auto home = plan::home_of(*where);
+    return mission::limits_origin{plan::point_of(home), home.altitude_m, where->vehicle};
+  }
+  if (!view.home())
+    return std::nullopt;
+  return mission::limits_origin{plan::point_of(*view.home()), 0, view.owner().vehicle};
+}
+
+std::optional<std::vector<std::string>> flight_context::out_of_limits(const mission::document& mission,
+                                                                      std::size_t first, instant now) const {
+  const auto origin = limits_origin(now);
+  if (!origin)
+    return std::nullopt;
+  return mission::places_out_of_limits(mission, first, *origin, configured.limits);
+}
+
+std::optional<std::string> flight_context::out_of_limits(const std::string& what, const mission::position& at,
+                                                         instant now) const {
+  const auto origin = limits_origin(now);
+  return origin ? std::optional(mission::why_out_of_limits(what, at, *origin, configured.limits)) : std::nullopt;
 }
 
 way_request flight_context::way_between(const mission::position& from, const mission::position& to) const {

@@ -14,6 +14,7 @@
 #include <tl/expected.hpp>
 
 #include "actors/domain/control_authority/control_authority.hpp"
+#include "actors/domain/mission/place_limits.hpp"
 #include "actors/executor/effects.hpp"
 #include "actors/executor/evidence.hpp"
 #include "actors/executor/flight/command_queue.hpp"
@@ -142,10 +143,18 @@ struct flight_context {
                                                                             std::size_t first_item, instant now) const;
   [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,
                                                                             instant now) const;
+  // From item FIRST on, a sentence for each place that is too far from home or too high above it. None: where home is,
+  // is not known.
+  [[nodiscard]] std::optional<std::vector<std::string>> out_of_limits(const mission::document& mission,
+                                                                      std::size_t first, instant now) const;
+  // The same for one place.
+  [[nodiscard]] std::optional<std::string> out_of_limits(const std::string& what, const mission::position& at,
+                                                         instant now) const;
   // What an operator sends it around the fences by.
   [[nodiscard]] way_request way_between(const mission::position& from, const mission::position& to) const;
 
 private:
+  [[nodiscard]] std::optional<mission::limits_origin> limits_origin(instant now) const;
   void place_home(plan::plan_setting& where) const;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/plan/fence_check.hpp"
@@ -53,7 +52,7 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
   if (m.kind != command_kind::cancel && !m.place)
     return refused("the command has no place");
   if (m.kind != command_kind::cancel)
-    if (auto why = why_not_there(*m.place); !why.empty())
+    if (auto why = why_not_there(*m.place, now); !why.empty())
       return refused(std::move(why));
   auto what = change_of(m, now);
   if (!what)
@@ -74,22 +73,17 @@ plan_changes::change_or_reason plan_changes::change_of(const operators::command&
 }
 
 // Empty: a place like those of a mission, within the limits that are set.
-std::string plan_changes::why_not_there(const mission::position& to) const {
+std::string plan_changes::why_not_there(const mission::position& to, instant now) const {
   const auto there = plan::point_of(to);
   if (!geo::is_valid(there) || !std::isfinite(to.altitude_m))
     return "the place is none: latitude -90 to 90, longitude -180 to 180, altitude in metres above home";
   const bool drives = flight_.view.owner().vehicle == flight::vehicle_class::rover;
-  if (to.altitude_m > flight_.configured.max_altitude_m || (!drives && to.altitude_m < lowest_m))
+  const auto highest_m = flight_.configured.limits.max_altitude_m;
+  if (to.altitude_m > highest_m || (!drives && to.altitude_m < lowest_m))
     return "the altitude has to be between " + std::to_string(static_cast<int>(lowest_m)) + " and " +
-           std::to_string(static_cast<int>(flight_.configured.max_altitude_m)) +
-           " m above home (flight.max_altitude_m)";
-  if (!flight_.view.home())
-    return "the vehicle has told no home yet";
-  const auto away_m = geo::distance_m(plan::point_of(*flight_.view.home()), there);
-  if (away_m > flight_.configured.max_distance_m)
-    return "the place is " + std::to_string(static_cast<int>(away_m)) + " m from home; allowed are " +
-           std::to_string(static_cast<int>(flight_.configured.max_distance_m)) + " m (flight.max_distance_m)";
-  return {};
+           std::to_string(static_cast<int>(highest_m)) + " m above home (flight.max_altitude_m)";
+  const auto found = flight_.out_of_limits("the place", to, now);
+  return found.value_or("the vehicle has told no home yet");
 }
 
 // NAME is that of the change; the turns are flown at the altitude of where they lead.

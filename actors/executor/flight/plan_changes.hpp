@@ -46,7 +46,7 @@ private:
   void begin_from_here(effects& out, instant now);
   [[nodiscard]] change_or_reason insert(const operators::command& m) const;
   [[nodiscard]] tl::expected<mission::document, std::string> changed(const plan_change& what) const;
-  [[nodiscard]] std::string why_not_there(const mission::position& to) const;
+  [[nodiscard]] std::string why_not_there(const mission::position& to, instant now) const;
   [[nodiscard]] std::string why_not_changed(const plan_change& what, instant now) const;
   // Of the service, or by ourselves where there is none.
   void ask_for(effects& out, const plan_change& what, instant now);

@@ -1,9 +1,13 @@
 #include "actors/executor/flight/preparation.hpp"
 
+#include <cmath>
 #include <utility>
 
+#include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/home/home.hpp"
 #include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/preflight/checks/straight_return.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -44,6 +48,20 @@ std::string preparation::why_no_mission() const {
   return "mission " + id + " was flown to its end, or called off, before. Give it a new revision, or another mission.";
 }
 
+// What was found first stays while the vehicle's home only drifts: an operator acknowledges the distance.
+std::optional<preflight::planned_home_fact> preparation::compare_planned_home(const mission::document& mission,
+                                                                              const plan::plan_setting& where) {
+  if (!mission.planned_home)
+    return std::nullopt;
+  const auto home = plan::point_of(plan::home_of(where));
+  const auto planned = plan::point_of(*mission.planned_home);
+  const preflight::planned_home_fact found{geo::distance_m(home, planned), geo::bearing_deg(home, planned)};
+  const bool drifts = planned_home_ && std::abs(planned_home_->away_m - found.away_m) <= flight::same_home_within_m;
+  if (!drifts)
+    planned_home_ = found;
+  return planned_home_;
+}
+
 preflight::report preparation::look_at_all(instant now) {
   const auto& mission = flight_.s.mission;
   plans_.reset();
@@ -56,6 +74,8 @@ preflight::report preparation::look_at_all(instant now) {
   seen.mission.map = service_.map();
   seen.mission.map_problem = service_.map_problem();
   if (const auto where = flight_.setting(now); where && mission) {
+    seen.mission.out_of_limits = flight_.out_of_limits(*mission, flight_.first_item(*mission), now);
+    seen.mission.planned_home = compare_planned_home(*mission, *where);
     plans_ = plan::build_plans(*mission, *where, flight_.going_on(*mission, flight_.first_item(*mission)));
     seen.mission.plans = &*plans_;
     seen.mission.return_point = plan::return_point_violations(*mission);

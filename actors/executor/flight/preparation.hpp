@@ -50,6 +50,8 @@ public:
 private:
   [[nodiscard]] preflight::report look_at_all(instant now);
   [[nodiscard]] preflight::vehicle_facts look_at_vehicle(instant now) const;
+  [[nodiscard]] std::optional<preflight::planned_home_fact> compare_planned_home(const mission::document& mission,
+                                                                                 const plan::plan_setting& where);
   [[nodiscard]] std::string why_no_mission() const; // empty: nobody said
   [[nodiscard]] bool take_arrived(effects& out);
   void warn_of_straight_return(effects& out) const;
@@ -67,6 +69,7 @@ private:
   std::optional<preflight::acknowledged> acknowledged_;
   std::optional<preflight::plan_result> plans_;  // of the mission, from its first remaining item on
   std::vector<plan::return_crossing> crossings_; // of these plans, by a straight return
+  std::optional<preflight::planned_home_fact> planned_home_;
   std::int64_t checked_ns_ = 0;
   host_status host_status_;
   std::optional<preflight::dated_report> last_look_;

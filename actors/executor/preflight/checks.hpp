@@ -11,6 +11,8 @@
 //   autopilot_checks  pass                                      does not say         fail, no news yet    not heard
 //   vehicle_ready     estimator knows its place                 no: a Plane          no, no news yet      not told
 //   mission           loaded, and planned for this vehicle                           else
+//   places            within the limits around home                                  else                 no mission
+//   planned_home      near the vehicle's home                   far from it          not looked at yet    none
 //   fences            way inside inclusions, outside exclusions                      else                 no fences
 //   return_point      the same                                                       else                 no fences
 //   straight_return   from no leg into an exclusion, or told    else, where asked    not looked at yet    no fences
@@ -42,6 +44,8 @@
 #include "actors/executor/preflight/checks/mission.hpp"
 #include "actors/executor/preflight/checks/on_ground.hpp"
 #include "actors/executor/preflight/checks/operator_session.hpp"
+#include "actors/executor/preflight/checks/places.hpp"
+#include "actors/executor/preflight/checks/planned_home.hpp"
 #include "actors/executor/preflight/checks/position.hpp"
 #include "actors/executor/preflight/checks/return_point.hpp"
 #include "actors/executor/preflight/checks/straight_return.hpp"
@@ -66,6 +70,8 @@ inline constexpr std::array checks{check{"vehicle_link", look_at_vehicle_link},
                                    check{"autopilot_checks", look_at_autopilot_checks},
                                    check{"vehicle_ready", look_at_vehicle_ready},
                                    check{"mission", look_at_mission},
+                                   check{"places", look_at_places},
+                                   check{"planned_home", look_at_planned_home},
                                    check{"fences", look_at_fences},
                                    check{"return_point", look_at_return_point},
                                    check{"energy", look_at_energy},

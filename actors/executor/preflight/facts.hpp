@@ -57,6 +57,12 @@ struct vehicle_facts {
   std::string why_not_armed; // in the vehicle's own words, of a moment ago; empty: it says nothing
 };
 
+// The home for which the mission was planned, as seen from the vehicle's.
+struct planned_home_fact {
+  double away_m = 0;
+  double bearing_deg = 0;
+};
+
 using plan_result = tl::expected<std::vector<plan::flight_plan>, plan::plan_error>;
 
 struct mission_facts {
@@ -67,6 +73,8 @@ struct mission_facts {
   std::optional<std::vector<plan::violation>> way;          // of all plans; absent: not looked at yet
   std::optional<double> spare_percent;                      // of the battery, behind the first plan and the way home
   std::optional<std::vector<plan::violation>> return_point; // absent: not looked at yet
+  std::optional<std::vector<std::string>> out_of_limits;    // a sentence for each item; absent: not looked at yet
+  std::optional<planned_home_fact> planned_home;            // absent: there is none, or it was not looked at yet
   // Of all plans; absent: not looked at yet.
   std::optional<std::vector<plan::return_crossing>> straight_return;
   bool has_service = true; // false: a ground station's; nothing keeps a map of it

@@ -389,7 +389,7 @@ TEST_P(people, nobody_sends_it_to_a_place_that_no_mission_may_have) {
   const auto near = std::get<mission::waypoint>(tests::place(GetParam(), "", 30, 30)).at;
   constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<mission::position> places;
-  for (const double up_m : {1e30, endless, -endless, std::numeric_limits<double>::quiet_NaN(), 501.0})
+  for (const double up_m : {1e30, endless, -endless, std::numeric_limits<double>::quiet_NaN(), 1'001.0})
     places.push_back({near.latitude, near.longitude, up_m});
   if (!drives)
     places.push_back({near.latitude, near.longitude, -500});

@@ -18,6 +18,7 @@ inline const mission::document& small_mission() {
     auto result = plan::mission_of(
         {mission::takeoff{"up", 30}, plan::waypoint("east", plan::at(100, 0, 30)), mission::return_home{"back"}});
     result.revision = 4;
+    result.planned_home = mission::planned_home{result.return_point->latitude, result.return_point->longitude, {}};
     result.geofences = {tests::inclusion(tests::box(-50, -50, 150, 50))};
     return result;
   }();
@@ -47,6 +48,8 @@ inline facts good_facts() {
   all.mission.plans = &small_plans();
   all.mission.way.emplace();
   all.mission.return_point.emplace();
+  all.mission.out_of_limits.emplace();
+  all.mission.planned_home.emplace();
   all.mission.spare_percent = 20;
   all.mission.straight_return.emplace();
   all.mission.map = mission_client::pull_state::synced;

@@ -64,6 +64,7 @@ actor::behavior_type actor::handlers() {
           [this](const get_preflight&) { return preflight_view_of(current_state().preflight, core_->last_look()); }),
       on_deferred<station_act, act_answer>(
           [this](const station_act& m, std::uint64_t request_id) { obey(m, request_id); }),
+      on<act_acknowledged>([this](const act_acknowledged& m) { then(core_->on_station(m, now())); }),
       on<start_mission>([this](const start_mission& m) { then(core_->on_station(m, now())); }),
       on_deferred<set_current, current_answer>(
           [this](const set_current& m, std::uint64_t request_id) { obey(m, request_id); }),
@@ -144,11 +145,15 @@ void actor::obey(const operators::command& m, std::uint64_t request_id) {
     after_commit([this, request_id, answer] { answer_later(request_id, answer); });
 }
 
-// It is not held up by the disk: what is sent behind the answer has to meet nobody else's order.
+// It is not held up by the disk: what is sent behind the answer has to meet nobody else's order. That something is
+// begun is said before what comes of it.
 void actor::obey(const station_act& m, std::uint64_t request_id) {
   auto [wanted, answer] = core_->on_station(m, now());
+  if (answer.verdict == act_verdict::begun)
+    answer_later(request_id, answer);
   then(wanted);
-  answer_later(request_id, answer);
+  if (answer.verdict != act_verdict::begun)
+    answer_later(request_id, answer);
 }
 
 // Its answer comes as that of a start, with a key that no station's has; a crash forgets who waits for it.

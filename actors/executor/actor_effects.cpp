@@ -31,6 +31,9 @@ void actor::dispatch_effect(const order& each) {
   case core::release::too_late:
     at_end([this, each] { then(core_->on_late(each, now())); });
     break;
+  case core::release::pending:
+    at_end([this, each] { then(core_->on_pending(each, now())); });
+    break;
   case core::release::revoked:
     ++revoked_;
     at_end([this, each] { then(core_->on_revoked(each)); });

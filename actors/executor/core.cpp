@@ -91,6 +91,7 @@ effects core::advance(instant now) {
     flight_.view.take(each, now.now_ns);
   parts_.give_up_late(out, now);
   arming_.look(out, now);
+  acts_.look(out, now);
   clearing_.look(out, recovery_.has_looked(), now);
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
@@ -253,6 +254,8 @@ core::release core::lets_out(const order& what, instant now) {
     return release::now;
   if (!awaits(what.number))
     return release::revoked;
+  if (flight_.pending.is_pending())
+    return release::pending;
   const bool is_old = now.now_ns - what.decided_ns > order_is_worth_ns;
   const auto allowed = may_go_out(what, now);
   if (is_old || flight_.authority.is_unclear() || allowed == permission::not_ours || allowed == permission::wait)
@@ -265,7 +268,19 @@ core::release core::lets_out(const order& what, instant now) {
 }
 
 effects core::on_late(const order& what, instant now) {
-  const std::string why = "the journal did not write in time";
+  const auto& doing = flight_.runner.doing();
+  const bool moves = doing && (doing->kind == task_kind::start || doing->kind == task_kind::resume ||
+                               doing->kind == task_kind::await_arming);
+  // What lets the vehicle move is not said again by itself when the disk writes at last: a person may stand there.
+  return on_unsent(what, "the journal did not write in time",
+                   moves ? vehicle_link::command_verdict::invalid : vehicle_link::command_verdict::not_sent, now);
+}
+
+effects core::on_pending(const order& what, instant now) {
+  return on_unsent(what, "a command of a station is on its way", vehicle_link::command_verdict::outdated, now);
+}
+
+effects core::on_unsent(const order& what, const std::string& why, vehicle_link::command_verdict verdict, instant now) {
   if (std::holds_alternative<failsafe::guard_mission>(what.what))
     return on_guarded(what.number, {false, why}, false, now);
   if (std::holds_alternative<vehicle_link::upload_plan>(what.what) ||
@@ -277,11 +292,7 @@ effects core::on_late(const order& what, instant now) {
     return on_transfer(what.number, outcome, now);
   }
   vehicle_link::command_outcome outcome;
-  const auto& doing = flight_.runner.doing();
-  const bool moves = doing && (doing->kind == task_kind::start || doing->kind == task_kind::resume ||
-                               doing->kind == task_kind::await_arming);
-  // What lets the vehicle move is not said again by itself when the disk writes at last: a person may stand there.
-  outcome.verdict = moves ? vehicle_link::command_verdict::invalid : vehicle_link::command_verdict::not_sent;
+  outcome.verdict = verdict;
   outcome.reason = why;
   return on_command(what.number, outcome, now);
 }
@@ -308,7 +319,12 @@ effects core::on_revoked(const order& what) {
 
 effects core::on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now) {
   effects out;
+  const auto& doing = flight_.runner.doing();
+  const bool is_hold_accepted = flight_.runner.awaits(number) && doing->kind == task_kind::hold &&
+                                outcome.verdict == vehicle_link::command_verdict::accepted;
   flight_.runner.on_command(flight_.world(now, out), number, outcome);
+  if (is_hold_accepted)
+    acts_.on_hold_accepted(out);
   return out;
 }
 
@@ -390,6 +406,12 @@ std::pair<effects, act_answer> core::on_station(const station_act& m, instant no
   effects out;
   auto answer = acts_.take(out, m, recovery_.has_looked(), now);
   return {std::move(out), std::move(answer)};
+}
+
+effects core::on_station(const act_acknowledged& m, instant) {
+  effects out;
+  acts_.on_acknowledged(out, m);
+  return out;
 }
 
 // -- what a note has led to -------------------------------------------------------------------------

@@ -97,11 +97,13 @@ public:
   // Whether an order that has waited for the disk still goes out: not after a takeover, a failsafe or a newer order,
   // and not when its moment has passed or while it is unclear who has the vehicle. It is asked for again then, but for
   // a start or a resume. Outdated: what it was decided on has to be looked at anew.
-  enum class release { now, revoked, outdated, too_late };
+  // While a command of a station is pending nothing goes out, and it is judged anew after that.
+  enum class release { now, revoked, outdated, too_late, pending };
   static constexpr std::int64_t order_is_worth_ns = 3'000'000'000;
   [[nodiscard]] release lets_out(const order& what, instant now);
   [[nodiscard]] effects on_late(const order& what, instant now);
   [[nodiscard]] effects on_outdated(const order& what, instant now);
+  [[nodiscard]] effects on_pending(const order& what, instant now);
   [[nodiscard]] effects on_revoked(const order& what);
   [[nodiscard]] effects on_command(std::uint64_t number, const vehicle_link::command_outcome& outcome, instant now);
   [[nodiscard]] effects on_transfer(std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
@@ -143,6 +145,7 @@ public:
   [[nodiscard]] effects on_station(const set_current& m, std::uint64_t key, instant now);
   // What a person does through a station; the answer is given behind the effects.
   [[nodiscard]] std::pair<effects, act_answer> on_station(const station_act& m, instant now);
+  [[nodiscard]] effects on_station(const act_acknowledged& m, instant now);
   // What stations are to be told, when it has changed and once a second; to be asked after everything else.
   [[nodiscard]] effects tell_stations(instant now) { return stations_.tell(now); }
   // The answer tells whether the command is taken; what comes of it is told by the status of the flight.
@@ -174,7 +177,7 @@ private:
   static const std::array<rule, 17> rules;
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
-  [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now); }
+  [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now) || flight_.pending.is_pending(); }
   [[nodiscard]] bool come_home(effects& out, instant now) { return homecoming_.advance(out, now); }
   [[nodiscard]] bool halt(effects& out, instant now) { return operators_.halt(out, now); }
   [[nodiscard]] bool resolve(effects& out, instant now) { return recovery_.resolve(out, now); }
@@ -189,6 +192,9 @@ private:
   // What the order NUMBER is an answer to is still wanted; and may still be done.
   [[nodiscard]] bool awaits(std::uint64_t number) const;
   [[nodiscard]] permission may_go_out(const order& what, instant now);
+  // An order that was not sent, as its task hears of it.
+  [[nodiscard]] effects on_unsent(const order& what, const std::string& why, vehicle_link::command_verdict verdict,
+                                  instant now);
   void lose_plan(effects& out, trigger what, instant now);
   [[nodiscard]] bool leave_to_person(effects& out, instant now);
   [[nodiscard]] bool bring_last_line(effects& out, instant now) { return last_line_.advance(out, now); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actors/executor/state.hpp"
+#include "messages/executor/station_act.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/mission.hpp"
 #include "messages/ground_port/plan_judged.hpp"
@@ -39,12 +40,12 @@ struct order {
 
 // To the failsafe: whose the next mode is, and that an operator has handed the vehicle back.
 struct say_to_failsafe {
-  std::variant<failsafe::expect_mode, failsafe::hand_back, failsafe::taken_over> what;
+  std::variant<failsafe::expect_mode, failsafe::hand_back, failsafe::taken_over, failsafe::command_pending> what;
 };
 
 // To ground_port.
 struct say_to_port {
-  std::variant<ground_port::set_mission, ground_port::mission_progress, ground_port::plan_judged> what;
+  std::variant<ground_port::set_mission, ground_port::mission_progress, ground_port::plan_judged, act_resolved> what;
 };
 
 // The transfer under way is given up.

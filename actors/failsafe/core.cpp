@@ -124,6 +124,10 @@ void core::take_one(const vehicle_link::foreign_act& what, instant) {
     told_taken_over_ = true;
 }
 
+void core::take_one(const command_pending& what, instant now) {
+  pending_until_ns_ = now.monotonic_ns + what.lasts_ms * ns_per_ms;
+}
+
 void core::take_one(const following& what, instant) { link_.on_following(what.on); }
 
 // -- the tick -------------------------------------------------------------------------------------
@@ -317,7 +321,9 @@ bool core::follows_what_is_wanted() const {
 
 // A command that was sent may show in a heartbeat after another has taken its place.
 void core::drive(const view& seen, instant now, effects& out) {
-  const bool may_send = seen.flight.link_up && seen.flight.may_act && !leaves_it_to_pilot() && !pilot_.is_unclear();
+  const bool is_pending = now.monotonic_ns < pending_until_ns_;
+  const bool may_send =
+      seen.flight.link_up && seen.flight.may_act && !leaves_it_to_pilot() && !pilot_.is_unclear() && !is_pending;
   const bool on_landing = limits_.land_start && sequence_ && *sequence_ >= *limits_.land_start;
   const bool is_ours = !pilot_.is_taken_over() && !pilot_.is_unclear() && !follows_what_is_wanted();
   const auto step = reaction_.drive({newest_.mode.kind, heartbeat_ns_, may_send, is_ours, on_landing, sequence_ns_},

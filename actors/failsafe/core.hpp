@@ -83,6 +83,7 @@ private:
   void take_one(const asked_guard& what, instant now);
   void take_one(const expect_mode& what, instant now);
   void take_one(const taken_over& what, instant now);
+  void take_one(const command_pending& what, instant now);
   void take_one(const following& what, instant now);
   void take_one(const vehicle_link::foreign_act& what, instant now);
 
@@ -147,6 +148,7 @@ private:
   std::vector<expect_mode> orders_;
   bool told_taken_over_ = false;
   bool told_hand_back_ = false;
+  std::int64_t pending_until_ns_ = 0; // who has the vehicle is not known before the answer to a station's command
 
   // What was said last, so that each thing is said once.
   link_phase said_link_ = link_phase::off;

@@ -42,6 +42,7 @@ actor::behavior_type actor::handlers() {
       on<item_reached>([this](const item_reached& m) { then(core_->on_item_reached(m, now())); }),
       on<status_text>([this](const status_text& m) { then(core_->on_status_text(m, now())); }),
       on<plan_judged>([this](const plan_judged& m) { then(core_->on_plan_judged(m, now())); }),
+      on<executor::act_resolved>([this](const executor::act_resolved& m) { then(core_->on_act_resolved(m, now())); }),
       on<operator_bridge::control_news>(
           [this](const operator_bridge::control_news& m) { then(core_->on_control(m, now())); }),
       on<set_mission>([this](const set_mission& m) { then(core_->on_set_mission(m, now())); }),
@@ -121,6 +122,11 @@ void actor::carry_out(const act_to_ask& each) {
       [this, request = each.request](const runtime::ask_error& why) {
         then(core_->on_act_failed(request, sentence_for(why.code), now()));
       });
+}
+
+void actor::carry_out(const acknowledgement_to_tell& each) {
+  if (others_->executor)
+    tell(*others_->executor, each.what);
 }
 
 void actor::carry_out(const tell_taken_over&) {

@@ -74,6 +74,7 @@ private:
   void carry_out(const word_to_say& each);
   void carry_out(const pass_on& each);
   void carry_out(const act_to_ask& each);
+  void carry_out(const acknowledgement_to_tell& each);
   void carry_out(const tell_taken_over&);
   void carry_out(const audit_row_to_tell& each);
   void carry_out(const operator_link& each);

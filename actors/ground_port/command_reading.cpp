@@ -1,6 +1,8 @@
 #include "actors/ground_port/command_reading.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "io/mavlink/frame_meaning.hpp"
 
@@ -58,9 +60,48 @@ reading read_pause_or_continue(const order& what) {
   return refused(mav_result::denied, what, "neither 0 nor 1 was asked for");
 }
 
-reading read_reposition(const order& what, std::optional<double> home_altitude_m) {
+// A coordinate of COMMAND_INT that is INT32_MAX; its unit depends on the frame.
+bool is_absent(double coordinate, const order& what) {
   if (!what.is_in_integers)
+    return std::isnan(coordinate);
+  const auto units = mavlink::units_of(mavlink::coordinates_of(what.frame).value_or(mavlink::coordinate_kind::local));
+  return std::lround(coordinate * units) == std::numeric_limits<std::int32_t>::max();
+}
+
+bool has_no_place(const order& what) { return is_absent(what.x, what) && is_absent(what.y, what); }
+
+// What a PX4 keeps of itself.
+std::optional<order> filled_up(order what, const told_by_vehicle& told) {
+  const bool is_complete = !has_no_place(what) && !std::isnan(what.z);
+  if (told.autopilot != mavlink::mav_autopilot::px4 || is_complete)
+    return what;
+  if (!told.here)
+    return std::nullopt;
+  if (has_no_place(what)) {
+    what.x = told.here->latitude;
+    what.y = told.here->longitude;
+  }
+  if (std::isnan(what.z)) {
+    what.z = static_cast<float>(told.here->altitude_m);
+    what.frame = mavlink::number(mavlink::mav_frame::global_relative_alt);
+  }
+  return what;
+}
+
+reading read_reposition(order what, const told_by_vehicle& told) {
+  const bool is_px4 = told.autopilot == mavlink::mav_autopilot::px4;
+  if (!what.is_in_integers && told.autopilot == mavlink::mav_autopilot::ardupilotmega)
+    return refused(mav_result::unsupported, what, "it is taken as COMMAND_INT");
+  if (!what.is_in_integers && !is_px4)
     return refused(mav_result::command_int_only, what, "it is taken as COMMAND_INT");
+  if (is_pause_by_reposition(what, told.autopilot))
+    return said_by(what, command_kind::pause);
+  if (!what.is_in_integers)
+    what.frame = mavlink::number(mavlink::mav_frame::global);
+  const auto complete = filled_up(what, told);
+  if (!complete)
+    return refused(mav_result::temporarily_rejected, what, "where the vehicle is, is not known");
+  what = *complete;
   const auto altitude = mavlink::altitude_in(what.frame);
   if (!altitude || *altitude == altitude_kind::above_terrain)
     return refused(mav_result::unsupported_mav_frame, what, "frame " + std::to_string(what.frame) + " is not taken");
@@ -73,24 +114,29 @@ reading read_reposition(const order& what, std::optional<double> home_altitude_m
   if (!std::isfinite(what.z))
     return refused(mav_result::denied, what, "the altitude is no number");
   const bool is_above_sea = *altitude == altitude_kind::above_sea;
-  if (is_above_sea && !home_altitude_m)
+  if (is_above_sea && !told.home_altitude_m)
     return refused(mav_result::temporarily_rejected, what, "home's altitude is not known yet");
   auto result = said_by(what, command_kind::go_to);
-  result.place = mission::position{what.x, what.y, what.z - (is_above_sea ? *home_altitude_m : 0.0)};
+  result.place = mission::position{what.x, what.y, what.z - (is_above_sea ? *told.home_altitude_m : 0.0)};
   return result;
 }
 
 } // namespace
 
-tl::expected<command, word_refusal> read_word(const order& what, std::optional<double> home_altitude_m) {
-  return what.command == mavlink::number(mav_cmd::do_reposition) ? read_reposition(what, home_altitude_m)
+tl::expected<command, word_refusal> read_word(const order& what, const told_by_vehicle& told) {
+  return what.command == mavlink::number(mav_cmd::do_reposition) ? read_reposition(what, told)
                                                                  : read_pause_or_continue(what);
+}
+
+bool is_pause_by_reposition(const order& what, mavlink::mav_autopilot autopilot) {
+  return autopilot == mavlink::mav_autopilot::px4 && has_no_place(what) && std::isnan(what.z);
 }
 
 std::string name_for_people(const order& what) {
   if (what.command == mavlink::number(mav_cmd::do_reposition))
     return "Go to";
-  return what.param1 == to_continue ? "Continue" : "Pause";
+  const bool is_pause = what.command == mavlink::number(mav_cmd::do_pause_continue) && what.param1 != to_continue;
+  return is_pause ? "Pause" : "Continue"; // by a mission mode, too
 }
 
 } // namespace godwit::ground_port

@@ -4,7 +4,11 @@
 //
 //   DO_PAUSE_CONTINUE with 0, 1, anything else            pause, resume, DENIED
 //   DO_REPOSITION
-//     as COMMAND_LONG                                     COMMAND_INT_ONLY: a float is off by about a metre
+//     as COMMAND_LONG, an ArduPilot                       UNSUPPORTED, as it answers itself
+//     as COMMAND_LONG, any other but a PX4                COMMAND_INT_ONLY: a float is off by about a metre
+//     a PX4, neither place nor altitude                   pause: so QGroundControl pauses it
+//     a PX4, no place                                     go_to where it is, at this altitude
+//     a PX4, no altitude                                  go_to there at the altitude that it has
 //     a frame that is not 0, 3, 5 or 6                    UNSUPPORTED_MAV_FRAME; the height of the terrain is not known
 //     a speed that is not -1 or NaN                       DENIED: a command changes no speed
 //     a radius or a yaw that is not 0 or NaN              DENIED: nor these
@@ -13,7 +17,8 @@
 //     above the sea (0, 5), and home's altitude unknown   TEMPORARILY_REJECTED
 //     otherwise                                           go_to
 //
-// The flags of DO_REPOSITION are not looked at: the executor chooses the mode. Each refusal has a sentence for people,
+// A PX4 counts the altitude of COMMAND_LONG above the sea. Absent is NaN, and in integers INT32_MAX. The flags of
+// DO_REPOSITION are not looked at: the executor chooses the mode. Each refusal has a sentence for people,
 // short enough for one STATUSTEXT (50 characters). Thread: pure. Source: MAV_CMD_DO_REPOSITION (192),
 // MAV_CMD_DO_PAUSE_CONTINUE (193).
 #pragma once
@@ -24,6 +29,8 @@
 #include <tl/expected.hpp>
 
 #include "actors/ground_port/vehicle_role/order.hpp"
+#include "io/mavlink/enums/vehicle.hpp"
+#include "messages/mission/place.hpp"
 #include "messages/operator/types.hpp"
 
 namespace godwit::ground_port {
@@ -35,9 +42,19 @@ struct word_refusal {
   std::string text;
 };
 
-// HOME_ALTITUDE_M: above mean sea level; none: the vehicle has not told it. WHAT is one of the two commands.
+// What the vehicle has told, as far as an order is read by it.
+struct told_by_vehicle {
+  mavlink::mav_autopilot autopilot = mavlink::mav_autopilot::generic;
+  std::optional<double> home_altitude_m = {}; // above mean sea level
+  std::optional<mission::position> here = {}; // its altitude above home
+};
+
+// WHAT is one of the two commands.
 [[nodiscard]] tl::expected<operators::command, word_refusal> read_word(const vehicle_role::order& what,
-                                                                       std::optional<double> home_altitude_m);
+                                                                       const told_by_vehicle& told);
+
+// A PX4 is to hold where it is.
+[[nodiscard]] bool is_pause_by_reposition(const vehicle_role::order& what, mavlink::mav_autopilot autopilot);
 
 // Without what else the command needs.
 [[nodiscard]] operators::command said_by(const vehicle_role::order& what, operators::command_kind which);

@@ -22,6 +22,7 @@ core::core(settings configured, const signing_settings& signing, const state& re
     : settings_(std::move(configured)), has_executor_(has_executor),
       channel_(signing, mavlink::signing_time{restored.signing_ceiling}), stations_(settings_.heartbeats_to_begin),
       rules_(settings_.stations_are), gate_(settings_.rates), starts_(restored.last_start, now),
+      acts_(static_cast<std::uint64_t>(now.wall_ns)),
       params_(params_to_show({settings_.as.system, settings_.as.component})),
       first_ticket_(static_cast<std::uint64_t>(now.wall_ns)), next_ticket_(first_ticket_),
       start_item_(restored.start_item), noted_start_item_(restored.start_item), next_beat_ns_(now.monotonic_ns) {

@@ -33,6 +33,7 @@
 #include "actors/ground_port/passing/act_queue.hpp"
 #include "actors/ground_port/passing/act_series.hpp"
 #include "actors/ground_port/passing/budget.hpp"
+#include "actors/ground_port/passing/forwarded_commands.hpp"
 #include "actors/ground_port/passing/table.hpp"
 #include "actors/ground_port/settings.hpp"
 #include "actors/ground_port/start_dedup.hpp"
@@ -82,6 +83,8 @@ inline constexpr std::uint32_t file_transfer_id = 110; // FILE_TRANSFER_PROTOCOL
 inline constexpr std::int64_t autopilot_is_here_ns = 10'000'000'000;
 // From an autopilot's silence on this port until godwit stands in for it again.
 inline constexpr std::int64_t stands_in_again_after_ns = 60'000'000'000;
+// Holds that godwit brings about for stations: one for each of them, by a command and by SET_MODE.
+inline constexpr std::size_t max_begun_acts = 32;
 inline constexpr std::int64_t alert_lasts_ns = 10'000'000'000;
 
 class core {
@@ -109,6 +112,7 @@ public:
   [[nodiscard]] effects on_word_failed(std::uint64_t request, const std::string& reason, instant now);
 
   [[nodiscard]] effects on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now);
+  [[nodiscard]] effects on_act_resolved(const executor::act_resolved& m, instant now);
   [[nodiscard]] effects on_act_failed(std::uint64_t request, const std::string& reason, instant now);
 
   [[nodiscard]] effects on_control(const operator_bridge::control_news& m, instant now);
@@ -174,6 +178,8 @@ private:
   void route_command(decision_context& t, station& from, const vehicle_role::order& what,
                      const mavlink::frame_view& frame, bool is_for_all);
   void route_file(decision_context& t, station& from, const mavlink::frame_view& frame);
+  void route_owned(decision_context& t, station& from, const vehicle_role::order& what,
+                   const mavlink::frame_view& frame, bool is_for_all);
   void route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
                   std::uint32_t base_mode, const mavlink::frame_view& frame);
   void start_or_resume(decision_context& t, vehicle_role::order what);
@@ -184,6 +190,10 @@ private:
   void pass(decision_context& t, vehicle_link::relayed_frame what);
   void pass_reading(decision_context& t, vehicle_link::relayed_frame what); // within the budget
   void ask(decision_context& t, passing::waiting_act what);
+  void act_on_answer(decision_context& t, passing::waiting_act asked, const executor::act_answer& m);
+  void begin_act(decision_context& t, passing::waiting_act asked);
+  void forward(decision_context& t, passing::waiting_act what);
+  void on_acknowledgement(decision_context& t, const vehicle_link::relayed_frame& m);
   void pass_unanswered(decision_context& t, const passing::waiting_act& what, const std::string& reason);
   void refuse_act(decision_context& t, const passing::waiting_act& what, const std::string& reason);
   void refuse_passing(decision_context& t, station& from, const std::string& why);
@@ -193,6 +203,7 @@ private:
 
   // core_words.cpp
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
+  [[nodiscard]] std::optional<mission::position> here() const; // where the vehicle is; the altitude above home
   void say_word(decision_context& t, const vehicle_role::order& what);
   void say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which);
   void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
@@ -273,6 +284,8 @@ private:
   start_dedup starts_;
   command_dedup words_;
   passing::act_queue acts_;
+  std::vector<passing::waiting_act> begun_acts_; // that godwit does, and the station is answered for later
+  passing::forwarded_commands forwarded_;
   passing::act_series audited_acts_;
   bool is_hold_asked_ = false; // through a station, and not shown by the progress yet
   passing::budget to_vehicle_{to_vehicle_most};

@@ -1,5 +1,6 @@
 // The part of the core that asks the executor about what a person does by a station, and acts on its answer
 // (core_passing.cpp).
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -32,31 +33,90 @@ bool goes_on_unanswered(act_kind kind) {
 executor::station core::by(mavlink::sender who) { return {who.system, who.component}; }
 
 void core::ask(decision_context& t, passing::waiting_act what) {
+  what.act.is_acknowledged = what.order.has_value();
   auto act = what.act;
   if (!has_executor_)
     return pass_unanswered(t, what, "no executor is there");
-  if (const auto request = acts_.put(std::move(what)))
+  if (const auto request = acts_.put(std::move(what))) {
+    act.number = *request;
     t.done.emplace_back(act_to_ask{*request, std::move(act)});
+  }
 }
 
 effects core::on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now) {
   decision_context t(*this, now);
-  if (auto asked = acts_.resolve(request)) {
-    if (m.verdict == act_verdict::refused) {
-      refuse_act(t, *asked, m.reason);
-    } else if (m.verdict == act_verdict::pass) {
-      audit_act(t, *asked, audited_as_taken, "it goes on to the vehicle");
-      pass(t, std::move(asked->frame));
-    } else {
-      audit_act(t, *asked, audited_as_taken, {});
-      if (asked->order)
-        answer(t, *asked->order, mav_result::accepted);
-    }
-    if (m.verdict == act_verdict::done && asked->act.kind == act_kind::hold)
-      is_hold_asked_ = true;
+  if (auto asked = acts_.resolve(request))
+    act_on_answer(t, *std::move(asked), m);
+  finish(t);
+  return std::move(t.done);
+}
+
+effects core::on_act_resolved(const executor::act_resolved& m, instant now) {
+  decision_context t(*this, now);
+  const auto found = std::ranges::find(begun_acts_, m.number, &passing::waiting_act::request);
+  if (found != begun_acts_.end()) {
+    auto begun = std::move(*found);
+    begun_acts_.erase(found);
+    act_on_answer(t, std::move(begun), m.answer);
   }
   finish(t);
   return std::move(t.done);
+}
+
+// A station hears ACCEPTED when the vehicle is so, or has accepted it itself.
+void core::act_on_answer(decision_context& t, passing::waiting_act asked, const executor::act_answer& m) {
+  switch (m.verdict) {
+  case act_verdict::refused:
+    return refuse_act(t, asked, m.reason);
+  case act_verdict::pass:
+    audit_act(t, asked, audited_as_taken, "it goes on to the vehicle");
+    return forward(t, std::move(asked));
+  case act_verdict::begun:
+    is_hold_asked_ = is_hold_asked_ || asked.act.kind == act_kind::hold;
+    return begin_act(t, std::move(asked));
+  case act_verdict::own:
+    return obey(t, *asked.order, false);
+  case act_verdict::done:
+    is_hold_asked_ = is_hold_asked_ || asked.act.kind == act_kind::hold;
+    audit_act(t, asked, audited_as_taken, {});
+    if (asked.order)
+      answer(t, *asked.order, mav_result::accepted);
+    return;
+  }
+}
+
+// A repetition takes the place of the first: the executor may have crashed, and knows of the last one alone.
+void core::begin_act(decision_context& t, passing::waiting_act asked) {
+  std::erase_if(begun_acts_, [&](const passing::waiting_act& each) {
+    return each.act.by == asked.act.by && each.frame.message == asked.frame.message;
+  });
+  if (begun_acts_.size() == max_begun_acts)
+    begun_acts_.erase(begun_acts_.begin());
+  audit_act(t, asked, audited_as_taken, {});
+  begun_acts_.push_back(std::move(asked));
+}
+
+// Its COMMAND_ACK is matched here, once: the executor goes by what comes of it.
+void core::forward(decision_context& t, passing::waiting_act what) {
+  if (what.act.is_acknowledged && what.order) {
+    const bool is_set_mode = what.frame.message == mavlink::set_mode::message_id;
+    const auto command = is_set_mode ? mavlink::number(mavlink::mav_cmd::do_set_mode) : what.order->command;
+    const auto as_message = static_cast<std::uint16_t>(mavlink::set_mode::message_id); // ArduPilot's number for it
+    forwarded_.put(what.order->from, {command, is_set_mode ? as_message : command}, what.request, t.now.monotonic_ns);
+  }
+  pass(t, std::move(what.frame));
+}
+
+// Of the autopilot alone: that a camera does not know a command for all components says nothing of the vehicle.
+void core::on_acknowledgement(decision_context& t, const relayed_frame& m) {
+  if (mavlink::sender{m.system, m.component} != autopilot() || m.payload.empty())
+    return;
+  const auto ack = mavlink::decode_payload<mavlink::command_ack>(std::as_bytes(std::span(m.payload)));
+  const auto result = static_cast<mav_result>(ack.result);
+  const bool is_refused = result != mav_result::accepted && result != mav_result::in_progress;
+  for (const auto number :
+       forwarded_.acknowledge({ack.target_system, ack.target_component}, ack.command, t.now.monotonic_ns))
+    t.done.emplace_back(acknowledgement_to_tell{{number, is_refused}});
 }
 
 effects core::on_act_failed(std::uint64_t request, const std::string& reason, instant now) {

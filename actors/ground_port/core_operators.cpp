@@ -7,6 +7,7 @@
 #include "actors/ground_port/command_reading.hpp"
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::ground_port {
 
@@ -20,11 +21,21 @@ std::optional<double> core::home_altitude_m() const {
   return std::get<mavlink::home_position>(*home).altitude / mm_per_m;
 }
 
+std::optional<mission::position> core::here() const {
+  constexpr double mm_per_m = 1'000;
+  constexpr double units = mavlink::units_of(mavlink::coordinate_kind::global);
+  const auto& newest = gate_.newest(mavlink::global_position_int::message_id);
+  if (!newest)
+    return std::nullopt;
+  const auto& m = std::get<mavlink::global_position_int>(*newest);
+  return mission::position{m.lat / units, m.lon / units, m.relative_alt / mm_per_m};
+}
+
 void core::say_word(decision_context& t, const vehicle_role::order& what) {
   const auto now_ns = t.now.monotonic_ns;
   if (const auto heard = words_.heard_before(what, now_ns))
     return answer(t, what, *heard);
-  const auto command = read_word(what, home_altitude_m());
+  const auto command = read_word(what, {owner_.autopilot, home_altitude_m(), here()});
   if (!command)
     return refuse(t, what, command.error().result, command.error().text);
   if (command->kind == operators::command_kind::resume && noted_start_item_)

@@ -2,7 +2,9 @@
 // Which list a message is on: passing/table.hpp.
 //
 //   a person's ──> act_queue ──> the executor is asked ──pass──> to the vehicle
-//                                       ├──done──> ACCEPTED: godwit does it, or the vehicle is so already
+//                                       │           └──its COMMAND_ACK──> the executor: whose the vehicle is
+//                                       ├──done──> ACCEPTED: the vehicle is so already
+//                                       ├──begun──> godwit does it; ACCEPTED when the vehicle has accepted that
 //                                       ├──refused──> TEMPORARILY_REJECTED, and the reason
 //                                       └──no answer──> what ends the vehicle's motion goes on, with the failsafe told
 //                                                       first; all else is refused
@@ -16,6 +18,7 @@
 #include <utility>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
+#include "actors/ground_port/command_reading.hpp"
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
 #include "actors/ground_port/number_reading.hpp"
@@ -41,8 +44,7 @@ using vehicle_link::relayed_frame;
 constexpr std::array<std::uint8_t, 5> streams_that_are_needed{0, 2, 6, 10, 12}; // all, status, position, extra 1 and 3
 constexpr std::uint16_t least_rate_hz = 4;
 
-constexpr std::uint32_t custom_flag = 1;  // MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-constexpr std::uint32_t armed_flag = 128; // MAV_MODE_FLAG_SAFETY_ARMED
+constexpr std::uint32_t custom_flag = 1; // MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
 
 act_kind kind_of(const passing::command_row& row, const vehicle_role::order& what) {
   const bool is_disarm = what.command == mavlink::number(mav_cmd::component_arm_disarm) && what.param1 == 0;
@@ -195,9 +197,7 @@ void core::route_command(decision_context& t, station& from, const vehicle_role:
   }
   switch (row->on) {
   case pass_list::owned:
-    if (what.command == mavlink::number(mav_cmd::nav_loiter_unlim))
-      return ask(t, {{act_kind::hold, by(from.who), "hold"}, as_said(frame), what});
-    return obey(t, what, is_for_all);
+    return route_owned(t, from, what, frame, is_for_all);
   case pass_list::passes:
     if (answers_itself(what))
       return obey(t, what, is_for_all);
@@ -216,6 +216,18 @@ void core::route_command(decision_context& t, station& from, const vehicle_role:
     answer(t, what, mav_result::denied);
     return refuse_passing(t, from, std::string(row->name) + " is not passed on (ground.also_passes)");
   }
+}
+
+// Whether a hold and a go-to are godwit's depends on who has the vehicle, which the executor knows.
+void core::route_owned(decision_context& t, station& from, const vehicle_role::order& what,
+                       const mavlink::frame_view& frame, bool is_for_all) {
+  const bool is_reposition = what.command == mavlink::number(mav_cmd::do_reposition);
+  if (what.command == mavlink::number(mav_cmd::nav_loiter_unlim) ||
+      (is_reposition && is_pause_by_reposition(what, owner_.autopilot)))
+    return ask(t, {{act_kind::hold, by(from.who), "Hold"}, as_said(frame), what});
+  if (is_reposition)
+    return ask(t, {{act_kind::go_to, by(from.who), name_for_people(what)}, as_said(frame), what});
+  obey(t, what, is_for_all);
 }
 
 // What godwit knows, or what it keeps at its own rate on this line.
@@ -245,20 +257,20 @@ bool core::is_known(std::uint32_t id) const { return forwarded_messages::contain
 
 // -- modes ------------------------------------------------------------------------------------------
 
+// Of the base mode the custom flag alone counts. Stations copy the rest from the vehicle's heartbeat, its armed flag
+// too: a mode command arms nothing (MAVLink, MAV_MODE_FLAG_SAFETY_ARMED).
 void core::route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
                       std::uint32_t base_mode, const mavlink::frame_view& frame) {
-  if (owner_ == flight::mode_owner{} || (base_mode & custom_flag) == 0)
-    return refuse(t, what, mav_result::temporarily_rejected,
-                  owner_ == flight::mode_owner{} ? "Mode: the vehicle is not heard"
-                                                 : "Mode: only custom modes are taken");
+  if (owner_ == flight::mode_owner{})
+    return refuse(t, what, mav_result::temporarily_rejected, "Mode: the vehicle is not heard");
+  if ((base_mode & custom_flag) == 0)
+    return refuse(t, what, mav_result::denied, "Mode: only custom modes are taken");
   const auto mode = flight::mode_of(owner_, custom_mode);
   executor::station_act act{act_kind::command, by(what.from),
                             "Mode " + std::string(io::name_of(mode.kind)) + " (" + std::to_string(custom_mode) + ")"};
   switch (mode.kind) {
   case mode_kind::mission:
-    if ((base_mode & armed_flag) == 0)
-      return start_or_resume(t, what);
-    return refuse(t, what, mav_result::denied, "Mode: it does not arm");
+    return start_or_resume(t, what);
   case mode_kind::hold: // in another mode of holding (Copter's LOITER) a person's sticks fly it
     act.kind = flight::number_of(owner_, mode_kind::hold) == custom_mode ? act_kind::hold : act_kind::stop;
     break;
@@ -269,8 +281,6 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
   default:
     break;
   }
-  if ((base_mode & armed_flag) != 0)
-    act.kind = act_kind::arm;
   ask(t, {std::move(act), as_said(frame), what});
 }
 
@@ -292,6 +302,8 @@ void core::start_or_resume(decision_context& t, vehicle_role::order what) {
 
 effects core::on_relayed(const relayed_frame& m, instant now) {
   decision_context t(*this, now);
+  if (m.message == mavlink::command_ack::message_id)
+    on_acknowledgement(t, m);
   if (!is_passing(now.monotonic_ns) || !to_stations_.take(m.payload.size(), now.monotonic_ns)) {
     ++counts_.not_passed_to_stations;
   } else {

@@ -43,6 +43,11 @@ struct act_to_ask {
   executor::station_act what;
 };
 
+// The executor is told what the vehicle has answered to a command that was passed on.
+struct acknowledgement_to_tell {
+  executor::act_acknowledged what;
+};
+
 // The failsafe is told that a person has the vehicle, by nobody else: the executor does not answer.
 struct tell_taken_over {};
 
@@ -57,8 +62,8 @@ struct audit_row_to_tell {
 // To be made durable. What comes of it is given to on_durable.
 using durable_event = durable_core::event;
 
-using effect = std::variant<transmission, start_request_to_executor, word_to_say, pass_on, act_to_ask, tell_taken_over,
-                            audit_row_to_tell, durable_event, operator_link>;
+using effect = std::variant<transmission, start_request_to_executor, word_to_say, pass_on, act_to_ask,
+                            acknowledgement_to_tell, tell_taken_over, audit_row_to_tell, durable_event, operator_link>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::ground_port

@@ -28,7 +28,8 @@ struct flight_status {
   bool is_armed = false;
   std::string mode;
   // Who has the vehicle: godwit, person, failsafe (ours), autopilot_end (its plan has ended), autopilot_failsafe (its
-  // own), unclear (until the vehicle has told), nobody (no flight is watched).
+  // own), unclear (until the vehicle has told), pending (until it has answered a station's command), nobody (no flight
+  // is watched).
   std::string authority = "nobody";
   std::string state; // another one whenever what a person decides by has changed: what a command can be meant for
   static constexpr auto fields = io::table(

@@ -30,7 +30,7 @@ namespace godwit::executor {
 using station_handle =
     runtime::mailbox<runtime::tells<start_mission>, runtime::asks<set_current, current_answer>,
                      runtime::tells<plan_taken>, runtime::tells<plan_cleared>, runtime::asks<station_act, act_answer>,
-                     runtime::asks<operators::command, operators::answer>>;
+                     runtime::tells<act_acknowledged>, runtime::asks<operators::command, operators::answer>>;
 
 // What an operator can cause, and see.
 using operator_handle =

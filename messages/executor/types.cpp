@@ -7,7 +7,9 @@
 #include "messages/executor/way_home.hpp"
 #include "runtime/define_message.hpp"
 
+GODWIT_DEFINE_MESSAGE(godwit::executor::act_acknowledged);
 GODWIT_DEFINE_MESSAGE(godwit::executor::act_answer);
+GODWIT_DEFINE_MESSAGE(godwit::executor::act_resolved);
 GODWIT_DEFINE_MESSAGE(godwit::executor::current_answer);
 GODWIT_DEFINE_MESSAGE(godwit::executor::flight_status);
 GODWIT_DEFINE_MESSAGE(godwit::executor::get_flight);

@@ -2,6 +2,7 @@
 #include "messages/failsafe/types.hpp"
 #include "runtime/define_message.hpp"
 
+GODWIT_DEFINE_MESSAGE(godwit::failsafe::command_pending);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::expect_mode);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::following);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::get_failsafe_status);

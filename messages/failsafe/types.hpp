@@ -85,6 +85,15 @@ struct taken_over {
   static constexpr auto fields = io::table("failsafe.taken_over");
 };
 
+// A command of a station goes on to the vehicle, and who has the vehicle is known by its answer: until then, and for so
+// long at most, nothing is sent. 0: it was refused, and is as before.
+struct command_pending {
+  std::int64_t lasts_ms = 0;
+
+  static constexpr auto fields =
+      io::table("failsafe.command_pending", io::field("lasts_ms", &command_pending::lasts_ms));
+};
+
 struct following {
   bool on = false; // an object is followed
 

@@ -8,6 +8,7 @@
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "io/mavlink/messages/version.hpp"
+#include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/plan_judged.hpp"
 #include "messages/ground_port/types.hpp"
@@ -20,7 +21,8 @@ namespace godwit::ground_port {
 // The executor.
 using handle = runtime::mailbox<runtime::tells<executor::start_answer>, runtime::tells<mission_progress>,
                                 runtime::tells<item_reached>, runtime::tells<status_text>, runtime::tells<set_mission>,
-                                runtime::tells<plan_judged>, runtime::asks<get_port, port_description>>;
+                                runtime::tells<plan_judged>, runtime::tells<executor::act_resolved>,
+                                runtime::asks<get_port, port_description>>;
 
 // What the vehicle says: the messages that are forwarded. Give this one to whoever listens for it.
 using telemetry_handle =

@@ -33,6 +33,8 @@ std::string_view authority_text(const flight_context& flight) {
   default:
     break;
   }
+  if (flight.pending.is_pending())
+    return "pending";
   if (!flight.authority.is_watching())
     return flight.is_in_flight() ? "unclear" : "nobody";
   return flight.authority.is_unclear() ? "unclear" : text_of(flight.authority.who());

@@ -7,8 +7,8 @@
 
 namespace godwit::executor {
 
-// "godwit", "person", "failsafe", "autopilot_end", "autopilot_failsafe"; "unclear" until the vehicle has told; "nobody"
-// while no flight is watched.
+// "godwit", "person", "failsafe", "autopilot_end", "autopilot_failsafe"; "unclear" until the vehicle has told;
+// "pending" until it has answered a command of a ground station; "nobody" while no flight is watched.
 [[nodiscard]] std::string_view authority_text(const flight_context& flight);
 
 } // namespace godwit::executor

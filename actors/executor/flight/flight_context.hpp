@@ -18,6 +18,7 @@
 #include "actors/executor/effects.hpp"
 #include "actors/executor/evidence.hpp"
 #include "actors/executor/flight/command_queue.hpp"
+#include "actors/executor/flight/pending_commands.hpp"
 #include "actors/executor/plan/builder.hpp"
 #include "actors/executor/settings.hpp"
 #include "actors/executor/task_runner.hpp"
@@ -67,6 +68,7 @@ struct flight_context {
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
   std::int64_t arming_until_ns = 0;
   std::optional<arming_awaited> awaited_arming;
+  pending_commands pending;  // of stations: nothing is sent before the vehicle has answered them
   bool is_home_told = false; // by the vehicle, since it was armed for this flight
   bool was_up = false;       // it has been in the air, as far as this incarnation knows
 

@@ -78,7 +78,8 @@ std::string flight_start::why_not_in_flight() const {
   return {};
 }
 
-// What is paused goes on when it is started from the first item; else it goes to the item that is named.
+// What is paused goes on when it is started from the first item, and by its mission mode whatever it does; else it goes
+// to the item that is named.
 void flight_start::begin_in_flight(effects& out, const start_mission& asked, instant now) {
   if (const auto why = why_not_in_flight(); !why.empty())
     return tasks_.answer_start(out, asked.key, start_verdict::not_ready, why);
@@ -87,7 +88,7 @@ void flight_start::begin_in_flight(effects& out, const start_mission& asked, ins
   const auto sequence = vehicle_sequence_of(flight_.s, asked.first, flight_.configured.shows_home);
   if (!sequence)
     return tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
-  const bool goes_on = asked.first == 0 && flight_.s.status.now == phase::paused;
+  const bool goes_on = asked.first == 0 && (flight_.s.status.now == phase::paused || asked.by_mode);
   tasks_.begin(out, task_kind::resume,
                tasks_.guarded(goes_on ? going_on_steps(flight_) : jump_steps(flight_, *sequence)), false, asked.key);
 }

@@ -21,8 +21,7 @@ std::optional<act_answer> start_by_arming::take(effects& out, const station_act&
     return act_answer{act_verdict::refused,
                       "the vehicle would start its mission: " + name_of(flight_.awaited_arming->by) +
                           " has put it in its mission mode, and arms it"};
-  flight_.awaited_arming.reset();
-  return std::nullopt;
+  return std::nullopt; // what the vehicle accepts of it ends the waiting (station_acts.cpp)
 }
 
 act_answer start_by_arming::start(effects& out, instant now) {

@@ -3,24 +3,28 @@
 #include <utility>
 
 namespace godwit::executor {
+namespace {
+
+using flight::mode_kind;
+
+constexpr std::int64_t ns_per_ms = 1'000'000;
+
+bool is_up_next(const station_act& m) { return m.kind == act_kind::arm || m.kind == act_kind::take_off; }
+
+} // namespace
 
 act_answer station_acts::take(effects& out, const station_act& m, bool has_looked, instant now) {
   if (auto answer = arming_.take(out, m, now))
     return *std::move(answer);
   if (m.kind == act_kind::configure)
     return configure();
-  if (m.kind == act_kind::hold && holds(has_looked, now))
+  if (auto answer = hold(m, has_looked, now))
+    return *std::move(answer);
+  if (m.kind == act_kind::go_to && !flight_.has_person())
+    return {act_verdict::own, {}};
+  if (is_armed_already(m))
     return {act_verdict::done, {}};
-  if (is_done_already(m))
-    return {act_verdict::done, {}};
-  const bool is_up_next = m.kind == act_kind::arm || m.kind == act_kind::take_off;
-  const bool stands = flight_.view.mode() && !flight_.view.is_armed() && !flight_.is_in_flight() &&
-                      !flight_.is_starting() && !is_up_next;
-  if (!stands || flight_.has_person())
-    watch_.give_to_station(out, m);
-  if (is_up_next)
-    flight_.arming_until_ns = now.now_ns + arming_shows_within_ns;
-  return {act_verdict::pass, {}};
+  return pass(out, m, now);
 }
 
 act_answer station_acts::configure() {
@@ -32,17 +36,96 @@ act_answer station_acts::configure() {
   return {act_verdict::pass, {}};
 }
 
-bool station_acts::holds(bool has_looked, instant now) {
-  if (flight_.has_person())
-    return false;
-  operators::command command;
-  command.kind = operators::command_kind::pause;
-  return operators_.take(command, has_looked, now).is_taken;
+act_answer station_acts::pass(effects& out, const station_act& m, instant now) {
+  if (!m.is_acknowledged) {
+    accept(out, m);
+  } else if (takes_vehicle(m) || flight_.awaited_arming) {
+    out.emplace_back(say_to_failsafe{failsafe::command_pending{pending_commands::answered_within_ns / ns_per_ms}});
+    if (const auto oldest = flight_.pending.begin(m, now.now_ns))
+      accept(out, *oldest);
+  }
+  if (is_up_next(m))
+    flight_.arming_until_ns = now.now_ns + arming_shows_within_ns;
+  return {act_verdict::pass, {}};
 }
 
-bool station_acts::is_done_already(const station_act& m) const {
-  return (m.kind == act_kind::arm || m.kind == act_kind::take_off) && !flight_.has_person() &&
-         flight_.view.is_armed() && (flight_.is_in_flight() || flight_.is_starting());
+bool station_acts::takes_vehicle(const station_act& m) const {
+  const bool stands = flight_.view.mode() && !flight_.view.is_armed() && !flight_.is_in_flight() &&
+                      !flight_.is_starting() && !is_up_next(m);
+  return !stands || flight_.has_person();
+}
+
+void station_acts::accept(effects& out, const station_act& m) {
+  flight_.awaited_arming.reset();
+  if (takes_vehicle(m))
+    watch_.give_to_station(out, m);
+}
+
+void station_acts::on_acknowledged(effects& out, const act_acknowledged& m) {
+  const bool was_pending = flight_.pending.is_pending();
+  if (const auto accepted = flight_.pending.acknowledge(m))
+    accept(out, *accepted);
+  else if (was_pending && !flight_.pending.is_pending())
+    out.emplace_back(say_to_failsafe{failsafe::command_pending{}});
+}
+
+// -- hold -------------------------------------------------------------------------------------------
+
+// Before a flight there is nothing to pause: the vehicle is told to hold, as on a direct line.
+std::optional<act_answer> station_acts::hold(const station_act& m, bool has_looked, instant now) {
+  if (m.kind != act_kind::hold || flight_.has_person() || !flight_.is_in_flight())
+    return std::nullopt;
+  const bool holds_already = is_holding();
+  operators::command command;
+  command.kind = operators::command_kind::pause;
+  if (!operators_.take(command, has_looked, now).is_taken)
+    return std::nullopt;
+  if (holds_already)
+    return act_answer{act_verdict::done, {}};
+  if (awaited_holds_.size() == max_awaited_holds)
+    awaited_holds_.erase(awaited_holds_.begin());
+  awaited_holds_.push_back(m);
+  return act_answer{act_verdict::begun, {}};
+}
+
+// Nothing that was sent may lead out of it.
+bool station_acts::is_holding() const {
+  return flight_.s.status.now == phase::paused && !flight_.runner.is_busy() && !flight_.wanted.go_on &&
+         flight_.view.mode() && flight_.view.is_connected() && flight_.view.obeys(mode_kind::hold);
+}
+
+bool station_acts::is_asked_to_hold() const {
+  const auto& doing = flight_.runner.doing();
+  return flight_.wanted.halt == task_kind::hold || (doing && doing->kind == task_kind::hold);
+}
+
+void station_acts::on_hold_accepted(effects& out) {
+  for (const auto& each : std::exchange(awaited_holds_, {}))
+    out.emplace_back(say_to_port{act_resolved{each.number, {act_verdict::done, {}}}});
+}
+
+// One at a time: what a note leads to is decided when it is applied.
+void station_acts::look(effects& out, instant now) {
+  if (const auto silent = flight_.pending.take_silent(now.now_ns))
+    return accept(out, *silent);
+  const bool may_hold = flight_.is_in_flight() && !flight_.has_person();
+  if (awaited_holds_.empty() || (may_hold && is_asked_to_hold()))
+    return;
+  const auto what = std::move(awaited_holds_.front());
+  awaited_holds_.erase(awaited_holds_.begin());
+  auto answer = act_answer{act_verdict::refused, "the vehicle has not obeyed: " + flight_.sentence()};
+  if (!may_hold)
+    answer = pass(out, what, now);
+  else if (flight_.view.mode() && flight_.view.obeys(mode_kind::hold))
+    answer = {act_verdict::done, {}};
+  out.emplace_back(say_to_port{act_resolved{what.number, std::move(answer)}});
+}
+
+// -- arm --------------------------------------------------------------------------------------------
+
+bool station_acts::is_armed_already(const station_act& m) const {
+  return m.kind == act_kind::arm && !flight_.has_person() && flight_.view.is_armed() &&
+         (flight_.is_in_flight() || flight_.is_starting());
 }
 
 } // namespace godwit::executor

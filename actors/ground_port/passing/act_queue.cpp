@@ -35,9 +35,9 @@ std::optional<std::uint64_t> act_queue::put(waiting_act what) {
     ++dropped_;
     return std::nullopt;
   }
-  what.request = ++last_request_;
+  what.request = what.act.number = next_request_++;
   waiting_.push_back(std::move(what));
-  return last_request_;
+  return waiting_.back().request;
 }
 
 std::optional<waiting_act> act_queue::resolve(std::uint64_t request) {

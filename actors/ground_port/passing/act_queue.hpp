@@ -28,17 +28,21 @@ class act_queue {
 public:
   static constexpr std::size_t max_waiting = 32;
 
+  // Requests are numbered from FIRST on: an answer to an act of an earlier life is none to one of this.
+  explicit act_queue(std::uint64_t first = 1) : next_request_(first), first_request_(first) {}
+
   // The number of the request to the executor; nothing: it is not to be asked.
   [[nodiscard]] std::optional<std::uint64_t> put(waiting_act what);
   [[nodiscard]] std::optional<waiting_act> resolve(std::uint64_t request);
 
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
   [[nodiscard]] std::uint64_t replaced() const { return replaced_; } // of streams
-  [[nodiscard]] std::uint64_t asked() const { return last_request_; }
+  [[nodiscard]] std::uint64_t asked() const { return next_request_ - first_request_; }
 
 private:
   std::vector<waiting_act> waiting_;
-  std::uint64_t last_request_ = 0;
+  std::uint64_t next_request_;
+  std::uint64_t first_request_;
   std::uint64_t dropped_ = 0;
   std::uint64_t replaced_ = 0;
 };

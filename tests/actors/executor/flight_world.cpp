@@ -362,6 +362,15 @@ void flight_world::take_report(const mission::progress_report& report) {
     shown_reached_.push_back(reached->sequence);
 }
 
+std::uint64_t flight_world::station_commands(executor::act_kind what, executor::station by) {
+  const executor::station_act act{what, by, std::string(io::name_of(what)), ++last_act_, true};
+  auto [wanted, answer] = core_->on_station(act, now());
+  take(wanted);
+  run_until_idle();
+  last_act_answer_ = answer;
+  return last_act_;
+}
+
 void flight_world::take(const executor::say_to_port& each) {
   if (const auto* plan = std::get_if<ground_port::set_mission>(&each.what)) {
     shown_items_ = plan->items;
@@ -369,6 +378,8 @@ void flight_world::take(const executor::say_to_port& each) {
   }
   if (const auto* verdict = std::get_if<ground_port::plan_judged>(&each.what))
     judged_.push_back(*verdict);
+  if (const auto* resolved = std::get_if<executor::act_resolved>(&each.what))
+    resolved_acts_.push_back(*resolved);
   const auto* progress = std::get_if<ground_port::mission_progress>(&each.what);
   const auto is_news = [&] {
     const auto& last = shown_progress_.back();

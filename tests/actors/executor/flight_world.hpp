@@ -84,6 +84,14 @@ public:
     run_until_idle();
     return answer;
   }
+  // The same of a command that the vehicle acknowledges; its number.
+  std::uint64_t station_commands(executor::act_kind what, executor::station by = {255, 190});
+  [[nodiscard]] const executor::act_answer& last_act_answer() const { return last_act_answer_; }
+  void vehicle_answers(std::uint64_t number, bool is_refused) {
+    station_says(executor::act_acknowledged{number, is_refused});
+  }
+  // What has come of holds.
+  [[nodiscard]] const std::vector<executor::act_resolved>& resolved_acts() const { return resolved_acts_; }
   [[nodiscard]] const std::vector<io::mavlink::mission_item_int>& shown_items() const { return shown_items_; }
   [[nodiscard]] int times_shown() const { return times_shown_; }
   [[nodiscard]] const std::vector<ground_port::mission_progress>& shown_progress() const { return shown_progress_; }
@@ -288,6 +296,9 @@ private:
   std::vector<std::uint16_t> shown_reached_;
   std::vector<executor::start_answer> start_answers_;
   std::vector<ground_port::plan_judged> judged_;
+  std::vector<executor::act_resolved> resolved_acts_;
+  executor::act_answer last_act_answer_;
+  std::uint64_t last_act_ = 0;
   int pushes_ = 0;
   int begins_ = 0;
   int pulls_ = 0;

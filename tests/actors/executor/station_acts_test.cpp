@@ -101,14 +101,14 @@ TEST_P(station_acts, a_mode_of_a_vehicle_that_stands_disarmed_takes_nothing) {
 
 TEST_P(station_acts, a_hold_in_flight_is_godwits_pause) {
   ASSERT_TRUE(fly());
-  EXPECT_EQ(world.station_does(act_kind::hold).verdict, act_verdict::done);
+  EXPECT_EQ(world.station_does(act_kind::hold).verdict, act_verdict::begun);
   EXPECT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
   EXPECT_EQ(world.durable().status.cause, pause_cause::asked);
 }
 
 TEST_P(station_acts, a_resume_right_behind_a_hold_goes_on_when_it_holds) {
   ASSERT_TRUE(fly());
-  ASSERT_EQ(world.station_does(act_kind::hold).verdict, act_verdict::done);
+  ASSERT_EQ(world.station_does(act_kind::hold).verdict, act_verdict::begun);
   EXPECT_TRUE(world.say(command_kind::resume).is_taken);
   EXPECT_TRUE(
       world.run_until([&] { return world.durable().status.now == phase::flying && !world.durable().doing; }, 20))

@@ -72,8 +72,9 @@ struct executor_record {
 using stand_in_handle = runtime::mailbox<
     runtime::tells<executor::start_mission>, runtime::asks<executor::set_current, executor::current_answer>,
     runtime::tells<executor::plan_taken>, runtime::tells<executor::plan_cleared>,
-    runtime::asks<executor::station_act, executor::act_answer>, runtime::asks<operators::command, operators::answer>,
-    runtime::tells<operator_link>, runtime::tells<vehicle_link::relayed_frame>, runtime::tells<failsafe::taken_over>>;
+    runtime::asks<executor::station_act, executor::act_answer>, runtime::tells<executor::act_acknowledged>,
+    runtime::asks<operators::command, operators::answer>, runtime::tells<operator_link>,
+    runtime::tells<vehicle_link::relayed_frame>, runtime::tells<failsafe::taken_over>>;
 
 class stand_in final : public runtime::actor_base<stand_in_handle> {
 public:
@@ -108,6 +109,9 @@ protected:
               if (record_->answers)
                 answer_later(request, executor::act_answer{executor::act_verdict::pass, {}});
             }),
+        on<executor::act_acknowledged>([this](const executor::act_acknowledged& m) {
+          record_->story.push_back(m.is_refused ? "the vehicle has refused" : "the vehicle has accepted");
+        }),
         on<vehicle_link::relayed_frame>([this](const vehicle_link::relayed_frame& m) {
           record_->story.push_back("vehicle hears " + std::to_string(m.message));
         }),

@@ -36,7 +36,7 @@ mavlink::command_long pause_continue(float which) {
 
 template <class M>
 tl::expected<operators::command, word_refusal> read(const M& m, std::optional<double> home_altitude_m = 100.0) {
-  return read_word(vehicle_role::read_order(station, m), home_altitude_m);
+  return read_word(vehicle_role::read_order(station, m), {mavlink::mav_autopilot::generic, home_altitude_m, {}});
 }
 
 template <class M>
@@ -104,6 +104,80 @@ TEST(word_reading, all_other_frames_are_not_supported) {
 TEST(word_reading, a_reposition_in_floats_is_to_come_in_integers) {
   EXPECT_EQ(result_of(mavlink::command_long{.command = mavlink::number(mav_cmd::do_reposition)}),
             mav_result::command_int_only);
+}
+
+TEST(word_reading, an_ArduPilot_knows_no_reposition_in_floats_as_on_a_direct_line) {
+  const auto command = read_word(
+      vehicle_role::read_order(station, mavlink::command_long{.command = mavlink::number(mav_cmd::do_reposition)}),
+      {mavlink::mav_autopilot::ardupilotmega, 100.0, {}});
+  ASSERT_FALSE(command);
+  EXPECT_EQ(command.error().result, mav_result::unsupported);
+}
+
+// As QGroundControl pauses a PX4, changes its altitude and sends it to a place.
+class word_reading_px4 : public testing::Test {
+protected:
+  [[nodiscard]] static mavlink::command_long in_floats(float latitude, float longitude, float altitude_m) {
+    mavlink::command_long m;
+    m.command = mavlink::number(mav_cmd::do_reposition);
+    m.param1 = -1;
+    m.param2 = 1;
+    m.param4 = nan;
+    m.param5 = latitude;
+    m.param6 = longitude;
+    m.param7 = altitude_m;
+    return m;
+  }
+  template <class M>
+  [[nodiscard]] tl::expected<operators::command, word_refusal> read_by_px4(const M& m) const {
+    return read_word(vehicle_role::read_order(station, m), told);
+  }
+  told_by_vehicle told{mavlink::mav_autopilot::px4, 488.0, mission::position{47.4, 8.5, 25}};
+};
+
+TEST_F(word_reading_px4, nothing_at_all_is_a_pause) {
+  const auto command = read_by_px4(in_floats(nan, nan, nan));
+  ASSERT_TRUE(command);
+  EXPECT_EQ(command->kind, command_kind::pause);
+  auto integers = reposition();
+  integers.x = integers.y = std::numeric_limits<std::int32_t>::max();
+  integers.z = nan;
+  EXPECT_EQ(read_by_px4(integers)->kind, command_kind::pause);
+}
+
+TEST_F(word_reading_px4, an_altitude_alone_is_a_way_up_or_down_where_it_is_and_counts_above_the_sea) {
+  const auto command = read_by_px4(in_floats(nan, nan, 508));
+  ASSERT_TRUE(command);
+  EXPECT_EQ(command->kind, command_kind::go_to);
+  ASSERT_TRUE(command->place);
+  EXPECT_NEAR(command->place->latitude, 47.4, 1e-9);
+  EXPECT_NEAR(command->place->longitude, 8.5, 1e-9);
+  EXPECT_NEAR(command->place->altitude_m, 20, 1e-6);
+}
+
+TEST_F(word_reading_px4, a_place_in_floats_counts_above_the_sea_too) {
+  const auto command = read_by_px4(in_floats(47.5F, 8.25F, 518));
+  ASSERT_TRUE(command);
+  EXPECT_NEAR(command->place->latitude, 47.5, 1e-5);
+  EXPECT_NEAR(command->place->altitude_m, 30, 1e-6);
+}
+
+TEST_F(word_reading_px4, a_place_without_an_altitude_keeps_the_one_that_it_has) {
+  const auto command = read_by_px4(in_floats(47.5F, 8.25F, nan));
+  ASSERT_TRUE(command);
+  EXPECT_NEAR(command->place->altitude_m, 25, 1e-6);
+}
+
+TEST_F(word_reading_px4, where_it_is_has_to_be_known) {
+  told.here.reset();
+  const auto command = read_by_px4(in_floats(nan, nan, 508));
+  ASSERT_FALSE(command);
+  EXPECT_EQ(command.error().result, mav_result::temporarily_rejected);
+}
+
+TEST_F(word_reading_px4, half_a_place_is_none) {
+  EXPECT_FALSE(read_by_px4(in_floats(nan, 8.25F, 508)));
+  EXPECT_FALSE(read_by_px4(in_floats(47.5F, nan, 508)));
 }
 
 TEST(word_reading, a_speed_is_refused_unless_it_is_the_default) {

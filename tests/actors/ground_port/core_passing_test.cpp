@@ -1,5 +1,6 @@
 // What of a station's messages goes on to the vehicle, and what first. The lists: passing/table.hpp.
 #include <cstring>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -266,12 +267,102 @@ TEST_F(ground_port_passing, a_repetition_is_not_asked_twice_and_a_stream_is_aske
   EXPECT_EQ(port.passed_on.back().payload[0], 2);
 }
 
-TEST_F(ground_port_passing, what_the_executor_does_itself_is_accepted_and_does_not_go_on) {
+TEST_F(ground_port_passing, a_hold_that_godwit_does_is_accepted_when_the_vehicle_has_accepted_it_and_not_before) {
   set_mode(17); // brake, in which godwit holds
   EXPECT_EQ(port.acts.back().what.kind, act_kind::hold);
-  port.executor_says(act_verdict::done);
-  EXPECT_TRUE(port.passed_on.empty());
+  port.executor_says(act_verdict::begun);
+  port.advance(s);
+  EXPECT_EQ(port.last_result(), -1);
+  port.executor_resolves(act_verdict::done);
   EXPECT_EQ(port.last_result(), 0);
+  EXPECT_TRUE(port.passed_on.empty());
+  port.executor_resolves(act_verdict::done);
+  EXPECT_EQ(port.sent<mavlink::command_ack>().size(), 1U) << "answered once";
+}
+
+TEST_F(ground_port_passing, a_hold_that_the_vehicle_does_not_obey_is_refused_with_the_reason) {
+  set_mode(17);
+  port.executor_says(act_verdict::begun);
+  port.executor_resolves(act_verdict::refused, "the vehicle has not obeyed");
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::temporarily_rejected));
+  port.advance(s);
+  EXPECT_TRUE(port.said("Mode hold (17): the vehicle has not obeyed"));
+}
+
+TEST_F(ground_port_passing, a_hold_goes_on_after_all_where_somebody_takes_the_vehicle_before) {
+  set_mode(17);
+  port.executor_says(act_verdict::begun);
+  port.executor_resolves(act_verdict::pass);
+  EXPECT_EQ(passed(), (std::vector<std::uint32_t>{76}));
+  EXPECT_EQ(port.last_result(), -1) << "the vehicle answers";
+}
+
+// The executor may have crashed behind the first, and forgotten it.
+TEST_F(ground_port_passing, a_hold_that_is_said_again_is_asked_again_and_answered_once) {
+  set_mode(17);
+  port.executor_says(act_verdict::begun);
+  set_mode(17);
+  ASSERT_EQ(port.acts.size(), 2U);
+  port.executor_says(act_verdict::begun);
+  port.executor_resolves(act_verdict::done);
+  EXPECT_EQ(port.sent<mavlink::command_ack>().size(), 1U);
+}
+
+TEST_F(ground_port_passing, a_vehicle_that_holds_already_is_answered_at_once) {
+  set_mode(17);
+  port.executor_says(act_verdict::done);
+  EXPECT_EQ(port.last_result(), 0);
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
+// -- what the vehicle answers -----------------------------------------------------------------------
+
+TEST_F(ground_port_passing, the_vehicles_answer_to_a_command_that_was_passed_on_is_matched_to_it_once) {
+  say_command(400, 0);
+  ASSERT_TRUE(port.acts.back().what.is_acknowledged);
+  const auto number = port.acts.back().what.number;
+  port.executor_says(act_verdict::pass);
+  port.vehicle_answers(400, mav_result::failed, other_station);
+  port.vehicle_answers(176, mav_result::failed);
+  EXPECT_TRUE(port.acknowledged.empty()) << "to somebody else, or to something else";
+  port.vehicle_answers(400, mav_result::failed);
+  ASSERT_EQ(port.acknowledged.size(), 1U);
+  EXPECT_EQ(port.acknowledged[0].number, number);
+  EXPECT_TRUE(port.acknowledged[0].is_refused);
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::failed)) << "and the station hears it";
+  port.vehicle_answers(400, mav_result::accepted);
+  EXPECT_EQ(port.acknowledged.size(), 1U);
+}
+
+TEST_F(ground_port_passing, accepted_and_in_progress_are_no_refusal_and_all_else_is) {
+  for (const auto result :
+       {mav_result::accepted, mav_result::temporarily_rejected, mav_result::denied, mav_result::unsupported,
+        mav_result::failed, mav_result::in_progress, mav_result::command_long_only, mav_result::command_int_only}) {
+    say_command(185, 1);
+    port.executor_says(act_verdict::pass);
+    port.vehicle_answers(185, result);
+    const bool is_accepted = result == mav_result::accepted || result == mav_result::in_progress;
+    EXPECT_EQ(port.acknowledged.back().is_refused, !is_accepted) << io::name_of(result);
+  }
+}
+
+TEST_F(ground_port_passing, the_answer_of_another_component_says_nothing_of_the_vehicle) {
+  say_command(400, 0);
+  port.executor_says(act_verdict::pass);
+  port.vehicle_answers(400, mav_result::unsupported, station_id, {1, 100});
+  EXPECT_TRUE(port.acknowledged.empty()) << "a camera knows no arming";
+}
+
+// ArduPilot answers SET_MODE with its number as a command, PX4 as DO_SET_MODE.
+TEST_F(ground_port_passing, SET_MODE_is_acknowledged_as_either_autopilot_does_it) {
+  for (const std::uint16_t as : {11, 176}) {
+    port.say(mavlink::set_mode{.target_system = 1, .base_mode = 157, .custom_mode = 6});
+    port.executor_says(act_verdict::pass);
+    port.acknowledged.clear();
+    port.vehicle_answers(as, mav_result::denied);
+    ASSERT_EQ(port.acknowledged.size(), 1U) << as;
+    EXPECT_EQ(port.acknowledged[0].number, port.acts.back().what.number);
+  }
 }
 
 TEST_F(ground_port_passing, modes_are_told_apart_by_what_they_come_to) {
@@ -316,7 +407,7 @@ TEST_F(ground_port_passing, the_mission_mode_right_behind_a_hold_resumes_and_is_
   port.vehicle_says(copter_beat(3, true));
   port.executor_says(mission_progress{port.shown().plans[0].plan_id, 1, mavlink::mission_state::active});
   set_mode(17);
-  port.executor_says(act_verdict::done);
+  port.executor_says(act_verdict::begun);
   set_mode(3); // before anything shows the hold
   ASSERT_EQ(port.words.size(), 1U);
   EXPECT_EQ(port.words[0].what.kind, operators::command_kind::resume);
@@ -328,6 +419,77 @@ TEST_F(ground_port_passing, a_mode_of_a_vehicle_that_was_never_heard_is_refused)
   fresh.say(command(mav_cmd::do_set_mode, 1, 3));
   EXPECT_TRUE(fresh.passed_on.empty());
   EXPECT_EQ(fresh.last_result(), mavlink::number(mav_result::temporarily_rejected));
+}
+
+// -- go to ------------------------------------------------------------------------------------------
+
+class ground_port_reposition : public testing::Test {
+protected:
+  ground_port_reposition() {
+    mavlink::heartbeat beat;
+    beat.type = mavlink::number(mavlink::mav_type::quadrotor);
+    beat.autopilot = mavlink::number(mavlink::mav_autopilot::px4);
+    beat.base_mode = 0x9d;
+    beat.custom_mode = 0x04040000;
+    port.vehicle_says(beat);
+    port.vehicle_says(mavlink::home_position{.altitude = 488'000});
+    port.vehicle_says(mavlink::global_position_int{.lat = 474'000'000, .lon = 85'000'000, .relative_alt = 25'000});
+    port.upload(3);
+    port.forget();
+  }
+  void reposition(float latitude, float longitude, float altitude_m) {
+    auto m = command(mav_cmd::do_reposition, -1, 1);
+    m.param4 = std::numeric_limits<float>::quiet_NaN();
+    m.param5 = latitude;
+    m.param6 = longitude;
+    m.param7 = altitude_m;
+    port.say(m);
+  }
+  static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  port_fixture port{passing_settings()};
+};
+
+// Found with QGroundControl: "Unable to pause vehicle."
+TEST_F(ground_port_reposition, the_pause_of_QGroundControl_is_a_hold) {
+  reposition(nan, nan, nan);
+  ASSERT_EQ(port.acts.size(), 1U);
+  EXPECT_EQ(port.acts[0].what.kind, act_kind::hold);
+  port.executor_says(act_verdict::begun);
+  port.executor_resolves(act_verdict::done);
+  EXPECT_EQ(port.last<mavlink::command_ack>().command, 192);
+  EXPECT_EQ(port.last_result(), 0);
+}
+
+TEST_F(ground_port_reposition, its_change_of_the_altitude_is_a_go_to_where_the_vehicle_is) {
+  reposition(nan, nan, 508);
+  ASSERT_EQ(port.acts.size(), 1U);
+  port.executor_says(act_verdict::own);
+  ASSERT_EQ(port.words.size(), 1U);
+  EXPECT_EQ(port.words[0].what.kind, operators::command_kind::go_to);
+  EXPECT_NEAR(port.words[0].what.place->altitude_m, 20, 1e-3);
+  port.executor_says(operators::answer{true, {}});
+  EXPECT_EQ(port.last_result(), 0);
+  EXPECT_TRUE(port.passed_on.empty());
+}
+
+TEST_F(ground_port_reposition, who_has_the_vehicle_commands_it_and_the_vehicle_answers) {
+  reposition(47.5F, 8.25F, 508);
+  ASSERT_EQ(port.acts.size(), 1U);
+  EXPECT_EQ(port.acts[0].what.kind, act_kind::go_to);
+  port.executor_says(act_verdict::pass);
+  EXPECT_EQ(port.passed_on.size(), 1U);
+  EXPECT_TRUE(port.words.empty());
+  EXPECT_EQ(port.last_result(), -1);
+}
+
+TEST_F(ground_port_reposition, where_the_executor_is_silent_a_pause_goes_on_and_a_go_to_does_not) {
+  reposition(47.5F, 8.25F, 508);
+  port.executor_is_silent();
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::temporarily_rejected));
+  reposition(nan, nan, nan);
+  port.executor_is_silent();
+  EXPECT_EQ(port.passed_on.size(), 1U);
 }
 
 // -- configuration ----------------------------------------------------------------------------------

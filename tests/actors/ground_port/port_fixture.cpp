@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/ground_port/passing/as_said.hpp"
+
 namespace godwit::ground_port::test {
 
 mavlink::mission_item_int waypoint(int seq, std::uint16_t command) {
@@ -126,6 +128,15 @@ void port_fixture::dispatch_effect_last_again() {
     dispatch(each);
 }
 
+void port_fixture::vehicle_answers(std::uint16_t command, mavlink::mav_result result, mavlink::sender to,
+                                   mavlink::sender who) {
+  component_says(passing::as_said(mavlink::command_ack{.command = command,
+                                                       .result = mavlink::number(result),
+                                                       .target_system = to.system,
+                                                       .target_component = to.component},
+                                  who));
+}
+
 int port_fixture::last_result() const {
   const auto all = sent<mavlink::command_ack>();
   return all.empty() ? -1 : all.back().result;
@@ -164,6 +175,8 @@ void port_fixture::carry_out(const effects& wanted) {
       passed_on.push_back(passed->what);
     else if (const auto* act = std::get_if<act_to_ask>(&each))
       acts.push_back(*act);
+    else if (const auto* answered = std::get_if<acknowledgement_to_tell>(&each))
+      acknowledged.push_back(answered->what);
     else if (const auto* row = std::get_if<audit_row_to_tell>(&each))
       rows.push_back(*row);
     else if (std::holds_alternative<tell_taken_over>(each))

@@ -71,6 +71,13 @@ public:
   void executor_says(executor::act_verdict verdict, const std::string& reason = {}) {
     carry_out(core_->on_act_answer(acts.back().request, {verdict, reason}, now()));
   }
+  // What has come of the last act that was begun.
+  void executor_resolves(executor::act_verdict verdict, const std::string& reason = {}) {
+    carry_out(core_->on_act_resolved({acts.back().request, {verdict, reason}}, now()));
+  }
+  // The vehicle answers a command of a station.
+  void vehicle_answers(std::uint16_t command, mavlink::mav_result result, mavlink::sender to = station_id,
+                       mavlink::sender who = autopilot_id);
   void executor_is_silent() {
     carry_out(core_->on_act_failed(acts.back().request, "the executor does not answer", now()));
   }
@@ -149,7 +156,8 @@ public:
   std::vector<word_to_say> words;
   std::vector<vehicle_link::relayed_frame> passed_on;
   std::vector<act_to_ask> acts;
-  std::vector<std::size_t> taken_over_told; // so many had been passed on when the failsafe was told
+  std::vector<executor::act_acknowledged> acknowledged; // what the executor was told of the vehicle's answers
+  std::vector<std::size_t> taken_over_told;             // so many had been passed on when the failsafe was told
   std::vector<operator_link> operator_news;
   std::vector<audit_row_to_tell> rows;
   state disk;

@@ -21,7 +21,7 @@ constexpr auto autopilot_component = mavlink::number(mavlink::mav_component::aut
 core::core(settings configured, const signing_settings& signing, const state& restored, bool has_executor, instant now)
     : settings_(std::move(configured)), has_executor_(has_executor),
       channel_(signing, mavlink::signing_time{restored.signing_ceiling}), stations_(settings_.heartbeats_to_begin),
-      rules_(settings_.stations_are), gate_(settings_.rates), starts_(restored.last_start, now),
+      rules_(settings_.stations_are), gate_(settings_.rates), starts_(restored.last_start, now), views_(restored.views),
       acts_(static_cast<std::uint64_t>(now.wall_ns)),
       params_(params_to_show({settings_.as.system, settings_.as.component})),
       first_ticket_(static_cast<std::uint64_t>(now.wall_ns)), next_ticket_(first_ticket_),

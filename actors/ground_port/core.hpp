@@ -35,6 +35,7 @@
 #include "actors/ground_port/passing/budget.hpp"
 #include "actors/ground_port/passing/forwarded_commands.hpp"
 #include "actors/ground_port/passing/table.hpp"
+#include "actors/ground_port/plan_views.hpp"
 #include "actors/ground_port/settings.hpp"
 #include "actors/ground_port/start_dedup.hpp"
 #include "actors/ground_port/state.hpp"
@@ -246,6 +247,7 @@ private:
   void note_change(decision_context& t, const mission_server::plan_change& change,
                    std::optional<mavlink::mission_ack> ack);
   void tell(decision_context& t, const mission_server::reaction& what);
+  void note_download(const mission_server::reaction& what);
   void tell_judged(decision_context& t);
   [[nodiscard]] held held_for(mission_server::reaction&& next) const;
   [[nodiscard]] bool repeats_clear(const mission_server::reaction& next) const;
@@ -261,6 +263,7 @@ private:
     return static_cast<std::size_t>(mavlink::number(type));
   }
   [[nodiscard]] bool is_running() const;
+  [[nodiscard]] bool is_in_flight() const; // as the executor tells it
   [[nodiscard]] mavlink::mission_current current() const;
   void show_plans();
   void note_on_disk();
@@ -282,6 +285,7 @@ private:
   forward_gate gate_;
   text_queue texts_;
   start_dedup starts_;
+  plan_views views_;
   command_dedup words_;
   passing::act_queue acts_;
   std::vector<passing::waiting_act> begun_acts_; // that godwit does, and the station is answered for later

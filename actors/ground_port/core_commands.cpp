@@ -114,6 +114,9 @@ void core::start(decision_context& t, const vehicle_role::order& what) {
     return answer(t, what, static_cast<mav_result>(starts_.record()->result));
   if (is_refused(t, what, "Mission start"))
     return;
+  // In flight it goes on with what is flown.
+  if (!is_in_flight() && views_.shows_another(what.from, plan_id))
+    return refuse(t, what, mav_result::temporarily_rejected, "Mission start: the plan has changed; load it");
   vehicle_role::start_situation now;
   now.item_count = static_cast<int>(server_->plan(mavlink::mav_mission_type::mission).items.size());
   now.is_transferring = server_->is_receiving() || !held_.empty();

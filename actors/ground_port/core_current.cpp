@@ -42,6 +42,10 @@ bool core::is_running() const {
          progress_->state == mission_state::active;
 }
 
+bool core::is_in_flight() const {
+  return progress_ && (progress_->state == mission_state::active || progress_->state == mission_state::paused);
+}
+
 mavlink::mission_current core::current() const {
   const auto& mission = shown_[place_of(mav_mission_type::mission)];
   mavlink::mission_current result;

@@ -5,6 +5,7 @@
 
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
+#include "io/mavlink/plan_checksum.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::ground_port {
@@ -21,6 +22,15 @@ std::optional<mavlink::mission_ack> ack_in(const mission_server::reaction& of) {
     if (const auto* ack = std::get_if<mavlink::mission_ack>(&each))
       return *ack;
   return std::nullopt;
+}
+
+// Of an ArduPilot, whose home is its item 0.
+bool says_same_behind_home(std::vector<mavlink::mission_item_int> a, std::vector<mavlink::mission_item_int> b) {
+  if (a.empty() || a.size() != b.size())
+    return false;
+  a.erase(a.begin());
+  b.erase(b.begin());
+  return mavlink::checksum_of(a) == mavlink::checksum_of(b);
 }
 
 // Of those of the type one at most has no verdict yet.
@@ -115,12 +125,34 @@ void core::note_change(decision_context& t, const mission_server::plan_change& c
     if (change.marked_current)
       event.start_item = static_cast<std::uint16_t>(*change.marked_current);
     noted_start_item_ = event.start_item;
+    views_.note({event.by, event.items.empty() ? 0 : event.plan_id});
   }
   ++waiting_for_disk_;
   t.note(std::move(event));
 }
 
+// With its last item a station has the whole of it.
+void core::note_download(const mission_server::reaction& what) {
+  const auto& plan = server_->plan(mav_mission_type::mission);
+  const auto has_it = [&]<class M>(const M& m) {
+    if constexpr (M::message_id == mavlink::mission_count::message_id)
+      return m.count == 0;
+    else if constexpr (requires { m.seq, m.z; })
+      return m.seq + std::size_t{1} == plan.items.size();
+    else
+      return false;
+  };
+  for (const auto& each : what.messages)
+    std::visit(
+        [&](const auto& m) {
+          if (m.mission_type == mavlink::number(mav_mission_type::mission) && has_it(m))
+            views_.note({{m.target_system, m.target_component}, plan.id});
+        },
+        each);
+}
+
 void core::tell(decision_context& t, const mission_server::reaction& what) {
+  note_download(what);
   for (const auto& each : what.messages)
     std::visit([&](const auto& m) { t.send(mavlink::sender{m.target_system, m.target_component}, m); }, each);
   for (const auto& each : what.texts)
@@ -264,8 +296,11 @@ effects core::on_set_mission(const set_mission& m, instant now) {
   if (m.items.size() > static_cast<std::size_t>(settings_.max_items)) {
     t.say(mav_severity::error, "The mission is too long for this port to show it");
   } else {
+    const auto before = server_->plan(mav_mission_type::mission);
     server_->put_plan(mav_mission_type::mission, m.items);
     const auto& plan = server_->plan(mav_mission_type::mission);
+    if (owner_.autopilot == mavlink::mav_autopilot::ardupilotmega && says_same_behind_home(before.items, plan.items))
+      views_.replace(before.id, plan.id);
     noted_start_item_.reset();
     ++waiting_for_disk_;
     plan_noted event;

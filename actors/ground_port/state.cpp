@@ -21,6 +21,8 @@ effects decide(state& s, const plan_noted& what, std::int64_t now_ns) {
     s.plans.push_back({what.type, what.plan_id, what.items});
   if (what.type == io::mavlink::mav_mission_type::mission)
     s.start_item = what.start_item;
+  if (what.type == io::mavlink::mav_mission_type::mission && !what.from_executor)
+    note_view(s.views, {what.by, what.items.empty() ? 0 : what.plan_id});
   effects result;
   if (!what.from_executor && what.items.empty())
     result.emplace_back(executor::plan_cleared{what.type, what.by});
@@ -46,6 +48,13 @@ effects decide(state& s, const start_item_noted& what, std::int64_t now_ns) {
 }
 
 } // namespace
+
+void note_view(std::vector<plan_view>& among, const plan_view& what) {
+  std::erase_if(among, [&](const plan_view& each) { return each.by == what.by; });
+  if (among.size() == max_plan_views)
+    among.erase(among.begin());
+  among.push_back(what);
+}
 
 effects durable_core::apply(state& s, const event& happened, std::int64_t now_ns) {
   return std::visit([&](const auto& each) { return decide(s, each, now_ns); }, happened);

@@ -129,15 +129,29 @@ struct kept_plan {
                 io::field("items", &kept_plan::items));
 };
 
+// A station shows this mission: it has uploaded it, also where that was not taken. 0: none.
+struct plan_view {
+  executor::station by;
+  std::uint32_t plan_id = 0;
+  static constexpr auto fields =
+      io::table("ground_port.plan_view", io::field("by", &plan_view::by), io::field("plan_id", &plan_view::plan_id));
+};
+
+// As many as stations are known at all; at the bound the one that was noted longest ago makes room.
+inline constexpr std::size_t max_plan_views = 16;
+void note_view(std::vector<plan_view>& among, const plan_view& what);
+
 struct state {
   std::uint64_t signing_ceiling = 0;
   std::vector<kept_plan> plans;            // at most one of each type; a type without a plan is absent
   std::optional<std::uint16_t> start_item; // chosen by a station, and no start has used it yet
   std::optional<start_record> last_start;
+  std::vector<plan_view> views; // by uploads
   static constexpr int version = 1;
-  static constexpr auto fields = io::table(
-      "ground_port.state", io::field("signing_ceiling", &state::signing_ceiling), io::field("plans", &state::plans),
-      io::field("start_item", &state::start_item), io::field("last_start", &state::last_start));
+  static constexpr auto fields =
+      io::table("ground_port.state", io::field("signing_ceiling", &state::signing_ceiling),
+                io::field("plans", &state::plans), io::field("start_item", &state::start_item),
+                io::field("last_start", &state::last_start), io::field("views", &state::views));
 };
 
 struct durable_core {

@@ -365,5 +365,97 @@ TEST(FR_00089_ground_port, a_restart_long_after_the_question_settles_it_at_once)
   EXPECT_EQ(port.starts.size(), 1U);
 }
 
+// -- the plan that the station sees ---------------------------------------------------------------
+
+// Found with QGroundControl: after a go-to and an emergency stop its slider flew the two items that were left of the
+// go-to, while it showed the five that it had uploaded.
+TEST(ground_port_start, a_start_flies_the_plan_that_its_station_shows_or_is_refused) {
+  loaded port;
+  port.executor_says(set_mission{waypoints(2)}); // of a go-to
+  EXPECT_EQ(port.start(), temporarily_rejected);
+  EXPECT_TRUE(port.starts.empty());
+  EXPECT_TRUE(port.said("Mission start: the plan has changed; load it"));
+  (void)port.download();
+  port.start();
+  ASSERT_EQ(port.starts.size(), 1U) << "now it shows what is flown";
+  EXPECT_EQ(port.starts[0].last, 1);
+}
+
+TEST(ground_port_start, a_station_that_uploads_its_plan_again_flies_it) {
+  loaded port;
+  port.executor_says(set_mission{waypoints(2)});
+  port.upload(5);
+  port.start();
+  ASSERT_EQ(port.starts.size(), 1U);
+  EXPECT_EQ(port.starts[0].last, 4);
+}
+
+TEST(ground_port_start, a_station_whose_upload_was_refused_shows_it_all_the_same) {
+  loaded port;
+  port.objects = true;
+  EXPECT_NE(port.upload(4).type, 0);
+  port.objects = false;
+  EXPECT_EQ(port.start(), temporarily_rejected) << "the plan from before is the one here";
+  EXPECT_TRUE(port.starts.empty());
+}
+
+TEST(ground_port_start, what_another_station_has_uploaded_since_is_not_what_the_first_one_starts) {
+  loaded port;
+  (void)port.upload(waypoints(3), 0, other_station);
+  EXPECT_EQ(port.start(), temporarily_rejected);
+  port.say(start_command(), other_station);
+  ASSERT_EQ(port.starts.size(), 1U);
+  EXPECT_EQ(port.starts[0].asked_by, (executor::station{254, 190}));
+}
+
+TEST(ground_port_start, a_part_of_a_download_shows_nothing) {
+  loaded port;
+  port.executor_says(set_mission{waypoints(2)});
+  port.say(mavlink::mission_request_list{});
+  port.say(mavlink::mission_request_int{.seq = 0});
+  EXPECT_EQ(port.start(), temporarily_rejected);
+}
+
+TEST(ground_port_start, a_station_that_has_loaded_no_plan_starts_what_there_is) {
+  loaded port;
+  port.say(start_command(), other_station);
+  EXPECT_EQ(port.starts.size(), 1U);
+}
+
+TEST(ground_port_start, what_a_station_has_uploaded_is_known_behind_a_crash) {
+  loaded port;
+  port.executor_says(set_mission{waypoints(2)});
+  port.crash();
+  EXPECT_EQ(port.start(), temporarily_rejected);
+  EXPECT_TRUE(port.starts.empty());
+}
+
+TEST(ground_port_start, of_a_flight_under_way_a_start_goes_on_whatever_is_shown) {
+  loaded port;
+  port.executor_says(set_mission{waypoints(2)});
+  port.executor_says(mission_progress{port.shown().plans[0].plan_id, 1, mission_state::paused});
+  port.start();
+  EXPECT_EQ(port.starts.size(), 1U);
+}
+
+// An ArduPilot's home is item 0, and moves when it is armed.
+TEST(ground_port_start, a_home_that_has_moved_makes_no_other_plan) {
+  loaded port;
+  mavlink::heartbeat copter;
+  copter.type = mavlink::number(mavlink::mav_type::quadrotor);
+  copter.autopilot = mavlink::number(mavlink::mav_autopilot::ardupilotmega);
+  port.vehicle_says(copter);
+  auto moved = waypoints(5);
+  moved[0].x += 100;
+  port.executor_says(set_mission{moved});
+  port.start();
+  ASSERT_EQ(port.starts.size(), 1U);
+  port.executor_answers(start_verdict::failed, "for another reason");
+  moved[1].x += 100;
+  port.executor_says(set_mission{moved});
+  EXPECT_EQ(port.start(), temporarily_rejected);
+  EXPECT_EQ(port.starts.size(), 1U);
+}
+
 } // namespace core_start_test
 } // namespace godwit::ground_port

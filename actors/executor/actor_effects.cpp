@@ -7,6 +7,17 @@
 
 namespace godwit::executor {
 
+namespace {
+
+// QGroundControl takes a text that begins with this word for a check that has failed, and shows so in a banner.
+std::string for_stations(const std::string& sentence, io::mavlink::mav_severity severity) {
+  constexpr std::string_view word = "preflight: ";
+  const bool has_failed = severity <= io::mavlink::mav_severity::warning;
+  return has_failed || !sentence.starts_with(word) ? sentence : sentence.substr(word.size());
+}
+
+} // namespace
+
 void actor::carry_out(const effects& wanted) {
   for (const auto& each : wanted)
     std::visit([this](const auto& what) { carry_out(what); }, each);
@@ -118,12 +129,13 @@ void actor::carry_out(const say_to_port& each) {
 void actor::carry_out(const announce& each) {
   using io::mavlink::mav_severity;
   at_end([this, each] { world_.tell_people(each); });
-  say_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
+  if (!each.is_vehicles)
+    say_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
 }
 
 void actor::say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence) {
   if (others_->port)
-    tell(*others_->port, ground_port::status_text{severity, sentence});
+    tell(*others_->port, ground_port::status_text{severity, for_stations(sentence, severity)});
 }
 
 void actor::show_reached(const mission::progress_report& report) {

@@ -67,6 +67,7 @@ struct say_to_client {
 struct announce {
   std::string sentence;
   bool is_warning = false;
+  bool is_vehicles = false; // its own words, which stations hear from it
 };
 
 using effect =

@@ -34,6 +34,7 @@
 #include "actors/ground_port/passing/act_series.hpp"
 #include "actors/ground_port/passing/budget.hpp"
 #include "actors/ground_port/passing/forwarded_commands.hpp"
+#include "actors/ground_port/passing/stick_watch.hpp"
 #include "actors/ground_port/passing/table.hpp"
 #include "actors/ground_port/plan_views.hpp"
 #include "actors/ground_port/settings.hpp"
@@ -176,6 +177,8 @@ private:
                            const mavlink::frame_view& frame); // true: it is dealt with
   void route_listed(decision_context& t, station& from, const passing::message_row& row,
                     const mavlink::frame_view& frame);
+  [[nodiscard]] executor::act_kind kind_of_stream(const station& from, const passing::message_row& row,
+                                                  const mavlink::frame_view& frame, std::int64_t now_ns);
   void route_command(decision_context& t, station& from, const vehicle_role::order& what,
                      const mavlink::frame_view& frame, bool is_for_all);
   void route_file(decision_context& t, station& from, const mavlink::frame_view& frame);
@@ -291,6 +294,7 @@ private:
   std::vector<passing::waiting_act> begun_acts_; // that godwit does, and the station is answered for later
   passing::forwarded_commands forwarded_;
   passing::act_series audited_acts_;
+  passing::stick_watch sticks_;
   bool is_hold_asked_ = false; // through a station, and not shown by the progress yet
   passing::budget to_vehicle_{to_vehicle_most};
   passing::budget to_stations_{to_stations_most};
@@ -314,6 +318,7 @@ private:
     std::uint64_t ticket = 0;
     mission_server::reaction reaction;
     std::vector<awaited_verdict> verdicts = {}; // the station hears the worst of them
+    std::vector<mission_server::status_text> texts_if_taken = {};
     bool is_clear = false;
     std::optional<std::int64_t> on_disk_ns = {};
     [[nodiscard]] bool is_judged() const;

@@ -91,6 +91,7 @@ void core::go_on(decision_context& t, mission_server::reaction next) {
 
 core::held core::held_for(mission_server::reaction&& next) const {
   held result{next_ticket_ - 1, std::move(next)};
+  result.texts_if_taken = std::exchange(result.reaction.texts, {});
   for (const auto& each : result.reaction.changes) {
     result.is_clear = result.is_clear || each.kind == mission_server::plan_change_kind::cleared;
     if (has_executor_)
@@ -244,8 +245,11 @@ void core::tell_verdict(decision_context& t, held& what) {
     if (each.type == mav_mission_type::mission)
       tell_audit(t, each.by, what.is_clear ? "Clear" : "Upload",
                  verdict ? std::string(io::name_of(*verdict)) : "unknown", {});
-  if (verdict == plan_verdict::taken)
+  if (verdict == plan_verdict::taken) {
+    for (const auto& each : what.texts_if_taken)
+      t.say(static_cast<mav_severity>(each.severity), each.text);
     return;
+  }
   const bool is_refused = verdict == plan_verdict::refused;
   for (auto& each : what.reaction.messages)
     if (auto* const ack = std::get_if<mavlink::mission_ack>(&each)) {

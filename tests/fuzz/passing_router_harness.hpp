@@ -150,7 +150,12 @@ private:
       return;
     const auto what = asked_.front();
     asked_.pop_front();
-    switch (byte() % 4) {
+    switch (byte() % 6) {
+    case 4:
+      begun_.push_back(what.request);
+      return take(port_->on_act_answer(what.request, {executor::act_verdict::begun, {}}, now()));
+    case 5:
+      return take(port_->on_act_answer(what.request, {executor::act_verdict::own, {}}, now()));
     case 0:
       ++may_pass_;
       return take(port_->on_act_answer(what.request, {executor::act_verdict::pass, {}}, now()));
@@ -167,8 +172,20 @@ private:
     }
     }
   }
+  // What has come of an act that it has begun.
+  void resolve() {
+    if (begun_.empty())
+      return;
+    const auto number = begun_.front();
+    begun_.pop_front();
+    const auto verdict = static_cast<executor::act_verdict>(byte() % 5);
+    may_pass_ += verdict == executor::act_verdict::pass ? 1 : 0;
+    take(port_->on_act_resolved({number, {verdict, "no"}}, now()));
+  }
   void hear_executor() {
-    switch (byte() % 3) {
+    switch (byte() % 4) {
+    case 3:
+      return resolve();
     case 0: {
       const auto& plans = disk_.plans;
       const auto id = plans.empty() ? std::uint32_t{byte()} : plans.front().plan_id;
@@ -246,7 +263,8 @@ private:
     const auto byte_at = [&](std::size_t at) { return at < what.payload.size() ? unsigned{what.payload[at]} : 0U; };
     const auto command = static_cast<std::uint16_t>(byte_at(command_at) | (byte_at(command_at + 1) << 8U));
     if (command == mavlink::number(mavlink::mav_cmd::do_set_mode) ||
-        command == mavlink::number(mavlink::mav_cmd::nav_loiter_unlim)) // a hold goes on where somebody else has it
+        command == mavlink::number(mavlink::mav_cmd::nav_loiter_unlim) ||
+        command == mavlink::number(mavlink::mav_cmd::do_reposition)) // these go on where somebody else has it
       return passing::pass_list::person;
     const auto* const command_row = passing::find_command(command);
     if (command_row == nullptr)
@@ -267,6 +285,7 @@ private:
   std::optional<core> port_;
   std::uint8_t sequence_ = 0;
   std::deque<act_to_ask> asked_;
+  std::deque<std::uint64_t> begun_;
   std::deque<std::int64_t> read_ns_;
   std::uint32_t judged_id_ = 0;
   int may_pass_ = 0;

@@ -53,7 +53,7 @@ gcs_view::verdict gcs_view::take(effects& out, const plan_taken& m, bool has_loo
 // That it counted before makes no difference to who has uploaded it. What comes of rally points is said.
 bool gcs_view::counts(const plan_taken& m) const {
   if (m.type == mav_mission_type::mission)
-    return flight_.s.station && flight_.s.station->plan_id == m.plan_id;
+    return shows_upload(flight_.s) && flight_.s.station->plan_id == m.plan_id; // and nobody has changed it since
   if (m.type != mav_mission_type::fence)
     return true;
   const auto fences = mission::import_fence_list(m.items);

@@ -54,7 +54,8 @@ void vehicle_messages::tell(effects& out, const flight::vehicle_message& message
   if (told_.size() == max_remembered)
     told_.pop_front();
   told_.push_back({message.text, now_ns});
-  out.emplace_back(announce{"the vehicle says: " + message.text, message.severity <= number(mav_severity::warning)});
+  out.emplace_back(
+      announce{"the vehicle says: " + message.text, message.severity <= number(mav_severity::warning), true});
 }
 
 bool vehicle_messages::is_repeated(const std::string& text, std::int64_t now_ns) {

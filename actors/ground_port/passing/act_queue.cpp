@@ -19,13 +19,19 @@ bool repeats(const waiting_act& a, const waiting_act& b) {
   return a.frame == b.frame;
 }
 
+// Of sticks that rest and of some that are held each has its own turn: they do not mean the same.
+bool is_of_one_stream(const waiting_act& a, const waiting_act& b) {
+  const bool is_stream = a.act.kind == executor::act_kind::stream || a.act.kind == executor::act_kind::sticks_at_rest;
+  return is_stream && a.act.kind == b.act.kind && is_of_one_station(a, b);
+}
+
 } // namespace
 
 std::optional<std::uint64_t> act_queue::put(waiting_act what) {
   for (auto& each : waiting_) {
     if (repeats(each, what))
       return std::nullopt;
-    if (what.act.kind == executor::act_kind::stream && is_of_one_station(each, what)) {
+    if (is_of_one_stream(each, what)) {
       each.frame = std::move(what.frame);
       ++replaced_;
       return std::nullopt;

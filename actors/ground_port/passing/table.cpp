@@ -44,6 +44,7 @@ constexpr std::array messages{
     message(73, owned, 32, "MISSION_ITEM_INT"),
     message(75, person, 30, "COMMAND_INT"),
     message(76, person, 30, "COMMAND_LONG"),
+    message(77, passes, 8, "COMMAND_ACK"), // of a calibration that asks for the next step
     message(82, person, 36, "SET_ATTITUDE_TARGET"),
     message(84, person, 50, "SET_POSITION_TARGET_LOCAL_NED"),
     message(86, person, 50, "SET_POSITION_TARGET_GLOBAL_INT"),
@@ -72,6 +73,7 @@ constexpr std::array messages{
     message(243, disarmed, 52, "SET_HOME_POSITION", alone),
     message(246, setting, no_target, "ADSB_VEHICLE"), // an autopilot that avoids traffic leaves its way for it
     message(253, passes, no_target, "STATUSTEXT"),
+    message(268, passes, 2, "LOGGING_ACK"),
     message(282, passes, 32, "GIMBAL_MANAGER_SET_ATTITUDE"),
     message(287, passes, 20, "GIMBAL_MANAGER_SET_PITCHYAW"),
     message(288, passes, 20, "GIMBAL_MANAGER_SET_MANUAL_CONTROL"),
@@ -124,6 +126,8 @@ constexpr std::array commands{
     command(207, person, "Fence"),
     command(208, person, "Parachute", kind::stop),
     command(209, setting, "DO_MOTOR_TEST"),
+    command(211, passes, "DO_GRIPPER"),
+    command(212, person, "Autotune"),
     command(214, passes, "DO_SET_CAM_TRIGG_INTERVAL"),
     command(218, person, "Switch"), // DO_AUX_FUNCTION: any switch of a remote control
     command(224, owned, "Set current"),
@@ -134,8 +138,11 @@ constexpr std::array commands{
     command(246, disarmed, "Restart"),
     command(300, owned, "Mission start"),
     command(310, setting, "ACTUATOR_TEST"),
+    command(311, disarmed, "Actuators"),
     command(400, person, "Arm", kind::arm), // disarm: see act_kind_of
+    command(401, disarmed, "Checks"),       // RUN_PREARM_CHECKS
     command(410, passes, "GET_HOME_POSITION"),
+    command(500, disarmed, "Pairing"), // START_RX_PAIR
     command(510, passes, "GET_MESSAGE_INTERVAL"),
     command(511, passes, "SET_MESSAGE_INTERVAL"),
     command(512, passes, "REQUEST_MESSAGE"),
@@ -144,8 +151,10 @@ constexpr std::array commands{
     command(521, passes, "REQUEST_CAMERA_INFORMATION"),
     command(522, passes, "REQUEST_CAMERA_SETTINGS"),
     command(525, passes, "REQUEST_STORAGE_INFORMATION"),
+    command(526, passes, "STORAGE_FORMAT"), // of a camera
     command(527, passes, "REQUEST_CAMERA_CAPTURE_STATUS"),
     command(528, passes, "REQUEST_FLIGHT_INFORMATION"),
+    command(529, passes, "RESET_CAMERA_SETTINGS"),
     command(530, passes, "SET_CAMERA_MODE"),
     command(531, passes, "SET_CAMERA_ZOOM"),
     command(532, passes, "SET_CAMERA_FOCUS"),
@@ -162,11 +171,17 @@ constexpr std::array commands{
     command(2503, passes, "VIDEO_STOP_STREAMING"),
     command(2504, passes, "REQUEST_VIDEO_STREAM_INFORMATION"),
     command(2505, passes, "REQUEST_VIDEO_STREAM_STATUS"),
+    command(2510, passes, "LOGGING_START"),
+    command(2511, passes, "LOGGING_STOP"),
     command(3000, person, "Transition"),
     command(42001, person, "Solo's button"),
     command(42002, person, "Solo's button"),
     command(42003, person, "Solo's button"),
     command(42004, person, "Solo's button"),
+    command(42006, disarmed, "Compass"), // FIXED_MAG_CAL_YAW
+    command(42424, disarmed, "Compass"), // DO_START_MAG_CAL
+    command(42425, disarmed, "Compass"), // DO_ACCEPT_MAG_CAL
+    command(42426, disarmed, "Compass"), // DO_CANCEL_MAG_CAL
     command(43000, person, "Speed"),
     command(43001, person, "Height"),
     command(43002, person, "Heading"),

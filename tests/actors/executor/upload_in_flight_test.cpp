@@ -52,6 +52,18 @@ protected:
   upload second = second_plan();
 };
 
+// Found with MAVSDK: Success, and then "the plan is not taken: another one is flown".
+TEST_P(uploaded_in_flight, the_plan_of_before_a_go_to_is_not_called_taken_while_that_is_flown) {
+  ASSERT_TRUE(pause());
+  operators::command go_to;
+  go_to.kind = command_kind::go_to;
+  go_to.place = mission::position{world.vehicle().describe().where.latitude_deg + 0.0002,
+                                  world.vehicle().describe().where.longitude_deg, 20};
+  ASSERT_TRUE(world.say(go_to).is_taken) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return !shows(first); }, 30)) << world.story();
+  EXPECT_EQ(upload_and_wait(first), plan_verdict::refused) << world.story();
+}
+
 TEST_P(uploaded_in_flight, takes_the_place_of_a_paused_one_and_the_vehicle_holds_on_until_a_person_starts_it) {
   ASSERT_TRUE(pause());
   const auto was_at = world.vehicle().describe();

@@ -696,5 +696,19 @@ TEST(ground_port_plans, clearing_all_types_is_denied_when_one_of_them_is_and_tha
   EXPECT_EQ(port.shown().plans[2].items, 0U);
 }
 
+// Found with MAVSDK: DENIED, and then the text "Mission: 4 items taken".
+TEST(ground_port_plans, no_text_says_that_a_plan_is_taken_which_is_refused) {
+  port_fixture port;
+  port.objects = true;
+  EXPECT_NE(port.upload(4).type, 0);
+  port.advance(s);
+  for (const auto& each : port.texts())
+    EXPECT_EQ(each.find("taken from"), std::string::npos) << each;
+  port.objects = false;
+  EXPECT_EQ(port.upload(4).type, 0);
+  port.advance(s);
+  EXPECT_TRUE(port.said("Mission: 4 items taken from 255/190"));
+}
+
 } // namespace core_mission_test
 } // namespace godwit::ground_port

@@ -315,6 +315,43 @@ TEST_F(ground_port_passing, a_vehicle_that_holds_already_is_answered_at_once) {
   EXPECT_TRUE(port.passed_on.empty());
 }
 
+// -- sticks -----------------------------------------------------------------------------------------
+
+// QGroundControl streams its virtual joystick as soon as it is shown.
+TEST_F(ground_port_passing, sticks_that_are_left_alone_are_no_persons_act) {
+  for (int i = 0; i < 3; ++i) {
+    say_frame(69, {0, 0, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1});
+    ASSERT_EQ(port.acts.back().what.kind, act_kind::sticks_at_rest);
+    port.executor_says(act_verdict::refused, "godwit flies");
+  }
+  port.advance(s);
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_TRUE(port.texts().empty());
+  EXPECT_EQ(port.count_of("passing_refused"), 0U);
+  say_frame(69, {0, 2, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1});
+  EXPECT_EQ(port.acts.back().what.kind, act_kind::stream) << "now a person holds one";
+}
+
+TEST_F(ground_port_passing, a_clock_that_a_station_gives_to_each_vehicle_is_passed_over_without_a_word) {
+  say_frame(2, {1, 2, 3, 4, 5, 6, 7, 8, 1});
+  port.advance(s);
+  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_TRUE(port.texts().empty());
+}
+
+TEST_F(ground_port_passing, calibrations_and_checks_go_to_a_vehicle_that_stands_disarmed) {
+  for (const std::uint16_t each : {401, 500, 311, 42006, 42424, 42425, 42426}) {
+    say_command(each, 1);
+    EXPECT_EQ(port.acts.back().what.kind, act_kind::configure) << each;
+    port.executor_says(act_verdict::refused, "not while the vehicle is armed");
+  }
+  for (const std::uint16_t each : {211, 526, 529, 2510, 2511}) {
+    const auto before = port.passed_on.size();
+    say_command(each, 1);
+    EXPECT_EQ(port.passed_on.size(), before + 1) << each;
+  }
+}
+
 // -- what the vehicle answers -----------------------------------------------------------------------
 
 TEST_F(ground_port_passing, the_vehicles_answer_to_a_command_that_was_passed_on_is_matched_to_it_once) {

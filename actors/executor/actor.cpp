@@ -88,6 +88,7 @@ actor::behavior_type actor::handlers() {
       hears<vehicle_link::connection_changed>(),
       hears<vehicle_link::vehicle_restarted>(),
       hears<vehicle_link::foreign_act>(),
+      hears<vehicle_link::line_findings>(),
       on<runtime::child_event>([this](const runtime::child_event& m) {
         say_all(supervisor_->on_event(m, now().now_ns));
         greet_returned();
@@ -109,6 +110,7 @@ actor::behavior_type actor::handlers() {
         read_host_status();
         look_at_service();
         ask_for_failsafe_status();
+        keep_vehicle(true);
         after_turn();
         show_missions(); // they change seldom, and what they are takes a look at all items
       })};
@@ -128,6 +130,7 @@ void actor::started() {
       others_->vehicle, command_patience, vehicle_link::get_connection{},
       [this](const vehicle_link::connection& m) {
         then(core_->on_vehicle(vehicle_link::connection_changed{m.phase, m.reason}, now()));
+        then(core_->on_vehicle(m.line, now()));
       },
       [](const runtime::ask_error&) {}); // its next change is told
   ask_for_failsafe_status();
@@ -190,6 +193,17 @@ void actor::ask_for_failsafe_status() {
         after_turn();
       },
       [this](const runtime::ask_error&) { is_asking_failsafe_status_ = false; });
+}
+
+// At each change, and once a second: what is told while vehicle_link begins anew is lost.
+void actor::keep_vehicle(bool is_tick) {
+  const vehicle_link::keep_vehicle wanted{core_->keeps_vehicle()};
+  const bool is_due = is_tick && now().now_ns - kept_told_ns_ >= keep_period.count();
+  if (kept_told_ == wanted.is_kept && !is_due)
+    return;
+  kept_told_ = wanted.is_kept;
+  kept_told_ns_ = now().now_ns;
+  tell(others_->vehicle, wanted);
 }
 
 // -- the other actors ---------------------------------------------------------------------------------
@@ -323,6 +337,7 @@ void actor::after_turn() {
       break;
     carry_out(wanted);
   }
+  keep_vehicle(false);
   if (others_->port)
     carry_out(core_->tell_stations(now()));
   tell_survey();

@@ -62,6 +62,8 @@ public:
   // A thousand items over a slow radio with losses.
   static constexpr std::chrono::seconds transfer_patience{600};
   static constexpr std::chrono::milliseconds tick_period{200};
+  // The vehicle of an open flight is named to vehicle_link so often.
+  static constexpr std::chrono::nanoseconds keep_period{1'000'000'000};
   // The guardian has its turns, or the process ends.
   static constexpr std::chrono::milliseconds guardian_patience{1'000};
   // Above those of starts, which count nanoseconds since 1970.
@@ -117,6 +119,7 @@ private:
   void transfer_plan(std::uint64_t number, const Q& what);
   void look_at_service();
   void ask_for_failsafe_status();
+  void keep_vehicle(bool is_tick);
   void read_host_status();
   void supervise();
   void send_table();
@@ -144,6 +147,8 @@ private:
   bool is_asking_failsafe_status_ = false;
   bool is_asking_children_ = false;
   bool is_sending_table_ = false;
+  std::optional<bool> kept_told_; // to vehicle_link: a flight is open
+  std::int64_t kept_told_ns_ = 0;
   std::optional<flight_status> shown_flight_;             // to the watchers
   std::optional<known_missions> shown_missions_;          // to the viewers
   std::optional<preflight::journal_facts> journal_facts_; // as recorded last

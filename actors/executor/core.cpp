@@ -93,6 +93,8 @@ effects core::advance(instant now) {
   arming_.look(out, now);
   acts_.look(out, now);
   clearing_.look(out, recovery_.has_looked(), now);
+  if (end_.end_by_person(out, now))
+    return out;
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(std::ranges::any_of(rules, [&](rule each) { return (this->*each)(out, now); }));

@@ -159,6 +159,7 @@ public:
 
   void on_host_status(host_status seen) { preparation_.on_host_status(std::move(seen)); }
   [[nodiscard]] const vehicle_view& view() const { return flight_.view; }
+  [[nodiscard]] bool keeps_vehicle() const { return flight_.keeps_vehicle(); }
   [[nodiscard]] const std::optional<preflight::dated_report>& last_look() const { return preparation_.last_look(); }
   [[nodiscard]] bool is_coming_down() const { return flight_.is_coming_down(); }
   [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home

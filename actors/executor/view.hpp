@@ -33,6 +33,7 @@ public:
   static constexpr double standing_mps = 0.2; // over the ground
 
   void take(const vehicle_link::connection_changed& m);
+  void take(const vehicle_link::line_findings& m) { line_ = m; }
   void take(const io::mavlink::heartbeat& m, std::int64_t now_ns);
   // Of a vehicle whose heartbeat was heard: the newer of the two says the mode.
   void take(const io::mavlink::current_mode& m);
@@ -49,6 +50,7 @@ public:
   [[nodiscard]] bool is_connected() const { return phase_ == vehicle_link::connection_phase::connected; }
   [[nodiscard]] vehicle_link::connection_phase link() const { return phase_; }
   [[nodiscard]] const std::string& why_not_connected() const { return reason_; }
+  [[nodiscard]] const vehicle_link::line_findings& line() const { return line_; }
   // Since the link was up last: none before the first heartbeat.
   [[nodiscard]] const std::optional<flight::flight_mode>& mode() const { return mode_; }
   [[nodiscard]] bool is_in(flight::mode_kind kind) const { return mode_ && mode_->kind == kind; }
@@ -111,6 +113,7 @@ private:
 
   vehicle_link::connection_phase phase_ = vehicle_link::connection_phase::down;
   std::string reason_;
+  vehicle_link::line_findings line_;
   std::optional<flight::flight_mode> mode_;
   flight::mode_owner owner_;
   bool is_armed_ = false;

@@ -41,6 +41,12 @@ actor::behavior_type actor::handlers() {
         core_->on_child_alive(what, now());
         wake_at(core_->next_deadline_ns());
       }),
+      on<keep_vehicle>([this](const keep_vehicle& what) {
+        auto [wanted, kept] = core_->on_keep_vehicle(what, now());
+        if (kept)
+          commit(*kept);
+        then(wanted);
+      }),
       on<get_connection>([this](const get_connection&) {
         auto result = core_->describe(now());
         const auto lost = drops();
@@ -52,7 +58,7 @@ actor::behavior_type actor::handlers() {
 }
 
 void actor::started() {
-  core_.emplace(settings_, signing_, mavlink::signing_time{current_state().signing_ceiling});
+  core_.emplace(settings_, signing_, mavlink::signing_time{current_state().signing_ceiling}, current_state().kept);
   begin_line();
 }
 

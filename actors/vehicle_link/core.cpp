@@ -19,14 +19,18 @@ constexpr std::uint8_t usual_system = 1;
 
 } // namespace
 
-core::core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling)
+core::core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling,
+           const std::optional<vehicle_name>& kept)
     : settings_(std::move(configured)), channel_(signing, ceiling), watch_(settings_.watch),
-      streams_(settings_.streams), gate_(settings_.deciders, settings_.alive_lasts_ms) {}
+      streams_(settings_.streams), gate_(settings_.deciders, settings_.alive_lasts_ms) {
+  (void)watch_.keep(kept); // the line is not open yet
+}
 
 mavlink::sender core::ourselves() const {
   if (settings_.as.system != 0)
     return {settings_.as.system, settings_.as.component};
-  return {watch_.vehicle() ? watch_.vehicle()->system : usual_system, settings_.as.component};
+  const auto waited_for = watch_.kept() ? watch_.kept()->system : usual_system;
+  return {watch_.vehicle() ? watch_.vehicle()->system : waited_for, settings_.as.component};
 }
 
 bool core::is_for_us(std::uint8_t target_system, std::uint8_t target_component) const {
@@ -60,6 +64,7 @@ effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_v
   if (channel_.v1_frames() != 0 && !first_v1_ns_)
     first_v1_ns_ = now.monotonic_ns;
   raise_alert(t);
+  announce_line(t);
   return std::move(t.done);
 }
 
@@ -239,11 +244,45 @@ void core::change_phase(decision_context& t, const std::optional<connection_chan
     return;
   }
   call_.end();
-  const auto& vehicle = *watch_.vehicle();
-  if (!transfers_)
-    transfers_.emplace(ourselves(), mavlink::sender{vehicle.system, vehicle.component},
-                       transfer::profile_for(static_cast<mavlink::mav_autopilot>(vehicle.autopilot)));
+  if (const mavlink::sender name{watch_.vehicle()->system, watch_.vehicle()->component}; partner_ != name)
+    begin_with(t, name);
   restart_conversation(t);
+}
+
+// What was begun with another one is over: nothing of it goes on with this one, and nothing goes out to that one.
+void core::begin_with(decision_context& t, mavlink::sender vehicle) {
+  const std::string why = "another vehicle is on the line in its place; whether it acted is not known";
+  if (std::exchange(partner_, vehicle)) {
+    for (const auto& each : commands_.end_all(command_verdict::vehicle_restarted, why))
+      resolve(t, each);
+    if (current_.is_busy())
+      t.done.emplace_back(
+          resolved_command{{asker_kind::outside, current_.request_id()}, current_.end_outdated(why)});
+    if (transfers_ && !transfers_->is_idle())
+      if (auto ended = transfers_->cancel(t.now.monotonic_ns).finished)
+        t.done.emplace_back(resolved_transfer{transfer_request_, std::move(*ended)});
+    orders_.forget_seen();
+    mode_number_.reset();
+  }
+  transfers_.emplace(ourselves(), vehicle,
+                     transfer::profile_for(static_cast<mavlink::mav_autopilot>(watch_.vehicle()->autopilot)));
+}
+
+line_findings core::line(std::int64_t now_ns) const {
+  line_findings result;
+  if (const auto& vehicle = watch_.vehicle())
+    result.vehicle = vehicle_name{vehicle->system, vehicle->component};
+  result.others = watch_.others(now_ns);
+  result.is_chosen = settings_.watch.system != 0;
+  return result;
+}
+
+void core::announce_line(decision_context& t) {
+  auto now = line(t.now.monotonic_ns);
+  if (told_line_ == now)
+    return;
+  told_line_ = now;
+  t.announce(std::move(now));
 }
 
 // With a lost vehicle it begins when that is heard again: its streams would be overdue until then.
@@ -283,6 +322,7 @@ effects core::on_time(instant now) {
   if (transfers_)
     go_on(t, transfers_->on_time(now.monotonic_ns));
   ask_for_streams(t);
+  announce_line(t);
   if (losses_.is_due(now.monotonic_ns) && watch_.vehicle()) {
     const auto seen = channel_.report(mavlink::sender{watch_.vehicle()->system, watch_.vehicle()->component});
     losses_.look(seen.frames_in, seen.sequence_gaps, now.monotonic_ns);
@@ -290,8 +330,9 @@ effects core::on_time(instant now) {
   if (call_.is_due(now.monotonic_ns)) {
     // Where it is not known who is there: all, and by turns the usual one, for who does not answer to all.
     const std::uint8_t usual = call_.calls() % 2 == 0 ? std::uint8_t{0} : usual_system;
+    const auto chosen = watch_.kept() ? watch_.kept()->system : settings_.watch.system;
     call_.called(now.monotonic_ns);
-    t.send(mavlink::command_long{.target_system = settings_.watch.system != 0 ? settings_.watch.system : usual,
+    t.send(mavlink::command_long{.target_system = chosen != 0 ? chosen : usual,
                                  .target_component = mavlink::number(mavlink::mav_component::autopilot1),
                                  .command = mavlink::number(mavlink::mav_cmd::request_message),
                                  .param1 = static_cast<float>(mavlink::heartbeat::message_id)});
@@ -308,6 +349,20 @@ effects core::on_time(instant now) {
                                 .system_status = mavlink::number(mavlink::mav_state::active)});
   }
   return std::move(t.done);
+}
+
+// The vehicle that is flown is the one that is heard when the flight begins; it stays that until the flight is over.
+std::pair<effects, std::optional<vehicle_kept>> core::on_keep_vehicle(const keep_vehicle& what, instant now) {
+  decision_context t(*this, now);
+  const bool is_known = watch_.kept() || watch_.vehicle();
+  if (what.is_kept == watch_.kept().has_value() || !is_known)
+    return {};
+  vehicle_kept result;
+  if (what.is_kept)
+    result.who = vehicle_name{watch_.vehicle()->system, watch_.vehicle()->component};
+  if (const auto news = watch_.keep(result.who))
+    t.announce(*news);
+  return {std::move(t.done), std::move(result)};
 }
 
 // What was held back does not wait for its next turn.

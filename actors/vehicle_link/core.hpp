@@ -7,7 +7,7 @@
 //                          ├────> stream_keeper (does what we need come?)
 //                          └────> observations for listeners, answers to TIMESYNC and PING
 //
-// All state is volatile but the reserved signing time: after a crash the vehicle is asked again, and who waited for an
+// All state is volatile but the reserved signing time and the vehicle of a flight that is open: after a crash the vehicle is asked again, and who waited for an
 // answer has been told that the outcome is not known. Each function takes the time of its event and returns what is to
 // be done, in order. Call on_time no later than next_deadline_ns. Pure: no socket, no clock, no actor.
 // Thread: one at a time.
@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "actors/vehicle_link/current_setter.hpp"
 #include "actors/vehicle_link/effects.hpp"
@@ -27,6 +28,7 @@
 #include "actors/vehicle_link/order_check.hpp"
 #include "actors/vehicle_link/pending_commands.hpp"
 #include "actors/vehicle_link/settings.hpp"
+#include "actors/vehicle_link/state.hpp"
 #include "actors/vehicle_link/stream_keeper.hpp"
 #include "actors/vehicle_link/transfer/client.hpp"
 #include "actors/vehicle_link/vehicle_watch.hpp"
@@ -53,7 +55,9 @@ concept transfer_messages = requires(transfer::client& to, const M& message) {
 
 class core {
 public:
-  core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling);
+  // KEPT: the vehicle of a flight that is open.
+  core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling,
+       const std::optional<vehicle_name>& kept = {});
 
   [[nodiscard]] effects on_link(const io::link::link_status& status, instant now);
   [[nodiscard]] effects on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_view bytes, instant now);
@@ -72,6 +76,8 @@ public:
   // Of a ground station, to the vehicle; whoever tells it has let it pass.
   [[nodiscard]] effects on_relayed(const relayed_frame& what, instant now);
   void on_child_alive(const runtime::child_alive& what, instant now);
+  // Whom the journal has to keep from now on; none: as before.
+  [[nodiscard]] std::pair<effects, std::optional<vehicle_kept>> on_keep_vehicle(const keep_vehicle& what, instant now);
 
   [[nodiscard]] std::optional<mavlink::signing_time> wanted_reservation(instant now) {
     return channel_.wanted_reservation(now.wall_ns);
@@ -108,6 +114,9 @@ private:
   void note_boot_time(decision_context& t, std::uint32_t boot_ms);
 
   void change_phase(decision_context& t, const std::optional<connection_changed>& change);
+  void begin_with(decision_context& t, mavlink::sender vehicle);
+  void announce_line(decision_context& t);
+  [[nodiscard]] line_findings line(std::int64_t now_ns) const;
   void restart_conversation(decision_context& t);
   void give(decision_context& t, asker who, const send_command& what);
   void announce_current(decision_context& t);
@@ -137,9 +146,11 @@ private:
   heartbeat_gate gate_;
   first_call call_;
   loss_watch losses_;
-  std::optional<transfer::client> transfers_; // with the vehicle, once it is known
+  std::optional<mavlink::sender> partner_;    // whom all that follows is about: the vehicle, once it is known
+  std::optional<transfer::client> transfers_; // with it
   std::uint64_t transfer_request_ = 0;        // who asked for the one under way
 
+  std::optional<line_findings> told_line_; // to listeners
   std::string link_reason_;
   std::uint64_t reconnects_ = 0;
   std::optional<std::int64_t> mode_number_; // of the newest frame that tells one

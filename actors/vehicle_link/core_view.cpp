@@ -67,6 +67,8 @@ connection core::describe(instant now) const {
   result.under_its_name = under_its_name_;
   result.orders_kept_back = orders_.kept_back();
   result.reconnects = reconnects_;
+  result.kept = watch_.kept();
+  result.line = line(now.monotonic_ns);
   for (const auto id : streams_.missing())
     if (const auto* const info = mavlink::find_message(id))
       result.missing_streams.emplace_back(info->name);

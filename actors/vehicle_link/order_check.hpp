@@ -25,6 +25,7 @@ public:
   static constexpr std::int64_t failsafe_counts_ns = 5'000'000'000;
 
   void heard(std::uint32_t custom_mode, bool is_armed) { seen_ = {custom_mode, is_armed}; }
+  void forget_seen() { seen_.reset(); }
   void heard_mode(std::uint32_t custom_mode) {
     if (seen_)
       seen_->custom_mode = custom_mode;

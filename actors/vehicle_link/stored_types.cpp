@@ -4,3 +4,4 @@
 
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_time_reserved);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::state);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::vehicle_kept);

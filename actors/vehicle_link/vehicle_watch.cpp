@@ -1,5 +1,6 @@
 #include "actors/vehicle_link/vehicle_watch.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/mavlink/enums.hpp"
@@ -8,6 +9,11 @@
 namespace godwit::vehicle_link {
 
 namespace {
+
+std::string name_of(const vehicle_name& who) {
+  return "system " + std::to_string(who.system) +
+         (who.component == 1 ? std::string() : ", component " + std::to_string(who.component));
+}
 
 constexpr auto wrap_guard_ms = std::uint32_t{1} << 31U; // the 32-bit clock wraps after 49.7 days, which is no restart
 
@@ -28,20 +34,87 @@ std::optional<connection_changed> vehicle_watch::on_transport(bool up, const std
   }
   if (phase_ != connection_phase::down)
     return std::nullopt;
-  return enter(connection_phase::silent, "no heartbeat of an autopilot yet");
+  const auto who = waits_for();
+  return enter(connection_phase::silent, who.empty() ? "no heartbeat of an autopilot yet" : who + " is not heard yet");
+}
+
+// Empty: a heartbeat changes nothing about why nobody is heard.
+std::string vehicle_watch::waits_for() const {
+  if (kept_)
+    return "the vehicle of the flight that is open (" + name_of(*kept_) + ")";
+  if (settings_.system != 0)
+    return "the vehicle that is set (vehicle.system " + std::to_string(settings_.system) + ")";
+  if (vehicle_ && heartbeats_ >= kept_after)
+    return "the vehicle (" + name_of({vehicle_->system, vehicle_->component}) + ")";
+  return {};
+}
+
+// Who waits for its vehicle is told whom it hears in its place.
+std::optional<connection_changed> vehicle_watch::wait_on(std::int64_t now_ns) {
+  const auto who = waits_for();
+  const auto heard = others(now_ns);
+  if (who.empty() || heard.empty() || phase_ == connection_phase::connected || phase_ == connection_phase::down)
+    return std::nullopt;
+  std::string names;
+  for (const auto& each : heard)
+    names += (names.empty() ? "" : " and ") + name_of(each);
+  auto why = who + " is not heard; " + names + (heard.size() == 1 ? " is" : " are") +
+             " heard, and nothing is sent there" +
+             (kept_ ? "; if the vehicle does not come back, end the flight (godwitd ctl end-flight)" : "");
+  if (why == reason_)
+    return std::nullopt;
+  reason_ = std::move(why);
+  return connection_changed{phase_, reason_};
+}
+
+std::optional<connection_changed> vehicle_watch::keep(const std::optional<vehicle_name>& who) {
+  kept_ = who;
+  if (phase_ != connection_phase::silent)
+    return std::nullopt;
+  const auto waits = waits_for();
+  reason_ = waits.empty() ? "no heartbeat of an autopilot yet" : waits + " is not heard yet";
+  return connection_changed{phase_, reason_};
+}
+
+// Who is waited for, and has not been heard often enough to be believed, is none.
+void vehicle_watch::note_other(vehicle_name who, std::int64_t now_ns) {
+  if (who.system == wanted_system() || has_its_name(who.system, who.component))
+    return;
+  std::erase_if(others_, [&](const other_autopilot& each) {
+    return each.who == who || now_ns - each.heard_ns >= others_count_ns;
+  });
+  if (others_.size() == max_other_autopilots)
+    others_.erase(others_.begin());
+  others_.push_back({who, now_ns});
+}
+
+std::vector<vehicle_name> vehicle_watch::others(std::int64_t now_ns) const {
+  std::vector<vehicle_name> result;
+  for (const auto& each : others_)
+    if (now_ns - each.heard_ns < others_count_ns && !has_its_name(each.who.system, each.who.component))
+      result.push_back(each.who);
+  std::ranges::sort(result, {}, [](const vehicle_name& each) { return std::pair(each.system, each.component); });
+  return result;
 }
 
 bool vehicle_watch::is_autopilot(const io::mavlink::heartbeat& beat, std::uint8_t component) const {
-  return component == settings_.component &&
+  return component == (kept_ ? kept_->component : settings_.component) &&
          beat.autopilot != static_cast<std::uint8_t>(io::mavlink::mav_autopilot::invalid) &&
          beat.type != static_cast<std::uint8_t>(io::mavlink::mav_type::gcs);
 }
 
+std::uint8_t vehicle_watch::wanted_system() const {
+  if (kept_)
+    return kept_->system;
+  if (settings_.system != 0)
+    return settings_.system;
+  return vehicle_ && heartbeats_ >= kept_after ? vehicle_->system : std::uint8_t{0};
+}
+
 // Who is not the vehicle yet, and could be. A vehicle that speaks keeps its place.
 bool vehicle_watch::may_begin(std::uint8_t system, io::link::peer_id peer, std::int64_t now_ns) {
-  const bool is_kept = vehicle_ && heartbeats_ >= kept_after;
   const bool is_silent = phase_ != connection_phase::connected;
-  const auto wanted = settings_.system != 0 ? settings_.system : is_kept ? vehicle_->system : std::uint8_t{0};
+  const auto wanted = wanted_system();
   if ((wanted != 0 && wanted != system) || (vehicle_ && !is_silent)) {
     ++other_autopilots_;
     return false;
@@ -55,10 +128,16 @@ std::optional<connection_changed> vehicle_watch::on_heartbeat(const io::mavlink:
   if (!is_autopilot(beat, component))
     return std::nullopt;
   if (!is_vehicle(system, component, peer)) {
-    if (!may_begin(system, peer, now_ns))
-      return std::nullopt;
-    if (!has_its_name(system, component))
+    if (!may_begin(system, peer, now_ns)) {
+      note_other({system, component}, now_ns);
+      return wait_on(now_ns);
+    }
+    if (!has_its_name(system, component)) {
       heartbeats_ = 0;
+      boot_ms_.reset(); // it has a clock and numbers of its own
+      maybe_.reset();
+      newest_ns_.reset();
+    }
     candidates_.clear();
   }
   vehicle_ = known_vehicle{system, component, peer, beat.autopilot, beat.type};

@@ -8,7 +8,8 @@
 // and the peer that it was heard from: while that one is heard, frames under its name from elsewhere are not the
 // vehicle's, and are counted. Behind a silence it may come from another peer. An autopilot that fell silent before it
 // was heard kept_after times is let go; from then on it stays the vehicle until the process ends, so that a second
-// vehicle on the same radio is never commanded by mistake.
+// vehicle on the same radio is never commanded by mistake. While a flight is open its vehicle is kept over a restart of
+// the process as well (keep): it is waited for, and another one is named and not taken.
 // Where anybody can speak, an autopilot is believed at its heartbeats_to_begin-th heartbeat within 5 s, and so is a new
 // peer of it: a few forged frames begin nothing. Pure: time comes in as monotonic nanoseconds.
 #pragma once
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actors/domain/confirmation/confirmation_table.hpp"
 #include "io/link/status.hpp"
@@ -40,6 +42,9 @@ inline constexpr std::int64_t late_within_ns = 1'500'000'000;
 // Heartbeats behind which a vehicle is not let go any more.
 inline constexpr std::uint64_t kept_after = 10;
 
+// Another autopilot is on the line while its heartbeats, one a second, come: a few may be lost.
+inline constexpr std::int64_t others_count_ns = 10'000'000'000;
+
 struct known_vehicle {
   std::uint8_t system = 0;
   std::uint8_t component = 0;
@@ -57,6 +62,9 @@ public:
   [[nodiscard]] std::optional<connection_changed> on_heartbeat(const io::mavlink::heartbeat& beat, std::uint8_t system,
                                                                std::uint8_t component, std::int64_t now_ns,
                                                                io::link::peer_id peer = io::link::only_peer);
+  // The vehicle of the flight that is open: no other one is taken. None: no flight is open.
+  [[nodiscard]] std::optional<connection_changed> keep(const std::optional<vehicle_name>& who);
+  [[nodiscard]] const std::optional<vehicle_name>& kept() const { return kept_; }
   // Frames come and are not believed, which is why there is no heartbeat.
   [[nodiscard]] std::optional<connection_changed> on_refused(const std::string& why);
   [[nodiscard]] std::optional<connection_changed> on_time(std::int64_t now_ns);
@@ -82,9 +90,20 @@ public:
   [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const;
   [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
   [[nodiscard]] std::uint64_t other_autopilots() const { return other_autopilots_; } // heartbeats of them
+  // Autopilots of other names that were heard within others_count_ns, by their names.
+  [[nodiscard]] std::vector<vehicle_name> others(std::int64_t now_ns) const;
 
 private:
+  struct other_autopilot {
+    vehicle_name who;
+    std::int64_t heard_ns = 0;
+  };
+
   [[nodiscard]] bool is_autopilot(const io::mavlink::heartbeat& beat, std::uint8_t component) const;
+  [[nodiscard]] std::uint8_t wanted_system() const; // 0: any
+  void note_other(vehicle_name who, std::int64_t now_ns);
+  [[nodiscard]] std::string waits_for() const; // as a sentence; empty: for any autopilot
+  [[nodiscard]] std::optional<connection_changed> wait_on(std::int64_t now_ns);
   [[nodiscard]] bool may_begin(std::uint8_t system, io::link::peer_id peer, std::int64_t now_ns);
   [[nodiscard]] std::optional<connection_changed> enter(connection_phase phase, std::string reason);
 
@@ -93,6 +112,8 @@ private:
   std::string reason_ = "the link is not open yet";
   std::optional<known_vehicle> vehicle_;
   std::uint64_t heartbeats_ = 0; // of this vehicle
+  std::optional<vehicle_name> kept_;
+  std::vector<other_autopilot> others_; // at most max_other_autopilots
   domain::confirmation_table candidates_;
   std::optional<std::int64_t> last_heartbeat_ns_;
   // A clock that may be a new one.

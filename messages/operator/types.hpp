@@ -24,6 +24,7 @@ enum class command_kind {
   go_to,       // fly to `place` now, and stay there
   cancel,      // of the last go_to: the mission goes on with its first item that is not done
   insert,      // a waypoint at `place`, behind item `after`
+  end_flight,  // whose vehicle does not come back, or stands: the mission is over, and another vehicle may be taken
   pull         // on the ground: ask the service again, for a mission that it refused or a map whose pull failed
 };
 
@@ -38,6 +39,7 @@ constexpr auto enum_names(command_kind) {
                                   {command_kind::go_to, "go_to"},
                                   {command_kind::cancel, "cancel"},
                                   {command_kind::insert, "insert"},
+                                  {command_kind::end_flight, "end_flight"},
                                   {command_kind::pull, "pull"}});
 }
 

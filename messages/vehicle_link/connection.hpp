@@ -2,7 +2,9 @@
 // Thread: plain values.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +42,37 @@ struct named_count {
                                            io::field("count", &named_count::count));
 };
 
+// An autopilot, as it names itself in its frames.
+struct vehicle_name {
+  std::uint8_t system = 0;
+  std::uint8_t component = 0;
+  static constexpr auto fields = io::table("vehicle_link.vehicle_name", io::field("system", &vehicle_name::system),
+                                           io::field("component", &vehicle_name::component));
+  friend bool operator==(const vehicle_name&, const vehicle_name&) = default;
+};
+
+// The executor: a flight is open, and with it goes the vehicle that is flown; or none is. Repeated once a second.
+struct keep_vehicle {
+  bool is_kept = false;
+  static constexpr auto fields =
+      io::table("vehicle_link.keep_vehicle", io::field("is_kept", &keep_vehicle::is_kept));
+};
+
+// Who else is on the line, and what raises a doubt about who the vehicle is. Told to listeners at each change.
+struct line_findings {
+  std::optional<vehicle_name> vehicle; // the one that is taken for ours
+  std::vector<vehicle_name> others;    // autopilots heard of late that are not it; at most max_other_autopilots
+  bool is_chosen = false;              // by its system id (vehicle.system): the others do not matter
+  std::string twin;                    // why there are two under its name, as a sentence for people; empty: there are not
+  static constexpr auto fields =
+      io::table("vehicle_link.line_findings", io::field("vehicle", &line_findings::vehicle),
+                io::field("others", &line_findings::others), io::field("is_chosen", &line_findings::is_chosen),
+                io::field("twin", &line_findings::twin));
+  friend bool operator==(const line_findings&, const line_findings&) = default;
+};
+
+inline constexpr std::size_t max_other_autopilots = 8;
+
 struct connection {
   connection_phase phase = connection_phase::down;
   bool connected = false;
@@ -74,6 +107,8 @@ struct connection {
   std::uint64_t orders_kept_back = 0;       // decided before the vehicle changed, or before the failsafe commanded it
   std::uint64_t reconnects = 0;             // of the transport
   std::vector<std::string> missing_streams; // wanted messages that do not come
+  std::optional<vehicle_name> kept = {};    // of the flight that is open: no other one is taken
+  line_findings line = {};
   static constexpr auto fields = io::table(
       "vehicle_link.connection", io::field("phase", &connection::phase), io::field("connected", &connection::connected),
       io::field("reason", &connection::reason), io::field("last_heartbeat_age_ms", &connection::last_heartbeat_age_ms),
@@ -95,7 +130,8 @@ struct connection {
       io::field("other_autopilots", &connection::other_autopilots),
       io::field("under_its_name", &connection::under_its_name),
       io::field("orders_kept_back", &connection::orders_kept_back), io::field("reconnects", &connection::reconnects),
-      io::field("missing_streams", &connection::missing_streams));
+      io::field("missing_streams", &connection::missing_streams), io::field("kept", &connection::kept),
+      io::field("line", &connection::line));
 };
 
 // How a reason begins when frames come and are not believed.

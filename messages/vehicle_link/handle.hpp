@@ -19,7 +19,7 @@ using handle =
                      runtime::asks<set_current_item, command_outcome>, runtime::asks<upload_plan, transfer::outcome>,
                      runtime::asks<download_plan, transfer::outcome>, runtime::tells<cancel_transfer>,
                      runtime::asks<set_up_signing, signing_answer>, runtime::asks<get_connection, connection>,
-                     runtime::asks<look, looked>, runtime::tells<watch_closely>>;
+                     runtime::asks<look, looked>, runtime::tells<watch_closely>, runtime::tells<keep_vehicle>>;
 
 // The link's thread.
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;

@@ -15,6 +15,8 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection_changed);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::download_plan);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::foreign_act);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::get_connection);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::keep_vehicle);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::line_findings);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::look);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::looked);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::relayed_frame);

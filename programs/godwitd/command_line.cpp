@@ -93,6 +93,8 @@ constexpr verb_row verbs[] = {
     {operators::command_kind::go_to, "goto",
      "Flies there, clear of the fences, and stays; `cancel` goes on with the mission."},
     {operators::command_kind::cancel, "cancel", "Of the last goto: goes on with the first item that is not done."},
+    {operators::command_kind::end_flight, "end-flight",
+     "Ends a flight whose vehicle does not come back, or stands disarmed: another vehicle may be taken then."},
     {operators::command_kind::insert, "insert", "Inserts a waypoint into the mission."}};
 
 // "47.398,8.546,40"; nothing: it is no place.

@@ -51,6 +51,7 @@ struct command_queue {
   std::optional<plan_change> change;
   bool go_on = false;
   std::optional<start_flight> start;
+  bool end_flight = false; // a person ends it: its vehicle is not waited for any more
 
   void put_halt(task_kind what) {
     drop_words();

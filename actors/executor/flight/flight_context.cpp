@@ -50,6 +50,8 @@ std::string flight_context::sentence() const {
     result += ": " + at.reason;
   else if (at.now == phase::preflight)
     result += ": " + preflight::sentence_of(s.preflight);
+  if (keeps_vehicle() && !view.is_connected() && !view.why_not_connected().empty())
+    result += "; the vehicle is not heard: " + view.why_not_connected();
   return result;
 }
 

@@ -100,6 +100,12 @@ struct flight_context {
   // Behind a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.
   [[nodiscard]] bool hovers() const;
 
+  // From the beginning of its first flight until the mission is over, or a person ends it: no other vehicle is taken.
+  [[nodiscard]] bool keeps_vehicle() const {
+    const bool has_flown = s.home && s.mission;
+    return is_flight_begun(s) || (has_flown && !is_over(s.status.now));
+  }
+
   // -- the vehicle
   [[nodiscard]] bool is_in_air() const; // of a rover, that it is armed says nothing
   [[nodiscard]] bool is_ardupilot() const;

@@ -1,5 +1,7 @@
 #include "actors/executor/flight/flight_end.hpp"
 
+#include <utility>
+
 namespace godwit::executor {
 namespace {
 
@@ -88,6 +90,25 @@ void flight_end::close(effects& out) {
     phases_.go(out, trigger::flight_ended);
 }
 
+// Its vehicle may be lost, or stand: what was under way is given up, and nothing is sent.
+bool flight_end::end_by_person(effects& out, instant now) {
+  if (!std::exchange(flight_.wanted.end_flight, false) || !flight_.keeps_vehicle())
+    return false;
+  flight_.runner.drop(flight_.world(now, out));
+  tasks_.end(out, "a person has ended the flight");
+  flight_.homing = {};
+  flight_.wanted = {};
+  down_since_ns_ = 0;
+  watch_.end_flight();
+  flight_.was_up = false;
+  if (flight_.s.preflight.now != preflight::phase::idle)
+    out.emplace_back(note{preflight::flight_ended{}});
+  out.emplace_back(note{progress::mission_aborted{}});
+  out.emplace_back(announce{"a person has ended the flight: its vehicle is not waited for any more", true});
+  end_mission(out, "a person has ended the flight");
+  return true;
+}
+
 bool flight_end::leave_mission_mode(effects& out, instant now) {
   const auto& view = flight_.view;
   if (flight_.awaited_arming) { // it stands there because its station has said so
@@ -110,11 +131,11 @@ bool flight_end::leave_mission_mode(effects& out, instant now) {
 }
 
 // Who has the vehicle still has it behind the end of the mission: the next one waits for a hand-back.
-void flight_end::end_mission(effects& out) {
+void flight_end::end_mission(effects& out, const std::string& why) {
   if (flight_.configured.has_service)
     out.emplace_back(say_to_client{mission_client::push_map{flight_.s.mission->mission_id}});
   phases_.go(out, trigger::mission_ended,
-             flight_.has_person() ? "somebody else has the vehicle; hand it back before another mission" : "");
+             flight_.has_person() ? "somebody else has the vehicle; hand it back before another mission" : why);
 }
 
 } // namespace godwit::executor

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "actors/executor/flight/control_watch.hpp"
 
@@ -16,6 +17,8 @@ public:
   // Of the vehicle, when it has told its mode.
   void on_heartbeat(instant now);
   [[nodiscard]] bool end_flight(effects& out, instant now);
+  // A person has said that it is over.
+  [[nodiscard]] bool end_by_person(effects& out, instant now);
   // Whoever arms a vehicle that stands in its mission mode is run over: PX4 goes back into it when it disarms,
   // ArduPilot stays in it. The only thing that is sent to a vehicle that somebody else has, and never while it is
   // armed.
@@ -28,7 +31,7 @@ private:
   [[nodiscard]] bool was_brought_down(instant now) const;
   [[nodiscard]] bool end_late(effects& out);
   void close(effects& out);
-  void end_mission(effects& out);
+  void end_mission(effects& out, const std::string& why = {});
 
   flight_context& flight_;
   phase_machine& phases_;

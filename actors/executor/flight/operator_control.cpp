@@ -18,7 +18,9 @@ bool can_be_stopped(task_kind kind) {
   return brings_plan(kind) || kind == task_kind::start || kind == task_kind::resume;
 }
 
-bool needs_vehicle(command_kind what) { return what != command_kind::hand_back && what != command_kind::start; }
+bool needs_vehicle(command_kind what) {
+  return what != command_kind::hand_back && what != command_kind::start && what != command_kind::end_flight;
+}
 
 } // namespace
 
@@ -49,6 +51,9 @@ operators::answer operator_control::take(const operators::command& m, bool has_l
   case command_kind::come_home:
     wanted.put_halt(task_kind::come_home);
     break;
+  case command_kind::end_flight:
+    wanted.end_flight = true;
+    break;
   default:
     return changes_.take(m, now);
   }
@@ -75,6 +80,12 @@ std::string operator_control::why_not(const operators::command& m, bool has_look
   case command_kind::come_home:
     if (!flight_.is_in_flight() && !drives_plan && !flight_.is_starting())
       return "no flight is under way: " + flight_.sentence();
+    return {};
+  case command_kind::end_flight:
+    if (!flight_.keeps_vehicle())
+      return "no flight is open: " + flight_.sentence();
+    if (view.is_connected() && (view.is_armed() || !view.mode()))
+      return "its vehicle is heard and armed: come_home brings it back, or whoever has it lands and disarms it";
     return {};
   default:
     return {};

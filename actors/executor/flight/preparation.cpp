@@ -25,6 +25,7 @@ preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
   preflight::vehicle_facts seen;
   seen.link = view.link();
   seen.link_reason = view.why_not_connected();
+  seen.line = view.line();
   seen.what = view.owner().vehicle;
   seen.autopilot = view.owner().autopilot;
   seen.fix = static_cast<io::mavlink::gps_fix_type>(view.fix_type());

@@ -44,6 +44,7 @@ enum class estimate {
 struct vehicle_facts {
   vehicle_link::connection_phase link = vehicle_link::connection_phase::down;
   std::string link_reason; // of that phase
+  vehicle_link::line_findings line = {};
   flight::vehicle_class what = flight::vehicle_class::unknown;
   io::mavlink::mav_autopilot autopilot = io::mavlink::mav_autopilot::invalid; // from the air: may have no name
   io::mavlink::gps_fix_type fix = io::mavlink::gps_fix_type::no_gps;          // the same

@@ -22,6 +22,22 @@ constexpr std::int64_t late_ms = 1'500;
 // Frames from anybody else than the vehicle do not reach vehicle_link here, and its requests have numbers of ours.
 constexpr io::link::peer_id line = 1;
 
+template <class... M>
+std::optional<std::uint8_t> target_in(const io::mavlink::frame_view& frame) {
+  std::optional<std::uint8_t> result;
+  ((frame.id() == M::message_id ? void(result = io::mavlink::decode<M>(frame).target_system) : void()), ...);
+  return result;
+}
+
+// Of the messages that change or ask something; 0 means all.
+bool names_another(const io::mavlink::frame_view& frame) {
+  using namespace io::mavlink;
+  const auto target = target_in<command_long, command_int, set_mode, mission_count, mission_item_int, mission_ack,
+                                mission_request_list, mission_request_int, mission_clear_all, mission_set_current,
+                                request_data_stream>(frame);
+  return target && *target > 1;
+}
+
 // Requests of the failsafe have numbers above those of the executor.
 constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 
@@ -50,7 +66,10 @@ flight_world::flight_world(const options& wanted)
   vehicle.battery_percent = wanted.battery_percent;
   vehicle.endurance_s = wanted.endurance_s;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(),
-                                            [this](std::span<const std::byte> frame) { hear(frame); });
+                                            [this](std::span<const std::byte> frame) {
+                                              if (!is_vehicle_silent_)
+                                                hear(frame);
+                                            });
   if (wanted.is_person_on_other_line)
     persons_line_ =
         vehicle_->add_line([this](std::span<const std::byte> frame) { person_.receive(frame); }, time_.now_ns());
@@ -60,9 +79,9 @@ flight_world::flight_world(const options& wanted)
   begin_executor(true);
 }
 
-std::unique_ptr<vehicle_link::core> flight_world::new_link() {
+std::unique_ptr<vehicle_link::core> flight_world::new_link() const {
   return std::make_unique<vehicle_link::core>(vehicle_link::settings{}, io::mavlink::signing_settings{},
-                                              io::mavlink::signing_time{});
+                                              io::mavlink::signing_time{}, kept_);
 }
 
 void flight_world::begin_link() {
@@ -286,6 +305,14 @@ void flight_world::take(const executor::say_to_failsafe& each) {
 
 // -- time -------------------------------------------------------------------------------------------
 
+// As the actors do it, at each change.
+void flight_world::keep_vehicle() {
+  auto [wanted, kept] = link_->on_keep_vehicle({core_->keeps_vehicle()}, link_now());
+  if (kept)
+    kept_ = kept->who;
+  take(wanted);
+}
+
 void flight_world::step() {
   if (core_->wants_service()) {
     mission_client::service_status status;
@@ -308,6 +335,7 @@ void flight_world::step() {
   while (person_.answer()) {
   }
   take(link_->on_time(link_now()));
+  keep_vehicle();
   if (failsafe_due_ns_ <= time_.now_ns())
     tick_failsafe();
   run_until_idle();
@@ -519,7 +547,8 @@ bool flight_world::is_silenced(std::span<const std::byte> frame) const {
 }
 
 void flight_world::take(const vehicle_link::transmission& each) {
-  if (is_lost(each.frame.span()) || is_silenced(each.frame.span()))
+  sent_to_others_ += names_another(each.frame.view()) ? 1 : 0;
+  if (is_lost(each.frame.span()) || is_silenced(each.frame.span()) || is_vehicle_silent_)
     return;
   carry(each.frame.span(), [this](const std::vector<std::byte>& bytes) {
     to_vehicle_.feed(bytes,
@@ -581,6 +610,8 @@ void flight_world::take(const vehicle_link::announcement& each) {
     failsafe_->take(*foreign, failsafe_now());
     take(core_->on_vehicle(*foreign, now()));
   }
+  else if (const auto* line = std::get_if<vehicle_link::line_findings>(&each))
+    take(core_->on_vehicle(*line, now()));
 }
 
 // -- people -----------------------------------------------------------------------------------------
@@ -619,6 +650,12 @@ void flight_world::vehicle_tells(const vehicle_link::observation& what) {
 void flight_world::vehicle_restarts() {
   take(vehicle_link::announcement(vehicle_link::vehicle_restarted{}));
   run_until_idle();
+}
+
+void flight_world::another_vehicle_beats(std::uint8_t system) {
+  const io::mavlink::heartbeat beat{.type = io::mavlink::number(io::mavlink::mav_type::quadrotor),
+                                    .autopilot = io::mavlink::number(io::mavlink::mav_autopilot::px4)};
+  hear(io::mavlink::encode(beat, {system, 1}, 0).span());
 }
 
 void flight_world::arm_by_hand() { person_.arm(); }

@@ -182,6 +182,15 @@ public:
   // Its clock since boot went back, as far as the link can tell.
   void vehicle_restarts();
   void vehicle_tells(const vehicle_link::observation& what);
+  // One that is on the line as well; only its heartbeat, of the same kind.
+  void another_vehicle_beats(std::uint8_t system);
+  // Nothing comes from the vehicle, or to it, until it is heard again.
+  void silence_vehicle(bool is_silent) { is_vehicle_silent_ = is_silent; }
+  // Frames that name another system than the vehicle's as the one that is meant.
+  [[nodiscard]] int sent_to_others() const { return sent_to_others_; }
+  [[nodiscard]] std::string sentence() const { return core_->sentence(); }
+  // Of the link's journal: of the flight that is open.
+  [[nodiscard]] const std::optional<vehicle_link::vehicle_name>& kept_vehicle() const { return kept_; }
   void arm_by_hand();
   void disarm_by_hand();   // also in the air
   void set_home_by_hand(); // where it is
@@ -198,7 +207,8 @@ private:
   [[nodiscard]] bool is_silenced(std::span<const std::byte> frame) const;
   [[nodiscard]] executor::instant now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
   [[nodiscard]] io::mavlink::instant link_now() const { return {time_.now_ns(), wall_began_ns + time_.now_ns()}; }
-  [[nodiscard]] static std::unique_ptr<vehicle_link::core> new_link();
+  [[nodiscard]] std::unique_ptr<vehicle_link::core> new_link() const;
+  void keep_vehicle();
   void tell_map(const std::string& mission_id);
   void begin_link();
   void begin_executor(bool is_new_process);
@@ -258,6 +268,7 @@ private:
   std::unique_ptr<failsafe::core> failsafe_;
   flight::mode_owner owner_;
   std::int64_t failsafe_due_ns_ = 0;
+  std::optional<vehicle_link::vehicle_name> kept_; // on the disk
   std::unique_ptr<vehicle_link::core> link_;
   std::mt19937_64 test_rng_;
   double lost_ = 0;
@@ -303,6 +314,8 @@ private:
   int begins_ = 0;
   int pulls_ = 0;
   int accepted_copies_ = 0;
+  bool is_vehicle_silent_ = false;
+  int sent_to_others_ = 0;
   int still_ = 0; // steps in which no time passed
 };
 

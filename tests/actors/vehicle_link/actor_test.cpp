@@ -87,8 +87,8 @@ struct process {
   }
 
   template <class M>
-  void vehicle_says(const M& message) {
-    arrive(mavlink::encode(message, {1, 1}, sequence++).span());
+  void vehicle_says(const M& message, mavlink::sender as = {1, 1}) {
+    arrive(mavlink::encode(message, as, sequence++).span());
   }
   void arrive(std::span<const std::byte> bytes) {
     if (line->incoming().put(io::link::only_peer, bytes, true))
@@ -116,6 +116,38 @@ struct process {
   own_handle link;
   std::uint8_t sequence = 0;
 };
+
+// The journal names it: whoever is heard first by the next process is not taken for it.
+TEST(vehicle_link, a_killed_process_takes_no_other_vehicle_than_that_of_the_flight_that_is_open) {
+  const mavlink::heartbeat of_quad{.type = 2, .autopilot = 12};
+  runtime::simulated_disk disk;
+  {
+    process flies(disk);
+    flies.connect();
+    flies.world.tell(flies.link, keep_vehicle{true});
+    flies.world.run_until_idle();
+    EXPECT_EQ(flies.shown().kept, (vehicle_name{1, 1}));
+  }
+  {
+    process next(disk);
+    next.link_is(io::link::link_phase::up);
+    next.world.tell(next.link, keep_vehicle{true});
+    for (int i = 0; i < 20; ++i) {
+      next.vehicle_says(of_quad, {2, 1});
+      next.world.advance(1s);
+    }
+    EXPECT_FALSE(next.shown().connected);
+    EXPECT_NE(next.shown().reason.find("system 2 is heard"), std::string::npos) << next.shown().reason;
+    next.vehicle_says(of_quad);
+    EXPECT_EQ(next.shown().system, 1);
+    next.world.tell(next.link, keep_vehicle{false}); // it is over
+    next.world.run_until_idle();
+  }
+  process last(disk);
+  last.link_is(io::link::link_phase::up);
+  last.vehicle_says(of_quad, {2, 1});
+  EXPECT_EQ(last.shown().system, 2);
+}
 
 send_command arm() {
   send_command result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "tests/actors/vehicle_link/vehicle_frames.hpp"
 
@@ -126,6 +127,99 @@ TEST(vehicle_link_core, the_heartbeat_is_held_back_while_an_actor_that_decides_i
 }
 
 // -- the vehicle -----------------------------------------------------------------------------------------------------
+
+// The systems that a command or a transfer was addressed to.
+std::set<int> addressed(const effects& done) {
+  std::set<int> result;
+  for (const auto& each : sent_of<mavlink::command_long>(done))
+    result.insert(each.target_system);
+  for (const auto& each : sent_of<mavlink::command_int>(done))
+    result.insert(each.target_system);
+  for (const auto& each : sent_of<mavlink::set_mode>(done))
+    result.insert(each.target_system);
+  for (const auto& each : sent_of<mavlink::mission_count>(done))
+    result.insert(each.target_system);
+  for (const auto& each : sent_of<mavlink::mission_request_list>(done))
+    result.insert(each.target_system);
+  return result;
+}
+
+mavlink::heartbeat of_px4() {
+  return {.type = mavlink::number(mavlink::mav_type::quadrotor),
+          .autopilot = mavlink::number(mavlink::mav_autopilot::px4)};
+}
+
+TEST(vehicle_link_core, while_a_flight_is_open_nothing_is_sent_to_another_vehicle) {
+  core it(settings{}, {}, {}, vehicle_name{1, 1});
+  vehicle_voice other;
+  (void)it.on_link(link_up(), at(0));
+  std::set<int> all;
+  const auto see = [&](const effects& done) { all.merge(addressed(done)); };
+  for (std::int64_t now = 0; now < 60 * s; now += 250 * ms) {
+    if (now % s == 0)
+      see(other.say(it, of_px4(), now, {2, 1}));
+    see(it.on_time(at(now)));
+    see(it.on_command(now / ms + 1, command(400), at(now)));
+    see(it.on_set_mode({209, 4}, at(now)));
+    see(it.on_upload(now / ms + 2, upload_plan{}, at(now)));
+    see(it.on_download(now / ms + 3, download_plan{}, at(now)));
+  }
+  EXPECT_EQ(all, std::set<int>{1}) << "it is called, and nobody else";
+  const auto shown = it.describe(at(60 * s));
+  EXPECT_FALSE(shown.connected);
+  EXPECT_EQ(shown.system, 0);
+  EXPECT_EQ(shown.kept, (vehicle_name{1, 1}));
+  EXPECT_NE(shown.reason.find("system 2 is heard"), std::string::npos) << shown.reason;
+  const auto health = it.health(at(60 * s));
+  EXPECT_EQ(health.how, godwit::runtime::health_colour::red);
+  EXPECT_NE(health.reason.find("system 1"), std::string::npos) << health.reason;
+}
+
+TEST(vehicle_link_core, who_was_let_go_at_once_gets_nothing_of_what_is_sent_to_the_vehicle_in_its_place) {
+  core it(quiet(), {}, {});
+  vehicle_voice vehicle;
+  (void)it.on_link(link_up(), at(0));
+  (void)vehicle.say(it, of_px4(), 0, {2, 1});
+  (void)it.on_upload(1, upload_plan{mavlink::mav_mission_type::mission, {mavlink::mission_item_int{}}, {}}, at(0));
+  (void)it.on_command(2, command(400), at(0));
+  (void)it.on_time(at(6 * s)); // it was heard once
+  const auto done = vehicle.say(it, of_px4(), 7 * s, {1, 1});
+  EXPECT_EQ(it.describe(at(7 * s)).system, 1);
+  EXPECT_EQ(resolved(done).size() + resolved(it.on_time(at(7 * s))).size(), 0U) << "the command had timed out before";
+  const auto over = std::ranges::count_if(
+      done, [](const effect& each) { return std::holds_alternative<resolved_transfer>(each); });
+  EXPECT_EQ(over, 1) << "the transfer with the other one";
+  auto all = addressed(it.on_upload(
+      3, upload_plan{mavlink::mav_mission_type::mission, {mavlink::mission_item_int{}}, {}}, at(7 * s)));
+  all.merge(addressed(it.on_command(4, command(300), at(7 * s))));
+  for (std::int64_t now = 7 * s; now < 20 * s; now += 100 * ms)
+    all.merge(addressed(it.on_time(at(now))));
+  EXPECT_EQ(all, std::set<int>{1});
+}
+
+TEST(vehicle_link_core, the_vehicle_of_a_flight_is_kept_from_its_beginning_until_it_is_over) {
+  connected c;
+  EXPECT_FALSE(c.it.on_keep_vehicle({false}, at(0)).second) << "none was kept";
+  const auto begun = c.it.on_keep_vehicle({true}, at(0)).second;
+  ASSERT_TRUE(begun);
+  EXPECT_EQ(begun->who, (vehicle_name{1, 1}));
+  EXPECT_FALSE(c.it.on_keep_vehicle({true}, at(s)).second) << "as before";
+  EXPECT_EQ(c.it.on_keep_vehicle({false}, at(2 * s)).second->who, std::nullopt);
+}
+
+TEST(vehicle_link_core, another_autopilot_on_the_line_is_told_to_listeners_and_that_it_is_gone) {
+  connected c;
+  const auto told = announced<line_findings>(c.vehicle.say(c.it, of_px4(), s, {2, 1}));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].vehicle, (vehicle_name{1, 1}));
+  EXPECT_EQ(told[0].others, std::vector{(vehicle_name{2, 1})});
+  EXPECT_FALSE(told[0].is_chosen);
+  EXPECT_TRUE(announced<line_findings>(c.vehicle.say(c.it, of_px4(), 2 * s, {2, 1})).empty()) << "told once";
+  (void)c.vehicle.beat(c.it, 11 * s);
+  const auto gone = announced<line_findings>(c.it.on_time(at(13 * s)));
+  ASSERT_EQ(gone.size(), 1U);
+  EXPECT_TRUE(gone[0].others.empty());
+}
 
 TEST(vehicle_link_core, tells_of_each_change_of_the_connection_once) {
   connected c;

@@ -27,8 +27,8 @@ TEST(vehicle_watch, the_first_autopilot_heard_is_the_vehicle_and_stays_it) {
 TEST(vehicle_watch, only_the_configured_system_is_the_vehicle) {
   vehicle_watch watch({.system = 7});
   (void)watch.on_transport(true, {});
-  EXPECT_FALSE(watch.on_heartbeat(of_autopilot(), 3, 1, 0));
-  EXPECT_TRUE(watch.on_heartbeat(of_autopilot(), 7, 1, 0));
+  EXPECT_EQ(watch.on_heartbeat(of_autopilot(), 3, 1, 0)->phase, connection_phase::silent) << "and it is named";
+  EXPECT_EQ(watch.on_heartbeat(of_autopilot(), 7, 1, 0)->phase, connection_phase::connected);
   EXPECT_TRUE(watch.is_vehicle(7, 1, godwit::io::link::only_peer));
 }
 
@@ -120,6 +120,45 @@ TEST(vehicle_watch, who_fell_silent_at_once_is_let_go_and_a_vehicle_that_was_flo
     (void)watch.on_heartbeat(of_autopilot(), 1, 1, 61 * s, 8);
     EXPECT_EQ(watch.is_vehicle(1, 1, 8), heard == 4) << heard;
   }
+}
+
+TEST(vehicle_watch, while_a_flight_is_open_its_vehicle_is_waited_for_and_the_other_one_is_named) {
+  vehicle_watch watch({});
+  EXPECT_FALSE(watch.keep(vehicle_name{1, 1})) << "the line is not open yet";
+  EXPECT_NE(watch.on_transport(true, {})->reason.find("system 1"), std::string::npos);
+  const auto news = watch.on_heartbeat(of_autopilot(), 2, 1, 0);
+  ASSERT_TRUE(news);
+  EXPECT_EQ(news->phase, connection_phase::silent);
+  for (const char* part : {"system 1", "system 2 is heard", "nothing is sent there", "end-flight"})
+    EXPECT_NE(news->reason.find(part), std::string::npos) << part << ": " << news->reason;
+  for (int i = 1; i < 60; ++i)
+    EXPECT_FALSE(watch.on_heartbeat(of_autopilot(), 2, 1, i * s)) << "told once";
+  EXPECT_FALSE(watch.vehicle());
+  EXPECT_TRUE(watch.on_heartbeat(of_autopilot(), 1, 1, 60 * s));
+  EXPECT_TRUE(watch.is_vehicle(1, 1, godwit::io::link::only_peer));
+  EXPECT_EQ(watch.others(60 * s), std::vector{(vehicle_name{2, 1})});
+  EXPECT_TRUE(watch.others(90 * s).empty()) << "it is not heard any more";
+}
+
+TEST(vehicle_watch, a_flight_that_is_over_lets_another_vehicle_be_taken) {
+  vehicle_watch watch({});
+  (void)watch.keep(vehicle_name{1, 1});
+  (void)watch.on_transport(true, {});
+  (void)watch.on_heartbeat(of_autopilot(), 2, 1, 0);
+  EXPECT_EQ(watch.keep({})->phase, connection_phase::silent);
+  EXPECT_EQ(watch.on_heartbeat(of_autopilot(), 2, 1, s)->phase, connection_phase::connected);
+}
+
+TEST(vehicle_watch, a_vehicle_that_is_kept_is_not_let_go_when_it_falls_silent_at_once) {
+  vehicle_watch watch({});
+  (void)watch.on_transport(true, {});
+  (void)watch.on_heartbeat(of_autopilot(), 1, 1, 0, 7);
+  (void)watch.keep(vehicle_name{1, 1});
+  (void)watch.on_time(30 * s);
+  (void)watch.on_heartbeat(of_autopilot(), 2, 1, 31 * s, 8);
+  EXPECT_EQ(watch.vehicle()->system, 1);
+  EXPECT_EQ(watch.phase(), connection_phase::lost);
+  EXPECT_NE(watch.reason().find("system 2 is heard"), std::string::npos) << watch.reason();
 }
 
 TEST(vehicle_watch, a_clock_that_goes_back_and_rises_from_there_is_a_restart) {

@@ -1,4 +1,4 @@
-// Fails unless the vehicle's heartbeats come. Thread: pure.
+// Fails unless the vehicle's heartbeats come, and it is clear which of those on the line it is. Thread: pure.
 #pragma once
 
 #include "actors/executor/preflight/facts.hpp"

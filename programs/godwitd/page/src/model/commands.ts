@@ -2,7 +2,7 @@
 import type { place, problem } from "./messages.ts";
 
 export type command_name = "start" | "pause" | "resume" | "come_home" | "hand_back" | "acknowledge" | "check" | "go_to" |
-  "cancel" | "insert" | "pull";
+  "cancel" | "insert" | "end_flight" | "pull";
 
 export interface command_row {
   name: command_name;

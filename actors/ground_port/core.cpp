@@ -228,7 +228,7 @@ effects core::on_status_text(const status_text& m, instant now) {
 
 effects core::on_time(instant now) {
   decision_context t(*this, now);
-  channel_.on_silence(now, [&](const auto& frame) { take_frame(t, io::link::every_peer, frame); });
+  channel_.on_silence(now, [&](auto peer, const auto& frame) { take_frame(t, peer, frame); });
   if (stood_down_ && !server_->is_receiving() && !server_->is_giving() &&
       now.monotonic_ns - autopilot_heard_ns_.value_or(0) >= stands_in_again_after_ns)
     stand_down(t, false);

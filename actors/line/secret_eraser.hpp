@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "io/link/status.hpp"
 #include "io/mavlink/wire_format.hpp"
@@ -17,19 +18,26 @@ namespace godwit::line {
 
 class secret_eraser {
 public:
-  // The next bytes of PEER. A datagram begins with a frame; a stream goes on where it was.
+  static constexpr std::size_t max_peers = 16; // as many as a link remembers; the one that spoke first makes room
+
+  // The next bytes of PEER. It goes on where it was, a datagram too, but for one that begins with a whole frame.
   void erase(io::link::peer_id peer, bool is_datagram, std::span<std::byte> bytes);
 
 private:
-  void take(std::byte& each);
-  void begin_frame();
+  struct followed {
+    io::link::peer_id peer = 0;
+    std::array<std::byte, io::mavlink::header_size> newest{}; // bytes as they came, the last one last
+    std::size_t key_left = 0;                                 // bytes of a key to come
+    std::size_t header_left = 0;                              // 0: no header is being read
+    std::size_t frame_left = 0;                               // bytes of a frame to come, behind its header
+    std::size_t signature = 0;                                // so many of these are a signature
+  };
 
-  io::link::peer_id peer_ = 0;
-  std::array<std::byte, io::mavlink::header_size> newest_{}; // bytes as they came, the last one last
-  std::size_t key_left_ = 0;                                 // bytes of a key to come
-  std::size_t header_left_ = 0;                              // 0: no header is being read
-  std::size_t frame_left_ = 0;                               // bytes of a frame to come, behind its header
-  std::size_t signature_ = 0;                                // so many of these are a signature
+  [[nodiscard]] followed& find(io::link::peer_id peer);
+  static void take(followed& in, std::byte& each);
+  static void begin_frame(followed& in);
+
+  std::vector<followed> peers_;
 };
 
 } // namespace godwit::line

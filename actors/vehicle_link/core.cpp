@@ -70,6 +70,11 @@ effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_v
 
 void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
   const auto from = frame.from();
+  if (is_other_program(frame)) {
+    ++other_programs_;
+    identity_.on_other_program(t.now.monotonic_ns);
+    return;
+  }
   if (frame.id() == mavlink::heartbeat::message_id) {
     change_phase(t, watch_.on_heartbeat(mavlink::decode<mavlink::heartbeat>(frame), from.system, from.component,
                                         t.now.monotonic_ns, peer));
@@ -78,6 +83,10 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
   const bool is_forged = !is_vehicle && watch_.has_its_name(from.system, from.component);
   if (is_forged)
     ++under_its_name_;
+  if (is_vehicle) {
+    channel_.follow(frame); // it refuses what is signed long behind its own time
+    identity_.on_sequence(frame.sequence(), t.now.monotonic_ns);
+  }
   if (is_vehicle && is_late_mode(frame, t.now)) {
     ++late_heartbeats_; // a mode from before would be taken for somebody's
     return;
@@ -99,6 +108,22 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     return;
   }
   streams_.on_message(frame.id());
+}
+
+// A script on the companion computer that has taken the autopilot's ids would else be its mode, and disarmed.
+bool core::is_other_program(const mavlink::frame_view& frame) const {
+  if (frame.id() != mavlink::heartbeat::message_id || !watch_.has_its_name(frame.from().system, frame.from().component))
+    return false;
+  const auto beat = mavlink::decode<mavlink::heartbeat>(frame);
+  return beat.autopilot == mavlink::number(mavlink::mav_autopilot::invalid) ||
+         beat.type == mavlink::number(mavlink::mav_type::gcs);
+}
+
+// The sentence stays as it is: the figures in it change with each frame.
+void core::note_twin(std::int64_t now_ns) {
+  auto found = partner_ ? identity_.twin(*partner_, now_ns) : std::string();
+  if (found.empty() != twin_.empty())
+    twin_ = std::move(found);
 }
 
 // True: it goes on to the ground stations.
@@ -166,6 +191,10 @@ template <mavlink::message M>
 void core::take(decision_context& t, const M& message) {
   if constexpr (requires { message.time_boot_ms; })
     note_boot_time(t, message.time_boot_ms);
+  if constexpr (M::message_id == mavlink::global_position_int::message_id) {
+    constexpr double degrees_of_unit = 1e-7;
+    identity_.on_place({message.lat * degrees_of_unit, message.lon * degrees_of_unit}, t.now.monotonic_ns);
+  }
   if constexpr (told_messages::contains(M::message_id))
     t.done.emplace_back(observation(message));
 }
@@ -223,6 +252,7 @@ void core::take(decision_context& t, const mavlink::ping& m) {
 }
 
 void core::note_boot_time(decision_context& t, std::uint32_t boot_ms) {
+  identity_.on_boot_time(boot_ms, t.now.monotonic_ns);
   const auto restarted = watch_.on_boot_time(boot_ms, t.now.monotonic_ns);
   if (!restarted)
     return;
@@ -256,13 +286,13 @@ void core::begin_with(decision_context& t, mavlink::sender vehicle) {
     for (const auto& each : commands_.end_all(command_verdict::vehicle_restarted, why))
       resolve(t, each);
     if (current_.is_busy())
-      t.done.emplace_back(
-          resolved_command{{asker_kind::outside, current_.request_id()}, current_.end_outdated(why)});
+      t.done.emplace_back(resolved_command{{asker_kind::outside, current_.request_id()}, current_.end_outdated(why)});
     if (transfers_ && !transfers_->is_idle())
       if (auto ended = transfers_->cancel(t.now.monotonic_ns).finished)
         t.done.emplace_back(resolved_transfer{transfer_request_, std::move(*ended)});
     orders_.forget_seen();
     mode_number_.reset();
+    identity_ = {};
   }
   transfers_.emplace(ourselves(), vehicle,
                      transfer::profile_for(static_cast<mavlink::mav_autopilot>(watch_.vehicle()->autopilot)));
@@ -274,10 +304,12 @@ line_findings core::line(std::int64_t now_ns) const {
     result.vehicle = vehicle_name{vehicle->system, vehicle->component};
   result.others = watch_.others(now_ns);
   result.is_chosen = settings_.watch.system != 0;
+  result.twin = twin_;
   return result;
 }
 
 void core::announce_line(decision_context& t) {
+  note_twin(t.now.monotonic_ns);
   auto now = line(t.now.monotonic_ns);
   if (told_line_ == now)
     return;
@@ -308,7 +340,7 @@ void core::raise_alert(decision_context& t) {
 
 effects core::on_time(instant now) {
   decision_context t(*this, now);
-  channel_.on_silence(now, [&](const auto& frame) { take_frame(t, way_out(), frame); });
+  channel_.on_silence(now, [&](auto peer, const auto& frame) { take_frame(t, peer, frame); });
   change_phase(t, watch_.on_time(now.monotonic_ns));
   send_copies(t);
   for (const auto& each : commands_.expire(now.monotonic_ns))

@@ -7,10 +7,10 @@
 //                          ├────> stream_keeper (does what we need come?)
 //                          └────> observations for listeners, answers to TIMESYNC and PING
 //
-// All state is volatile but the reserved signing time and the vehicle of a flight that is open: after a crash the vehicle is asked again, and who waited for an
-// answer has been told that the outcome is not known. Each function takes the time of its event and returns what is to
-// be done, in order. Call on_time no later than next_deadline_ns. Pure: no socket, no clock, no actor.
-// Thread: one at a time.
+// All state is volatile but the reserved signing time and the vehicle of a flight that is open: after a crash the
+// vehicle is asked again, and who waited for an answer has been told that the outcome is not known. Each function takes
+// the time of its event and returns what is to be done, in order. Call on_time no later than next_deadline_ns. Pure: no
+// socket, no clock, no actor. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,7 @@
 #include "actors/vehicle_link/first_call.hpp"
 #include "actors/vehicle_link/foreign_watch.hpp"
 #include "actors/vehicle_link/heartbeat_gate.hpp"
+#include "actors/vehicle_link/identity_watch.hpp"
 #include "actors/vehicle_link/look_keeper.hpp"
 #include "actors/vehicle_link/loss_watch.hpp"
 #include "actors/vehicle_link/order_check.hpp"
@@ -45,6 +46,8 @@ inline constexpr std::int64_t v1_only_after_ms = 3'000;
 // A rejected signature impairs health for so long.
 inline constexpr std::int64_t alert_lasts_ms = 10'000;
 inline constexpr std::int64_t alert_period_ms = 1'000;
+// ArduPilot signs a minute ahead of true time, and two after two starts in a row. More is told to people.
+inline constexpr std::int64_t usual_signing_lead_s = 90;
 
 // What only a transfer is about.
 template <class M>
@@ -112,6 +115,9 @@ private:
   void take(decision_context& t, const M& message);
   [[nodiscard]] bool relay(decision_context& t, const mavlink::frame_view& frame);
   void note_boot_time(decision_context& t, std::uint32_t boot_ms);
+  // Under the vehicle's name, and no autopilot's.
+  [[nodiscard]] bool is_other_program(const mavlink::frame_view& frame) const;
+  void note_twin(std::int64_t now_ns);
 
   void change_phase(decision_context& t, const std::optional<connection_changed>& change);
   void begin_with(decision_context& t, mavlink::sender vehicle);
@@ -146,6 +152,8 @@ private:
   heartbeat_gate gate_;
   first_call call_;
   loss_watch losses_;
+  identity_watch identity_;
+  std::string twin_;                          // as it was found first; empty: there is one vehicle under its name
   std::optional<mavlink::sender> partner_;    // whom all that follows is about: the vehicle, once it is known
   std::optional<transfer::client> transfers_; // with it
   std::uint64_t transfer_request_ = 0;        // who asked for the one under way
@@ -155,6 +163,7 @@ private:
   std::uint64_t reconnects_ = 0;
   std::optional<std::int64_t> mode_number_; // of the newest frame that tells one
   std::uint64_t late_heartbeats_ = 0;
+  std::uint64_t other_programs_ = 0; // heartbeats of them
   std::uint64_t under_its_name_ = 0; // frames of the vehicle's name from another peer
   order_check orders_;
   foreign_watch foreign_;

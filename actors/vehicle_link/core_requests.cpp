@@ -69,6 +69,10 @@ std::optional<command_outcome> core::refusal(const send_command& what, instant n
   // The simulation build of ArduPilot aborts on NaN in COMMAND_LONG, and no build of it gives NaN a meaning.
   if (watch_.vehicle()->autopilot == mavlink::number(mavlink::mav_autopilot::ardupilotmega) && has_nan(what))
     return unsent(what.command, command_verdict::invalid, "ArduPilot takes no NaN as a parameter; use 0");
+  // Both would be armed.
+  const bool arms = what.command == mavlink::number(mavlink::mav_cmd::component_arm_disarm) && what.param1 > 0;
+  if (arms && !twin_.empty())
+    return unsent(what.command, command_verdict::invalid, twin_);
   if (const auto why = orders_.why_not(what.only_while, now.monotonic_ns); !why.empty())
     return unsent(what.command, command_verdict::outdated, std::string(why));
   return std::nullopt;

@@ -64,6 +64,7 @@ connection core::describe(instant now) const {
   result.vehicle_restarts = watch_.restarts();
   result.late_heartbeats = late_heartbeats_;
   result.other_autopilots = watch_.other_autopilots();
+  result.other_programs = other_programs_;
   result.under_its_name = under_its_name_;
   result.orders_kept_back = orders_.kept_back();
   result.reconnects = reconnects_;
@@ -82,13 +83,23 @@ runtime::condition core::health(instant now) {
             "MAV_PROTO_VER = 2)"};
   if (watch_.phase() != connection_phase::connected)
     return {runtime::health_colour::red, watch_.reason()};
+  if (!twin_.empty())
+    return {runtime::health_colour::red, twin_};
   if (channel_.signs_beyond_reservation())
     return {runtime::health_colour::red,
             "signing goes on without its time being on the disk: the journal does not answer"};
   if (last_alert_ns_ && now.monotonic_ns - *last_alert_ns_ < alert_lasts_ms * ns_per_ms)
     return {runtime::health_colour::yellow, refused_sentence()};
+  if (const auto ahead_s = channel_.followed_ahead_s(now.wall_ns); ahead_s > usual_signing_lead_s)
+    return {runtime::health_colour::yellow,
+            "the vehicle signs with a clock that is " + std::to_string(ahead_s) +
+                " s ahead of ours (ArduPilot puts it a minute on at each start); godwit signs at its time, and from " +
+                std::to_string(mavlink::max_ahead / mavlink::signing_units_per_s) +
+                " s on nothing of it is believed: start it again later, or set our clock"};
   if (const auto who = gate_.missing(now.monotonic_ns))
     return {runtime::health_colour::yellow, "our heartbeat is held back: " + *who + " does not answer its pings"};
+  if (auto who = partner_ ? identity_.other_sender(*partner_, now.monotonic_ns) : std::string(); !who.empty())
+    return {runtime::health_colour::yellow, std::move(who)};
   if (losses_.is_bad())
     return {runtime::health_colour::yellow, losses_.sentence()};
   return {runtime::health_colour::green, settings_.open_line};

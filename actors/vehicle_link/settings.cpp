@@ -10,7 +10,7 @@ std::vector<wanted_stream> default_streams() {
           {mavlink::mission_current::message_id, 200},
           {mavlink::extended_sys_state::message_id, 1'000},
           {mavlink::battery_status::message_id, 2'000},
-          {mavlink::home_position::message_id, 5'000},
+          {mavlink::home_position::message_id, 2'000}, // somebody may move it
           {mavlink::ekf_status_report::message_id, 1'000, mavlink::mav_autopilot::ardupilotmega},
           {mavlink::estimator_status::message_id, 1'000, mavlink::mav_autopilot::px4},
           {mavlink::current_mode::message_id, 500, mavlink::mav_autopilot::px4, true}};

@@ -39,6 +39,14 @@ bool may_hold_good_frame(const frame_view& unknown) {
 
 } // namespace
 
+bool begins_with_whole_frame(byte_view bytes) {
+  if (bytes.size() < min_frame_size || bytes.front() != magic_v2 || frame_size(bytes.data()) > bytes.size())
+    return false;
+  const frame_view frame(bytes.data());
+  const auto* const info = find_message(frame.id());
+  return info != nullptr && crc_matches(frame, info->crc_extra);
+}
+
 std::optional<frame_view> scanner::next(search& each) {
   while (each.at < each.stop) {
     std::size_t size = 0;
@@ -118,6 +126,13 @@ bool scanner::looks_like_frame(byte_view bytes) const {
   }
   return bytes.front() == magic_v1 && fits_v1(find_message(byte_at(bytes.data(), 5)), byte_at(bytes.data(), 1)) &&
          senders_.knows({byte_at(bytes.data(), 3), byte_at(bytes.data(), 4)});
+}
+
+bool scanner::is_unknown_frame_carried() const {
+  if (carried_ < min_frame_size || carry_.front() != magic_v2)
+    return false;
+  const frame_view frame(carry_.data());
+  return frame.size() == carried_ && find_message(frame.id()) == nullptr;
 }
 
 // Only what has the id, a fitting length and the checksum of a known message is a MAVLink 1 frame: FE is a common byte,

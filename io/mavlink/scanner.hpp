@@ -2,6 +2,7 @@
 //
 //   scanner.feed(bytes, [](const frame_view& frame) { ... });   // a piece of a stream
 //   scanner.feed_datagram(bytes, sink);                         // a whole datagram
+//   scanner.feed_next_datagram(bytes, sink);                    // of one sender, who may split frames over datagrams
 //
 // Strict: a frame reaches the sink only if its id is in io/mavlink/ids.hpp, its checksum is right and it has no unknown
 // incompatibility flag. After anything else the search goes on with the byte behind the false FD, so that a false start
@@ -16,10 +17,10 @@
 //   anything else                   garbage
 //
 // What lies whole in the given bytes is handed on where it is; at most one frame and the header of the next wait for
-// more. A stream should be told of a long silence (`end_of_datagram`): else a false start that claims 280 bytes holds
-// back what comes behind it until so much has come. What garbage costs is bounded: one checksum of at most 264 bytes
-// for each FD that has a known id, four for one that has not. Allocates nothing. Errors: none, everything is counted.
-// Thread: one at a time; a sink must not feed its scanner.
+// more. A stream, and a sender of datagrams, should be told of a long silence (`end_of_datagram`): else a false start
+// that claims 280 bytes holds back what comes behind it until so much has come. What garbage costs is bounded: one
+// checksum of at most 264 bytes for each FD that has a known id, four for one that has not. Allocates nothing. Errors:
+// none, everything is counted. Thread: one at a time; a sink must not feed its scanner.
 #pragma once
 
 #include <algorithm>
@@ -36,6 +37,9 @@
 #include "io/mavlink/wire_format.hpp"
 
 namespace godwit::io::mavlink {
+
+// In front of BYTES stands a frame of a known id, whole and with the right checksum.
+[[nodiscard]] bool begins_with_whole_frame(byte_view bytes);
 
 class scanner {
 public:
@@ -66,6 +70,17 @@ public:
   void feed_datagram(byte_view bytes, Sink&& sink) {
     feed(bytes, sink);
     end_of_datagram(sink);
+  }
+
+  // As a piece of a stream, but for two things that a datagram tells. One that begins with a frame goes on with nothing
+  // that was begun before: what waits is let go. And a frame of an unknown id at its end has nothing behind it.
+  template <class Sink>
+  void feed_next_datagram(byte_view bytes, Sink&& sink) {
+    if (carried_ != 0 && begins_with_frame(bytes))
+      end_of_datagram(sink);
+    feed(bytes, sink);
+    if (is_unknown_frame_carried())
+      end_of_datagram(sink);
   }
 
   [[nodiscard]] const scan_counters& counters() const { return counters_; }
@@ -114,6 +129,10 @@ private:
   verdict judge_v2(const search& each, std::size_t& size);
   verdict judge_unknown(const frame_view& frame, byte_view behind, bool is_all);
   [[nodiscard]] bool looks_like_frame(byte_view bytes) const; // from somebody who was heard before
+  [[nodiscard]] bool begins_with_frame(byte_view bytes) const {
+    return begins_with_whole_frame(bytes) || looks_like_frame(bytes);
+  }
+  [[nodiscard]] bool is_unknown_frame_carried() const;
   verdict judge_v1(const search& each, std::size_t& size);
 
   std::size_t carried_ = 0;

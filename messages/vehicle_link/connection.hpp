@@ -54,8 +54,7 @@ struct vehicle_name {
 // The executor: a flight is open, and with it goes the vehicle that is flown; or none is. Repeated once a second.
 struct keep_vehicle {
   bool is_kept = false;
-  static constexpr auto fields =
-      io::table("vehicle_link.keep_vehicle", io::field("is_kept", &keep_vehicle::is_kept));
+  static constexpr auto fields = io::table("vehicle_link.keep_vehicle", io::field("is_kept", &keep_vehicle::is_kept));
 };
 
 // Who else is on the line, and what raises a doubt about who the vehicle is. Told to listeners at each change.
@@ -63,7 +62,7 @@ struct line_findings {
   std::optional<vehicle_name> vehicle; // the one that is taken for ours
   std::vector<vehicle_name> others;    // autopilots heard of late that are not it; at most max_other_autopilots
   bool is_chosen = false;              // by its system id (vehicle.system): the others do not matter
-  std::string twin;                    // why there are two under its name, as a sentence for people; empty: there are not
+  std::string twin; // why there are two under its name, as a sentence for people; empty: there are not
   static constexpr auto fields =
       io::table("vehicle_link.line_findings", io::field("vehicle", &line_findings::vehicle),
                 io::field("others", &line_findings::others), io::field("is_chosen", &line_findings::is_chosen),
@@ -109,6 +108,7 @@ struct connection {
   std::vector<std::string> missing_streams; // wanted messages that do not come
   std::optional<vehicle_name> kept = {};    // of the flight that is open: no other one is taken
   line_findings line = {};
+  std::uint64_t other_programs = 0; // heartbeats under the vehicle's name that are no autopilot's: not taken
   static constexpr auto fields = io::table(
       "vehicle_link.connection", io::field("phase", &connection::phase), io::field("connected", &connection::connected),
       io::field("reason", &connection::reason), io::field("last_heartbeat_age_ms", &connection::last_heartbeat_age_ms),
@@ -131,7 +131,7 @@ struct connection {
       io::field("under_its_name", &connection::under_its_name),
       io::field("orders_kept_back", &connection::orders_kept_back), io::field("reconnects", &connection::reconnects),
       io::field("missing_streams", &connection::missing_streams), io::field("kept", &connection::kept),
-      io::field("line", &connection::line));
+      io::field("line", &connection::line), io::field("other_programs", &connection::other_programs));
 };
 
 // How a reason begins when frames come and are not believed.

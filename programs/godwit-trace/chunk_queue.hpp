@@ -22,6 +22,7 @@ struct heard_chunk {
   bool is_datagram = false;
   std::vector<std::byte> bytes;
   std::optional<io::link::link_status> status; // then there are no bytes
+  io::link::peer_id peer = io::link::only_peer;
 };
 
 class chunk_queue {

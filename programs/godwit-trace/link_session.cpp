@@ -8,10 +8,11 @@
 
 #include <poll.h>
 
-#include "io/mavlink/scanner.hpp"
+#include "io/mavlink/frame.hpp"
 #include "programs/godwit-trace/chunk_queue.hpp"
 #include "programs/godwit-trace/heartbeat_sender.hpp"
 #include "programs/godwit-trace/link_hints.hpp"
+#include "programs/godwit-trace/peer_scanners.hpp"
 #include "programs/godwit-trace/signature_check.hpp"
 #include "programs/godwit-trace/tlog_recording.hpp"
 #include "programs/godwit-trace/traffic.hpp"
@@ -89,8 +90,8 @@ public:
 private:
   io::link::link_callbacks callbacks() {
     io::link::link_callbacks result;
-    result.received = [this](io::link::peer_id, std::span<const std::byte> bytes, bool is_datagram) {
-      queue_.push({wall_us(), is_datagram, {bytes.begin(), bytes.end()}, std::nullopt});
+    result.received = [this](io::link::peer_id peer, std::span<const std::byte> bytes, bool is_datagram) {
+      queue_.push({wall_us(), is_datagram, {bytes.begin(), bytes.end()}, std::nullopt, peer});
     };
     result.changed = [this](const io::link::link_status& status) { queue_.push({wall_us(), false, {}, status}); };
     return result;
@@ -135,10 +136,7 @@ private:
       return;
     }
     const auto sink = [&](const mavlink::frame_view& frame) { take(frame, chunk.time_us); };
-    if (chunk.is_datagram)
-      scanner_.feed_datagram(chunk.bytes, sink);
-    else
-      scanner_.feed(chunk.bytes, sink);
+    scanner_.feed(chunk.peer, chunk.is_datagram, chunk.bytes, sink);
   }
 
   void end_of_datagram(std::uint64_t time_us) {
@@ -185,7 +183,7 @@ private:
 
   [[nodiscard]] traffic_report report() const {
     traffic_report result{heard_, {}, passed_over(scanner_.counters(), queue_.dropped_bytes(), check_.refused())};
-    for (const auto& each : scanner_.senders().all())
+    for (const auto& each : scanner_.senders())
       if (options_.print.filter.wants_sender(each.who))
         result.senders.push_back(each);
     return result;
@@ -218,7 +216,7 @@ private:
   signature_check check_;
   std::optional<heartbeat_sender> heartbeat_;
   tlog_recording recording_;
-  mavlink::scanner scanner_;
+  peer_scanners scanner_;
   traffic heard_;
   std::uint64_t printed_ = 0;
   bool stopped_ = false;

@@ -19,7 +19,7 @@ std::string sentence_for(verdict why) {
   case verdict::too_old:
     return "a new sender signs with a clock that is more than 60 s behind ours";
   case verdict::too_new:
-    return "a sender signs with a clock that is more than 120 s ahead of ours";
+    return "a sender signs with a clock that is more than 10 min ahead of ours";
   case verdict::unsigned_refused:
     return "a frame is not signed, and this link takes signed ones only";
   case verdict::too_many_streams:

@@ -2,8 +2,8 @@
 // signatures, and the counters of all of it. One for each link.
 //
 // A frame is given out when the scanner found it sound and the verifier let it through. What the peers of a UDP port
-// send does not mix: each has a scanner of its own. Frames are numbered for each component that we speak as. Errors:
-// none, everything is counted. Thread: one at a time.
+// send does not mix: each has a scanner of its own, also for frames that are split over datagrams. Frames are numbered
+// for each component that we speak as. Errors: none, everything is counted. Thread: one at a time.
 #pragma once
 
 #include <array>
@@ -110,24 +110,33 @@ public:
     };
     auto& from = scanner_of(peer, now);
     if (is_datagram)
-      from.feed_datagram(bytes, judged);
+      from.feed_next_datagram(bytes, judged);
     else
       from.feed(bytes, judged);
   }
 
-  // Lets go of frames whose rest did not come.
+  // Lets go of frames whose rest did not come. Calls TAKE(peer, frame).
   template <class Take>
   void on_silence(instant now, Take&& take) {
     for (auto& [peer, each] : peers_)
       if (each.scan->waiting_bytes() != 0 && now.monotonic_ns - each.last_ns >= stream_silence_ms * 1'000'000)
         each.scan->end_of_datagram([&](const frame_view& frame) {
           if (is_believed(frame, now))
-            take(frame);
+            take(peer, frame);
         });
   }
 
   [[nodiscard]] bool is_signing() const { return signer_.has_value(); }
   [[nodiscard]] bool signs_beyond_reservation() { return signer_ && signer_->clock().is_beyond_reservation(); }
+  // FRAME was believed, and is of the other end of the link: where it is signed, we sign at its time from now on.
+  void follow(const frame_view& frame) {
+    if (signer_ && frame.is_signed())
+      signer_->clock().follow(signature_of(frame).time);
+  }
+  // By how much it signs ahead of our own time.
+  [[nodiscard]] std::int64_t followed_ahead_s(std::int64_t wall_ns) {
+    return signer_ ? static_cast<std::int64_t>(signer_->clock().followed_ahead(wall_ns) / signing_units_per_s) : 0;
+  }
   [[nodiscard]] std::optional<signing_time> wanted_reservation(std::int64_t wall_ns);
   void reserved(signing_time ceiling);
   [[nodiscard]] bool may_send_key() const { return security_ == link_security::secure && key_ != nullptr; }

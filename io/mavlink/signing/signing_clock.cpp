@@ -4,10 +4,10 @@
 
 namespace godwit::io::mavlink {
 
-signing_clock::signing_clock(signing_time ceiling) : free_(units(ceiling)), ceiling_(free_) {}
+signing_clock::signing_clock(signing_time ceiling) : free_(units(ceiling)), own_(free_), ceiling_(free_) {}
 
 std::uint64_t signing_clock::next_free(std::int64_t wall_ns) const {
-  return std::max(free_, units(signing_time_at(wall_ns)));
+  return std::max({free_, followed_, units(signing_time_at(wall_ns))});
 }
 
 std::optional<signing_time> signing_clock::next(std::int64_t wall_ns) {
@@ -15,15 +15,16 @@ std::optional<signing_time> signing_clock::next(std::int64_t wall_ns) {
   if (value > units(max_signing_time))
     return std::nullopt;
   free_ = value + 1;
+  own_ = units(now(wall_ns)) + 1;
   return signing_time{value};
 }
 
 signing_time signing_clock::now(std::int64_t wall_ns) const {
-  return signing_time{std::min(next_free(wall_ns), units(max_signing_time))};
+  return signing_time{std::min(std::max(own_, units(signing_time_at(wall_ns))), units(max_signing_time))};
 }
 
 std::optional<signing_time> signing_clock::wanted_reservation(std::int64_t wall_ns) {
-  const signing_time from = now(wall_ns);
+  const signing_time from{std::min(next_free(wall_ns), units(max_signing_time))};
   if (under_way_ || units(from) + ask_when_left < ceiling_ || ceiling_ == units(max_signing_time))
     return std::nullopt;
   under_way_ = true;

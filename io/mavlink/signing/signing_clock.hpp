@@ -11,6 +11,10 @@
 // reaches 5 s ahead and no further: what we sign ahead of true time pulls the clock of an autopilot along, which then
 // refuses other stations. It is asked for while half of it is left, so that the disk has 2.5 s.
 //
+// The other end of the link may sign ahead of true time, and refuses what comes long behind it: an ArduPilot puts its
+// clock a minute on at each start, and takes no new stream that is a minute behind. So we sign at the newest time that
+// it has shown (`follow`), where that is ahead of ours; by which time others are judged does not change with it.
+//
 // No I/O here. The owner asks `wanted_reservation` now and then (with each frame is cheap enough), writes down what it
 // gets, and says `reserved` when that is durable. Until then signing goes on from memory, and `is_beyond_reservation`
 // says that a crash now could bring a timestamp twice (if the wall clock is set back too). One reservation is under way
@@ -19,6 +23,7 @@
 // the order of timestamps; the reservation is our own.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -37,7 +42,15 @@ public:
   // The timestamp for one frame. None is left in the year 2104, or when a clock has pretended that it is.
   [[nodiscard]] std::optional<signing_time> next(std::int64_t wall_ns);
 
-  // Our own time, for judging what others sign. Goes only forward, and gives out nothing.
+  // The other end has signed with TIME: from now on we do not sign behind it.
+  void follow(signing_time time) { followed_ = std::max(followed_, units(time)); }
+
+  // By how much the other end is ahead of our own time, in units; 0: it is not, or never signed.
+  [[nodiscard]] std::uint64_t followed_ahead(std::int64_t wall_ns) const {
+    return followed_ - std::min(followed_, units(now(wall_ns)));
+  }
+
+  // Our own time, for judging what others sign: whomever we follow. Goes only forward, and gives out nothing.
   [[nodiscard]] signing_time now(std::int64_t wall_ns) const;
 
   // The ceiling to make durable, if one is wanted and none is under way.
@@ -54,8 +67,10 @@ private:
   // As integers, because the one behind the last timestamp must have a value too.
   [[nodiscard]] std::uint64_t next_free(std::int64_t wall_ns) const;
 
-  std::uint64_t free_;    // the lowest that was not given out
-  std::uint64_t ceiling_; // everything below is reserved
+  std::uint64_t free_;         // the lowest that was not given out
+  std::uint64_t own_;          // the same, had nobody been followed
+  std::uint64_t ceiling_;      // everything below is reserved
+  std::uint64_t followed_ = 0; // the newest time of the other end
   bool under_way_ = false;
 };
 

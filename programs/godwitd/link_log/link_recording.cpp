@@ -45,10 +45,12 @@ void link_recording::take(const link_batch& batch) {
     const auto write = [&](const io::mavlink::frame_view& frame) { note(writer_.write(each.time_us, frame)); };
     if (each.is_sent) {
       sent_.feed_datagram(of_chunk, write);
-    } else if (each.is_datagram) {
-      datagrams_.feed_datagram(of_chunk, write);
     } else {
-      streams_[each.peer].feed(of_chunk, write);
+      auto& from = streams_[each.peer];
+      if (each.is_datagram)
+        from.feed_next_datagram(of_chunk, write);
+      else
+        from.feed(of_chunk, write);
       if (streams_.size() > max_streams)
         streams_.erase(streams_.begin()); // peers are numbered as they come
     }

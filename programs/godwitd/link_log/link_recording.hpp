@@ -44,8 +44,7 @@ private:
   std::uint64_t run_ = 0;
   bool has_file_ = false; // the newest of the folder is of this run
   io::mavlink::tlog_writer writer_;
-  std::map<io::link::peer_id, io::mavlink::scanner> streams_;
-  io::mavlink::scanner datagrams_;
+  std::map<io::link::peer_id, io::mavlink::scanner> streams_; // datagrams of one peer may go on with each other, too
   io::mavlink::scanner sent_;
   std::string problem_;
   std::int64_t retry_at_ns_ = 0;

@@ -52,6 +52,27 @@ bytes erased(bytes all, std::size_t size) {
   return all;
 }
 
+TEST(secret_eraser, a_key_that_is_split_over_datagrams_is_taken_out_also_when_others_speak_in_between) {
+  const auto key = frame_of(with_key());
+  const auto other = frame_of(heartbeat{});
+  for (std::size_t cut = header_size; cut < key.size(); ++cut) {
+    secret_eraser eraser;
+    auto first = key;
+    auto second = first;
+    first.resize(cut);
+    second.erase(second.begin(), second.begin() + static_cast<std::ptrdiff_t>(cut));
+    eraser.erase(1, true, first);
+    auto in_between = other;
+    eraser.erase(2, true, in_between);
+    EXPECT_EQ(in_between, other);
+    eraser.erase(1, true, second);
+    EXPECT_FALSE(has(first, 0xA5) || has(second, 0xA5)) << cut;
+    auto later = other;
+    eraser.erase(1, true, later);
+    EXPECT_EQ(later, other) << "and nothing else";
+  }
+}
+
 TEST(secret_eraser, a_key_is_taken_out_wherever_a_stream_is_cut) {
   auto all = frame_of(heartbeat{});
   const auto before = all;

@@ -186,11 +186,11 @@ TEST(vehicle_link_core, who_was_let_go_at_once_gets_nothing_of_what_is_sent_to_t
   const auto done = vehicle.say(it, of_px4(), 7 * s, {1, 1});
   EXPECT_EQ(it.describe(at(7 * s)).system, 1);
   EXPECT_EQ(resolved(done).size() + resolved(it.on_time(at(7 * s))).size(), 0U) << "the command had timed out before";
-  const auto over = std::ranges::count_if(
-      done, [](const effect& each) { return std::holds_alternative<resolved_transfer>(each); });
+  const auto over =
+      std::ranges::count_if(done, [](const effect& each) { return std::holds_alternative<resolved_transfer>(each); });
   EXPECT_EQ(over, 1) << "the transfer with the other one";
-  auto all = addressed(it.on_upload(
-      3, upload_plan{mavlink::mav_mission_type::mission, {mavlink::mission_item_int{}}, {}}, at(7 * s)));
+  auto all = addressed(
+      it.on_upload(3, upload_plan{mavlink::mav_mission_type::mission, {mavlink::mission_item_int{}}, {}}, at(7 * s)));
   all.merge(addressed(it.on_command(4, command(300), at(7 * s))));
   for (std::int64_t now = 7 * s; now < 20 * s; now += 100 * ms)
     all.merge(addressed(it.on_time(at(now))));
@@ -205,6 +205,66 @@ TEST(vehicle_link_core, the_vehicle_of_a_flight_is_kept_from_its_beginning_until
   EXPECT_EQ(begun->who, (vehicle_name{1, 1}));
   EXPECT_FALSE(c.it.on_keep_vehicle({true}, at(s)).second) << "as before";
   EXPECT_EQ(c.it.on_keep_vehicle({false}, at(2 * s)).second->who, std::nullopt);
+}
+
+// A script on the companion computer that has taken the autopilot's ids (pymavlink's source_system=1).
+TEST(vehicle_link_core, a_heartbeat_that_is_no_autopilots_is_never_the_vehicles_whatever_its_ids) {
+  connected c;
+  const mavlink::heartbeat of_script{.type = mavlink::number(mavlink::mav_type::onboard_controller),
+                                     .autopilot = mavlink::number(mavlink::mav_autopilot::invalid)};
+  vehicle_voice script; // with a count of its own
+  for (std::int64_t now = 0; now < 30 * s; now += s) {
+    EXPECT_EQ(observed<mavlink::heartbeat>(c.vehicle.beat(c.it, now)).size(), 1U) << now;
+    for (int i = 0; i < 20; ++i)
+      EXPECT_TRUE(observed<mavlink::attitude>(c.vehicle.say(c.it, mavlink::attitude{}, now)).size() == 1);
+    EXPECT_TRUE(script.say(c.it, of_script, now + 500 * ms).empty()) << "nobody hears it";
+    (void)c.it.on_time(at(now + 600 * ms));
+  }
+  const auto shown = c.it.describe(at(30 * s));
+  EXPECT_EQ(shown.other_programs, 30U);
+  EXPECT_EQ(shown.late_heartbeats, 0U);
+  const auto health = c.it.health(at(30 * s));
+  EXPECT_EQ(health.how, godwit::runtime::health_colour::yellow);
+  EXPECT_NE(health.reason.find("another program speaks as 1/1"), std::string::npos) << health.reason;
+  for (std::int64_t now = 30 * s; now < 40 * s; now += s)
+    (void)script.say(c.it, of_script, now);
+  EXPECT_EQ(announced<connection_changed>(c.it.on_time(at(40 * s))).at(0).phase, connection_phase::lost)
+      << "it does not keep the vehicle alive";
+}
+
+TEST(vehicle_link_core, two_vehicles_under_one_name_are_named_not_called_a_bad_radio_and_not_armed) {
+  connected c;
+  vehicle_voice twin;
+  std::vector<line_findings> told;
+  for (std::int64_t now = 0; now < 12 * s; now += 200 * ms) {
+    const auto boot_ms = static_cast<std::uint32_t>(now / ms);
+    const auto see = [&](const effects& done) {
+      for (const auto& each : announced<line_findings>(done))
+        told.push_back(each);
+    };
+    if (now % s == 0) {
+      see(c.vehicle.beat(c.it, now));
+      see(twin.beat(c.it, now));
+    }
+    see(c.vehicle.say(c.it, mavlink::global_position_int{.time_boot_ms = 900'000 + boot_ms}, now));
+    for (int i = 0; i < 3; ++i)
+      see(twin.say(c.it, mavlink::global_position_int{.time_boot_ms = 50'000 + boot_ms}, now));
+    (void)c.it.on_time(at(now));
+  }
+  ASSERT_FALSE(told.empty());
+  EXPECT_NE(told.back().twin.find("850 s apart"), std::string::npos) << told.back().twin;
+  EXPECT_LE(told.size(), 2U) << "told at a change";
+  const auto health = c.it.health(at(12 * s));
+  EXPECT_EQ(health.how, godwit::runtime::health_colour::red);
+  EXPECT_NE(health.reason.find("Two vehicles speak as 1/1"), std::string::npos) << health.reason;
+  auto arm = command(400);
+  arm.param1 = 1;
+  const auto done = c.it.on_command(1, arm, at(12 * s));
+  EXPECT_TRUE(sent_of<mavlink::command_long>(done).empty());
+  EXPECT_EQ(resolved(done).at(0).outcome.verdict, command_verdict::invalid);
+  arm.param1 = 0;
+  EXPECT_EQ(sent_of<mavlink::command_long>(c.it.on_command(2, arm, at(12 * s))).size(), 1U)
+      << "disarming is not kept back";
 }
 
 TEST(vehicle_link_core, another_autopilot_on_the_line_is_told_to_listeners_and_that_it_is_gone) {
@@ -614,6 +674,98 @@ TEST(vehicle_link_core, signed_frames_of_the_vehicle_are_believed_and_ours_are_s
   ASSERT_FALSE(ours.empty());
   EXPECT_EQ(check.judge(std::get<transmission>(ours[0]).frame.view(), mavlink::signing_time_at(at(s).wall_ns)),
             mavlink::verdict::accepted_signed);
+}
+
+// ArduPilot puts its signing clock a minute on at each start, forgets whom it has heard, and takes no new stream that
+// is more than a minute behind.
+class signing_ardupilot {
+public:
+  explicit signing_ardupilot(const signing_settings& link) : key_(link.key) { start(); }
+  void start() {
+    lead_ns_ += 60 * s;
+    heard_.emplace();
+    ours_.emplace(mavlink::secret_key(key_->bytes()), *heard_);
+    signer_.emplace(mavlink::secret_key(key_->bytes()), mavlink::link_id{9}, mavlink::signing_time{});
+  }
+  effects beat(core& to, std::int64_t now_ns) {
+    auto frame =
+        mavlink::encode(mavlink::heartbeat{.type = 2, .autopilot = 3}, {1, 1}, sequence_++, mavlink::signing::on);
+    EXPECT_TRUE(signer_->sign(frame, at(now_ns).wall_ns + lead_ns_));
+    return to.on_bytes(link::only_peer, true, frame.span(), at(now_ns));
+  }
+  // So many of these it refuses.
+  int refuses(const effects& sent, std::int64_t now_ns) {
+    int result = 0;
+    for (const auto& each : sent)
+      if (const auto* out = std::get_if<transmission>(&each))
+        result += ours_->judge(out->frame.view(), mavlink::signing_time_at(at(now_ns).wall_ns + lead_ns_)) ==
+                          mavlink::verdict::accepted_signed
+                      ? 0
+                      : 1;
+    return result;
+  }
+
+private:
+  std::shared_ptr<const mavlink::secret_key> key_;
+  std::int64_t lead_ns_ = 0;
+  std::optional<mavlink::replay_table> heard_;
+  std::optional<mavlink::verifier> ours_;
+  std::optional<mavlink::signer> signer_;
+  std::uint8_t sequence_ = 0;
+};
+
+TEST(vehicle_link_core, a_signing_ardupilot_that_starts_three_times_within_a_minute_is_heard_and_hears_us) {
+  const auto signing = signed_link();
+  core it(quiet(), signing, {});
+  (void)it.on_link(link_up(), at(0));
+  signing_ardupilot vehicle(signing);
+  std::int64_t now = 0;
+  for (int start = 0; start < 4; ++start) {
+    int heard = 0;
+    int refused = 0;
+    for (const auto end = now + 20 * s; now < end; now += s) {
+      heard += static_cast<int>(observed<mavlink::heartbeat>(vehicle.beat(it, now)).size());
+      refused += vehicle.refuses(it.on_command(static_cast<std::uint64_t>(now), command(512), at(now)), now);
+      refused += vehicle.refuses(it.on_time(at(now + 500 * ms)), now + 500 * ms);
+      if (const auto ceiling = it.wanted_reservation(at(now)))
+        it.on_reserved(*ceiling);
+    }
+    EXPECT_EQ(heard, 20) << "start " << start;
+    EXPECT_EQ(refused, 0) << "start " << start;
+    vehicle.start();
+  }
+  EXPECT_EQ(it.describe(at(now)).signing_rejected, 0U);
+  const auto health = it.health(at(now));
+  EXPECT_EQ(health.how, godwit::runtime::health_colour::yellow);
+  EXPECT_NE(health.reason.find("s ahead of ours"), std::string::npos) << health.reason;
+}
+
+TEST(vehicle_link_core, what_a_signing_vehicle_has_said_is_not_believed_again_by_the_next_process) {
+  const auto signing = signed_link();
+  std::vector<std::byte> recorded;
+  mavlink::signing_time ceiling{};
+  {
+    core it(quiet(), signing, {});
+    (void)it.on_link(link_up(), at(0));
+    mavlink::signer vehicle(mavlink::secret_key(signing.key->bytes()), mavlink::link_id{9}, {});
+    const auto say = [&](std::int64_t ahead_ns) {
+      auto frame = mavlink::encode(mavlink::heartbeat{.type = 2, .autopilot = 3}, {1, 1}, 0, mavlink::signing::on);
+      EXPECT_TRUE(vehicle.sign(frame, at(0).wall_ns + ahead_ns));
+      (void)it.on_bytes(link::only_peer, true, frame.span(), at(0));
+      recorded.assign(frame.span().begin(), frame.span().end());
+    };
+    say(300 * s);
+    const auto first = recorded;
+    say(400 * s);
+    recorded = first;
+    ceiling = *it.wanted_reservation(at(0)); // on the disk
+  }
+  auto anew = signed_link();
+  anew.replays = std::make_shared<mavlink::replay_table>();
+  core it(quiet(), anew, ceiling);
+  (void)it.on_link(link_up(), at(s));
+  EXPECT_TRUE(observed<mavlink::heartbeat>(it.on_bytes(link::only_peer, true, recorded, at(s))).empty());
+  EXPECT_EQ(it.describe(at(s)).signing_rejected, 1U);
 }
 
 TEST(vehicle_link_core, the_key_goes_out_only_over_a_secure_link) {

@@ -159,6 +159,41 @@ TEST(scanner, lets_go_at_the_edge_of_a_datagram_and_counts_what_was_cut_off) {
   EXPECT_EQ(frames.counters().cut_off, 3U);
 }
 
+TEST(scanner, frames_that_are_split_over_datagrams_of_one_sender_are_joined_whatever_the_size_of_the_pieces) {
+  std::vector<std::byte> all;
+  for (int i = 0; i < 160; ++i)
+    all.insert(all.end(), good.begin(), good.end());
+  for (std::size_t size = 1; size <= 2 * good.size() + 1; ++size) {
+    scanner frames;
+    for (std::size_t at = 0; at < all.size(); at += size)
+      frames.feed_next_datagram(byte_view(all).subspan(at, std::min(size, all.size() - at)), ignore);
+    EXPECT_EQ(frames.counters().frames, 160U) << size;
+    EXPECT_EQ(frames.counters().cut_off, 0U) << size;
+  }
+}
+
+TEST(scanner, a_datagram_that_begins_with_a_frame_waits_for_no_rest_of_the_one_before) {
+  for (std::size_t cut = 1; cut < good.size(); ++cut) {
+    scanner frames;
+    frames.feed_next_datagram(byte_view(good).first(cut), ignore);
+    frames.feed_next_datagram(good, ignore);
+    EXPECT_EQ(frames.counters().frames, 1U) << "at once, cut behind " << cut;
+    EXPECT_EQ(frames.waiting_bytes(), 0U);
+    EXPECT_EQ(frames.counters().cut_off, 1U);
+  }
+}
+
+TEST(scanner, where_the_joined_bytes_have_no_right_checksum_the_frames_in_them_are_found) {
+  scanner frames;
+  const auto half = byte_view(good).first(good.size() / 2);
+  const auto rest = byte_view(good).subspan(good.size() / 2);
+  frames.feed_next_datagram(half, ignore); // the datagram behind it is lost
+  for (int i = 0; i < 30; ++i)
+    frames.feed_next_datagram(
+        joined({byte_buffer(rest.begin(), rest.end()), good, byte_buffer(half.begin(), half.end())}), ignore);
+  EXPECT_GE(frames.counters().frames, 58U);
+}
+
 TEST(scanner, waits_for_the_rest_of_a_stream) {
   scanner frames;
   for (const std::byte each : good)

@@ -83,6 +83,7 @@ TEST(command_line, a_conversion_has_two_files) {
 TEST(command_line, a_word_to_the_flight_has_what_it_needs) {
   using operators::command_kind;
   EXPECT_EQ(read({"ctl", "hand-back"})->said.kind, command_kind::hand_back);
+  EXPECT_EQ(read({"ctl", "end-flight"})->said.kind, command_kind::end_flight);
   EXPECT_EQ(read({"ctl", "ack", "3"})->said.report, 3U);
   EXPECT_EQ(read({"ctl", "ack"}).error(), runtime::exit_code::usage);
   const auto go = read({"ctl", "goto", "47.398,-8.5,40"});

@@ -64,6 +64,29 @@ TEST(channel, without_a_key_frames_are_neither_signed_nor_asked_to_be) {
   EXPECT_EQ(heard(c, frame->span()), std::vector<sender>{us});
 }
 
+TEST(channel, frames_that_are_split_over_datagrams_are_joined_for_each_peer_by_itself) {
+  channel c({}, {});
+  const auto mine = encode(heartbeat{}, vehicle, 0);
+  const auto yours = encode(heartbeat{}, {2, 1}, 0);
+  EXPECT_TRUE(heard(c, mine.span().first(9), 1).empty());
+  EXPECT_TRUE(heard(c, yours.span().first(13), 2).empty());
+  EXPECT_EQ(heard(c, mine.span().subspan(9), 1), std::vector<sender>{vehicle});
+  EXPECT_EQ(heard(c, yours.span().subspan(13), 2), (std::vector<sender>{{2, 1}}));
+  EXPECT_EQ(c.report({}).parse_errors_total, 0U);
+}
+
+TEST(channel, what_a_peer_has_left_unfinished_is_let_go_as_that_peers) {
+  channel c({}, {});
+  const auto good = encode(heartbeat{}, {2, 1}, 0);
+  std::vector<std::byte> claims{std::byte{0xfd}, std::byte{255}, std::byte{0}, std::byte{0}};
+  claims.insert(claims.end(), 6, std::byte{0}); // HEARTBEAT of 255 bytes, which do not come
+  claims.insert(claims.end(), good.span().begin(), good.span().end());
+  EXPECT_TRUE(heard(c, claims, 7).empty());
+  std::vector<link::peer_id> peers;
+  c.on_silence(at(stream_silence_ms * ms), [&](link::peer_id peer, const frame_view&) { peers.push_back(peer); });
+  EXPECT_EQ(peers, std::vector<link::peer_id>{7});
+}
+
 TEST(channel, with_a_key_only_signed_frames_are_believed) {
   channel ours(with_key(), {});
   channel theirs(with_key(), {});
@@ -95,7 +118,7 @@ TEST(channel, a_frame_whose_rest_does_not_come_is_let_go_of_after_a_silence) {
   channel c({}, {});
   const auto frame = encode(attitude{.roll = 1, .yawspeed = 2}, vehicle, 0);
   EXPECT_TRUE(heard(c, frame.span().first(9), 1, false, 0).empty());
-  c.on_silence(at(stream_silence_ms * ms), [](const frame_view&) {});
+  c.on_silence(at(stream_silence_ms * ms), [](link::peer_id, const frame_view&) {});
   EXPECT_EQ(heard(c, frame.span(), 1, false, stream_silence_ms * ms).size(), 1U);
 }
 

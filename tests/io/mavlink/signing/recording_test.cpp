@@ -72,8 +72,8 @@ TEST_F(mavlink_signing_recording, all_hashes_of_the_vehicle_are_right_and_only_t
 }
 
 // The vehicle signs 57 to 59 s ahead, which is within our bound. After the frame from the future at 13.35 its own clock
-// is 10 minutes ahead: what it then says, we refuse, and go on refusing while it lasts.
-TEST_F(mavlink_signing_recording, the_vehicle_is_accepted_until_a_frame_from_the_future_has_moved_its_clock) {
+// is 10 minutes ahead: what it then says is refused as soon as that is more than we believe.
+TEST_F(mavlink_signing_recording, the_vehicle_is_accepted_until_its_clock_is_more_than_10_minutes_ahead) {
   replay_table streams;
   verifier in(key(), streams);
   int refused_before = 0;
@@ -86,10 +86,10 @@ TEST_F(mavlink_signing_recording, the_vehicle_is_accepted_until_a_frame_from_the
     accepted_after += seconds(each) > 13.4 && found == verdict::accepted_signed ? 1 : 0;
   }
   EXPECT_EQ(refused_before, 0);
-  EXPECT_EQ(accepted_after, 0);
+  EXPECT_EQ(accepted_after, 21);
   EXPECT_EQ(in.counts().of(verdict::accepted_signed) + in.counts().of(verdict::too_new), 361U);
   EXPECT_GT(in.counts().of(verdict::accepted_signed), 250U);
-  EXPECT_GT(in.counts().of(verdict::too_new), 50U);
+  EXPECT_GT(in.counts().of(verdict::too_new), 30U);
 }
 
 TEST_F(mavlink_signing_recording, no_frame_of_the_vehicle_is_taken_a_second_time) {
@@ -116,11 +116,12 @@ TEST_F(mavlink_signing_recording,
   EXPECT_EQ(at_s[verdict::bad_signature].size(), 2U);
   for (const double s : at_s[verdict::unsigned_refused])
     EXPECT_TRUE(s > 14.6) << s;
-  // The station took over the vehicle's time at its first answer, and its timestamps rise until 13.28.
-  EXPECT_EQ(at_s[verdict::accepted_signed].size(), 15U);
-  EXPECT_LT(at_s[verdict::accepted_signed].back(), 13.3);
+  // The station took over the vehicle's time at its first answer, and its timestamps rise until 13.28; those at the
+  // edge of 10 minutes are taken, too.
+  EXPECT_EQ(at_s[verdict::accepted_signed].size(), 19U);
+  EXPECT_LT(at_s[verdict::accepted_signed].back(), 13.6);
   // Here the vehicle answered, and let its clock be moved; for us it is too far ahead, with whatever link id.
-  EXPECT_EQ(at_s[verdict::too_new].size(), 9U);
+  EXPECT_EQ(at_s[verdict::too_new].size(), 5U);
   EXPECT_GT(at_s[verdict::too_new].front(), 13.35);
   EXPECT_TRUE(at_s[verdict::replayed].empty());
 }
@@ -140,7 +141,7 @@ TEST_F(mavlink_signing_recording, replays_old_and_future_timestamps_and_new_link
   EXPECT_EQ(judge(now, 0), verdict::accepted_signed);
   EXPECT_EQ(judge(now, 0), verdict::replayed);
   EXPECT_EQ(judge(earlier(now, minutes(10)), 0), verdict::replayed);
-  EXPECT_EQ(judge(later(now, minutes(10)), 0), verdict::too_new);
+  EXPECT_EQ(judge(later(now, minutes(11)), 0), verdict::too_new);
   EXPECT_EQ(judge(later(now, 1), 0), verdict::accepted_signed); // so the future has locked nobody out
   EXPECT_EQ(judge(now, 77), verdict::accepted_signed);
   EXPECT_EQ(judge(earlier(now, minutes(2)), 78), verdict::too_old);

@@ -49,6 +49,29 @@ TEST(mavlink_signing_clock, begins_at_the_wall_clock_when_that_is_ahead_of_the_c
   EXPECT_EQ(clock.next(some_day_ns), start);
 }
 
+TEST(mavlink_signing_clock, signs_at_the_newest_time_of_the_other_end_and_judges_by_its_own) {
+  signing_clock clock(signing_time{0});
+  ASSERT_EQ(clock.next(some_day_ns), start);
+  const auto ahead = later(start, 75 * signing_units_per_s);
+  clock.follow(ahead);
+  clock.follow(start); // an older one
+  EXPECT_EQ(clock.now(some_day_ns), later(start, 1));
+  EXPECT_EQ(clock.next(some_day_ns), ahead);
+  EXPECT_EQ(clock.next(some_day_ns), later(ahead, 1));
+  EXPECT_EQ(clock.now(some_day_ns), later(start, 3));
+  EXPECT_EQ(clock.followed_ahead(some_day_ns) / signing_units_per_s, 74U);
+  EXPECT_EQ(clock.next(some_day_ns + 100 * second_ns), later(start, 100 * signing_units_per_s))
+      << "ours is ahead again";
+  EXPECT_EQ(clock.followed_ahead(some_day_ns + 100 * second_ns), 0U);
+}
+
+TEST(mavlink_signing_clock, reserves_what_it_signs_with_also_while_it_follows_somebody) {
+  signing_clock clock(signing_time{0});
+  clock.follow(later(start, 75 * signing_units_per_s));
+  EXPECT_EQ(clock.wanted_reservation(some_day_ns),
+            later(start, 75 * signing_units_per_s + signing_clock::reserve_ahead));
+}
+
 TEST(mavlink_signing_clock, a_new_life_is_not_beyond_its_reservation_before_it_signs) {
   signing_clock clock(later(start, 5));
   EXPECT_FALSE(clock.is_beyond_reservation());

@@ -359,6 +359,8 @@ void actor::post_health() {
   runtime::condition how{colour_of(current_state().status), core_->sentence()};
   if (how.how == runtime::health_colour::green && core_->is_battery_short())
     how = {runtime::health_colour::yellow, how.reason + "; the battery lasts just for the way home"};
+  if (const auto moved = core_->home_moved(); !moved.empty())
+    how = {runtime::health_colour::red, how.reason + "; " + moved};
   show_health(std::move(how));
 }
 

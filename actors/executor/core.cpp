@@ -95,6 +95,7 @@ effects core::advance(instant now) {
   clearing_.look(out, recovery_.has_looked(), now);
   if (end_.end_by_person(out, now))
     return out;
+  homecoming_.answer_failsafe(out, recovery_.has_looked(), now);
   for (bool goes_on = true; goes_on;) {
     const auto before = out.size();
     static_cast<void>(std::ranges::any_of(rules, [&](rule each) { return (this->*each)(out, now); }));
@@ -113,8 +114,8 @@ bool core::leave_to_person(effects& out, instant) {
 }
 
 bool core::begin_wanted(effects& out, instant now) {
-  return recovery_.finish(out) || changes_.begin_wanted(out, now) || operators_.go_on(out, now) ||
-         start_.begin_wanted(out, now);
+  return recovery_.finish(out) || changes_.bring_return_anew(out, now) || changes_.begin_wanted(out, now) ||
+         operators_.go_on(out, now) || start_.begin_wanted(out, now);
 }
 
 bool core::prepare(effects& out, instant now) {

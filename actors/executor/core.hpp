@@ -159,6 +159,10 @@ public:
 
   void on_host_status(host_status seen) { preparation_.on_host_status(std::move(seen)); }
   [[nodiscard]] const vehicle_view& view() const { return flight_.view; }
+  // In flight, by somebody; empty: it was not.
+  [[nodiscard]] std::string home_moved() const {
+    return flight_.is_home_moved ? "home was moved in flight: " + flight_.home_sentence() : std::string();
+  }
   [[nodiscard]] bool keeps_vehicle() const { return flight_.keeps_vehicle(); }
   [[nodiscard]] const std::optional<preflight::dated_report>& last_look() const { return preparation_.last_look(); }
   [[nodiscard]] bool is_coming_down() const { return flight_.is_coming_down(); }

@@ -38,9 +38,12 @@ struct order {
       what;
 };
 
-// To the failsafe: whose the next mode is, and that an operator has handed the vehicle back.
+// To the failsafe: whose the next mode is, that an operator has handed the vehicle back, and whether the return that it
+// has asked for is flown.
 struct say_to_failsafe {
-  std::variant<failsafe::expect_mode, failsafe::hand_back, failsafe::taken_over, failsafe::command_pending> what;
+  std::variant<failsafe::expect_mode, failsafe::hand_back, failsafe::taken_over, failsafe::command_pending,
+               failsafe::return_taken>
+      what;
 };
 
 // To ground_port.

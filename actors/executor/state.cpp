@@ -286,8 +286,10 @@ durable_effects take(state& s, const phase_status& happened, std::int64_t) {
   const bool has_landed = s.status.in_flight && !happened.in_flight;
   const bool is_resumed = s.status.now == phase::paused && happened.now == phase::connected;
   s.awaits_word = s.awaits_word || has_landed || is_resumed;
-  if (s.home && has_landed)
+  if (s.home && has_landed) {
     s.home->is_resolved = true;
+    s.home->is_of_this_flight = false; // the next arming moves it
+  }
   if (s.status.in_flight != happened.in_flight)
     supervision::change_in_flight(s.supervision, happened.in_flight);
   s.status = happened;

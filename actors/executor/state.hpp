@@ -294,13 +294,16 @@ struct station_plan_dropped {
   static constexpr auto fields = io::table("executor.station_plan_dropped");
 };
 
-// Where the vehicle's home was at the first take-off of the mission: there its returns lead, and from there its
-// altitudes count. Until that flight has ended it is wherever the vehicle says; from then on it stays.
+// Where the vehicle's home was when it was armed for the first take-off of the mission: there its returns lead, and
+// from there its altitudes count. It is wherever the vehicle says until it has told it behind that arming; from then on
+// it stays.
 struct kept_home {
   flight::home_place at;
   bool is_resolved = false;
-  static constexpr auto fields = io::table("executor.kept_home", io::field("at", &kept_home::at),
-                                           io::field("is_settled", &kept_home::is_resolved));
+  bool is_of_this_flight = false; // the vehicle has set it itself, and it stays there unless somebody moves it
+  static constexpr auto fields =
+      io::table("executor.kept_home", io::field("at", &kept_home::at), io::field("is_settled", &kept_home::is_resolved),
+                io::field("is_of_this_flight", &kept_home::is_of_this_flight));
   friend bool operator==(const kept_home&, const kept_home&) = default;
 };
 

@@ -67,6 +67,7 @@ actor::behavior_type actor::handlers() {
           is_told<taken_over>(),
           is_told<command_pending>(),
           is_told<following>(),
+          is_told<return_taken>(),
           is_told<hand_back>(),
           on_deferred<override_rule, override_answer>([this](const override_rule& what, std::uint64_t request_id) {
             core_->take(asked_override{request_id, what}, now());

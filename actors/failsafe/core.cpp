@@ -38,7 +38,8 @@ core::core(const settings& configured, const state& restored, instant now)
       battery_(configured.battery_critical_percent, configured.battery_low_percent),
       link_(configured, memory_for(restored.now), now), overrides_(restored.now.overridden, now),
       latches_(restored.now.latches), reaction_(restored.now.reacts, restored.now.last_number, now.monotonic_ns),
-      limits_(restored.limits), home_(restored.now.home), kept_(restored.now) {
+      limits_(restored.limits), home_(restored.now.home), armed_at_(restored.now.armed_at),
+      by_plan_(restored.now.by_plan), asked_plan_ns_(now.monotonic_ns), kept_(restored.now) {
   if (auto fences = geofence::fence_set::build(limits_.geofences))
     fences_.set(std::move(*fences));
   else
@@ -56,8 +57,10 @@ void core::take(const event& heard, instant now) {
 
 // Autopilots move their home when they are armed.
 void core::take_one(const heartbeat& what, instant now) {
-  if (heartbeat_ns_ != 0 && what.armed && !newest_.armed)
+  if (heartbeat_ns_ != 0 && what.armed && !newest_.armed) {
     home_.reset();
+    armed_at_.reset();
+  }
   newest_ = what;
   modes_.reset(); // told before it
   newest_mode_ = what.mode;
@@ -79,7 +82,11 @@ void core::take_one(const position& what, instant now) {
   flight_.on_speed(std::hypot(what.north_mps, what.east_mps));
 }
 
-void core::take_one(const home_told& what, instant) { home_ = what.where; }
+void core::take_one(const home_told& what, instant) {
+  home_ = what.where;
+  if (newest_.armed && !armed_at_)
+    armed_at_ = what.where;
+}
 
 void core::take_one(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }
 
@@ -130,6 +137,8 @@ void core::take_one(const command_pending& what, instant now) {
 
 void core::take_one(const following& what, instant) { link_.on_following(what.on); }
 
+void core::take_one(const return_taken& what, instant) { plan_answer_ = what; }
+
 // -- the tick -------------------------------------------------------------------------------------
 
 effects core::tick(instant now) {
@@ -140,7 +149,8 @@ effects core::tick(instant now) {
   hear_words(now, out);
   seen.link = link_.evaluate(now);
   watch_pilot(seen, now, out);
-  judge_rules(seen, out);
+  judge_rules(seen, now, out);
+  resolve_plan(now, out);
   drive(seen, now, out);
   warn_of_link(seen, out);
   warn_of_fence(seen, now, out);
@@ -185,6 +195,7 @@ void core::follow_flight(const view& seen) {
     return;
   latches_.release_all();
   reaction_.drop();
+  by_plan_.reset();
 }
 
 // Of two contrary words in one tick, that a pilot has the vehicle counts. It does on the ground too: a person may have
@@ -200,6 +211,7 @@ void core::hear_words(instant now, effects& out) {
     pilot_.hand_back();
     latches_.release_all();
     reaction_.drop();
+    by_plan_.reset();
     if (link_.on_hand_back(now))
       out.emplace_back(warning{mav_severity::warning, std::string(handed_back_in_silence(settings_.operator_link))});
   }
@@ -220,9 +232,11 @@ void core::hear_words(instant now, effects& out) {
 void core::lift(rule scope) {
   latches_.release(scope);
   const auto& current = reaction_.current();
-  if (!current || current->why != scope)
+  const bool is_reacting = (current && current->why == scope) || (by_plan_ && by_plan_->why == scope);
+  if (!is_reacting)
     return;
   reaction_.drop();
+  by_plan_.reset();
   latches_.release_all();
 }
 
@@ -245,6 +259,8 @@ void core::watch_pilot(const view& seen, instant now, effects& out) {
   if (const auto told = std::exchange(modes_, std::nullopt); told && seen.flight.in_flight)
     pilot_.on_current_mode(
         owner(), {flight::mode_of(owner(), told->what.actual), newest_.is_critical, told->what.intended}, told->at);
+  if (pilot_.is_taken_over())
+    by_plan_.reset();
   if (!was_autopilots && pilot_.is_autopilots())
     out.emplace_back(warning{mav_severity::notice, "the autopilot's own failsafe has the vehicle; ours only warn"});
   else if (!before && pilot_.is_taken_over())
@@ -271,20 +287,34 @@ bool core::has_cause(rule each, const view& seen) const {
 
 bool core::leaves_it_to_pilot() const { return pilot_.is_taken_over() && !settings_.failsafe_in_manual; }
 
-void core::judge_rules(const view& seen, effects& out) {
+void core::judge_rules(const view& seen, instant now, effects& out) {
   for (const auto each : rules) {
     const auto what = action_for(each, newest_.what, limits_.land_start.has_value());
     if (what && !latches_.holds(each) && has_cause(each, seen))
-      act(each, *what, seen, out);
+      act(each, *what, seen, now, out);
   }
 }
 
-// Behind a landing on the way: home is where the vehicle was armed again, or nobody knows where.
-bool core::returns_elsewhere() const { return limits_.home && !(home_ && flight::is_same_home(*home_, *limits_.home)); }
+// The executor knows it; of a first flight it is that of the arming.
+const std::optional<flight::home_place>& core::home_of_mission() const {
+  return limits_.home ? limits_.home : armed_at_;
+}
 
-void core::act(rule why, action wanted, const view& seen, effects& out) {
-  const bool holds_instead = wanted == action::return_home && returns_elsewhere();
-  const auto what = holds_instead ? action::hold : wanted;
+// Home was moved, or is where the vehicle was armed again on the way, or nobody knows where.
+bool core::returns_elsewhere() const {
+  const auto& there = home_of_mission();
+  return there && !(home_ && !flight::is_moved(*home_, *there));
+}
+
+std::string core::where_it_returns() const {
+  const auto& there = home_of_mission();
+  if (!there || !home_)
+    return "is not known to lead to the home of the mission";
+  const auto away_m = std::lround(flight::distance_m(*home_, *there));
+  return "leads to a place " + std::to_string(away_m) + " m from the home of the mission";
+}
+
+void core::act(rule why, action what, const view& seen, instant now, effects& out) {
   const auto cause = cause_of(why, seen.battery, seen.fences);
   const auto& current = reaction_.current();
   if (leaves_it_to_pilot()) {
@@ -292,20 +322,60 @@ void core::act(rule why, action wanted, const view& seen, effects& out) {
     out.emplace_back(warning{mav_severity::critical, cause + "; a pilot has the vehicle, nothing is sent"});
     return;
   }
-  if (current && is_higher(current->why, why)) {
+  if ((current && is_higher(current->why, why)) || (by_plan_ && is_higher(by_plan_->why, why))) {
     latches_.set(why, latch_kind::covered);
     out.emplace_back(warning{mav_severity::warning, cause + "; something worse is being acted on"});
     return;
   }
   latches_.set(why, latch_kind::acted);
+  if (what == action::return_home && returns_elsewhere() && !(current && current->what == what))
+    return ask_for_plan(why, cause, now, out);
+  by_plan_.reset();
   pilot_.forget_the_plan();
   if (current && current->what == what)
     reaction_.raise(why);
   else
     reaction_.begin(why, what);
+  out.emplace_back(warning{mav_severity::critical, cause + ": " + deed_of(what)});
+}
+
+// -- a return by a plan -----------------------------------------------------------------------------
+
+void core::ask_for_plan(rule why, const std::string& cause, instant now, effects& out) {
+  if (by_plan_) {
+    by_plan_->why = why;
+    out.emplace_back(warning{mav_severity::critical, cause + ": the vehicle returns by a plan already"});
+    return;
+  }
+  reaction_.drop();
+  by_plan_ = plan_return{static_cast<std::uint64_t>(now.wall_ns), why, false};
+  asked_plan_ns_ = now.monotonic_ns;
+  out.emplace_back(
+      warning{mav_severity::critical,
+              cause + ": the vehicle is to return by a plan, because its own return " + where_it_returns()});
+}
+
+void core::resolve_plan(instant now, effects& out) {
+  const auto answer = std::exchange(plan_answer_, std::nullopt);
+  if (!by_plan_ || by_plan_->is_taken)
+    return;
+  if (answer && answer->number == by_plan_->number) {
+    by_plan_->is_taken = answer->is_taken;
+    if (!answer->is_taken)
+      return_without_plan(answer->reason, out);
+  } else if (now.monotonic_ns - asked_plan_ns_ >= plan_answer_ms * ns_per_ms) {
+    return_without_plan("the executor does not answer", out);
+  }
+}
+
+// Better home to where it leads than not at all; where nobody knows where that is it holds.
+void core::return_without_plan(const std::string& why, effects& out) {
+  const auto what = home_ ? action::return_home : action::hold;
+  const auto wants = std::exchange(by_plan_, std::nullopt)->why;
+  pilot_.forget_the_plan();
+  reaction_.begin(wants, what);
   out.emplace_back(warning{mav_severity::critical,
-                           cause + ": " + deed_of(what) +
-                               (holds_instead ? ", because its return does not lead to the mission's home" : "")});
+                           deed_of(what) + ", and its return " + where_it_returns() + "; no plan is flown: " + why});
 }
 
 // Behind a return some vehicles hold by themselves, and a person may hold there too: neither is told to return again.
@@ -360,7 +430,9 @@ void core::warn_of_fence(const view& seen, instant now, effects& out) {
 }
 
 failsafe_status core::stand(bool in_flight) const {
-  failsafe_status result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all(), reaction_.last_number()};
+  failsafe_status result{in_flight, pilot_.is_taken_over(), {}, {}, overrides_.all(), reaction_.last_number(), {}};
+  if (by_plan_ && !by_plan_->is_taken)
+    result.return_asked = asked_return{by_plan_->number, by_plan_->why};
   if (const auto& current = reaction_.current())
     result.reacts = told_reaction{current->why, current->what, reaction_.stage()};
   for (const auto each : rules)
@@ -378,8 +450,9 @@ void core::tell_failsafe_status(bool in_flight, effects& out) {
 }
 
 void core::tell_health(const view& seen, effects& out) {
-  auto how = judge_health({seen.flight, newest_.what, seen.battery, seen.fences.finding, seen.link,
-                           pilot_.is_taken_over(), limits_refused_, failsafe_status_.reacts});
+  auto how =
+      judge_health({seen.flight, newest_.what, seen.battery, seen.fences.finding, seen.link, pilot_.is_taken_over(),
+                    limits_refused_, failsafe_status_.reacts, by_plan_ ? std::optional(by_plan_->why) : std::nullopt});
   if (how == health_)
     return;
   health_ = std::move(how);
@@ -388,7 +461,8 @@ void core::tell_health(const view& seen, effects& out) {
 
 void core::keep(bool in_flight, effects& out) {
   standing now{in_flight,        latches_.all(),  reaction_.current(), reaction_.last_number(),
-               overrides_.all(), pilot_.memory(), link_.memory(),      home_};
+               overrides_.all(), pilot_.memory(), link_.memory(),      home_,
+               armed_at_,        by_plan_};
   if (now == kept_ && !has_new_limits_)
     return;
   kept_ = std::move(now);

@@ -7,6 +7,11 @@
 //   operator_heard, following ────> link_ladder ──────────┘           │
 //   asked_override, hand_back ────> overrides ────────────────────────┘
 //
+// The vehicle's own return leads to its home, which somebody may have moved, or an arming on the way. Where it leads
+// elsewhere than to the home of the mission (the one that the executor has told, or the one of the arming) the executor
+// is asked to bring it there by a plan; where that does not answer or can not, the vehicle's own return is flown, and
+// people are told where it leads.
+//
 // A rule acts on an edge, once, latched, and only in the air (a rover: moving). The cause of an edge is that the rule's
 // condition holds, no override stands against it, and the vehicle is in the air; so a condition that began on the
 // ground acts at take-off. A lower rule never cancels a higher one. While a pilot has the vehicle the failsafes warn.
@@ -48,6 +53,10 @@ inline constexpr std::int64_t fence_warning_quiet_ms = 5'000;
 // Overrides between two ticks. More are dropped: who gets no answer asks again.
 inline constexpr std::size_t max_waiting_overrides = 8;
 
+// In which the executor has to say that it flies the way home. It answers in the turn in which it is asked; one that
+// has crashed begins anew within a second.
+inline constexpr std::int64_t plan_answer_ms = 1'500;
+
 class core {
 public:
   core(const settings& configured, const state& restored, instant now);
@@ -86,6 +95,7 @@ private:
   void take_one(const command_pending& what, instant now);
   void take_one(const following& what, instant now);
   void take_one(const vehicle_link::foreign_act& what, instant now);
+  void take_one(const return_taken& what, instant now);
 
   [[nodiscard]] failsafe_status stand(bool in_flight) const;
   [[nodiscard]] view look(instant now);
@@ -98,9 +108,14 @@ private:
   [[nodiscard]] bool has_cause(rule each, const view& seen) const;
   [[nodiscard]] bool leaves_it_to_pilot() const;
   [[nodiscard]] flight::mode_owner owner() const { return {newest_.autopilot, newest_.what}; }
-  void judge_rules(const view& seen, effects& out);
+  void judge_rules(const view& seen, instant now, effects& out);
+  [[nodiscard]] const std::optional<flight::home_place>& home_of_mission() const;
   [[nodiscard]] bool returns_elsewhere() const;
-  void act(rule why, action what, const view& seen, effects& out);
+  [[nodiscard]] std::string where_it_returns() const;
+  void act(rule why, action what, const view& seen, instant now, effects& out);
+  void ask_for_plan(rule why, const std::string& cause, instant now, effects& out);
+  void resolve_plan(instant now, effects& out);
+  void return_without_plan(const std::string& why, effects& out);
   void drive(const view& seen, instant now, effects& out);
   void warn_of_link(const view& seen, effects& out);
   void warn_of_fence(const view& seen, instant now, effects& out);
@@ -124,7 +139,11 @@ private:
   std::optional<std::uint16_t> sequence_; // of the newest limits' plan
   std::int64_t sequence_ns_ = 0;
   guard_mission limits_;
-  std::optional<flight::home_place> home_;
+  std::optional<flight::home_place> home_;     // as it was told last since it was armed
+  std::optional<flight::home_place> armed_at_; // as it was told first
+  std::optional<plan_return> by_plan_;
+  std::int64_t asked_plan_ns_ = 0;
+  std::optional<return_taken> plan_answer_;
   bool limits_refused_ = false; // the newest ones; those from before still count
 
   // What came since the last tick.

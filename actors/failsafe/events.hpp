@@ -93,6 +93,6 @@ struct asked_guard {
 
 using event = std::variant<heartbeat, modes_told, landed, position, home_told, battery, mission_current, autopilot_text,
                            command_resolved, operator_heard, asked_override, hand_back, asked_guard, expect_mode,
-                           taken_over, command_pending, following, vehicle_link::foreign_act>;
+                           taken_over, command_pending, following, vehicle_link::foreign_act, return_taken>;
 
 } // namespace godwit::failsafe

@@ -58,6 +58,9 @@ runtime::condition judge_health(const findings& all) {
     out.add(runtime::health_colour::red, "what the failsafe wants does not get through to the vehicle");
   else if (all.reacts)
     out.add(runtime::health_colour::yellow, "a failsafe has acted: " + std::string(io::name_of(all.reacts->why)));
+  if (all.returns_by_plan)
+    out.add(runtime::health_colour::yellow,
+            "a failsafe has the vehicle return by a plan: " + std::string(io::name_of(*all.returns_by_plan)));
   return out.result();
 }
 

@@ -24,6 +24,7 @@ struct findings {
   bool taken_over = false;
   bool limits_refused = false;
   std::optional<told_reaction> reacts;
+  std::optional<rule> returns_by_plan = {};
 };
 
 [[nodiscard]] runtime::condition judge_health(const findings& all);

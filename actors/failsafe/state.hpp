@@ -21,6 +21,18 @@
 
 namespace godwit::failsafe {
 
+// The executor was asked to bring the vehicle home by a plan.
+struct plan_return {
+  std::uint64_t number = 0;
+  rule why = rule::operator_link; // the highest that wants it
+  bool is_taken = false;
+
+  static constexpr auto fields =
+      io::table("failsafe.plan_return", io::field("number", &plan_return::number), io::field("why", &plan_return::why),
+                io::field("is_taken", &plan_return::is_taken));
+  friend bool operator==(const plan_return&, const plan_return&) = default;
+};
+
 // The part that changes in flight. It is small: it is written at each change.
 struct standing {
   bool in_flight = false;
@@ -30,13 +42,16 @@ struct standing {
   std::vector<standing_override> overridden; // at most one for each rule
   pilot_memory pilot;
   link_memory link;
-  std::optional<flight::home_place> home = {}; // as the vehicle told it last
+  std::optional<flight::home_place> home = {};     // as the vehicle told it last
+  std::optional<flight::home_place> armed_at = {}; // as it told it first since it was armed
+  std::optional<plan_return> by_plan = {};
 
   static constexpr auto fields = io::table(
       "failsafe.standing", io::field("in_flight", &standing::in_flight), io::field("latches", &standing::latches),
       io::field("reacts", &standing::reacts), io::field("last_number", &standing::last_number),
       io::field("overridden", &standing::overridden), io::field("pilot", &standing::pilot),
-      io::field("link", &standing::link), io::field("home", &standing::home));
+      io::field("link", &standing::link), io::field("home", &standing::home),
+      io::field("armed_at", &standing::armed_at), io::field("by_plan", &standing::by_plan));
   friend bool operator==(const standing&, const standing&) = default;
 };
 

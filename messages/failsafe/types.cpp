@@ -12,5 +12,6 @@ GODWIT_DEFINE_MESSAGE(godwit::failsafe::hand_back);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::override_answer);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::override_rule);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::failsafe_status);
+GODWIT_DEFINE_MESSAGE(godwit::failsafe::return_taken);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::taken_over);
 GODWIT_DEFINE_MESSAGE(godwit::failsafe::tick);

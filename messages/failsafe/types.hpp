@@ -49,7 +49,7 @@ struct guard_mission {
   std::vector<mission::geofence> geofences;
   std::optional<std::uint16_t> land_start; // sequence of DO_LAND_START in the plan on the vehicle, as that counts
   flight::plan_end plan_end;               // of that plan
-  // Where a return has to lead, behind a landing on the way: a vehicle whose home is elsewhere holds in its place.
+  // Where a return has to lead; absent in a first flight that begins: to where the vehicle is armed then.
   std::optional<flight::home_place> home = {};
 
   static constexpr auto fields =
@@ -128,6 +128,17 @@ struct hand_back {
   static constexpr auto fields = io::table("failsafe.hand_back");
 };
 
+// Of failsafe_status::return_asked: it is flown, or why not.
+struct return_taken {
+  std::uint64_t number = 0;
+  bool is_taken = false;
+  std::string reason; // sentence for people; empty when taken
+
+  static constexpr auto fields =
+      io::table("failsafe.return_taken", io::field("number", &return_taken::number),
+                io::field("is_taken", &return_taken::is_taken), io::field("reason", &return_taken::reason));
+};
+
 // -- what the failsafe says ------------------------------------------------------------------------
 
 enum class reaction_stage {
@@ -163,6 +174,17 @@ struct standing_override {
   friend bool operator==(const standing_override&, const standing_override&) = default;
 };
 
+// The vehicle's own return leads elsewhere than to the home of the mission: the executor is to bring it there by a
+// plan.
+struct asked_return {
+  std::uint64_t number = 0; // another one for each
+  rule why = rule::operator_link;
+
+  static constexpr auto fields = io::table("failsafe.asked_return", io::field("number", &asked_return::number),
+                                           io::field("why", &asked_return::why));
+  friend bool operator==(const asked_return&, const asked_return&) = default;
+};
+
 // How the failsafe stands. Told as a whole at each change and at each start, so that hearing it twice, or not hearing
 // one of two, does no harm. A change that comes with a command is told before the command goes out: who hears it knows
 // whose the next mode is.
@@ -172,13 +194,15 @@ struct failsafe_status {
   std::optional<told_reaction> reacts; // the flight goes on by this, and the mission ends
   std::vector<rule> latched;           // have had their say in this flight
   std::vector<standing_override> overridden;
-  std::uint64_t last_command = 0; // to the vehicle; each has the next number
+  std::uint64_t last_command = 0;                // to the vehicle; each has the next number
+  std::optional<asked_return> return_asked = {}; // the executor has not answered it
 
   static constexpr auto fields =
       io::table("failsafe.stance", io::field("in_flight", &failsafe_status::in_flight),
                 io::field("taken_over", &failsafe_status::taken_over), io::field("reacts", &failsafe_status::reacts),
                 io::field("latched", &failsafe_status::latched), io::field("overridden", &failsafe_status::overridden),
-                io::field("last_command", &failsafe_status::last_command));
+                io::field("last_command", &failsafe_status::last_command),
+                io::field("return_asked", &failsafe_status::return_asked));
   friend bool operator==(const failsafe_status&, const failsafe_status&) = default;
 };
 

@@ -4,6 +4,7 @@
 //   hand_back      an operator gives the vehicle back to godwit
 //   finish_replan  an incarnation before has held the vehicle to replace its plan, and died
 //   guard_again    the failsafe may not know the limits of the plan that is flown
+//   bring_return_anew   the plan that is flown ends with a return, and that would lead elsewhere
 //   set_current_item    the vehicle holds the plan, and is elsewhere in it
 //   change         go to, cancel, insert
 //   go_on          resume
@@ -48,6 +49,7 @@ struct command_queue {
   bool finish_replan = false;
   bool guard_again = false;
   bool set_current_item = false;
+  bool bring_return_anew = false; // home was moved: the rest of the plan leads to the mission's
   std::optional<plan_change> change;
   bool go_on = false;
   std::optional<start_flight> start;

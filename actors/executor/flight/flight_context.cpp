@@ -134,9 +134,12 @@ bool flight_context::is_complete_credible(instant now) const {
 }
 
 bool flight_context::returns_elsewhere() const {
+  if (!keeps_home() || !is_in_flight())
+    return false;
   const bool is_known = is_home_told && view.home();
-  return keeps_home() && is_in_flight() &&
-         !(is_known && flight::is_same_home(plan::place_of(*view.home()), s.home->at));
+  if (s.home->is_of_this_flight)
+    return is_known && flight::is_moved(plan::place_of(*view.home()), s.home->at);
+  return !(is_known && flight::is_same_home(plan::place_of(*view.home()), s.home->at));
 }
 
 std::string flight_context::home_sentence() const {
@@ -188,7 +191,10 @@ std::optional<plan::plan_setting> flight_context::setting(instant now) const {
 
 // The mission counts altitudes from its own home, and the vehicle from where its home is now.
 void flight_context::place_home(plan::plan_setting& where) const {
-  if (!keeps_home() || (where.is_under_way && flight::is_same_home(plan::place_of(where.home), s.home->at)))
+  const bool is_as_kept =
+      keeps_home() &&
+      (where.is_under_way ? flight::is_same_home(plan::place_of(where.home), s.home->at) : s.home->is_of_this_flight);
+  if (!keeps_home() || is_as_kept)
     return;
   const auto& kept = s.home->at;
   const double rise_m = where.home.above_sea_m - kept.above_sea_m;

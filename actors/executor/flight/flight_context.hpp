@@ -68,9 +68,10 @@ struct flight_context {
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
   std::int64_t arming_until_ns = 0;
   std::optional<arming_awaited> awaited_arming;
-  pending_commands pending;  // of stations: nothing is sent before the vehicle has answered them
-  bool is_home_told = false; // by the vehicle, since it was armed for this flight
-  bool was_up = false;       // it has been in the air, as far as this incarnation knows
+  pending_commands pending;   // of stations: nothing is sent before the vehicle has answered them
+  bool is_home_told = false;  // by the vehicle, since it was armed for this flight
+  bool is_home_moved = false; // by somebody, in this flight
+  bool was_up = false;        // it has been in the air, as far as this incarnation knows
 
   // The vehicle flies our plan, and godwit has it from here on.
   void adopt_flight();
@@ -127,7 +128,8 @@ struct flight_context {
   [[nodiscard]] bool is_complete_credible(instant now) const;
 
   // -- home
-  // Behind a landing on the way autopilots have moved their home to where they were armed; the mission's is kept.
+  // Behind a landing on the way autopilots have moved their home to where they were armed, and anybody may move it in
+  // flight; the mission's is kept.
   [[nodiscard]] bool keeps_home() const { return s.home && s.home->is_resolved; }
   // In flight: a return leads elsewhere than to the mission's home, or may.
   [[nodiscard]] bool returns_elsewhere() const;

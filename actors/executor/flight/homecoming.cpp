@@ -4,6 +4,7 @@
 
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/way_home.hpp"
+#include "io/fields/field_table.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -22,11 +23,12 @@ bool names_battery(failsafe::rule each) {
 
 void homecoming::begin(effects& out, instant now) {
   const auto way = turns(now);
-  if (!way)
+  const bool waits = flight_.returns_elsewhere() && !flight_.setting(now); // a new incarnation hears it within a second
+  if (!way && !waits)
     return begin_straight(out, way.error());
-  if (way->empty())
+  if (way && way->empty())
     return begin_return(out);
-  flight_.homing = {homing_stage::holding, now.now_ns, false, {}};
+  flight_.homing = {homing_stage::holding, now.now_ns, waits, {}};
   phases_.go(out, trigger::called_home_by_plan);
   tasks_.begin(out, task_kind::come_home_by_plan, {change_mode{mode_kind::hold}});
 }
@@ -40,6 +42,11 @@ void homecoming::begin_return(effects& out) {
 }
 
 void homecoming::hold_instead(effects& out, const std::string& why) {
+  if (is_for_failsafe_ && flight_.view.home()) {
+    out.emplace_back(announce{"the vehicle returns by itself: " + why, true});
+    tasks_.begin(out, task_kind::come_home, {change_mode{mode_kind::returning}});
+    return;
+  }
   const auto sentence = "called home, and it holds: " + why;
   out.emplace_back(announce{sentence, true});
   flight_.wanted.why_halt = sentence;
@@ -55,11 +62,43 @@ void homecoming::begin_straight(effects& out, const std::string& why) {
   begin_return(out);
 }
 
+std::string homecoming::why_not_for_failsafe(bool has_looked, instant now) const {
+  const auto& view = flight_.view;
+  if (!has_looked || !flight_.is_in_flight() || flight_.has_person() || !flight_.authority.is_ours())
+    return "the flight is not godwit's: " + flight_.sentence();
+  if (!view.is_under_way() || !flight_.s.mission)
+    return "the vehicle flies no mission of godwit's";
+  if (view.owner().vehicle == flight::vehicle_class::fixed_wing)
+    return "a fixed wing is given no landing that is not planned";
+  if (!flight_.setting(now))
+    return "the vehicle does not tell where it is";
+  return {};
+}
+
+// A new incarnation answers behind its first look.
+void homecoming::answer_failsafe(effects& out, bool has_looked, instant now) {
+  const auto& status = flight_.failsafe_status;
+  if (!status || !status->return_asked || status->return_asked->number == answered_ || !has_looked)
+    return;
+  answered_ = status->return_asked->number;
+  auto why = why_not_for_failsafe(has_looked, now);
+  const bool is_taken = why.empty();
+  out.emplace_back(say_to_failsafe{failsafe::return_taken{answered_, is_taken, std::move(why)}});
+  if (!is_taken)
+    return;
+  is_for_failsafe_ = true;
+  flight_.wanted.put_halt(task_kind::come_home);
+  out.emplace_back(announce{"the failsafe calls the vehicle home by a plan (" +
+                                std::string(io::name_of(status->return_asked->why)) + "): " + flight_.home_sentence(),
+                            true});
+}
+
 homecoming::turns_or_why homecoming::turns(instant now) const {
   const auto& view = flight_.view;
   const auto& mission = flight_.s.mission;
-  const bool is_flown = flight_.is_in_flight() && view.is_under_way() && !view.obeys(mode_kind::returning);
   const bool needs_plan = flight_.returns_elsewhere() && view.owner().vehicle != flight::vehicle_class::fixed_wing;
+  const bool is_flown =
+      flight_.is_in_flight() && view.is_under_way() && (needs_plan || !view.obeys(mode_kind::returning));
   if (!is_flown || !mission || (mission->geofences.empty() && !needs_plan))
     return std::vector<mission::waypoint>();
   const auto where = flight_.setting(now);
@@ -69,7 +108,9 @@ homecoming::turns_or_why homecoming::turns(instant now) const {
   const double altitude_m = std::max(here.altitude_m, flight_.configured.return_altitude_m);
   auto home = this->home().value();
   home.altitude_m = altitude_m;
-  const auto places = turns_home(flight_.way_between(here, home), mission->geofences);
+  const bool is_straight = needs_plan && is_battery_low(); // a longer way is nothing for it
+  const auto places = is_straight ? turns_or_reason(std::vector<geo::point>())
+                                  : turns_home(flight_.way_between(here, home), mission->geofences);
   if (!places)
     return tl::make_unexpected(places.error());
   if (!places->empty() && is_battery_low())
@@ -118,6 +159,7 @@ bool homecoming::advance(effects& out, instant now) {
   const bool is_task = doing && doing->kind == task_kind::come_home_by_plan;
   const bool has_task = homing.at == homing_stage::holding || homing.at == homing_stage::bringing;
   const bool is_over = !flight_.is_in_flight() || flight_.has_person();
+  is_for_failsafe_ = is_for_failsafe_ && !is_over;
   if (is_over || wanted.halt || wanted.go_on || (has_task && !is_task)) // a later word takes its place
     homing = {};
   return homing.at == homing_stage::none ? stop_at_home(out, now) : go_on(out, now);
@@ -149,7 +191,7 @@ std::string homecoming::why_not_by_plan(instant now) const {
     return flight_.homing.why;
   if (now.now_ns - flight_.homing.since_ns >= flown_within_ns)
     return "the way around was not flown within " + std::to_string(flown_within_ns / 1'000'000'000) + " s";
-  if (is_battery_low())
+  if (is_battery_low() && !flight_.returns_elsewhere())
     return "the battery is low";
   const bool is_known = flight_.homing.is_recalled || flight_.setting(now);
   return is_known ? "" : "the vehicle does not tell where it is";

@@ -14,7 +14,8 @@
 // and the mission is over. A command that comes later takes its place; come-home said again changes nothing.
 //
 // Where the vehicle's own return leads elsewhere than to the home of the mission (return_place.hpp), the plan lands
-// there, also on a straight way; where no plan is flown it holds. Pure. Thread: one at a time.
+// there, also on a straight way and with a low battery; where no plan is flown it holds, but for the failsafe, which
+// has it return all the same. Pure. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +39,8 @@ public:
 
   // The command.
   void begin(effects& out, instant now);
+  // The failsafe has a return flown by a plan: it is told whether that is done.
+  void answer_failsafe(effects& out, bool has_looked, instant now);
   // To be asked before any other word. True: it is seen to, and the rest waits.
   [[nodiscard]] bool advance(effects& out, instant now);
   [[nodiscard]] std::int64_t next_deadline_ns() const;
@@ -48,6 +51,7 @@ private:
   // None: it may fly straight. The error: it has to, though a fence may lie there.
   [[nodiscard]] turns_or_why turns(instant now) const;
   [[nodiscard]] bool is_battery_low() const;
+  [[nodiscard]] std::string why_not_for_failsafe(bool has_looked, instant now) const;
   [[nodiscard]] bool is_coming_home() const; // by a plan
   [[nodiscard]] std::string why_not_by_plan(instant now) const;
   void begin_return(effects& out);
@@ -61,6 +65,8 @@ private:
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
+  std::uint64_t answered_ = 0;   // the last request of the failsafe
+  bool is_for_failsafe_ = false; // better home to where the vehicle's return leads than not at all
   std::uint32_t stopped_in_ = 0; // the generation at whose end a rover was told to hold
 };
 

@@ -382,4 +382,14 @@ void plan_changes::deploy_again(effects& out, instant now) {
     out.emplace_back(announce{"the rest of the mission can not be flown from here: " + plan.error(), true});
 }
 
+bool plan_changes::bring_return_anew(effects& out, instant now) {
+  if (!flight_.wanted.bring_return_anew || flight_.runner.is_busy())
+    return false;
+  flight_.wanted.bring_return_anew = false;
+  if (flight_.s.status.now != phase::flying || !flight_.may_change_plan() || !flight_.view.is_in(mode_kind::mission))
+    return false;
+  deploy_again(out, now);
+  return true;
+}
+
 } // namespace godwit::executor

@@ -30,6 +30,8 @@ public:
   [[nodiscard]] bool deploy_arrived(effects& out, instant now);
   // The vehicle holds another plan, or none: a person wants the rest of the mission flown all the same.
   void deploy_again(effects& out, instant now);
+  // Home was moved in flight: the rest of the mission, with a way to its home in the place of the vehicle's own return.
+  [[nodiscard]] bool bring_return_anew(effects& out, instant now);
 
 private:
   // After so many in a row the policy for refused inserts counts.

@@ -1,5 +1,5 @@
-// Which vehicle a flight is flown with: the one that it began with, over a kill of the process too, until the mission is
-// over or a person ends it.
+// Which vehicle a flight is flown with: the one that it began with, over a kill of the process too, until the mission
+// is over or a person ends it.
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/flight_world.hpp"
@@ -70,6 +70,18 @@ TEST_P(flight_vehicle, that_does_not_come_back_is_given_up_by_a_person_and_not_b
   EXPECT_EQ(world.durable().status.now, phase::aborted) << world.story();
   EXPECT_EQ(world.reports().back().kind, mission::progress_kind::aborted) << world.story();
   EXPECT_FALSE(world.say(command_kind::end_flight).is_taken) << "no flight is open";
+}
+
+// It would be a vehicle without a kind, disarmed, in no mode: a pilot's, and nobody's failsafe.
+TEST_P(flight_vehicle, is_not_a_program_that_speaks_under_its_ids) {
+  world.load(tests::short_mission(GetParam()));
+  const auto flies_on = [&] {
+    world.another_program_beats();
+    world.run_for(0.3);
+    return is_over(world.durable().status.now);
+  };
+  ASSERT_TRUE(world.run_until(flies_on, 900)) << world.story();
+  EXPECT_EQ(world.reports().back().kind, mission::progress_kind::complete) << world.story();
 }
 
 TEST_P(flight_vehicle, is_not_chosen_by_chance_where_two_are_on_the_line) {

@@ -32,9 +32,9 @@ std::optional<std::uint8_t> target_in(const io::mavlink::frame_view& frame) {
 // Of the messages that change or ask something; 0 means all.
 bool names_another(const io::mavlink::frame_view& frame) {
   using namespace io::mavlink;
-  const auto target = target_in<command_long, command_int, set_mode, mission_count, mission_item_int, mission_ack,
-                                mission_request_list, mission_request_int, mission_clear_all, mission_set_current,
-                                request_data_stream>(frame);
+  const auto target =
+      target_in<command_long, command_int, set_mode, mission_count, mission_item_int, mission_ack, mission_request_list,
+                mission_request_int, mission_clear_all, mission_set_current, request_data_stream>(frame);
   return target && *target > 1;
 }
 
@@ -65,11 +65,10 @@ flight_world::flight_world(const options& wanted)
   vehicle.speed = wanted.speed;
   vehicle.battery_percent = wanted.battery_percent;
   vehicle.endurance_s = wanted.endurance_s;
-  vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(),
-                                            [this](std::span<const std::byte> frame) {
-                                              if (!is_vehicle_silent_)
-                                                hear(frame);
-                                            });
+  vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(), [this](std::span<const std::byte> frame) {
+    if (!is_vehicle_silent_)
+      hear(frame);
+  });
   if (wanted.is_person_on_other_line)
     persons_line_ =
         vehicle_->add_line([this](std::span<const std::byte> frame) { person_.receive(frame); }, time_.now_ns());
@@ -652,6 +651,12 @@ void flight_world::vehicle_restarts() {
   run_until_idle();
 }
 
+void flight_world::another_program_beats() {
+  const io::mavlink::heartbeat beat{.type = io::mavlink::number(io::mavlink::mav_type::onboard_controller),
+                                    .autopilot = io::mavlink::number(io::mavlink::mav_autopilot::invalid)};
+  hear(io::mavlink::encode(beat, {1, 1}, 0).span());
+}
+
 void flight_world::another_vehicle_beats(std::uint8_t system) {
   const io::mavlink::heartbeat beat{.type = io::mavlink::number(io::mavlink::mav_type::quadrotor),
                                     .autopilot = io::mavlink::number(io::mavlink::mav_autopilot::px4)};
@@ -663,6 +668,8 @@ void flight_world::arm_by_hand() { person_.arm(); }
 void flight_world::disarm_by_hand() { person_.disarm(true); }
 
 void flight_world::set_home_by_hand() { person_.command(io::mavlink::mav_cmd::do_set_home, 1); }
+
+void flight_world::set_home_by_hand(const sim::position& where) { person_.set_home(where); }
 
 std::optional<std::uint32_t> flight_world::heard_mode() const {
   const auto& mode = core_->view().mode();

@@ -184,16 +184,20 @@ public:
   void vehicle_tells(const vehicle_link::observation& what);
   // One that is on the line as well; only its heartbeat, of the same kind.
   void another_vehicle_beats(std::uint8_t system);
+  // Under the vehicle's ids.
+  void another_program_beats();
   // Nothing comes from the vehicle, or to it, until it is heard again.
   void silence_vehicle(bool is_silent) { is_vehicle_silent_ = is_silent; }
   // Frames that name another system than the vehicle's as the one that is meant.
   [[nodiscard]] int sent_to_others() const { return sent_to_others_; }
   [[nodiscard]] std::string sentence() const { return core_->sentence(); }
+  [[nodiscard]] std::string home_moved() const { return core_->home_moved(); }
   // Of the link's journal: of the flight that is open.
   [[nodiscard]] const std::optional<vehicle_link::vehicle_name>& kept_vehicle() const { return kept_; }
   void arm_by_hand();
   void disarm_by_hand();   // also in the air
   void set_home_by_hand(); // where it is
+  void set_home_by_hand(const sim::position& where);
   // The home that the executor has heard last.
   [[nodiscard]] const std::optional<executor::plan::vehicle_home>& told_home() const { return core_->view().home(); }
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; } // once its heartbeat was heard

@@ -82,6 +82,7 @@ public:
 
   [[nodiscard]] failsafe::instant now() const;
   [[nodiscard]] std::int64_t now_ms() const { return ms_; }
+  [[nodiscard]] const failsafe::failsafe_status& told() const { return core_->told(); }
   [[nodiscard]] const godwit::runtime::condition& health() const { return core_->health(); }
   [[nodiscard]] const failsafe::state& kept() const { return records_.back(); }
   [[nodiscard]] bool has_warned_of(const std::string& text) const;

@@ -20,6 +20,8 @@ const char* purpose_of(flight_drill which) {
   switch (which) {
   case flight_drill::simulate:
     return "Missions of the whole daemon in virtual time, with faults and people drawn from seeds.";
+  case flight_drill::interventions:
+    return "Missions in virtual time in which people act within a second of godwit's orders, drawn from seeds.";
   case flight_drill::actors:
     return "Actors throw at each crash point, two at once, until they are given up, or hang, in each part of a flight.";
   case flight_drill::process:
@@ -49,7 +51,9 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
                      "Keeps what the actors of the one flight did in this folder; of several flights, those that fail");
   command.add_option("--plant", given.planted, "Every flight does this wrong, to see that it is found")
       ->transform(CLI::CheckedTransformer(words_of(planted_flaw{})));
-  if (which == flight_drill::simulate) {
+  command.add_flag("--strict-people", given.is_strict_for_people,
+                   "What the audit of people's rows finds fails a flight; else it is counted as known");
+  if (is_by_seed(which)) {
     command
         .add_option_function<std::string>(
             "--seeds", [&given](const std::string& text) { given.seeds = *seed_range_from(text); },
@@ -58,9 +62,10 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
         ->check([](const std::string& text) {
           return seed_range_from(text) ? std::string() : "seeds are A..B or A, and A is not behind B: " + text;
         });
-    command
-        .add_option("--stream-hz", given.stream_hz, "Positions a second that the vehicle tells; as fast as its world")
-        ->check(CLI::Range(0.1, 1000.0));
+    if (which == flight_drill::simulate)
+      command
+          .add_option("--stream-hz", given.stream_hz, "Positions a second that the vehicle tells; as fast as its world")
+          ->check(CLI::Range(0.1, 1000.0));
     command.add_option("--without", given.without,
                        "Leaves out fault N of each flight: 0 a bad line, 1 and up in order");
     return;

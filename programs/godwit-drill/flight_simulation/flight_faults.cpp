@@ -12,9 +12,6 @@ namespace {
 
 namespace mavlink = io::mavlink;
 
-// A person's own sender: a radio beside the vehicle, of which godwit knows nothing.
-constexpr mavlink::sender pilot{254, 190};
-
 std::int64_t ns_of(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
 
 } // namespace
@@ -115,14 +112,9 @@ bool flight_simulation::is_planned_now() {
 
 // -- lines and the vehicle --------------------------------------------------------------------------
 
-void flight_simulation::switch_mode(std::uint32_t custom_mode) {
-  note("a pilot switches to mode " + std::to_string(custom_mode));
-  mavlink::set_mode wanted;
-  wanted.target_system = 1;
-  wanted.base_mode = 1;
-  wanted.custom_mode = custom_mode;
-  const auto frame = mavlink::encode(wanted, pilot, 0);
-  vehicle_->on_frame(frame.view(), now_ns_);
+void flight_simulation::switch_mode(std::uint32_t custom_mode, mode_form how) {
+  note("a pilot switches to mode " + std::to_string(custom_mode) + " by " + std::string(io::name_of(how)));
+  person_.change_mode(who_, custom_mode, how);
 }
 
 void flight_simulation::cut_line(double seconds) {
@@ -164,6 +156,7 @@ void flight_simulation::plant() {
   order.target_component = 1;
   order.command = mavlink::number(mavlink::mav_cmd::mission_start);
   const auto frame = mavlink::encode(order, {1, 191}, 0);
+  audit_.on_sent(frame.view(), now_ns_);
   reaches_vehicle(frame.view());
 }
 

@@ -22,6 +22,10 @@ namespace mavlink = io::mavlink;
 // The guard has refused a start: until the service manager asks again.
 constexpr std::int64_t asked_again_ns = 10'000'000'000;
 
+// A radio beside the vehicle, of which godwit knows nothing.
+constexpr mavlink::sender persons_id{254, 190};
+constexpr mavlink::sender godwit_id{1, 191};
+
 // As an operator writes them; addresses are needed, and nobody goes there.
 daemon::daemon_settings settings_for(const std::string& mission_id, const flight_simulation::options& wanted) {
   daemon::given_texts words{
@@ -49,12 +53,15 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
     : seed_(wanted.seed), who_(wanted.who), planted_(wanted.planted), test_rng_(wanted.seed),
       is_shuffled_(wanted.is_shuffled), mission_id_(mission.mission_id), first_mission_(mission),
       service_(daemon_process::wall_began_ns), station_([this](std::span<const std::byte> frame) {
-        if (process_ && !is_station_cut())
-          process_->ground_wire().receive(frame);
+        if (!process_ || is_station_cut())
+          return;
+        audit_.on_station_sent(mavlink::frame_view(frame.data()), now_ns_);
+        process_->ground_wire().receive(frame);
       }),
-      line_(wanted.seed, [this](sim::way to, std::span<const std::byte> frame, bool is_damaged) {
-        arrived(to, frame, is_damaged);
-      }) {
+      line_(wanted.seed,
+            [this](sim::way to, std::span<const std::byte> frame, bool is_damaged) { arrived(to, frame, is_damaged); }),
+      person_(persons_id, [this](std::span<const std::byte> frame) { person_sends(frame); }),
+      audit_(wanted.who, [this] { return vehicle_->describe(); }) {
   service_.add_mission(mission);
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;
@@ -62,8 +69,14 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   vehicle.seed = wanted.seed;
   vehicle.stream_factor = wanted.stream_factor;
   vehicle.beats_at_mode_change = wanted.beats_at_mode_change;
-  vehicle_ = std::make_unique<sim::vehicle>(
-      vehicle, now_ns_, [this](std::span<const std::byte> frame) { line_.send(sim::way::out, frame, now_ns_); });
+  vehicle_ = std::make_unique<sim::vehicle>(vehicle, now_ns_, [this](std::span<const std::byte> frame) {
+    audit_.on_answered(mavlink::frame_view(frame.data()), now_ns_);
+    line_.send(sim::way::out, frame, now_ns_);
+    if (persons_line_ == 0)
+      person_.receive(frame);
+  });
+  if (wanted.is_person_on_other_line)
+    persons_line_ = vehicle_->add_line([this](std::span<const std::byte> frame) { person_.receive(frame); }, now_ns_);
   line_.set(wanted.line);
   outside_.settings = settings_for(mission_id_, wanted);
   outside_.map_file = folder_.file("map.db");
@@ -91,8 +104,9 @@ std::int64_t flight_simulation::next_due_ns() const {
     process_ns = is_suspended()
                      ? suspended_until_ns_
                      : std::min(process_->next_timer_ns(), sync_ends_ns_.value_or(process_->next_timer_ns()));
+  const auto act_ns = at_order_ && at_order_->at_ns ? *at_order_->at_ns : std::numeric_limits<std::int64_t>::max();
   return std::min({vehicle_->next_deadline_ns(), line_.next_deadline_ns(), service_.next_deadline_ns(),
-                   station_.next_deadline_ns(), process_ns});
+                   station_.next_deadline_ns(), process_ns, act_ns});
 }
 
 void flight_simulation::step(std::int64_t end_ns) {
@@ -101,6 +115,7 @@ void flight_simulation::step(std::int64_t end_ns) {
     process_->pass_time_until(now_ns_);
   else if (!process_ && now_ns_ >= begins_ns_)
     begin_process();
+  do_planned_act(); // before what arrives in the same instant
   line_.on_time(now_ns_);
   plant();
   if (vehicle_->next_deadline_ns() <= now_ns_)
@@ -109,6 +124,7 @@ void flight_simulation::step(std::int64_t end_ns) {
     track_.look(*vehicle_, now_ns_);
   service_.on_time(now_ns_);
   station_.on_time(now_ns_);
+  audit_.on_time(now_ns_);
   run_until_idle();
 }
 
@@ -116,7 +132,11 @@ void flight_simulation::step(std::int64_t end_ns) {
 void flight_simulation::run_until_idle() {
   do
     run_process();
-  while (exchange());
+  while (exchange() || person_.answer());
+  if (person_.take_brought_plan()) {
+    note("a person has brought another plan");
+    audit_.on_foreign_plan(now_ns_);
+  }
   watch_process();
 }
 
@@ -142,13 +162,18 @@ bool flight_simulation::exchange() {
     return false;
   const auto orders = process_->vehicle_wire().take_sent();
   for (const auto& each : orders) {
-    look_at_intent(mavlink::frame_view(each.data()));
+    const mavlink::frame_view frame(each.data());
+    look_at_intent(frame);
+    audit_.on_sent(frame, now_ns_);
+    look_at_order(frame);
     line_.send(sim::way::in, each, now_ns_);
   }
   const auto shown = process_->ground_wire().take_sent();
   for (const auto& each : shown)
-    if (!is_station_cut())
+    if (!is_station_cut()) {
+      audit_.on_station_heard(mavlink::frame_view(each.data()), now_ns_);
       station_.receive(each);
+    }
   const bool has_called = service_.take_from(process_->service_port(), now_ns_);
   return !orders.empty() || !shown.empty() || has_called;
 }
@@ -205,8 +230,11 @@ void flight_simulation::watch_process() {
 
 void flight_simulation::arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged) {
   if (to == sim::way::out) {
-    if (process_)
-      process_->vehicle_wire().receive(frame);
+    if (!process_)
+      return;
+    if (!is_damaged)
+      audit_.on_delivered(mavlink::frame_view(frame.data()), now_ns_);
+    process_->vehicle_wire().receive(frame);
     return;
   }
   const auto hand_on = [this](const mavlink::frame_view& good) { reaches_vehicle(good); };
@@ -233,6 +261,7 @@ void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
   if (frame.id() != mavlink::heartbeat::message_id)
     orders_.push_back(order);
   vehicle_->on_frame(frame, now_ns_);
+  audit_.on_handled(frame, frame.from() != godwit_id, seen, vehicle_->describe(), now_ns_);
   if (moves_vehicle(order))
     note("message " + std::to_string(order.message_id) + ", command " + std::to_string(order.command) +
          " has come to the vehicle, which is in " + vehicle_->describe().mode);
@@ -253,6 +282,32 @@ void flight_simulation::take_status(const executor::phase_status& now) {
 
 // -- people -----------------------------------------------------------------------------------------
 
+void flight_simulation::person_sends(std::span<const std::byte> bytes) {
+  const mavlink::frame_view frame(bytes.data());
+  const auto before = vehicle_->describe();
+  vehicle_->on_frame(frame, now_ns_, persons_line_);
+  audit_.on_handled(frame, true, before, vehicle_->describe(), now_ns_);
+}
+
+void flight_simulation::when_ordered(int skip, std::int64_t after_ns, std::function<void()> what) {
+  at_order_ = planned_act{skip, after_ns, std::nullopt, std::move(what)};
+}
+
+void flight_simulation::look_at_order(const mavlink::frame_view& frame) {
+  if (!at_order_ || at_order_->at_ns || frame.from() != godwit_id)
+    return;
+  const bool brings_plan = frame.id() == mavlink::mission_count::message_id;
+  if (!brings_plan && moving_order_in(frame, who_) == moving_order::none)
+    return;
+  if (at_order_->skip-- == 0)
+    at_order_->at_ns = now_ns_ + at_order_->after_ns;
+}
+
+void flight_simulation::do_planned_act() {
+  if (at_order_ && at_order_->at_ns && now_ns_ >= *at_order_->at_ns)
+    std::exchange(at_order_, std::nullopt)->what();
+}
+
 void flight_simulation::say(operators::command_kind what) {
   operators::command command;
   command.kind = what;
@@ -261,6 +316,10 @@ void flight_simulation::say(operators::command_kind what) {
 
 void flight_simulation::say(operators::command what) {
   note("the operator says " + std::string(io::name_of(what.kind)));
+  const bool releases = what.kind == operators::command_kind::hand_back ||
+                        what.kind == operators::command_kind::start || what.kind == operators::command_kind::resume;
+  if (releases)
+    audit_.on_release();
   if (what.by.empty())
     what.by = "drill";
   if (process_)

@@ -4,6 +4,7 @@
 //   station ── wire ── ground_port ┐
 //   service ── port ── mission_client ┼── executor, failsafe, mapobjects_store
 //   vehicle ── line ── vehicle_link ┘
+//      └── line ── person, who may as well be on the line of vehicle_link
 //
 // Time jumps from one thing that is due to the next; between two of them everything that can happen happens, in an
 // order that the seed draws. The process can be killed at any moment and comes back after restart_takes_ns; so it does
@@ -24,7 +25,9 @@
 #include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_record.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_track.hpp"
+#include "programs/godwit-drill/flight_simulation/people_audit.hpp"
 #include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
+#include "programs/godwit-drill/flight_simulation/simulated_person.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
 #include "programs/godwit-drill/flight_simulation/stored_disk.hpp"
@@ -55,7 +58,8 @@ public:
     bool has_service = true;          // else missions are what the station uploads
     double speed = 10;                // of the vehicle's world
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
-    bool beats_at_mode_change = true; // of an ArduPilot
+    bool beats_at_mode_change = true;     // of an ArduPilot
+    bool is_person_on_other_line = false; // to the vehicle: godwit does not hear what they are answered
     sim::line_faults line = {};
     // On UDP one heartbeat is not believed; nobody goes there, the frames come by a line of the simulation's.
     std::string vehicle_line = "udpin://127.0.0.1:0";
@@ -111,7 +115,7 @@ public:
   // Each commit takes so long from now on; 0: none takes time.
   void slow_journal(double sync_s);
   // As a pilot's switch would, without godwit knowing.
-  void switch_mode(std::uint32_t custom_mode);
+  void switch_mode(std::uint32_t custom_mode, mode_form how = mode_form::set_mode);
   void cut_line(double seconds);
   void set_line(const sim::line_faults& faults) { line_.set(faults); }
   void cut_station(double seconds);
@@ -130,6 +134,14 @@ public:
   [[nodiscard]] const sim::vehicle& vehicle() const { return *vehicle_; }
   [[nodiscard]] simulated_service& service() { return service_; }
   [[nodiscard]] simulated_station& station() { return station_; }
+  // Who switches modes and does all else beside godwit.
+  [[nodiscard]] simulated_person& person() { return person_; }
+  // WHAT is done AFTER_NS behind the moment in which godwit sends an order, SKIP ones passed over: one that moves the
+  // vehicle, or brings it a plan. One is planned at a time.
+  void when_ordered(int skip, std::int64_t after_ns, std::function<void()> what);
+  [[nodiscard]] bool has_planned_act() const { return at_order_.has_value(); }
+  void forget_planned_act() { at_order_.reset(); }
+  [[nodiscard]] const people_audit& audit() const { return audit_; }
   // Of a flight that has its journal in a file.
   [[nodiscard]] stored_disk* stored() { return stored_ ? &*stored_ : nullptr; }
   // None while it is down.
@@ -142,6 +154,8 @@ public:
   void say(operators::command what);
 
   // -- what has happened
+  // For its story.
+  void note(const std::string& sentence);
   [[nodiscard]] std::int64_t now_ns() const { return now_ns_; }
   [[nodiscard]] std::int64_t wall_ns() const { return daemon_process::wall_began_ns + now_ns_; }
   [[nodiscard]] const std::string& mission_id() const { return mission_id_; }
@@ -189,10 +203,12 @@ private:
   void arrived(sim::way to, std::span<const std::byte> frame, bool is_damaged);
   void look_at_intent(const io::mavlink::frame_view& frame);
   void reaches_vehicle(const io::mavlink::frame_view& frame);
-  void note(const std::string& sentence);
   void take_status(const executor::phase_status& now);
   void plant();
   void forge_bytes(target_line where, std::span<const std::byte> frame);
+  void person_sends(std::span<const std::byte> frame);
+  void look_at_order(const io::mavlink::frame_view& frame);
+  void do_planned_act();
   [[nodiscard]] daemon::boot_moment moment() const;
 
   std::uint64_t seed_;
@@ -216,6 +232,9 @@ private:
   simulated_station station_;
   sim::faulty_line line_;
   std::unique_ptr<sim::vehicle> vehicle_;
+  sim::vehicle::line_number persons_line_ = 0;
+  simulated_person person_;
+  people_audit audit_;
   io::mavlink::scanner damaged_;
 
   std::unique_ptr<flight_record> record_;
@@ -234,6 +253,13 @@ private:
     std::function<void()> what;
   };
   std::optional<planned> planned_;
+  struct planned_act {
+    int skip = 0;
+    std::int64_t after_ns = 0;
+    std::optional<std::int64_t> at_ns; // the order was sent
+    std::function<void()> what;
+  };
+  std::optional<planned_act> at_order_;
   int boots_ = 1;
   std::int64_t suspended_until_ns_ = 0;
   std::int64_t station_cut_until_ns_ = 0;

@@ -145,8 +145,10 @@ void simulated_person::hear(const mavlink::frame_view& frame) {
     if (const auto m = mavlink::decode<mavlink::mission_request>(frame); is_for_us(m))
       give(m.seq);
   } else if (frame.id() == mavlink::mission_ack::message_id) {
-    if (const auto m = mavlink::decode<mavlink::mission_ack>(frame); is_for_us(m))
+    if (const auto m = mavlink::decode<mavlink::mission_ack>(frame); is_for_us(m)) {
       plan_answer_ = m.type;
+      has_brought_plan_ = m.type == mavlink::number(mavlink::mav_mission_result::accepted) && !upload_.empty();
+    }
   } else if (frame.id() == mavlink::command_ack::message_id) {
     if (const auto m = mavlink::decode<mavlink::command_ack>(frame); is_for_us(m))
       results_[m.command] = m.result;

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "io/fields/field_table.hpp"
@@ -93,6 +94,8 @@ public:
   [[nodiscard]] std::optional<std::uint8_t> result_of(io::mavlink::mav_cmd what) const;
   // MAV_MISSION_RESULT of the upload; none: it goes on.
   [[nodiscard]] std::optional<std::uint8_t> plan_answer() const { return plan_answer_; }
+  // True once after each upload that the vehicle has accepted.
+  [[nodiscard]] bool take_brought_plan() { return std::exchange(has_brought_plan_, false); }
 
 private:
   void hear(const io::mavlink::frame_view& frame);
@@ -104,6 +107,7 @@ private:
   std::uint8_t sequence_ = 0;
   plan upload_;
   std::optional<std::uint8_t> plan_answer_;
+  bool has_brought_plan_ = false;
   std::map<std::uint16_t, std::uint8_t> results_; // by command
 };
 

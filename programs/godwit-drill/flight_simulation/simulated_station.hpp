@@ -40,6 +40,8 @@ public:
   // To the autopilot, as a station that knows of no godwit speaks.
   void command(io::mavlink::mav_cmd what, float param1 = 0, float param2 = 0, float param3 = 0, float param7 = 0);
   void ask_for_params();
+  // As it is, whoever has made it.
+  void send_frame(std::span<const std::byte> frame) { send_(frame); }
   template <class M>
   void send(const M& what) {
     send_(io::mavlink::encode(what, self, sequence_++).span());

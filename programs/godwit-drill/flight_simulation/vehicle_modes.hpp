@@ -4,9 +4,24 @@
 #include <array>
 #include <cstdint>
 
+#include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
 
 namespace godwit::drill {
+
+[[nodiscard]] inline sim::mode_table modes_of(sim::personality who) {
+  switch (who) {
+  case sim::personality::rover:
+    return sim::rover_modes();
+  case sim::personality::px4:
+    return sim::px4_modes();
+  case sim::personality::ardupilot:
+    return sim::copter_modes();
+  case sim::personality::plane:
+    return sim::plane_modes();
+  }
+  return {};
+}
 
 // In which a pilot flies, or drives, by hand: PX4's position control, STABILIZE of a copter, MANUAL of the others.
 [[nodiscard]] inline std::uint32_t pilot_mode(sim::personality who) {

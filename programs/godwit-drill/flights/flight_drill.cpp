@@ -18,6 +18,7 @@
 #include "programs/godwit-drill/flights/drill_book.hpp"
 #include "programs/godwit-drill/flights/drill_page.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
+#include "programs/godwit-drill/flights/intervention_flight.hpp"
 #include "programs/godwit-drill/flights/random_flight.hpp"
 #include "programs/godwit-drill/flights/shrink.hpp"
 #include "programs/godwit-drill/progress_bar.hpp"
@@ -72,6 +73,7 @@ std::vector<flight_case> cases_of(const flight_drill_options& options) {
   const auto which = vehicles_of(options);
   switch (options.which) {
   case flight_drill::simulate:
+  case flight_drill::interventions:
     return {};
   case flight_drill::actors:
     return joined(joined(actor_cases(which), actor_loss_cases(which)), scan_cases(which));
@@ -91,13 +93,27 @@ std::vector<flight_case> cases_of(const flight_drill_options& options) {
 // The options that change what a flight of this name is.
 std::string words_of(const flight_drill_options& options) {
   std::string result = "godwit-drill " + std::string(io::name_of(options.which));
-  if (options.who && options.which == flight_drill::simulate)
+  if (options.who && is_by_seed(options.which))
     result += " --personality " + std::string(io::name_of(*options.who));
   if (options.stream_hz)
     result += " --stream-hz " + std::to_string(*options.stream_hz);
   if (options.planted != planted_flaw::none)
     result += " --plant " + std::string(io::name_of(options.planted));
+  if (options.is_strict_for_people && !people_audit_fails_flights)
+    result += " --strict-people";
   return result;
+}
+
+flight_outcome fly_seed(const flight_drill_options& options, std::uint64_t seed, const flight_wishes& wishes,
+                        const std::vector<std::uint64_t>& without) {
+  return options.which == flight_drill::simulate ? fly_random(seed, options.who, wishes, without)
+                                                 : fly_intervention(seed, options.who, wishes, without);
+}
+
+std::uint64_t most_faults_of(flight_drill which) {
+  return which == flight_drill::simulate        ? most_faults
+         : which == flight_drill::interventions ? most_interventions + 1
+                                                : 0;
 }
 
 // The flights of a run by their index: where they come from, and how each is flown again.
@@ -132,14 +148,13 @@ public:
   }
   [[nodiscard]] flight_outcome fly(std::size_t index) const {
     const flight_wishes wishes{options_.planted, size() == 1, options_.stream_hz,
-                               size() == 1 ? options_.trace_folder : std::string()};
-    if (is_by_seed())
-      return fly_random(options_.seeds.first + index, options_.who, wishes, options_.without);
-    return cases_[index].fly(wishes);
+                               size() == 1 ? options_.trace_folder : std::string(), options_.is_strict_for_people};
+    return is_by_seed() ? fly_seed(options_, options_.seeds.first + index, wishes, options_.without)
+                        : cases_[index].fly(wishes);
   }
 
 private:
-  [[nodiscard]] bool is_by_seed() const { return options_.which == flight_drill::simulate; }
+  [[nodiscard]] bool is_by_seed() const { return drill::is_by_seed(options_.which); }
 
   const flight_drill_options& options_;
   std::vector<flight_case> cases_;
@@ -176,7 +191,8 @@ std::vector<std::uint64_t> not_needed(const flight_drill_options& one, std::uint
     run_cases(
         1, {},
         [&](std::size_t) {
-          return fly_random(one.seeds.first, one.who, {one.planted, false, one.stream_hz}, without);
+          return fly_seed(one, one.seeds.first, {one.planted, false, one.stream_hz, {}, one.is_strict_for_people},
+                          without);
         },
         [&](std::size_t, const flight_outcome& outcome) { is_failing = !outcome.held(); });
     return is_failing;
@@ -203,14 +219,14 @@ void explain(const flight_drill_options& options, const std::vector<flight_outco
     auto one = options;
     one.sample.reset();
     one.trace_folder = (folder_for_traces(options) / as_file_name(each.name)).string();
-    if (options.which == flight_drill::simulate) {
+    if (is_by_seed(options.which)) {
       one.seeds.first = one.seeds.last = std::stoull(each.name.substr(std::string_view("seed ").size()));
       one.without = not_needed(one, each.faults);
     } else {
       one.only = each.name;
     }
     const flight_list list(one);
-    if (options.which == flight_drill::simulate)
+    if (is_by_seed(options.which))
       std::printf("%s fails with %llu of %llu faults: %s\n", each.name.c_str(),
                   static_cast<unsigned long long>(each.faults - one.without.size()),
                   static_cast<unsigned long long>(each.faults), list.again(0).c_str());
@@ -268,7 +284,7 @@ int run_flight_drill(const flight_drill_options& options) {
     std::printf("drawn with --sample %llu --sample-seed %llu\n", static_cast<unsigned long long>(*options.sample),
                 static_cast<unsigned long long>(options.sample_seed));
   std::fflush(stdout);
-  drill_book book(options.which != flight_drill::simulate);
+  drill_book book(!is_by_seed(options.which));
   progress_bar bar(flights.size());
   std::vector<flight_outcome> to_explain;
   const auto began = std::chrono::steady_clock::now();
@@ -278,14 +294,13 @@ int run_flight_drill(const flight_drill_options& options) {
         if (outcome.name.empty()) { // its process is gone
           outcome.name = flights.name(index);
           outcome.group = flights.group(index);
-          outcome.faults = options.which == flight_drill::simulate ? most_faults : 0;
+          outcome.faults = most_faults_of(options.which);
         }
         if (!outcome.held())
           outcome.again = flights.again(index);
         book.take(outcome);
         const auto failed = book.total().failed;
-        const bool is_explained =
-            options.which == flight_drill::simulate ? options.without.empty() : flights.size() > 1;
+        const bool is_explained = is_by_seed(options.which) ? options.without.empty() : flights.size() > 1;
         if (!outcome.held() && is_explained && to_explain.size() < most_explained)
           to_explain.push_back(outcome);
         if (!outcome.held()) {

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "programs/godwit-drill/flight_simulation/people_audit.hpp"
 #include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
 
 namespace godwit::drill {
 
-enum class flight_drill { simulate, actors, process, disk, links, people, clock };
+enum class flight_drill { simulate, interventions, actors, process, disk, links, people, clock };
 
 constexpr auto enum_names(flight_drill) {
   return io::names<flight_drill>({{flight_drill::simulate, "simulate"},
+                                  {flight_drill::interventions, "interventions"},
                                   {flight_drill::actors, "actors"},
                                   {flight_drill::process, "process"},
                                   {flight_drill::disk, "disk"},
@@ -28,13 +30,18 @@ struct seed_range {
   std::uint64_t last = 100; // flown, too
 };
 
+// Its flights are drawn from seeds; those of the others are enumerated.
+[[nodiscard]] constexpr bool is_by_seed(flight_drill which) {
+  return which == flight_drill::simulate || which == flight_drill::interventions;
+}
+
 // "A..B" or "A". Nothing: it is neither, or A is behind B.
 [[nodiscard]] std::optional<seed_range> seed_range_from(const std::string& text);
 
 struct flight_drill_options {
   flight_drill which = flight_drill::simulate;
-  seed_range seeds;                    // of simulate
-  std::vector<std::uint64_t> without;  // of simulate: faults that no flight has
+  seed_range seeds;                    // of a drill by seed
+  std::vector<std::uint64_t> without;  // of a drill by seed: faults that no flight has
   std::optional<sim::personality> who; // else all that the drill knows
   std::string only;                    // name of the one case that is flown, and its story told
   std::optional<std::uint64_t> sample; // so many of the cases, drawn by sample_seed; else all
@@ -42,8 +49,9 @@ struct flight_drill_options {
   std::optional<double> stream_hz; // of simulate: positions a second
   unsigned jobs = 1;
   planted_flaw planted = planted_flaw::none;
-  std::string json_file; // empty: none
-  std::string html_file; // empty: none
+  bool is_strict_for_people = people_audit_fails_flights; // what people_audit finds is a flaw
+  std::string json_file;                                  // empty: none
+  std::string html_file;                                  // empty: none
   std::string
       trace_folder; // of the one flight, or with a folder for each that fails; empty: one is made when it is needed
 };

@@ -6,9 +6,9 @@
 #include <array>
 
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
 #include "programs/godwit-drill/flights/left_alone.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -17,20 +17,6 @@ using executor::pause_cause;
 using executor::phase;
 
 constexpr std::array parts{phase::ready, phase::starting, phase::flying, phase::landing, phase::paused};
-
-sim::mode_table modes_of(sim::personality who) {
-  switch (who) {
-  case sim::personality::rover:
-    return sim::rover_modes();
-  case sim::personality::px4:
-    return sim::px4_modes();
-  case sim::personality::ardupilot:
-    return sim::copter_modes();
-  case sim::personality::plane:
-    return sim::plane_modes();
-  }
-  return {};
-}
 
 struct takeover {
   sim::personality who;

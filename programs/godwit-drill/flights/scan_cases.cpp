@@ -18,7 +18,7 @@ constexpr int things = 4;
 constexpr double crashes_apart_s = 13; // five crashes in a minute, and it would be given up
 
 // In front of each sighting and each decision.
-using trouble = std::function<void(watched_flight& watched)>;
+using scan_trouble = std::function<void(watched_flight& watched)>;
 
 std::string id_of(int number) {
   std::string digits = std::to_string(number);
@@ -51,7 +51,8 @@ void look_at_points(watched_flight& watched) {
   watched.expect(points->counts.confirmed == 1 && points->counts.declined == 1 ? "" : "a decision was lost or doubled");
 }
 
-flight_outcome fly(sim::personality who, const std::string& name, const trouble& make, const flight_wishes& wishes) {
+flight_outcome fly(sim::personality who, const std::string& name, const scan_trouble& make,
+                   const flight_wishes& wishes) {
   watched_flight watched(slow_flight(who), scan_mission(who), wishes, name, row_of(who, "survey"));
   auto& flight = watched.flight();
   if (!begins_to_scan(flight)) {
@@ -73,7 +74,7 @@ flight_outcome fly(sim::personality who, const std::string& name, const trouble&
   return watched.finish();
 }
 
-trouble throws_at(crash_point point) {
+scan_trouble throws_at(crash_point point) {
   return [point](watched_flight& watched) {
     if (auto* process = watched.flight().process()) {
       process->crash_at(actor, point);
@@ -98,14 +99,14 @@ void ends_with_process(watched_flight& watched) { watched.flight().kill_process(
 } // namespace
 
 std::vector<flight_case> scan_cases(vehicles which) {
-  const std::array<std::pair<const char*, trouble>, 7> troubles{
+  const std::array<std::pair<const char*, scan_trouble>, 7> troubles{
       std::pair("before_handler", throws_at(crash_point::before_handler)),
       std::pair("after_handler", throws_at(crash_point::after_handler)),
       std::pair("after_commit", throws_at(crash_point::after_commit)),
       std::pair("before_dispatch", throws_at(crash_point::before_dispatch)),
-      std::pair("ends", trouble(ends)),
-      std::pair("ends+executor", trouble(ends_with_executor)),
-      std::pair("ends+process", trouble(ends_with_process))};
+      std::pair("ends", scan_trouble(ends)),
+      std::pair("ends+executor", scan_trouble(ends_with_executor)),
+      std::pair("ends+process", scan_trouble(ends_with_process))};
   std::vector<flight_case> result;
   for (const auto who : which) {
     if (who == sim::personality::plane) // the lines are too near to each other for it

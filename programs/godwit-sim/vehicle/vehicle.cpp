@@ -38,4 +38,6 @@ void vehicle::refuse_command(std::uint16_t command, std::uint8_t result, int tim
 
 vehicle_picture vehicle::describe() const { return parts_->describe(); }
 
+const std::vector<io::mavlink::mission_item_int>& vehicle::mission_items() const { return parts_->mission_items(); }
+
 } // namespace godwit::sim

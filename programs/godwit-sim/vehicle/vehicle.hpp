@@ -24,8 +24,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/mavlink/frame.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
 #include "programs/godwit-sim/vehicle/world/position.hpp"
 
@@ -92,6 +94,8 @@ public:
   void refuse_command(std::uint16_t command, std::uint8_t result, int times); // times < 0: from now on; 0: no longer
 
   [[nodiscard]] vehicle_picture describe() const;
+  // As it is held: an ArduPilot's item 0 is home.
+  [[nodiscard]] const std::vector<io::mavlink::mission_item_int>& mission_items() const;
 
 private:
   class parts;

@@ -40,6 +40,9 @@ public:
   void refuse_command(std::uint16_t command, std::uint8_t result, int times);
 
   [[nodiscard]] vehicle_picture describe() const;
+  [[nodiscard]] const std::vector<mavlink::mission_item_int>& mission_items() const {
+    return plans_.plan(mavlink::mav_mission_type::mission).items;
+  }
 
   static constexpr std::int64_t start_takes_ns = 3 * ns_per_s; // in which nothing is heard of it; real time
 

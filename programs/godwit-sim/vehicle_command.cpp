@@ -47,7 +47,7 @@ private:
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-// A socket for each vehicle, and some for the rest; the soft limit of a shell is often 1024.
+// A socket for each line of each vehicle, and some for the rest; the soft limit of a shell is often 1024.
 void allow_descriptors(std::size_t vehicles) {
   constexpr rlim_t others = 64;
   rlimit limit{};
@@ -63,6 +63,8 @@ void introduce(vehicle_host& host, const host_settings& settings, programs::line
     const auto& vehicle = settings.vehicles[number].vehicle;
     to.push("vehicle " + std::to_string(number + 1) + ": " + std::string(io::name_of(vehicle.who)) + ", system " +
             std::to_string(vehicle.system) + ", " + links[number]);
+    for (const auto& each : host.more_links(number))
+      to.push("           and on a line of its own " + each);
   }
   if (links.size() > most_listed)
     to.push("... and so on to vehicle " + std::to_string(links.size()) + ": " + links.back());
@@ -106,7 +108,7 @@ exit_code run(const vehicle_arguments& given) {
     return exit_code::usage;
   }
   settings->ends_on_signals = true;
-  allow_descriptors(settings->vehicles.size());
+  allow_descriptors(settings->vehicles.size() * given.links.size());
   programs::line_printer printer(STDOUT_FILENO);
   auto host = vehicle_host::open(*settings, event_lines(printer));
   if (!host) {
@@ -128,8 +130,10 @@ void add_vehicle_options(CLI::App& app, vehicle_arguments& given) {
   app.add_option("--personality", given.personality, "The autopilot that it behaves as: rover, px4, ardupilot or plane")
       ->type_name("NAME")
       ->required();
-  app.add_option("--link", given.link, "How stations reach it, such as udpin://0.0.0.0:14540 or tcpin://0.0.0.0:5760")
+  app.add_option("--link", given.links,
+                 "How stations reach it, such as udpin://0.0.0.0:14540 or tcpin://0.0.0.0:5760; again for each line")
       ->type_name("URI")
+      ->allow_extra_args(false)
       ->capture_default_str();
   app.add_option("--home", given.home, "Where it begins, in degrees and metres above mean sea level")
       ->type_name("LAT,LON,ALT")

@@ -33,11 +33,24 @@ tl::expected<personality, std::string> read_personality(const std::string& text)
   return tl::make_unexpected(in_quotes(text) + " is no personality: rover, px4, ardupilot or plane");
 }
 
+tl::expected<std::vector<io::link::uri>, std::string> read_links(const std::vector<std::string>& texts) {
+  if (texts.empty() || texts.size() > max_lines)
+    return tl::make_unexpected("a vehicle has 1 to " + std::to_string(max_lines) + " lines");
+  std::vector<io::link::uri> result;
+  for (const auto& each : texts) {
+    auto where = io::link::parse_uri(each);
+    if (!where)
+      return tl::make_unexpected(std::move(where.error()));
+    result.push_back(*std::move(where));
+  }
+  return result;
+}
+
 // All that is the same for each vehicle.
 tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments& given) {
   const auto who = read_personality(given.personality);
   const auto home = read_home(given.home);
-  const auto where = io::link::parse_uri(given.link);
+  const auto where = read_links(given.links);
   const auto faults = parse_line_faults(given.faults);
   if (!who)
     return in_option("--personality", who.error());
@@ -52,7 +65,11 @@ tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments&
     return in_option("--speed", "it has to be a number, such as 20");
   if (!std::isfinite(given.battery))
     return in_option("--battery", "it has to be a number of percent, such as 80");
-  hosted_settings result{.vehicle = {}, .where = *where, .faults = *faults, .refusals = {}};
+  hosted_settings result{.vehicle = {},
+                         .where = where->front(),
+                         .more_lines = {where->begin() + 1, where->end()},
+                         .faults = *faults,
+                         .refusals = {}};
   result.vehicle.who = *who;
   result.vehicle.home = *home;
   result.vehicle.speed = given.speed;
@@ -75,6 +92,12 @@ tl::expected<void, std::string> add_vehicles(const vehicle_arguments& given, con
     if (!where)
       return in_option("--count", where.error());
     each.where = *where;
+    for (auto& line : each.more_lines) {
+      auto place = link_of(line, number);
+      if (!place)
+        return in_option("--count", place.error());
+      line = *std::move(place);
+    }
     each.vehicle.system = system_of(given.system, number);
     each.vehicle.seed = given.seed + static_cast<std::uint64_t>(number);
     each.vehicle.home = home_of(first.vehicle.home, number);

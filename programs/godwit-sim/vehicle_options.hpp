@@ -10,11 +10,13 @@
 #include <tl/expected.hpp>
 
 #include "programs/godwit-sim/host/vehicle_host.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/outlet.hpp"
 
 namespace godwit::sim {
 
 // Limits that are sentences for people elsewhere; a thousand vehicles are what one core can run.
 inline constexpr int max_vehicles = 1'000;
+inline constexpr std::size_t max_lines = outlet::max_lines; // of one vehicle
 inline constexpr double min_speed = 0.1;
 inline constexpr double max_speed = 100;
 // Stations keep 251 to 255 for themselves, as a rule.
@@ -25,7 +27,7 @@ inline constexpr double distance_between_homes_m = 5;
 
 struct vehicle_arguments {
   std::string personality;
-  std::string link = "udpout://127.0.0.1:14550"; // where QGroundControl listens
+  std::vector<std::string> links = {"udpout://127.0.0.1:14550"}; // where QGroundControl listens; one for each line
   std::string home = "47.397742,8.545594,488";
   double speed = 1;
   std::uint64_t seed = 1;

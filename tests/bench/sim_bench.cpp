@@ -55,8 +55,11 @@ host_settings fleet_of(std::int64_t vehicles) {
   host_settings settings;
   settings.is_quiet = true;
   for (std::int64_t n = 0; n < vehicles; ++n) {
-    hosted_settings each{
-        .vehicle = {}, .where = *io::link::parse_uri("udpin://127.0.0.1:0"), .faults = {}, .refusals = {}};
+    hosted_settings each{.vehicle = {},
+                         .where = *io::link::parse_uri("udpin://127.0.0.1:0"),
+                         .more_lines = {},
+                         .faults = {},
+                         .refusals = {}};
     each.vehicle.who = personality::ardupilot;
     each.vehicle.system = static_cast<std::uint8_t>(n % max_system + 1);
     each.vehicle.seed = static_cast<std::uint64_t>(n);

@@ -16,6 +16,20 @@ hosted_vehicle::hosted_vehicle(std::size_t number, const hosted_settings& settin
   line_.set(settings.faults);
   for (const auto& each : settings.refusals)
     vehicle_.refuse_command(each.command, each.result, each.times);
+  for (const auto& each : settings.more_lines)
+    add_line(each);
+}
+
+void hosted_vehicle::add_line(const io::link::uri& where) {
+  further_.push_back(std::make_unique<further_line>(further_line{where, 0, frame_finder(around_.datagrams), nullptr}));
+  auto& line = *further_.back();
+  line.number = vehicle_.add_line(
+      [this, &line](std::span<const std::byte> frame) {
+        note_sent(mavlink::frame_view(frame.data()));
+        if (line.link)
+          static_cast<void>(line.link->send(frame));
+      },
+      around_.now_ns());
 }
 
 tl::expected<void, std::string> hosted_vehicle::open(const io::link::link_options& options) {
@@ -23,7 +37,28 @@ tl::expected<void, std::string> hosted_vehicle::open(const io::link::link_option
   if (!opened)
     return tl::make_unexpected(std::move(opened.error()));
   link_ = *std::move(opened);
+  for (const auto& each : further_) {
+    auto another = io::link::open_link(each->where, callbacks(*each), options);
+    if (!another)
+      return tl::make_unexpected(std::move(another.error()));
+    each->link = *std::move(another);
+  }
   return {};
+}
+
+std::vector<std::unique_ptr<io::link::link>> hosted_vehicle::take_links() {
+  std::vector<std::unique_ptr<io::link::link>> result;
+  result.push_back(std::move(link_));
+  for (const auto& each : further_)
+    result.push_back(std::move(each->link));
+  return result;
+}
+
+std::vector<std::string> hosted_vehicle::more_link_descriptions() const {
+  std::vector<std::string> result;
+  for (const auto& each : further_)
+    result.push_back(each->link ? each->link->description() : each->where.text());
+  return result;
 }
 
 io::link::link_callbacks hosted_vehicle::callbacks() {
@@ -37,15 +72,43 @@ io::link::link_callbacks hosted_vehicle::callbacks() {
               [this](const io::link::link_status& status) {
                 if (status.phase != io::link::link_phase::up)
                   finder_.forget_all();
-                around_.changed(*this, status);
+                around_.changed(*this, settings_.where, status);
               },
           .left = [this](io::link::peer_id who) { finder_.forget(who); }};
 }
 
-void hosted_vehicle::heard(const mavlink::frame_view& frame) {
+io::link::link_callbacks hosted_vehicle::callbacks(further_line& of) {
+  return {.received =
+              [this, &of](io::link::peer_id from, std::span<const std::byte> bytes, bool is_datagram) {
+                of.finder.feed(from, bytes, is_datagram, around_.now_ns(), [&](const mavlink::frame_view& frame) {
+                  note_heard(frame);
+                  vehicle_.on_frame(frame, around_.now_ns(), of.number);
+                });
+                around_.moved(*this);
+              },
+          .changed =
+              [this, &of](const io::link::link_status& status) {
+                if (status.phase != io::link::link_phase::up)
+                  of.finder.forget_all();
+                around_.changed(*this, of.where, status);
+              },
+          .left = [&of](io::link::peer_id who) { of.finder.forget(who); }};
+}
+
+void hosted_vehicle::note_heard(const mavlink::frame_view& frame) {
   if (around_.record)
     around_.record(frame);
   tell(watch_.heard(frame));
+}
+
+void hosted_vehicle::note_sent(const mavlink::frame_view& frame) {
+  if (around_.record)
+    around_.record(frame);
+  tell(watch_.sent(frame));
+}
+
+void hosted_vehicle::heard(const mavlink::frame_view& frame) {
+  note_heard(frame);
   line_.send(way::in, frame.bytes(), around_.now_ns());
 }
 
@@ -58,18 +121,19 @@ void hosted_vehicle::arrived(way to, std::span<const std::byte> frame, bool is_d
       hand_on(mavlink::frame_view(frame.data()));
     return;
   }
-  if (!is_damaged) {
-    const mavlink::frame_view whole(frame.data());
-    if (around_.record)
-      around_.record(whole);
-    tell(watch_.sent(whole));
-  }
+  if (!is_damaged)
+    note_sent(mavlink::frame_view(frame.data()));
   if (link_)
     static_cast<void>(link_->send(frame));
 }
 
 void hosted_vehicle::on_time(std::int64_t now_ns) {
   finder_.on_time(now_ns, [this](const mavlink::frame_view& frame) { heard(frame); });
+  for (const auto& each : further_)
+    each->finder.on_time(now_ns, [&](const mavlink::frame_view& frame) {
+      note_heard(frame);
+      vehicle_.on_frame(frame, now_ns, each->number);
+    });
   line_.on_time(now_ns);
   if (vehicle_.next_deadline_ns() <= now_ns)
     vehicle_.on_time(now_ns);
@@ -79,7 +143,10 @@ void hosted_vehicle::on_time(std::int64_t now_ns) {
 
 std::int64_t hosted_vehicle::next_deadline_ns() const {
   const auto look_at = around_.tell ? next_look_ns_ : faulty_line::never;
-  return std::min({vehicle_.next_deadline_ns(), line_.next_deadline_ns(), finder_.next_deadline_ns(), look_at});
+  auto next = std::min({vehicle_.next_deadline_ns(), line_.next_deadline_ns(), finder_.next_deadline_ns(), look_at});
+  for (const auto& each : further_)
+    next = std::min(next, each->finder.next_deadline_ns());
+  return next;
 }
 
 void hosted_vehicle::look(std::int64_t now_ns) {

@@ -1,8 +1,10 @@
-// A vehicle with its line and its link: frames from stations go through the line to the vehicle, and what it sends goes
-// through the line to all of them.
+// A vehicle with its lines and their links: frames from stations go through a line to the vehicle, and what it sends
+// there goes through the line to all of them.
 //
 //   station ── link ── frame_finder ── faulty_line ── vehicle
+//   station ── link ── frame_finder ───────────────── vehicle     each further line
 //
+// Faults are of the first line.
 // Thread: that of the link, for all but the constructor.
 #pragma once
 
@@ -27,6 +29,7 @@ namespace godwit::sim {
 struct hosted_settings {
   vehicle_settings vehicle;
   io::link::uri where;
+  std::vector<io::link::uri> more_lines; // outlet::max_lines with the first one, at most
   line_faults faults;
   std::vector<fault::refuse> refusals;
 };
@@ -44,7 +47,9 @@ public:
     std::function<void(const io::mavlink::frame_view& frame)> record;          // empty: nothing is recorded
     std::function<void(bool is_cut)> cut_camera;                               // empty: there is none
     std::function<void(const hosted_vehicle& who)> moved;                      // its deadline has
-    std::function<void(const hosted_vehicle& who, const io::link::link_status& now)> changed; // its link has
+    // One of its links has, that at WHERE.
+    std::function<void(const hosted_vehicle& who, const io::link::uri& where, const io::link::link_status& now)>
+        changed;
   };
 
   // NUMBER counts from 0. AROUND stays.
@@ -53,8 +58,8 @@ public:
   hosted_vehicle& operator=(const hosted_vehicle&) = delete;
 
   [[nodiscard]] tl::expected<void, std::string> open(const io::link::link_options& options);
-  // For the end: the link is destroyed outside its thread. Nothing is sent any more.
-  [[nodiscard]] std::unique_ptr<io::link::link> take_link() { return std::move(link_); }
+  // For the end: links are destroyed outside their thread. Nothing is sent any more.
+  [[nodiscard]] std::vector<std::unique_ptr<io::link::link>> take_links();
 
   void on_time(std::int64_t now_ns);
   [[nodiscard]] std::int64_t next_deadline_ns() const;
@@ -65,14 +70,25 @@ public:
   [[nodiscard]] vehicle_picture describe() const { return vehicle_.describe(); }
   [[nodiscard]] const faulty_line& line() const { return line_; }
   [[nodiscard]] std::string link_description() const { return link_ ? link_->description() : settings_.where.text(); }
+  [[nodiscard]] std::vector<std::string> more_link_descriptions() const;
   [[nodiscard]] io::link::link_counters link_counters() const {
     return link_ ? link_->counters() : io::link::link_counters{};
   }
 
 private:
   struct apply_to;
+  struct further_line {
+    io::link::uri where;
+    vehicle::line_number number = 0;
+    frame_finder finder;
+    std::unique_ptr<io::link::link> link;
+  };
 
   [[nodiscard]] io::link::link_callbacks callbacks();
+  [[nodiscard]] io::link::link_callbacks callbacks(further_line& of);
+  void add_line(const io::link::uri& where);
+  void note_heard(const io::mavlink::frame_view& frame);
+  void note_sent(const io::mavlink::frame_view& frame);
   void heard(const io::mavlink::frame_view& frame);
   void arrived(way to, std::span<const std::byte> frame, bool is_damaged);
   void tell(std::string sentence);
@@ -87,6 +103,7 @@ private:
   std::int64_t next_look_ns_ = 0;
   vehicle vehicle_;
   std::unique_ptr<io::link::link> link_;
+  std::vector<std::unique_ptr<further_line>> further_; // stay where they are: callbacks know them
 };
 
 } // namespace godwit::sim

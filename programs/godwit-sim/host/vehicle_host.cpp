@@ -35,8 +35,8 @@ vehicle_host::vehicle_host(host_settings settings, teller tell)
     due_.set(who.number(), who.next_deadline_ns());
     arm();
   };
-  around_.changed = [this](const hosted_vehicle& who, const io::link::link_status& status) {
-    link_changed(who, status);
+  around_.changed = [this](const hosted_vehicle& who, const io::link::uri& where, const io::link::link_status& status) {
+    link_changed(who, where, status);
   };
   if (!settings_.is_quiet)
     around_.tell = [this](const hosted_vehicle& who, const std::string& sentence) { this->tell(who, sentence); };
@@ -53,7 +53,8 @@ vehicle_host::~vehicle_host() {
   inside([&] {
     is_over_ = true;
     for (auto& each : vehicles_)
-      links.push_back(each->take_link());
+      for (auto& link : each->take_links())
+        links.push_back(std::move(link));
   });
   links.clear(); // here and not inside: each waits for the thread
   control_.reset();
@@ -80,9 +81,10 @@ void vehicle_host::open_links() {
         end();
     });
   }
-  listeners_ =
-      static_cast<std::size_t>(std::count_if(settings_.vehicles.begin(), settings_.vehicles.end(),
-                                             [](const hosted_settings& each) { return each.where.listens(); }));
+  for (const auto& each : settings_.vehicles) {
+    listeners_ += each.where.listens() ? 1 : 0;
+    listeners_ += static_cast<std::size_t>(std::ranges::count_if(each.more_lines, &io::link::uri::listens));
+  }
   listeners_ += settings_.control ? 1 : 0;
   for (auto& each : vehicles_) {
     if (auto opened = each->open({.thread = thread_}); !opened)
@@ -116,12 +118,13 @@ void vehicle_host::answered(const std::string& failure) {
   }
 }
 
-void vehicle_host::link_changed(const hosted_vehicle& who, const io::link::link_status& status) {
+void vehicle_host::link_changed(const hosted_vehicle& who, const io::link::uri& where,
+                                const io::link::link_status& status) {
   if (status.phase == io::link::link_phase::connecting)
     return;
   const bool is_down = status.phase == io::link::link_phase::down;
   const bool has_begun = has_answered_;
-  if (who.settings().where.listens())
+  if (where.listens())
     answered(is_down ? status.reason : "");
   if (around_.tell && has_begun)
     tell(who, "the link is " + std::string(io::name_of(status.phase)) + ": " + status.reason);
@@ -226,6 +229,12 @@ std::vector<std::string> vehicle_host::links() {
     for (const auto& each : vehicles_)
       result.push_back(each->link_description());
   });
+  return result;
+}
+
+std::vector<std::string> vehicle_host::more_links(std::size_t number) {
+  std::vector<std::string> result;
+  inside([&] { result = vehicles_[number]->more_link_descriptions(); });
   return result;
 }
 

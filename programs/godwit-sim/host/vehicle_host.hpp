@@ -1,4 +1,4 @@
-// Runs vehicles in real time, each on a link of its own, all in one thread: it sleeps until a frame comes or the next
+// Runs vehicles in real time, each on links of its own, all in one thread: it sleeps until a frame comes or the next
 // of them is due.
 //
 //   auto host = vehicle_host::open(settings, [](std::string_view line) { ... });
@@ -64,7 +64,8 @@ public:
   // Runs WHAT in the host's thread, and waits for it.
   void inside(const std::function<void()>& what) { thread_->run_inside(what); }
   // With port numbers as they are; of the control port empty if there is none.
-  [[nodiscard]] std::vector<std::string> links();
+  [[nodiscard]] std::vector<std::string> links(); // the first of each vehicle
+  [[nodiscard]] std::vector<std::string> more_links(std::size_t number);
   [[nodiscard]] std::string control();
 
   // -- inside only
@@ -80,7 +81,7 @@ private:
 
   [[nodiscard]] tl::expected<void, std::string> start();
   void open_links();
-  void link_changed(const hosted_vehicle& who, const io::link::link_status& status);
+  void link_changed(const hosted_vehicle& who, const io::link::uri& where, const io::link::link_status& status);
   void answered(const std::string& failure);
   void tell(const hosted_vehicle& who, const std::string& sentence);
   [[nodiscard]] tl::expected<void, std::string> open_record();

@@ -18,7 +18,7 @@ vehicle_arguments usual() {
 TEST(vehicle_options, what_is_given_reaches_the_vehicle) {
   auto given = usual();
   given.personality = "rover";
-  given.link = "tcpin://127.0.0.1:5760";
+  given.links = {"tcpin://127.0.0.1:5760"};
   given.home = "-35.363262, 149.165237, 584";
   given.speed = 20;
   given.seed = 7;
@@ -54,7 +54,7 @@ TEST(vehicle_options, what_is_given_reaches_the_vehicle) {
 TEST(vehicle_options, a_mistake_names_the_option_the_value_and_the_form) {
   const std::pair<std::function<void(vehicle_arguments&)>, const char*> mistakes[] = {
       {[](auto& given) { given.personality = "glider"; }, "--personality: \"glider\" is no personality: rover, px4, "},
-      {[](auto& given) { given.link = "udp:14550"; }, "--link: \"udp:14550\""},
+      {[](auto& given) { given.links = {"udp:14550"}; }, "--link: \"udp:14550\""},
       {[](auto& given) { given.home = "here"; }, "--home: \"here\" is no place: LATITUDE,LONGITUDE,ALTITUDE"},
       {[](auto& given) { given.home = "1,2"; }, "--home: \"1,2\" is no place"},
       {[](auto& given) { given.home = "91,0,0"; }, "--home: \"91,0,0\" lies nowhere"},
@@ -64,12 +64,12 @@ TEST(vehicle_options, a_mistake_names_the_option_the_value_and_the_form) {
       {[](auto& given) { given.fault_at = {"soon=reboot"}; }, "--fault-at: \"soon=reboot\" is not a time and a fault"},
       {[](auto& given) { given.control = "0.0.0.0:1"; }, "--control: \"0.0.0.0:1\" is no place for the control port"},
       {[](auto& given) {
-         given.link = "udpin://:65535";
+         given.links = {"udpin://:65535"};
          given.count = 2;
        },
        "--count: there are not so many ports from 65535 on"},
       {[](auto& given) {
-         given.link = "serial:///dev/ttyS0";
+         given.links = {"serial:///dev/ttyS0"};
          given.count = 2;
        },
        "--count: a serial line has room for one vehicle"},
@@ -81,6 +81,20 @@ TEST(vehicle_options, a_mistake_names_the_option_the_value_and_the_form) {
     ASSERT_FALSE(settings) << part;
     EXPECT_EQ(settings.error().find(part), 0U) << settings.error();
   }
+}
+
+TEST(vehicle_options, each_further_link_is_a_line_of_its_own_and_its_port_rises_as_well) {
+  auto given = usual();
+  given.links = {"udpin://127.0.0.1:14580", "tcpin://127.0.0.1:5760"};
+  given.count = 2;
+  const auto settings = read(given);
+  ASSERT_TRUE(settings) << settings.error();
+  const auto& second = settings->vehicles[1];
+  EXPECT_EQ(second.where.text(), "udpin://127.0.0.1:14581");
+  ASSERT_EQ(second.more_lines.size(), 1U);
+  EXPECT_EQ(second.more_lines.front().text(), "tcpin://127.0.0.1:5761");
+  given.links.assign(max_lines + 1, "udpout://127.0.0.1:14550");
+  EXPECT_EQ(read(given).error(), "--link: a vehicle has 1 to 8 lines");
 }
 
 TEST(vehicle_options, system_ids_rise_and_begin_again_after_250) {
@@ -104,7 +118,7 @@ TEST(vehicle_options, listening_ports_rise_and_those_that_call_call_the_same_pla
 TEST(vehicle_options, vehicles_start_some_metres_apart) {
   auto given = usual();
   given.count = 100;
-  given.link = "udpin://127.0.0.1:0";
+  given.links = {"udpin://127.0.0.1:0"};
   const auto settings = read(given);
   ASSERT_TRUE(settings) << settings.error();
   for (std::size_t a = 0; a < settings->vehicles.size(); ++a)

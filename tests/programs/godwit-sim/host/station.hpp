@@ -72,6 +72,12 @@ public:
         [&](const io::mavlink::command_ack& each) { return each.command == command.command; });
     return ack ? std::optional<int>(static_cast<int>(ack->result)) : std::nullopt;
   }
+  // And it was not waited for.
+  template <io::mavlink::message M>
+  [[nodiscard]] bool has_heard() {
+    const std::lock_guard lock(mutex_);
+    return !heard_[M::message_id].empty();
+  }
   [[nodiscard]] std::uint64_t frames() {
     const std::lock_guard lock(mutex_);
     return frames_;

@@ -22,6 +22,7 @@ constexpr std::uint16_t unheard_of = 31'999;
 hosted_settings vehicle_at(const std::string& uri, std::uint8_t system = 1, const std::string& faults = "none") {
   hosted_settings result{.vehicle = {},
                          .where = io::link::parse_uri(uri).value(),
+                         .more_lines = {},
                          .faults = parse_line_faults(faults).value(),
                          .refusals = {}};
   result.vehicle.system = system;
@@ -69,6 +70,23 @@ struct vehicle_host_test : ::testing::Test {
   std::vector<std::string> told;
   std::unique_ptr<vehicle_host> host;
 };
+
+// As an ArduPilot does it: godwit's line does not hear what a station on another one is answered.
+TEST_F(vehicle_host_test, a_station_on_a_line_of_its_own_is_answered_there_alone) {
+  host_settings settings;
+  settings.vehicles = {vehicle_at("udpin://127.0.0.1:0")};
+  settings.vehicles.front().vehicle.who = personality::ardupilot;
+  settings.vehicles.front().more_lines = {io::link::parse_uri("tcpin://127.0.0.1:0").value()};
+  open(std::move(settings));
+  const auto more = host->more_links(0);
+  ASSERT_EQ(more.size(), 1U);
+  station first(way_to());
+  station second("tcp://127.0.0.1:" + std::to_string(io::link::parse_uri(more.front()).value().port));
+  EXPECT_TRUE(first.wait_for<mavlink::heartbeat>());
+  EXPECT_TRUE(second.wait_for<mavlink::heartbeat>());
+  EXPECT_EQ(second.command(to_vehicle(unheard_of)), static_cast<int>(mavlink::mav_result::unsupported));
+  EXPECT_FALSE(first.has_heard<mavlink::command_ack>());
+}
 
 TEST_F(vehicle_host_test, a_station_over_udp_hears_the_vehicle_and_is_answered) {
   open_one("udpin://127.0.0.1:0");

@@ -155,8 +155,11 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
     return find_called_home(out, now);
   const bool is_held = flight_.authority.is_ours() && flight_.view.obeys(mode_kind::hold);
   const bool was_to_go_on = is(task_kind::resume) || (is(task_kind::deploy) && doing->goes_on);
-  if (is_held && was_to_go_on && is_new_process_)
+  if (is_held && was_to_go_on && is_new_process_) {
+    late_order_until_ns_ = now.now_ns + flight::order_is_expected_ns;
+    flight_.authority.expect_also(flight::modes_of_start(flight_.view.owner()), now.now_ns, late_order_until_ns_);
     return phases_.go(out, trigger::found_held, "godwit was restarted while the vehicle was held; resume goes on");
+  }
   if (is_held && was_to_go_on) {
     flight_.wanted.finish_replan = true;
     return phases_.go(out, trigger::found_on_its_way);
@@ -216,7 +219,18 @@ void recovery::read_back(effects& out, instant now) {
   out.emplace_back(order{goes::after_notes, reading_back_, now.now_ns, {}, vehicle_link::download_plan{}});
 }
 
+bool recovery::follow_late_order(effects& out, instant now) {
+  if (now.now_ns >= late_order_until_ns_ || !flight_.is_held() || !flight_.authority.is_ours() ||
+      !flight_.view.is_in(mode_kind::mission))
+    return false;
+  late_order_until_ns_ = 0;
+  phases_.go(out, trigger::resumed);
+  return true;
+}
+
 bool recovery::resolve(effects& out, instant now) {
+  if (follow_late_order(out, now))
+    return true;
   if (looking_ == question::none || (flight_.is_in_flight() && flight_.has_person()))
     return false;
   if (!flight_.view.is_connected())

@@ -58,6 +58,8 @@ private:
   [[nodiscard]] bool is_mixture(const std::vector<io::mavlink::mission_item_int>& items) const;
   // Where the vehicle may be, when nobody else has touched it since.
   [[nodiscard]] std::vector<std::uint32_t> left_in(const std::optional<task>& doing) const;
+  // The order of the process before comes through when this one has seen the vehicle held.
+  [[nodiscard]] bool follow_late_order(effects& out, instant now);
   void begin_at_start(effects& out);
   void begin_going_on(effects& out);
 
@@ -66,6 +68,7 @@ private:
   task_control& tasks_;
   control_watch& watch_;
   bool is_new_process_ = false;
+  std::int64_t late_order_until_ns_ = 0;
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   question looking_ = question::none;
   std::int64_t looking_since_ns_ = 0;

@@ -59,7 +59,12 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
   }
   if (commands_home)
     result.emplace_back(see_home{});
-  if (sequence != flight.s.progress.plan->map.start_sequence && !starts_in_mission_mode(flight))
+  // In its mission mode a PX4 goes on where it was in the same plan, and it is not told where to begin by that.
+  const auto& current = flight.view.current();
+  const bool goes_on_elsewhere =
+      flight.view.owner().autopilot == mav_autopilot::px4 && current && current->seq != sequence;
+  const bool is_chosen = sequence != flight.s.progress.plan->map.start_sequence && !starts_in_mission_mode(flight);
+  if (is_chosen || goes_on_elsewhere)
     result.emplace_back(set_current_item{sequence});
   result.emplace_back(start_plan{sequence});
   return result;

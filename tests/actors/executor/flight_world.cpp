@@ -479,6 +479,8 @@ void flight_world::take(const executor::order& each) {
                       (is_px4 && is_starting && what.command == io::mavlink::number(io::mavlink::mav_cmd::do_set_mode))
                   ? 1
                   : 0;
+          const auto arm_disarm = io::mavlink::number(io::mavlink::mav_cmd::component_arm_disarm);
+          arms_ += what.command == arm_disarm && what.param1 == 1 ? 1 : 0;
           if (stands_by)
             ++stand_bys_;
           else

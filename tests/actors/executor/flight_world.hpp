@@ -147,6 +147,8 @@ public:
   [[nodiscard]] const std::vector<std::uint16_t>& commands() const { return commands_; }
   // Of these, so many start its plan: MISSION_START, or of a PX4 its mission mode.
   [[nodiscard]] int starts() const { return starts_; }
+  // Of these, so many arm it.
+  [[nodiscard]] int arms() const { return arms_; }
   // All that went to the vehicle to change something: commands, uploads, items to go on with; what is counted in
   // stand_bys() is not.
   [[nodiscard]] int orders() const { return orders_; }
@@ -297,6 +299,7 @@ private:
   std::vector<std::uint16_t> commands_;
   int stand_bys_ = 0;
   int starts_ = 0;
+  int arms_ = 0;
   int orders_ = 0;
   int last_line_orders_ = 0;
   bool loses_fences_ = false;

@@ -24,7 +24,6 @@ using tests::hold_mode;
 using tests::mission_mode;
 using tests::pilot_mode;
 
-constexpr std::uint16_t arming = 400;
 
 class danger : public testing::TestWithParam<std::tuple<personality, bool>> {
 protected:
@@ -36,9 +35,6 @@ protected:
     result.speed = 1;
     result.is_person_on_other_line = std::get<1>(GetParam());
     return result;
-  }
-  [[nodiscard]] static auto count(const flight_world& world, std::uint16_t command) {
-    return std::ranges::count(world.commands(), command);
   }
   // The items of the plan on the vehicle, each place moved: as many, and another way.
   [[nodiscard]] static std::vector<io::mavlink::mission_item_int> another_plan(const flight_world& world) {
@@ -72,10 +68,10 @@ TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_start_is_not_armed_again) 
         continue; // it is too late for a disarm
       world.disarm_by_hand();
       world.run_for(delay_ms / 1e3 + 0.01); // what was on the line
-      EXPECT_LE(count(world, arming), 1) << world.story();
+      EXPECT_LE(world.arms(), 1) << world.story();
       const auto starts = world.starts();
       world.run_for(30);
-      EXPECT_EQ(count(world, arming), 1) << world.story();
+      EXPECT_EQ(world.arms(), 1) << world.story();
       EXPECT_LE(world.starts(), starts + 1) << world.story();
       EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
       EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
@@ -92,7 +88,7 @@ TEST_P(danger, an_order_that_was_accepted_is_never_sent_again) {
   world.run_for(4.5);
   world.lose_message(0);
   world.run_for(30);
-  EXPECT_EQ(count(world, arming), 1) << world.story();
+  EXPECT_EQ(world.arms(), 1) << world.story();
 }
 
 TEST_P(danger, a_pilots_hold_right_after_a_start_is_not_flown_over) {
@@ -169,7 +165,7 @@ TEST_P(danger, a_plan_of_somebody_else_is_not_started) {
   static_cast<void>(world.say(command_kind::start));
   world.run_for(20);
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
-  EXPECT_EQ(count(world, arming), 0) << world.story();
+  EXPECT_EQ(world.arms(), 0) << world.story();
   EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
   ASSERT_TRUE(world.say(command_kind::resume).is_taken) << "it brings ours again\n" << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();

@@ -11,6 +11,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/intent_on_disk.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
+#include "programs/godwit-sim/vehicle/world/position.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "runtime/assert.hpp"
 
@@ -77,6 +78,13 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   });
   if (wanted.is_person_on_other_line)
     persons_line_ = vehicle_->add_line([this](std::span<const std::byte> frame) { person_.receive(frame); }, now_ns_);
+  if (wanted.has_neighbour) {
+    constexpr double away_m = 100;
+    vehicle.system = 2;
+    vehicle.home = sim::moved(vehicle.home, {90, away_m});
+    neighbour_ = std::make_unique<sim::vehicle>(
+        vehicle, now_ns_, [this](std::span<const std::byte> frame) { line_.send(sim::way::out, frame, now_ns_); });
+  }
   line_.set(wanted.line);
   outside_.settings = settings_for(mission_id_, wanted);
   outside_.map_file = folder_.file("map.db");
@@ -105,7 +113,8 @@ std::int64_t flight_simulation::next_due_ns() const {
                      ? suspended_until_ns_
                      : std::min(process_->next_timer_ns(), sync_ends_ns_.value_or(process_->next_timer_ns()));
   const auto act_ns = at_order_ && at_order_->at_ns ? *at_order_->at_ns : std::numeric_limits<std::int64_t>::max();
-  return std::min({vehicle_->next_deadline_ns(), line_.next_deadline_ns(), service_.next_deadline_ns(),
+  const auto neighbour_ns = neighbour_ ? neighbour_->next_deadline_ns() : std::numeric_limits<std::int64_t>::max();
+  return std::min({vehicle_->next_deadline_ns(), neighbour_ns, line_.next_deadline_ns(), service_.next_deadline_ns(),
                    station_.next_deadline_ns(), process_ns, act_ns});
 }
 
@@ -120,6 +129,8 @@ void flight_simulation::step(std::int64_t end_ns) {
   plant();
   if (vehicle_->next_deadline_ns() <= now_ns_)
     vehicle_->on_time(now_ns_);
+  if (neighbour_ && neighbour_->next_deadline_ns() <= now_ns_)
+    neighbour_->on_time(now_ns_);
   if (track_.is_due(now_ns_))
     track_.look(*vehicle_, now_ns_);
   service_.on_time(now_ns_);
@@ -232,7 +243,7 @@ void flight_simulation::arrived(sim::way to, std::span<const std::byte> frame, b
   if (to == sim::way::out) {
     if (!process_)
       return;
-    if (!is_damaged)
+    if (!is_damaged && mavlink::frame_view(frame.data()).from().system == 1)
       audit_.on_delivered(mavlink::frame_view(frame.data()), now_ns_);
     process_->vehicle_wire().receive(frame);
     return;
@@ -261,6 +272,8 @@ void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
   if (frame.id() != mavlink::heartbeat::message_id)
     orders_.push_back(order);
   vehicle_->on_frame(frame, now_ns_);
+  if (neighbour_)
+    neighbour_->on_frame(frame, now_ns_);
   audit_.on_handled(frame, frame.from() != godwit_id, seen, vehicle_->describe(), now_ns_);
   if (moves_vehicle(order))
     note("message " + std::to_string(order.message_id) + ", command " + std::to_string(order.command) +

@@ -60,6 +60,7 @@ public:
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
     bool beats_at_mode_change = true;     // of an ArduPilot
     bool is_person_on_other_line = false; // to the vehicle: godwit does not hear what they are answered
+    bool has_neighbour = false;           // another vehicle of the same kind, system 2, 100 m away on the same line
     sim::line_faults line = {};
     // On UDP one heartbeat is not believed; nobody goes there, the frames come by a line of the simulation's.
     std::string vehicle_line = "udpin://127.0.0.1:0";
@@ -132,6 +133,8 @@ public:
   // -- its parts
   [[nodiscard]] sim::vehicle& vehicle() { return *vehicle_; }
   [[nodiscard]] const sim::vehicle& vehicle() const { return *vehicle_; }
+  // Null: there is none.
+  [[nodiscard]] sim::vehicle* neighbour() { return neighbour_.get(); }
   [[nodiscard]] simulated_service& service() { return service_; }
   [[nodiscard]] simulated_station& station() { return station_; }
   // Who switches modes and does all else beside godwit.
@@ -232,6 +235,7 @@ private:
   simulated_station station_;
   sim::faulty_line line_;
   std::unique_ptr<sim::vehicle> vehicle_;
+  std::unique_ptr<sim::vehicle> neighbour_;
   sim::vehicle::line_number persons_line_ = 0;
   simulated_person person_;
   people_audit audit_;

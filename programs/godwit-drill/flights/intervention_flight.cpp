@@ -48,11 +48,10 @@ public:
       intervene(is_made(number));
     }
     constexpr double reports_come_within_s = 8;
-    if (flies_on) {
-      if (has_gone_somewhere_)
-        flight_.say(command_kind::cancel); // where it would wait for ever
+    if (has_moved_home_)
+      come_home();
+    else if (flies_on && !has_gone_somewhere_) // where it would wait for ever
       return watched_.finish_or_wait();
-    }
     flight_.run_for(reports_come_within_s);
     return watched_.judge();
   }
@@ -129,6 +128,25 @@ private:
     wanted.kind = command_kind::go_to;
     wanted.place = std::get<mission::waypoint>(place(who_, "there", 30, -40)).at;
     flight_.say(std::move(wanted));
+  }
+
+  // Home was moved: a return still leads to where the mission has its own.
+  void come_home() {
+    constexpr double comes_within_s = 200;
+    constexpr double near_m = 15;
+    const auto flies = flight_.vehicle().describe();
+    if (executor::needs_hand_back(flight_.status().cause) || !flies.armed || !flies.in_air)
+      return; // somebody has it, or it stands
+    flight_.say(command_kind::come_home);
+    const auto is_down = [&] { return !flight_.vehicle().describe().armed; };
+    if (!flight_.run_until(is_down, comes_within_s) || executor::needs_hand_back(flight_.status().cause))
+      return;
+    const auto home = short_mission(who_).return_point;
+    const auto away_m = sim::between(flight_.vehicle().describe().where, {home.latitude, home.longitude, 0}).distance_m;
+    watched_.expect_of_people(away_m <= near_m ? ""
+                                               : "people: home: it was called home, and has landed " +
+                                                     std::to_string(static_cast<int>(away_m)) +
+                                                     " m from the mission's return point");
   }
 
   // -- what a person does ---------------------------------------------------------------------------
@@ -222,6 +240,7 @@ private:
     }
     case act::set_home:
       flight_.note("a person moves home");
+      has_moved_home_ = true;
       return person.set_home(
           sim::moved(flight_.vehicle().describe().where, {static_cast<double>(random() % 360), 200}));
     }
@@ -263,6 +282,7 @@ private:
   whereabouts place_;
   bool starts_by_itself_ = true;
   bool has_gone_somewhere_ = false;
+  bool has_moved_home_ = false;
   std::int64_t delay_ns_ = 0;
   watched_flight watched_;
   flight_simulation& flight_;

@@ -22,6 +22,8 @@ struct takeover {
   sim::personality who;
   phase part; // paused: in flight, by a word of an operator
   sim::flight_mode mode;
+  mode_form how = mode_form::set_mode;
+  bool is_on_other_line = false;
 
   [[nodiscard]] std::string group() const { return row_of(who, io::name_of(part)); }
   [[nodiscard]] std::string name() const { return group() + "/" + std::string(mode.name); }
@@ -53,7 +55,7 @@ std::string take(flight_simulation& flight, const takeover& what) {
     return "the flight has no such part";
   if (flight.vehicle().describe().mode == what.mode.name)
     return "it is in this mode already";
-  flight.switch_mode(what.mode.custom);
+  flight.switch_mode(what.mode.custom, what.how);
   flight.run_for(0.1);
   return flight.vehicle().describe().mode == what.mode.name ? "" : "the vehicle does not change to it";
 }
@@ -68,7 +70,9 @@ void leave_alone(watched_flight& watched, const takeover& what) {
 
 flight_outcome fly(const takeover& what, const flight_wishes& wishes) {
   const bool waits_for_start = what.part == phase::ready;
-  watched_flight watched({.who = what.who, .starts_by_itself = !waits_for_start}, wishes, what.name(), what.group());
+  watched_flight watched(
+      {.who = what.who, .starts_by_itself = !waits_for_start, .is_person_on_other_line = what.is_on_other_line}, wishes,
+      what.name(), what.group());
   watched.so_far().skipped = take(watched.flight(), what);
   if (watched.so_far().skipped.empty())
     leave_alone(watched, what);
@@ -83,10 +87,13 @@ std::vector<flight_case> people_cases(vehicles which) {
   std::vector<flight_case> result;
   for (const auto who : which)
     for (const auto part : parts)
-      for (const auto& mode : modes_of(who)) {
+      for (std::size_t index = 0; index < modes_of(who).size(); ++index) {
+        const auto& mode = modes_of(who)[index];
         if (mode.kind == sim::mode_kind::mission)
           continue;
-        const takeover what{who, part, mode};
+        // Each form and both lines by turns: godwit knows it by heartbeats, whatever the form and the line.
+        const auto turn = index + static_cast<std::size_t>(part);
+        const takeover what{who, part, mode, all_mode_forms.at(turn % all_mode_forms.size()), turn % 2 == 1};
         result.push_back(
             {what.name(), what.group(), [what](const flight_wishes& wishes) { return fly(what, wishes); }});
       }

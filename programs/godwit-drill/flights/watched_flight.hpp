@@ -48,11 +48,10 @@ public:
   [[nodiscard]] flight_outcome finish_or_wait();
   // As it is now: asks the judges of what has happened so far.
   [[nodiscard]] flight_outcome judge();
-
-private:
   // A flaw, or a known one while people_audit is not strict.
   void expect_of_people(const std::string& flaw);
 
+private:
   flight_wishes wishes_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   flight_simulation flight_;

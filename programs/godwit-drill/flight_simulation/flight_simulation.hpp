@@ -45,6 +45,7 @@ struct vehicle_order {
   std::uint16_t command = 0; // of COMMAND_LONG and COMMAND_INT
   bool puts_to_rest = false; // a mode for a vehicle that stands disarmed in its mission mode: godwit may send it always
   bool clears_armed = false; // it takes the plan from a vehicle that is armed
+  std::optional<std::uint32_t> mode = {}; // that is asked for, as HEARTBEAT.custom_mode
 };
 
 class flight_simulation {

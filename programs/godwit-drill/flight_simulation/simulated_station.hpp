@@ -61,6 +61,8 @@ public:
   [[nodiscard]] std::optional<std::uint8_t> plan_answer() const { return plan_answer_; }
   [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
   [[nodiscard]] bool was_told(const std::string& words) const;
+  // HEARTBEAT.custom_mode of the vehicle, as it was heard last.
+  [[nodiscard]] const std::optional<std::uint32_t>& mode() const { return mode_; }
 
 private:
   frame_sink send_;
@@ -75,6 +77,7 @@ private:
   std::optional<std::uint8_t> plan_answer_;
   std::optional<io::mavlink::mission_current> current_;
   std::vector<std::string> texts_;
+  std::optional<std::uint32_t> mode_;
   std::map<std::uint16_t, std::uint8_t> results_; // of commands
   std::map<std::uint32_t, std::size_t> heard_;    // frames by message
   std::set<std::uint16_t> params_;                // by index

@@ -63,6 +63,14 @@ protected:
   }
 };
 
+// QGroundControl takes what begins with "preflight" for a failed check, and shows a banner.
+TEST_P(station_people, each_text_of_the_vehicle_comes_from_it_alone_and_no_check_that_passes_is_called_failed) {
+  ASSERT_TRUE(start());
+  EXPECT_FALSE(flight.station().was_told("the vehicle says")) << flight.story();
+  EXPECT_TRUE(flight.station().was_told("The preflight checks pass.")) << flight.story();
+  EXPECT_FALSE(flight.station().was_told("preflight: The preflight checks pass.")) << flight.story();
+}
+
 TEST_P(station_people, parameters_are_read_through_godwit) {
   ASSERT_TRUE(flight.run_until_phase(phase::ready, 120)) << flight.story();
   flight.station().ask_for_params();

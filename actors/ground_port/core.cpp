@@ -182,6 +182,7 @@ effects core::on_telemetry(const telemetry& m, instant now) {
     is_armed_ = io::mavlink::is_armed(*beat);
     owner_ = flight::owner_of(*beat);
     mode_ = flight::mode_of(*beat);
+    is_mode_known_ = is_mode_known_ || !forwarded_.is_waiting(now.monotonic_ns);
   }
   // In the autopilot's place we say how the mission goes: ours, and not the one that the vehicle flies by.
   const bool is_replaced = is_standing_in() && (std::holds_alternative<mavlink::mission_current>(m) ||

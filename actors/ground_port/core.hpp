@@ -342,7 +342,8 @@ private:
   bool is_armed_ = false;
   flight::mode_owner owner_; // as long as the vehicle was not heard: of no kind
   flight::flight_mode mode_;
-  bool stood_down_ = false;                        // from standing in: the autopilot itself was heard
+  bool is_mode_known_ = true; // what has gone on to the vehicle may have changed it since it was heard
+  bool stood_down_ = false;   // from standing in: the autopilot itself was heard
   std::optional<std::int64_t> autopilot_heard_ns_; // once it is believed
   io::link::peer_id autopilot_peer_ = io::link::every_peer;
   domain::confirmation_table autopilot_beats_;

@@ -109,6 +109,7 @@ void core::forward(decision_context& t, passing::waiting_act what) {
     const auto as_message = static_cast<std::uint16_t>(mavlink::set_mode::message_id); // ArduPilot's number for it
     forwarded_.put(what.order->from, {command, is_set_mode ? as_message : command}, what.request, t.now.monotonic_ns);
   }
+  is_mode_known_ = false;
   pass(t, std::move(what.frame));
 }
 

@@ -301,7 +301,7 @@ void core::start_or_resume(decision_context& t, vehicle_role::order what) {
   if (rules_.look() && is_refused(t, what, "Mission start"))
     return;
   const bool is_held = std::exchange(is_hold_asked_, false);
-  if (!is_held && is_running() && mode_.kind == mode_kind::mission)
+  if (!is_held && is_running() && is_mode_known_ && mode_.kind == mode_kind::mission)
     return answer(t, what, mav_result::accepted);
   what.param1 = what.param2 = 0;
   const auto state = progress_ ? progress_->state : mavlink::mission_state::unknown;

@@ -57,10 +57,20 @@ bool station_acts::takes_vehicle(const station_act& m) const {
   return !stands || flight_.has_person();
 }
 
+// Arm and start in one breath: a start that came before the vehicle has answered the arm of its station hands it back,
+// as one that comes behind it.
 void station_acts::accept(effects& out, const station_act& m) {
   flight_.awaited_arming.reset();
-  if (takes_vehicle(m))
-    watch_.give_to_station(out, m);
+  if (!takes_vehicle(m))
+    return;
+  auto& start = flight_.wanted.start;
+  const bool is_own = is_up_next(m) && start && start->asked && start->asked->asked_by == m.by;
+  auto kept = is_own ? std::exchange(start, {}) : std::nullopt;
+  watch_.give_to_station(out, m);
+  if (!kept)
+    return;
+  start = std::move(kept);
+  flight_.wanted.hand_back = true;
 }
 
 void station_acts::on_acknowledged(effects& out, const act_acknowledged& m) {

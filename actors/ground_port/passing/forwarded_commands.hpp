@@ -26,6 +26,12 @@ public:
   [[nodiscard]] std::vector<std::uint64_t> acknowledge(io::mavlink::sender to, std::uint16_t command,
                                                        std::int64_t now_ns);
 
+  // One of them is not answered.
+  [[nodiscard]] bool is_waiting(std::int64_t now_ns) {
+    forget_old(now_ns);
+    return !waiting_.empty();
+  }
+
 private:
   struct forwarded {
     io::mavlink::sender by;

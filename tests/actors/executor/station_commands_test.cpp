@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "actors/executor/flight/pending_commands.hpp"
-#include "tests/actors/executor/flight_world.hpp"
+#include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {
 namespace station_commands_test {
 
 using operators::command_kind;
-using tests::flight_world;
 
 constexpr station here{255, 190};
 constexpr station elsewhere{254, 190};
@@ -169,6 +168,35 @@ TEST_P(station_commands, an_operator_starts_what_a_station_wanted_to_arm_in_vain
   world.vehicle_answers(number, true);
   EXPECT_TRUE(world.say(command_kind::start).is_taken);
   EXPECT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
+}
+
+// As MAVSDK does it, and before the vehicle has answered.
+TEST_P(station_commands, arm_and_start_in_one_breath_fly_also_where_the_start_comes_before_the_vehicles_answer) {
+  flight_world one(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(one, items));
+  const auto number = one.station_commands(act_kind::arm);
+  one.station_says(start_of(one, items));
+  one.arm_by_hand();
+  one.run_for(0.05);
+  one.vehicle_answers(number, false);
+  EXPECT_TRUE(one.run_until_phase(phase::flying, 30)) << one.story();
+  EXPECT_EQ(one.start_answers().back().verdict, start_verdict::started);
+  EXPECT_EQ(one.durable().person, std::nullopt);
+}
+
+TEST_P(station_commands, a_start_that_waits_ends_when_its_station_disarms) {
+  flight_world one(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(one, items));
+  one.arm_by_hand();
+  one.run_for(1.2);
+  const auto number = one.station_commands(act_kind::stop);
+  one.station_says(start_of(one, items));
+  one.vehicle_answers(number, false);
+  const auto before = one.orders();
+  one.run_for(5);
+  EXPECT_EQ(one.orders(), before) << one.story();
 }
 
 // -- hold -------------------------------------------------------------------------------------------

@@ -167,6 +167,18 @@ TEST(station_modes, a_mode_that_ends_the_motion_goes_on_with_the_armed_flag_also
   }
 }
 
+// The mode that was heard last is older than what has gone on to the vehicle.
+TEST(station_modes, the_mission_mode_behind_another_one_is_not_answered_by_the_mode_of_before) {
+  for (const auto& vehicle : all_vehicles()) {
+    station_mode one(vehicle, flight_phase::flying);
+    one.say(form::command, vehicle.modes.front(), 209);
+    one.port.executor_says(act_verdict::pass);
+    one.say(form::command, vehicle.mission, 209);
+    EXPECT_EQ(one.port.last_result(), -1);
+    EXPECT_EQ(one.port.starts.size(), 1U) << "the executor knows who has the vehicle";
+  }
+}
+
 TEST(station_modes, the_mission_mode_with_the_armed_flag_resumes_a_paused_flight) {
   for (const auto& vehicle : all_vehicles()) {
     station_mode one(vehicle, flight_phase::paused);

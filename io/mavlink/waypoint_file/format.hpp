@@ -44,7 +44,7 @@ inline constexpr std::array<std::string_view, 12> waypoint_columns{"index",  "cu
 
 inline constexpr std::size_t max_waypoint_items = 65'535;      // what MISSION_COUNT can say
 inline constexpr std::size_t max_waypoint_line_bytes = 512;    // a line with all its digits has some 200
-inline constexpr std::size_t max_waypoint_blank_lines = 1'024; // at the end
+inline constexpr std::size_t max_waypoint_blank_lines = 1'024; // and comments
 inline constexpr std::size_t max_waypoint_file_bytes =
     (max_waypoint_items + 1 + max_waypoint_blank_lines) * (max_waypoint_line_bytes + 2);
 

@@ -16,11 +16,10 @@ enum class waypoint_errc {
   not_a_plan,     // the first line is not the header
   other_version,  // a header of a version that is not 110
   too_large,      // more items, longer lines or more blank lines than there may be
-  blank_line,     // in front of an item
   wrong_columns,  // not 12
   not_a_number,   // not the kind of number that the column holds
   out_of_range,   // a number that can not be there
-  wrong_sequence, // items are numbered 0, 1, 2, ...
+  wrong_sequence, // of items that a jump names by their index, or that are written: 0, 1, 2, ...
   unknown_frame,
   io, // the system refused; `what` has its words
 };
@@ -29,7 +28,6 @@ constexpr auto enum_names(waypoint_errc) {
   return names<waypoint_errc>({{waypoint_errc::not_a_plan, "not_a_plan"},
                                {waypoint_errc::other_version, "other_version"},
                                {waypoint_errc::too_large, "too_large"},
-                               {waypoint_errc::blank_line, "blank_line"},
                                {waypoint_errc::wrong_columns, "wrong_columns"},
                                {waypoint_errc::not_a_number, "not_a_number"},
                                {waypoint_errc::out_of_range, "out_of_range"},

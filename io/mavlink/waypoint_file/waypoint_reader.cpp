@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/waypoint_file/coordinate_text.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
 
@@ -15,6 +16,7 @@ namespace godwit::io::mavlink {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+constexpr char comment_mark = '#';
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 using columns = std::array<std::string_view, waypoint_columns.size()>;
@@ -105,7 +107,8 @@ bool take(const column_result<T>& result, T& to, waypoint_error& error) {
   return result.has_value();
 }
 
-column_result<mission_item_int> read_item(std::string_view text, std::size_t expected_index) {
+// The item has the index that stands in the file.
+column_result<mission_item_int> read_item(std::string_view text) {
   const auto parts = split(text);
   if (!parts)
     return tl::make_unexpected(parts.error());
@@ -113,13 +116,8 @@ column_result<mission_item_int> read_item(std::string_view text, std::size_t exp
   using enum waypoint_column;
   mission_item_int item;
   waypoint_error error;
-  if (!take(line.whole<std::uint16_t>(index, max_waypoint_items - 1), item.seq, error))
-    return tl::make_unexpected(error);
-  if (item.seq != expected_index)
-    return wrong(waypoint_errc::wrong_sequence,
-                 in_quotes(line.of(index)) + " where " + std::to_string(expected_index) + " was expected",
-                 name_of(index));
-  if (!take(line.whole<std::uint8_t>(current, 1), item.current, error) ||
+  if (!take(line.whole<std::uint16_t>(index, std::numeric_limits<std::uint16_t>::max()), item.seq, error) ||
+      !take(line.whole<std::uint8_t>(current, 1), item.current, error) ||
       !take(line.whole<std::uint8_t>(frame, std::numeric_limits<std::uint8_t>::max()), item.frame, error) ||
       !take(line.whole<std::uint16_t>(command, std::numeric_limits<std::uint16_t>::max()), item.command, error) ||
       !take(line.whole<std::uint8_t>(autocontinue, 1), item.autocontinue, error))
@@ -174,7 +172,9 @@ private:
   std::size_t number_ = 0;
 };
 
+// Nor the comment that ends the line.
 std::string_view without_blanks_behind(std::string_view line) {
+  line = line.substr(0, line.find(comment_mark));
   const auto last = line.find_last_not_of(blanks);
   return last == std::string_view::npos ? std::string_view() : line.substr(0, last + 1);
 }
@@ -182,39 +182,59 @@ std::string_view without_blanks_behind(std::string_view line) {
 // What is read so far, and the rules about the order of lines.
 class plan_builder {
 public:
-  column_result<void> take_line(std::string_view line, mav_mission_type type) {
+  column_result<void> take_line(std::string_view line, std::size_t number, mav_mission_type type) {
     if (line.size() > max_waypoint_line_bytes)
       return wrong(waypoint_errc::too_large, "longer than " + std::to_string(max_waypoint_line_bytes) + " characters");
     line = without_blanks_behind(line);
+    if (line.empty())
+      return take_blank();
     if (!has_header_) {
       has_header_ = true;
       return check_header(line);
     }
-    if (line.empty())
-      return take_blank();
-    if (blank_lines_ != 0)
-      return wrong(waypoint_errc::blank_line, "an item behind a blank line");
     if (items_.size() == max_waypoint_items)
       return wrong(waypoint_errc::too_large, "more than " + std::to_string(max_waypoint_items) + " items");
-    return read_item(line, items_.size()).map([&](mission_item_int item) {
+    return read_item(line).map([&](mission_item_int item) {
+      renumber(item, number);
       item.mission_type = static_cast<std::uint8_t>(type);
       items_.push_back(item);
     });
   }
 
   [[nodiscard]] bool has_header() const { return has_header_; }
-  [[nodiscard]] std::vector<mission_item_int> take() { return std::move(items_); }
+  // Jumps name items by their numbers: where these are not what they count, nobody knows which item is meant.
+  [[nodiscard]] waypoint_result<std::vector<mission_item_int>> take() {
+    const bool has_jump =
+        std::ranges::find(items_, number(mav_cmd::do_jump), &mission_item_int::command) != items_.end();
+    if (has_jump && misnumbered_)
+      return tl::make_unexpected(*misnumbered_);
+    return std::move(items_);
+  }
 
 private:
   column_result<void> take_blank() {
     if (++blank_lines_ > max_waypoint_blank_lines)
-      return wrong(waypoint_errc::too_large, "more than " + std::to_string(max_waypoint_blank_lines) + " blank lines");
+      return wrong(waypoint_errc::too_large,
+                   "more than " + std::to_string(max_waypoint_blank_lines) + " blank lines and comments");
     return {};
   }
 
+  void renumber(mission_item_int& item, std::size_t line) {
+    const auto place = static_cast<std::uint16_t>(items_.size());
+    if (item.seq != place && !misnumbered_)
+      misnumbered_ = waypoint_error{waypoint_errc::wrong_sequence,
+                                    {},
+                                    line,
+                                    std::string(name_of(waypoint_column::index)),
+                                    '"' + std::to_string(item.seq) + "\" where " + std::to_string(place) +
+                                        " was expected, and a DO_JUMP of this plan names items by their index"};
+    item.seq = place;
+  }
+
   bool has_header_ = false;
-  std::size_t blank_lines_ = 0;
+  std::size_t blank_lines_ = 0; // and comments
   std::vector<mission_item_int> items_;
+  std::optional<waypoint_error> misnumbered_; // the first one
 };
 
 } // namespace
@@ -225,7 +245,7 @@ waypoint_result<std::vector<mission_item_int>> read_waypoints(std::string_view t
   line_splitter lines(text);
   plan_builder plan;
   while (const auto line = lines.next())
-    if (auto taken = plan.take_line(*line, type); !taken) {
+    if (auto taken = plan.take_line(*line, lines.number(), type); !taken) {
       taken.error().line = lines.number();
       return tl::make_unexpected(taken.error());
     }

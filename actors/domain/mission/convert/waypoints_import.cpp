@@ -14,10 +14,11 @@ namespace godwit::mission {
 
 namespace {
 
+// Some planners write an acceptance radius into it.
 bool is_home(const vehicle_item& first) {
   const auto none = [&](std::size_t from_1) { return !(std::abs(first.param(from_1)) > 0); };
   return first.command == command::waypoint && (first.frame == frame::global || first.frame == frame::global_int) &&
-         none(1) && none(2) && none(3) && none(4);
+         none(1) && none(3) && none(4);
 }
 
 document_error error_of(const io::mavlink::waypoint_error& found, std::string_view text) {

@@ -47,6 +47,14 @@ TEST(waypoints_import, home_at_0_0_is_no_home) {
   EXPECT_EQ(result->mission.items.size(), 2U);
 }
 
+TEST(waypoints_import, home_may_have_an_acceptance_radius) {
+  const auto result = import_waypoints("QGC WPL 110\n"
+                                       "0\t1\t0\t16\t0\t2\t0\t0\t47.399\t8.55\t488\t1\n"
+                                       "1\t0\t3\t16\t0\t0\t0\t0\t47.398\t8.546\t20\t1\n");
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_EQ(result->mission.planned_home, (planned_home{47.399, 8.55, 488}));
+}
+
 TEST(waypoints_import, what_is_wrong_names_the_line) {
   const auto error = import_waypoints("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t95\t8\t0\t1\n").error();
   EXPECT_EQ(error.error.code, document_errc::syntax);

@@ -29,7 +29,8 @@ struct arguments {
 
 constexpr const char* about_files = R"(
 A plan file is the text that ground stations write ("QGC WPL 110"), one item a line. Items go as they stand in the file:
-an ArduPilot takes the first one of a mission as home and puts its own in its place, a PX4 flies it.
+an ArduPilot takes the first one of a mission as home and puts its own in its place (a mission that does not begin with
+home is not sent to it), a PX4 flies it.
 
 )";
 

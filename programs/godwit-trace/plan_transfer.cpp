@@ -7,6 +7,7 @@
 #include <poll.h>
 
 #include "io/fields/json_text.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/waypoint_file/waypoint_file.hpp"
 #include "io/time_units.hpp"
 #include "programs/godwit-trace/transfer_progress.hpp"
@@ -60,6 +61,27 @@ std::optional<std::string> wait_for_vehicle(vehicle_session& session, const plan
       return says_more ? why + "; the link: " + link.reason : why;
     }
   }
+}
+
+bool is_home(const io::mavlink::mission_item_int& item) {
+  using io::mavlink::mav_frame;
+  using io::mavlink::number;
+  return item.command == number(io::mavlink::mav_cmd::nav_waypoint) &&
+         (item.frame == number(mav_frame::global) || item.frame == number(mav_frame::global_int));
+}
+
+// An ArduPilot puts its own home in the place of the first item, whatever that is. Nothing: none is lost.
+std::optional<std::string> why_first_item_is_lost(const vehicle_link::connection& vehicle, const plan_request& what) {
+  const auto* const upload = std::get_if<vehicle_link::upload_plan>(&what);
+  if (upload == nullptr || upload->mission_type != io::mavlink::mav_mission_type::mission || upload->items.empty() ||
+      vehicle.autopilot != io::mavlink::number(io::mavlink::mav_autopilot::ardupilotmega) ||
+      is_home(upload->items.front()))
+    return std::nullopt;
+  return "nothing is sent: the vehicle is an ArduPilot, which puts its home in the place of the first item, and this "
+         "plan begins with command " +
+         std::to_string(upload->items.front().command) +
+         ", which would be lost. Put a line of home in front of it (a NAV_WAYPOINT in frame 0), and count the indexes "
+         "on";
 }
 
 outcome transfer(vehicle_session& session, const plan_transfer_options& options, console& to, int stop) {
@@ -149,6 +171,11 @@ exit_code run_plan_transfer(const plan_transfer_options& options, console& to, i
     return exit_code::usage;
   }
   if (const auto why = wait_for_vehicle(session, options, stop)) {
+    to.say(*why);
+    return exit_code::failed;
+  }
+  const auto vehicle = session.core().describe(vehicle_session::now());
+  if (const auto why = why_first_item_is_lost(vehicle, options.what)) {
     to.say(*why);
     return exit_code::failed;
   }

@@ -25,11 +25,12 @@ namespace mission_server = ground_port::mission_server;
 
 constexpr std::chrono::milliseconds quick_beats{20};
 
+// The first one is a line of home, which an ArduPilot replaces with its own.
 std::vector<mavlink::mission_item_int> survey(int count) {
   std::vector<mavlink::mission_item_int> items;
   for (int i = 0; i < count; ++i)
     items.push_back({.seq = static_cast<std::uint16_t>(i),
-                     .frame = 3,
+                     .frame = static_cast<std::uint8_t>(i == 0 ? 0 : 3),
                      .command = mavlink::number(mavlink::mav_cmd::nav_waypoint),
                      .autocontinue = 1,
                      .x = 473'977'418 + 100 * i,
@@ -123,6 +124,24 @@ TEST_F(plan_transfer, a_plan_goes_up_and_comes_back_over_a_real_socket) {
     options.what = vehicle_link::clear_plan{mavlink::mav_mission_type::mission};
     ASSERT_EQ(run(options), exit_code::ok) << said;
     EXPECT_LE(vehicle.plan(mavlink::mav_mission_type::mission).size(), 1U) << "an ArduPilot keeps home";
+  }
+}
+
+TEST_F(plan_transfer, a_plan_without_home_is_not_sent_to_an_ardupilot_which_would_lose_its_first_item) {
+  for (const auto& each : autopilots) {
+    SCOPED_TRACE(each.name);
+    const support::loopback_vehicle vehicle("udpin://127.0.0.1:0",
+                                            {each.autopilot, each.autopilot_quirks(), quick_beats});
+    auto items = survey(3);
+    items.front().frame = 3;
+    items.front().command = mavlink::number(mavlink::mav_cmd::nav_takeoff);
+    plan_transfer_options options;
+    options.where = to(vehicle);
+    options.what = vehicle_link::upload_plan{mavlink::mav_mission_type::mission, items};
+    const bool loses_it = each.autopilot == mavlink::mav_autopilot::ardupilotmega;
+    EXPECT_EQ(run(options), loses_it ? exit_code::failed : exit_code::ok) << said;
+    EXPECT_EQ(said.find("begins with command 22, which would be lost") != std::string::npos, loses_it) << said;
+    EXPECT_EQ(vehicle.plan(mavlink::mav_mission_type::mission).size(), loses_it ? 0U : 3U);
   }
 }
 

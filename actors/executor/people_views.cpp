@@ -12,7 +12,7 @@ namespace {
 
 using io::mavlink::mav_cmd;
 
-constexpr double degrees_of_unit = 1e-7;
+constexpr double units_a_degree = 1e7; // divided by, so that a coordinate keeps its digits
 
 // The items to whose places the vehicle goes.
 constexpr std::array ways{mav_cmd::nav_waypoint,    mav_cmd::nav_loiter_unlim,    mav_cmd::nav_loiter_turns,
@@ -33,7 +33,7 @@ plan_view plan_view_of(const state& s, const vehicle_view& vehicle) {
     result.generation = s.progress.last_generation;
     for (const auto& each : s.flown->items)
       if (leads_somewhere(each))
-        result.way.push_back({each.x * degrees_of_unit, each.y * degrees_of_unit, static_cast<double>(each.z)});
+        result.way.push_back({each.x / units_a_degree, each.y / units_a_degree, static_cast<double>(each.z)});
   }
   if (vehicle.home())
     result.home = plan::place_of(*vehicle.home());

@@ -16,7 +16,7 @@ namespace {
 
 using io::mavlink::mav_landed_state;
 
-constexpr double degrees_of_unit = 1e-7;
+constexpr double units_a_degree = 1e7; // divided by, so that a coordinate keeps its digits
 constexpr double metres_of_mm = 1e-3;
 constexpr double metres_of_cm = 1e-2;
 constexpr std::uint8_t satellites_unknown = 255;
@@ -62,14 +62,14 @@ void vehicle_view::take(const io::mavlink::gps_raw_int& m) {
 }
 
 void vehicle_view::take(const io::mavlink::global_position_int& m, std::int64_t now_ns) {
-  place_ = mission::position{m.lat * degrees_of_unit, m.lon * degrees_of_unit, m.relative_alt * metres_of_mm};
+  place_ = mission::position{m.lat / units_a_degree, m.lon / units_a_degree, m.relative_alt * metres_of_mm};
   speed_mps_ = std::hypot(m.vx * metres_of_cm, m.vy * metres_of_cm);
   place_heard_ns_ = now_ns;
 }
 
 void vehicle_view::take(const io::mavlink::home_position& m, std::int64_t now_ns) {
   home_heard_ns_ = now_ns;
-  home_ = plan::vehicle_home{m.latitude * degrees_of_unit, m.longitude * degrees_of_unit, m.altitude * metres_of_mm, 0};
+  home_ = plan::vehicle_home{m.latitude / units_a_degree, m.longitude / units_a_degree, m.altitude * metres_of_mm, 0};
 }
 
 void vehicle_view::take(const io::mavlink::extended_sys_state& m) {

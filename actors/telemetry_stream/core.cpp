@@ -13,7 +13,7 @@ namespace {
 
 namespace mavlink = io::mavlink;
 
-constexpr double degrees_of_unit = 1e-7;
+constexpr double units_a_degree = 1e7; // divided by, so that a coordinate keeps its digits
 constexpr double metres_of_mm = 1e-3;
 constexpr double metres_of_cm = 1e-2;
 constexpr double degrees_of_cdeg = 1e-2;
@@ -51,8 +51,8 @@ publications core::take(const mavlink::global_position_int& m, std::int64_t now_
   if (!is_due(position_ns_, data_interval_ns, now_ns))
     return {};
   position_update update;
-  update.latitude_deg = m.lat * degrees_of_unit;
-  update.longitude_deg = m.lon * degrees_of_unit;
+  update.latitude_deg = m.lat / units_a_degree;
+  update.longitude_deg = m.lon / units_a_degree;
   update.altitude_m = m.relative_alt * metres_of_mm;
   update.altitude_msl_m = m.alt * metres_of_mm;
   update.ground_speed_mps = std::hypot(m.vx * metres_of_cm, m.vy * metres_of_cm);
@@ -100,7 +100,7 @@ publications core::take(const mavlink::gps_raw_int& m, std::int64_t now_ns) {
 publications core::take(const mavlink::home_position& m, std::int64_t) {
   publications result;
   show_changed(result, topic::home,
-               home_update{m.latitude * degrees_of_unit, m.longitude * degrees_of_unit, m.altitude * metres_of_mm},
+               home_update{m.latitude / units_a_degree, m.longitude / units_a_degree, m.altitude * metres_of_mm},
                home_);
   return result;
 }

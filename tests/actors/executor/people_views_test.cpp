@@ -1,6 +1,8 @@
 // What people are shown of a flight is what is flown, and what the checks have found.
 #include "actors/executor/people_views.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/flight_world.hpp"
@@ -39,6 +41,12 @@ TEST_P(people_views, the_plan_is_the_mission_and_the_way_through_the_items_on_th
     EXPECT_NEAR(each.latitude, mission.return_point->latitude, 0.1);
     EXPECT_NEAR(each.longitude, mission.return_point->longitude, 0.1);
   }
+  for (const auto& each : world.durable().flown->items)
+    EXPECT_TRUE(each.x == 0 || std::ranges::any_of(shown.way,
+                                                   [&](const auto& at) {
+                                                     return at.latitude == each.x / 1e7 && at.longitude == each.y / 1e7;
+                                                   }))
+        << "coordinates keep their digits";
   ASSERT_TRUE(shown.home);
   EXPECT_NEAR(shown.home->latitude, 47.4, 1e-6);
   EXPECT_NEAR(shown.home->above_sea_m, 488, 1e-6);

@@ -104,6 +104,24 @@ TEST_P(places, an_assignment_in_flight_for_another_place_is_rejected_and_the_fli
   EXPECT_TRUE(is_told(world, progress_kind::reached, "w3")) << world.story();
 }
 
+TEST_P(places, an_assignment_on_the_ground_for_another_place_is_rejected_and_the_mission_before_stays) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  const auto mission = tests::short_mission(GetParam());
+  world.load(mission);
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  mission::assignment assignment{"11111111-2222-4333-8444-555555555555",
+                                 mission.revision,
+                                 mission.revision + 1,
+                                 "w2",
+                                 {tests::place(GetParam(), "n1", 0, 0)}};
+  swap_place(assignment.items.front());
+  world.assign(assignment);
+  ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 20)) << world.story();
+  EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::rejected);
+  EXPECT_EQ(world.durable().mission->items, mission.items);
+  EXPECT_EQ(world.durable().status.now, phase::ready) << world.story();
+}
+
 TEST_P(places, a_revision_in_flight_for_another_place_is_refused_and_the_one_before_is_flown) {
   flight_world world({.who = GetParam()});
   const auto mission = tests::short_mission(GetParam());

@@ -141,7 +141,11 @@ bool homecoming::is_battery_low() const {
 
 std::int64_t homecoming::next_deadline_ns() const {
   return flight_.homing.at == homing_stage::none ? std::numeric_limits<std::int64_t>::max()
-                                                 : flight_.homing.since_ns + flown_within_ns;
+                                                 : flight_.homing.since_ns + time_for_plan_ns();
+}
+
+std::int64_t homecoming::time_for_plan_ns() const {
+  return flight_.returns_elsewhere() ? flown_elsewhere_within_ns : flown_within_ns;
 }
 
 bool homecoming::is_coming_home() const {
@@ -189,8 +193,8 @@ bool homecoming::go_on(effects& out, instant now) {
 std::string homecoming::why_not_by_plan(instant now) const {
   if (flight_.homing.at == homing_stage::failed)
     return flight_.homing.why;
-  if (now.now_ns - flight_.homing.since_ns >= flown_within_ns)
-    return "the way around was not flown within " + std::to_string(flown_within_ns / 1'000'000'000) + " s";
+  if (now.now_ns - flight_.homing.since_ns >= time_for_plan_ns())
+    return "the way was not flown within " + std::to_string(time_for_plan_ns() / 1'000'000'000) + " s";
   if (is_battery_low() && !flight_.returns_elsewhere())
     return "the battery is low";
   const bool is_known = flight_.homing.is_recalled || flight_.setting(now);

@@ -5,7 +5,7 @@
 //       └────────────┴──────────┴──────────┴──> the autopilot's return, which is straight
 //
 //   at once      no fence lies in the way, or there is no way around it
-//   from there   a step failed, or it is not flown 5 s behind the command
+//   from there   a step failed, or it is not flown 5 s after the command (30 s where it could only hold instead)
 //   both         the battery is low, or it is not known where the vehicle is
 //
 // It holds in the turn in which the command is given. The way begins where the vehicle holds, at the altitude that it
@@ -33,6 +33,8 @@ namespace godwit::executor {
 class homecoming {
 public:
   static constexpr std::int64_t flown_within_ns = 5'000'000'000;
+  // Where it could only hold otherwise: an ArduPilot whose upload was given up takes no other for 8 s.
+  static constexpr std::int64_t flown_elsewhere_within_ns = 30'000'000'000;
 
   homecoming(flight_context& flight, phase_machine& phases, task_control& tasks)
       : flight_(flight), phases_(phases), tasks_(tasks) {}
@@ -50,6 +52,7 @@ private:
 
   // None: it may fly straight. The error: it has to, though a fence may lie there.
   [[nodiscard]] turns_or_why turns(instant now) const;
+  [[nodiscard]] std::int64_t time_for_plan_ns() const;
   [[nodiscard]] bool is_battery_low() const;
   [[nodiscard]] std::string why_not_for_failsafe(bool has_looked, instant now) const;
   [[nodiscard]] bool is_coming_home() const; // by a plan

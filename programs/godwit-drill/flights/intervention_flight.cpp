@@ -141,7 +141,7 @@ private:
     const auto is_down = [&] { return !flight_.vehicle().describe().armed; };
     if (!flight_.run_until(is_down, comes_within_s) || executor::needs_hand_back(flight_.status().cause))
       return;
-    const auto home = short_mission(who_).return_point;
+    const auto home = short_mission(who_).return_point.value();
     const auto away_m = sim::between(flight_.vehicle().describe().where, {home.latitude, home.longitude, 0}).distance_m;
     watched_.expect_of_people(away_m <= near_m ? ""
                                                : "people: home: it was called home, and has landed " +

@@ -28,9 +28,8 @@ struct resolved_transfer {
 };
 
 // For whoever listens to the vehicle.
-using announcement =
-    std::variant<connection_changed, vehicle_restarted, signing_alert, line_findings, transfer::progress, relayed_frame,
-                 foreign_act>;
+using announcement = std::variant<connection_changed, vehicle_restarted, signing_alert, line_findings,
+                                  transfer::progress, relayed_frame, foreign_act>;
 
 // Who asked for a look at the vehicle has it, or not.
 struct resolved_look {

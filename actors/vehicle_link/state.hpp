@@ -1,5 +1,5 @@
-// What of vehicle_link must survive a crash: how far signing time is used up, and with which vehicle the flight is flown
-// that is open. All else is asked of the vehicle again.
+// What of vehicle_link must survive a crash: how far signing time is used up, and with which vehicle the flight is
+// flown that is open. All else is asked of the vehicle again.
 #pragma once
 
 #include <cstdint>

@@ -610,8 +610,7 @@ void flight_world::take(const vehicle_link::announcement& each) {
   else if (const auto* foreign = std::get_if<vehicle_link::foreign_act>(&each)) {
     failsafe_->take(*foreign, failsafe_now());
     take(core_->on_vehicle(*foreign, now()));
-  }
-  else if (const auto* line = std::get_if<vehicle_link::line_findings>(&each))
+  } else if (const auto* line = std::get_if<vehicle_link::line_findings>(&each))
     take(core_->on_vehicle(*line, now()));
 }
 

@@ -24,7 +24,6 @@ using tests::hold_mode;
 using tests::mission_mode;
 using tests::pilot_mode;
 
-
 class danger : public testing::TestWithParam<std::tuple<personality, bool>> {
 protected:
   [[nodiscard]] static personality who() { return std::get<0>(GetParam()); }

@@ -179,7 +179,9 @@ bool task_runner::is_shown(const world& w) const {
   if (const auto* item = std::get_if<set_current_item>(&what))
     return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->seq >= item->sequence &&
            (item->total == 0 || view.current()->total == 0 || view.current()->total == item->total);
-  return std::holds_alternative<start_plan>(what) && is_start_shown(view);
+  // A plan that begins with its end may be there before it was seen in its mode.
+  const bool is_at_end = tries_ > 0 && was_accepted_ && w.authority.who() == flight::holder::autopilot_end;
+  return std::holds_alternative<start_plan>(what) && (is_start_shown(view) || (view.is_armed() && is_at_end));
 }
 
 // A vehicle that was in its mission mode before (a rover that holds there) shows by its mission alone that a start
@@ -425,7 +427,10 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   const bool may_have_acted =
       outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::timed_out;
   was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
-  if (outcome.verdict == command_verdict::outdated && was_outdated(w))
+  // A look asks for a message, too: what asks for another one waits for its answer.
+  const bool is_unsent =
+      outcome.verdict == command_verdict::outdated || outcome.verdict == command_verdict::already_running;
+  if (is_unsent && was_outdated(w))
     return;
   if (!may_have_acted)
     return was_not_done(w, outcome.reason, is_final(outcome));

@@ -5,7 +5,11 @@
 //                    │ ^                  PX4 sends the heartbeat before its answer: one since it was asked is that one
 //                    │ └──ask_again_ms: no answer (a request moves nothing, and may be repeated)
 //                    ├──refused (an older vehicle): its next periodic HEARTBEAT counts
+//                    ├──handled later than comes_within_ms: asked again
 //                    └──gives_up_ms──────────────────────────────> not seen
+//
+// A process that was stopped finds in its socket what was sent before: an answer or a heartbeat that is handled so late
+// says nothing of now.
 //
 // Pure: time comes in as monotonic nanoseconds. Source: MAV_CMD_REQUEST_MESSAGE (512); the order of answer and message
 // as ArduPilot 4.7 and PX4 1.18 were seen to have it.
@@ -27,9 +31,10 @@ namespace godwit::vehicle_link {
 
 class look_keeper {
 public:
-  static constexpr std::int64_t ask_again_ms = 300;  // above the round trip of most radios
-  static constexpr std::int64_t retry_ms = 50;       // while another message is being requested
-  static constexpr std::int64_t gives_up_ms = 3'000; // three heartbeats of a vehicle that knows no request
+  static constexpr std::int64_t ask_again_ms = 300;      // above the round trip of most radios
+  static constexpr std::int64_t retry_ms = 50;           // while another message is being requested
+  static constexpr std::int64_t comes_within_ms = 1'200; // after the request, or after its answer: one heartbeat
+  static constexpr std::int64_t gives_up_ms = 3'000;     // three heartbeats of a vehicle that knows no request
 
   // The one that waited before, which is not answered otherwise.
   [[nodiscard]] std::optional<resolved_look> begin(std::uint64_t request_id, bool answers_after_message,
@@ -49,6 +54,7 @@ public:
       return std::nullopt;
     due_ns_.reset();
     is_heard_ = false;
+    since_ns_ = now_ns;
     send_command what;
     what.command = io::mavlink::number(io::mavlink::mav_cmd::request_message);
     what.param1 = static_cast<float>(io::mavlink::heartbeat::message_id);
@@ -60,12 +66,18 @@ public:
     if (!request_id_)
       return std::nullopt;
     is_heard_ = is_heard_ || !due_ns_;
-    return is_accepted_ ? end(true, now_ns, {}) : std::nullopt;
+    if (!is_accepted_ || is_too_late(now_ns))
+      return std::nullopt;
+    return end(true, now_ns, {});
   }
 
   [[nodiscard]] std::optional<resolved_look> on_outcome(const command_outcome& outcome, std::int64_t now_ns) {
     if (!request_id_)
       return std::nullopt;
+    const bool is_answer = outcome.verdict == command_verdict::accepted || outcome.verdict == command_verdict::refused;
+    if (is_answer && is_too_late(now_ns))
+      return std::nullopt;
+    since_ns_ = now_ns;
     switch (outcome.verdict) {
     case command_verdict::accepted:
       if (is_heard_ && answers_after_message_)
@@ -99,6 +111,15 @@ public:
   }
 
 private:
+  // True: it is asked for again.
+  [[nodiscard]] bool is_too_late(std::int64_t now_ns) {
+    if (now_ns - since_ns_ <= comes_within_ms * ns_per_ms)
+      return false;
+    is_accepted_ = is_heard_ = false;
+    due_ns_ = now_ns;
+    return true;
+  }
+
   [[nodiscard]] std::optional<resolved_look> end(bool is_seen, std::int64_t at_ns, std::string reason) {
     if (!request_id_)
       return std::nullopt;
@@ -110,6 +131,7 @@ private:
   bool is_heard_ = false;              // a heartbeat, since it was asked for last
   bool is_accepted_ = false;           // the next heartbeat is the one
   std::optional<std::int64_t> due_ns_; // the next request; none: one is under way, or answered
+  std::int64_t since_ns_ = 0;          // the request, or its answer
   std::int64_t gives_up_ns_ = 0;
 };
 

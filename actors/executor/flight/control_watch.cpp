@@ -147,7 +147,8 @@ bool control_watch::judge_holder(effects& out) {
           "it back");
   else if (!flight_.authority.is_ours() || flight_.failsafe_status->taken_over)
     yield(out, trigger::person_took_over,
-          (who_acts_.empty() ? std::string("a pilot has the vehicle") : std::exchange(who_acts_, {})) + in_its_mode());
+          who_acts_.empty() ? "a pilot has the vehicle" + in_its_mode()
+                            : std::exchange(who_acts_, {}) + "; nothing is sent until an operator hands it back");
   else
     return flight_.authority.is_unclear();
   return true;

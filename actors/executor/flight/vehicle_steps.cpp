@@ -59,10 +59,10 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
   }
   if (commands_home)
     result.emplace_back(see_home{});
-  // In its mission mode a PX4 goes on where it was in the same plan, and it is not told where to begin by that.
+  // In its mission mode a PX4 goes on where it was in the same plan, or is through with it: it is told where to begin.
   const auto& current = flight.view.current();
-  const bool goes_on_elsewhere =
-      flight.view.owner().autopilot == mav_autopilot::px4 && current && current->seq != sequence;
+  const bool goes_on_elsewhere = flight.view.owner().autopilot == mav_autopilot::px4 && current &&
+                                 (current->seq != sequence || flight.view.says_complete());
   const bool is_chosen = sequence != flight.s.progress.plan->map.start_sequence && !starts_in_mission_mode(flight);
   if (is_chosen || goes_on_elsewhere)
     result.emplace_back(set_current_item{sequence});

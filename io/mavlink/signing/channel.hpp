@@ -118,12 +118,15 @@ public:
   // Lets go of frames whose rest did not come. Calls TAKE(peer, frame).
   template <class Take>
   void on_silence(instant now, Take&& take) {
-    for (auto& [peer, each] : peers_)
+    for (auto& entry : peers_) {
+      const auto peer = entry.first; // clang 14 captures no structured binding
+      auto& each = entry.second;
       if (each.scan->waiting_bytes() != 0 && now.monotonic_ns - each.last_ns >= stream_silence_ms * 1'000'000)
         each.scan->end_of_datagram([&](const frame_view& frame) {
           if (is_believed(frame, now))
             take(peer, frame);
         });
+    }
   }
 
   [[nodiscard]] bool is_signing() const { return signer_.has_value(); }

@@ -196,9 +196,11 @@ void flight_simulation::look_at_intent(const mavlink::frame_view& frame) {
   };
   const bool brings_plan =
       frame.id() == mavlink::mission_count::message_id && is_plan(mavlink::decode<mavlink::mission_count>(frame));
+  const auto is_start = [](const mavlink::command_long& what) { // a copy may come after the answer to the first
+    return what.command == mavlink::number(mavlink::mav_cmd::mission_start) && what.confirmation == 0;
+  };
   const bool starts =
-      frame.id() == mavlink::command_long::message_id &&
-      mavlink::decode<mavlink::command_long>(frame).command == mavlink::number(mavlink::mav_cmd::mission_start);
+      frame.id() == mavlink::command_long::message_id && is_start(mavlink::decode<mavlink::command_long>(frame));
   if (!brings_plan && !starts)
     return;
   const auto intent = read_intent(outside_.journal.actors["executor"].kept);

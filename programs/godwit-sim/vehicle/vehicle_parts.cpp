@@ -234,8 +234,8 @@ void vehicle::parts::set_battery(double percent, std::int64_t now_ns) {
 
 void vehicle::parts::say(std::string_view words, std::int64_t now_ns) {
   advance(now_ns);
-  out_.say(mavlink::mav_severity::warning, words);
   end_turn();
+  out_.say_at_once(mavlink::mav_severity::warning, words);
 }
 
 void vehicle::parts::refuse_command(std::uint16_t command, std::uint8_t result, int times) {

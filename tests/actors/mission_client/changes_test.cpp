@@ -28,6 +28,7 @@ TEST(mission_client_changes, the_mission_in_the_answer_is_the_new_one) {
   document.mission_id = mission_id;
   document.revision = 3;
   document.items.emplace_back(mission::return_home{"home"});
+  document.return_point = mission::position{47.4, 8.5, 0};
   const service_answer answer{.status = 200, .body = mission::to_text(document)};
   EXPECT_EQ(std::get<change_done>(outcome_of_change(row(), answer, 0)).document.revision, 3);
   document.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a43";

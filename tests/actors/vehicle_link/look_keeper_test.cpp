@@ -77,5 +77,19 @@ TEST(look_keeper, a_newer_look_takes_the_place_of_one_that_waits) {
   EXPECT_FALSE(before->what.is_seen);
 }
 
+// What was in the socket while the process was stopped.
+TEST(look_keeper, after_a_stall_neither_the_answer_nor_a_heartbeat_from_before_it_counts) {
+  look_keeper looks;
+  EXPECT_FALSE(looks.begin(7, true, 0));
+  ASSERT_TRUE(looks.next_request(0));
+  EXPECT_FALSE(looks.on_heartbeat(2'500 * ms));
+  EXPECT_FALSE(looks.on_outcome(outcome(command_verdict::accepted), 2'500 * ms));
+  ASSERT_TRUE(looks.next_request(2'500 * ms)) << "it is asked for anew";
+  EXPECT_FALSE(looks.on_heartbeat(2'519 * ms));
+  const auto done = looks.on_outcome(outcome(command_verdict::accepted), 2'520 * ms);
+  ASSERT_TRUE(done);
+  EXPECT_TRUE(done->what.is_seen);
+}
+
 } // namespace look_keeper_test
 } // namespace godwit::vehicle_link

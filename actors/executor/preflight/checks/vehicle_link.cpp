@@ -5,7 +5,7 @@ namespace {
 
 // Whichever was switched on first would be flown.
 std::string named(const vehicle_link::line_findings& line) {
-  std::string result = "system " + std::to_string(line.vehicle ? line.vehicle->system : 0);
+  std::string result = "system " + std::to_string(line.vehicle->system);
   for (const auto& each : line.others)
     result += " and system " + std::to_string(each.system);
   return result;
@@ -23,7 +23,7 @@ result look_at_vehicle_link(const facts& seen, const settings&) {
   case connection_phase::connected:
     if (!seen.vehicle.line.twin.empty())
       return fail(seen.vehicle.line.twin);
-    if (!seen.vehicle.line.others.empty() && !seen.vehicle.line.is_chosen)
+    if (seen.vehicle.line.vehicle && !seen.vehicle.line.others.empty() && !seen.vehicle.line.is_chosen)
       return fail("More than one autopilot is heard on the line: " + named(seen.vehicle.line) +
                   ". Set vehicle.system to the id of yours, and start godwitd again.");
     return pass("The vehicle is heard.");

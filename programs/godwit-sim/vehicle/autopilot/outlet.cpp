@@ -67,6 +67,11 @@ void outlet::say_on(const line_set& lines, std::uint8_t severity, std::string_vi
   }
 }
 
+void outlet::say_at_once(mavlink::mav_severity severity, std::string_view words) {
+  for (line_number number = 0; number < lines_.size() && !is_silent_; ++number)
+    send_text(number, {mavlink::number(severity), std::string(words)});
+}
+
 void outlet::end_turn() {
   for (line_number number = 0; number < lines_.size(); ++number)
     while (!lines_[number].holds_texts_back && !lines_[number].waiting.empty()) {

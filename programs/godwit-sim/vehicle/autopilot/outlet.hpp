@@ -91,6 +91,8 @@ public:
   void say(mavlink::mav_severity severity, std::string_view words);
   void say(std::uint8_t severity, std::string_view words);
   void say_on(const line_set& lines, std::uint8_t severity, std::string_view words);
+  // Whoever plays the vehicle wants it said: also where it is held back.
+  void say_at_once(mavlink::mav_severity severity, std::string_view words);
 
   // Lets the sentences out that wait, on the lines where they are not held back.
   void end_turn();

@@ -114,7 +114,7 @@ TEST(clock_cases, are_six_in_each_part) { expect_cases(clock_cases(every_vehicle
 TEST(clock_cases, a_flight_survives_a_clock_that_is_set_and_a_process_without_a_processor) {
   const auto all = clock_cases(every_vehicle);
   for (const auto* name :
-       {"px4/flying/day_ahead", "rover/starting/year_back_between_processes", "ardupilot/flying/suspended_10s"})
+       {"px4/flying/day_ahead", "rover/flying/year_back_between_processes", "ardupilot/flying/suspended_10s"})
     expect_held(fly(all, name));
 }
 

@@ -165,6 +165,7 @@ TEST_F(views, missions_and_what_the_way_home_needs_are_in_the_stream_and_in_the_
   ASSERT_FALSE(report()->missions->list.empty());
   EXPECT_EQ(report()->missions->list.front().place, executor::mission_place::in_flight);
   ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  flight.run_for(1); // it is shown with the next tick
   std::set<std::string> places;
   for (const auto& each : said_about(*heard, "missions"))
     if (!each.at("list").empty())

@@ -30,8 +30,8 @@ const vehicles = {
 
 const number_of = ([main, sub]) => (sub === undefined ? main : (main << 16 | sub << 24) >>> 0);
 
-// A person's: godwit, too, has seen by then what the station has seen.
-const a_moment = () => new Promise((go) => setTimeout(go, 300));
+// A person's: by then a heartbeat has shown godwit, too, what the station has seen.
+const a_moment = () => new Promise((go) => setTimeout(go, 1500));
 
 async function see_mode(station, mode, within_ms = 10_000) {
   const shows = ({ autopilot, customMode }) => autopilot !== 8 && customMode === number_of(mode);

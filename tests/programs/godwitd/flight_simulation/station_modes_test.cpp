@@ -1,6 +1,6 @@
 // Each mode of each vehicle, as ground stations send it, in each phase of a flight, at the port of the whole daemon:
 // what a direct line would have done is done, and nobody hears ACCEPTED before the vehicle has got it or is in that
-// mode.
+// mode; but to the mission mode of a flight that is paused, which has to come to the vehicle within 5 s.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -152,6 +152,9 @@ protected:
     if (!said)
       return "no answer\n" + flight.story();
     const bool is_accepted = *said == io::mavlink::number(mav_result::accepted);
+    // A resume is accepted when the executor has taken it, which looks at the plan before it sends.
+    if (is_accepted && is_mission)
+      had_it = had_it || flight.run_until(has_it, 5);
     if (is_accepted && !had_it)
       return "accepted, and the vehicle has not got it\n" + flight.story();
     if (!is_mission && !had_it)

@@ -1,7 +1,7 @@
 // What must hold for any text that is read as a plan file; the fuzzer tries texts, and a test plants defects to show
 // that they are found.
 //
-//   - what is refused has a sentence, and a line that is in the text;
+//   - what is refused has a sentence, and a line that is in the text (a text without a header line has none);
 //   - what is read keeps the bounds: items numbered from 0 on, positions on earth;
 //   - it can be written, and what was written reads back and is then written the same again.
 //
@@ -37,12 +37,27 @@ inline std::optional<std::string> check_item(const mission_item_int& item, std::
   return std::nullopt;
 }
 
+// Whether every line is blank or a comment: such a text is refused as a whole, without a line.
+inline bool has_no_header_line(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF"))
+    text.remove_prefix(3);
+  while (!text.empty()) {
+    auto line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.ends_with('\r'))
+      line.remove_suffix(1);
+    if (line.substr(0, line.find('#')).find_first_not_of(" \t") != std::string_view::npos)
+      return false;
+  }
+  return true;
+}
+
 template <class Waypoints = real_waypoints>
 std::optional<std::string> check_waypoints(std::string_view text) {
   const auto items = Waypoints::read(text);
   if (!items) {
     const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
-    const bool has_place = items.error().line <= lines && (items.error().line != 0 || text.size() <= 3);
+    const bool has_place = items.error().line <= lines && (items.error().line != 0 || has_no_header_line(text));
     return has_place && !items.error().what.empty() ? std::nullopt : std::optional("an error without words or place");
   }
   if (items->size() > max_waypoint_items)

@@ -173,7 +173,7 @@ private:
 };
 
 // Nor the comment that ends the line.
-std::string_view without_blanks_behind(std::string_view line) {
+std::string_view without_blanks_after(std::string_view line) {
   line = line.substr(0, line.find(comment_mark));
   const auto last = line.find_last_not_of(blanks);
   return last == std::string_view::npos ? std::string_view() : line.substr(0, last + 1);
@@ -185,7 +185,7 @@ public:
   column_result<void> take_line(std::string_view line, std::size_t number, mav_mission_type type) {
     if (line.size() > max_waypoint_line_bytes)
       return wrong(waypoint_errc::too_large, "longer than " + std::to_string(max_waypoint_line_bytes) + " characters");
-    line = without_blanks_behind(line);
+    line = without_blanks_after(line);
     if (line.empty())
       return take_blank();
     if (!has_header_) {
@@ -250,7 +250,10 @@ waypoint_result<std::vector<mission_item_int>> read_waypoints(std::string_view t
       return tl::make_unexpected(taken.error());
     }
   if (!plan.has_header())
-    return wrong(waypoint_errc::not_a_plan, "it is empty; the header \"QGC WPL 110\" was expected");
+    return wrong(waypoint_errc::not_a_plan,
+                 text.empty()
+                     ? "it is empty; the header \"QGC WPL 110\" was expected"
+                     : "nothing is in it but blank lines and comments; the header \"QGC WPL 110\" was expected");
   return plan.take();
 }
 

@@ -25,7 +25,6 @@ constexpr std::int64_t asked_again_ns = 10'000'000'000;
 
 // A radio beside the vehicle, of which godwit knows nothing.
 constexpr mavlink::sender persons_id{254, 190};
-constexpr mavlink::sender godwit_id{1, 191};
 
 // As an operator writes them; addresses are needed, and nobody goes there.
 daemon::daemon_settings settings_for(const std::string& mission_id, const flight_simulation::options& wanted) {
@@ -257,25 +256,9 @@ void flight_simulation::arrived(sim::way to, std::span<const std::byte> frame, b
     hand_on(mavlink::frame_view(frame.data()));
 }
 
-namespace {
-
-std::optional<std::uint32_t> mode_in(const mavlink::frame_view& frame, sim::personality who) {
-  if (frame.id() == mavlink::set_mode::message_id)
-    return mavlink::decode<mavlink::set_mode>(frame).custom_mode;
-  if (frame.id() != mavlink::command_long::message_id)
-    return std::nullopt;
-  const auto m = mavlink::decode<mavlink::command_long>(frame);
-  if (m.command != mavlink::number(mavlink::mav_cmd::do_set_mode))
-    return std::nullopt;
-  const auto main = static_cast<std::uint32_t>(m.param2);
-  return who == sim::personality::px4 ? main << 16U | static_cast<std::uint32_t>(m.param3) << 24U : main;
-}
-
-} // namespace
-
 void flight_simulation::reaches_vehicle(const mavlink::frame_view& frame) {
   vehicle_order order{now_ns_, frame.id()};
-  order.mode = mode_in(frame, who_);
+  order.mode = custom_mode_in(frame, who_);
   if (frame.id() == mavlink::command_long::message_id)
     order.command = mavlink::decode<mavlink::command_long>(frame).command;
   if (frame.id() == mavlink::command_int::message_id)

@@ -140,7 +140,7 @@ public:
   [[nodiscard]] simulated_station& station() { return station_; }
   // Who switches modes and does all else beside godwit.
   [[nodiscard]] simulated_person& person() { return person_; }
-  // WHAT is done AFTER_NS behind the moment in which godwit sends an order, SKIP ones passed over: one that moves the
+  // WHAT is done AFTER_NS after the moment in which godwit sends an order, SKIP ones passed over: one that moves the
   // vehicle, or brings it a plan. One is planned at a time.
   void when_ordered(int skip, std::int64_t after_ns, std::function<void()> what);
   [[nodiscard]] bool has_planned_act() const { return at_order_.has_value(); }

@@ -18,7 +18,6 @@ using mavlink::mav_cmd;
 using mavlink::number;
 using sim::mode_kind;
 
-constexpr mavlink::sender godwit_id{1, 191};
 constexpr std::uint8_t custom_bit = 1; // of a base mode
 
 // What the two forms of a command have in common.
@@ -41,25 +40,9 @@ std::optional<command_words> command_in(const mavlink::frame_view& frame) {
   return std::nullopt;
 }
 
-// The mode that a command or SET_MODE asks for.
 const sim::flight_mode* mode_in(const mavlink::frame_view& frame, sim::personality who) {
-  std::uint32_t custom = 0;
-  if (frame.id() == mavlink::set_mode::message_id) {
-    const auto m = mavlink::decode<mavlink::set_mode>(frame);
-    if ((m.base_mode & custom_bit) == 0)
-      return nullptr;
-    custom = m.custom_mode;
-  } else {
-    const auto m = command_in(frame);
-    const bool is_mode = m && m->command == number(mav_cmd::do_set_mode) && m->param1 >= 0 && m->param1 < 256 &&
-                         (static_cast<std::uint8_t>(m->param1) & custom_bit) != 0 && m->param2 >= 0 && m->param3 >= 0 &&
-                         m->param3 < 256;
-    if (!is_mode)
-      return nullptr;
-    const auto main_mode = static_cast<std::uint32_t>(m->param2);
-    custom = who == sim::personality::px4 ? sim::px4_mode(main_mode, static_cast<std::uint32_t>(m->param3)) : main_mode;
-  }
-  return sim::find_mode(modes_of(who), custom);
+  const auto custom = custom_mode_in(frame, who);
+  return custom ? sim::find_mode(modes_of(who), *custom) : nullptr;
 }
 
 moving_order moving_order_of(mode_kind kind) {
@@ -124,6 +107,21 @@ std::optional<mode_kind> stop_in(const mavlink::frame_view& frame, sim::personal
 }
 
 } // namespace
+
+std::optional<std::uint32_t> custom_mode_in(const mavlink::frame_view& frame, sim::personality who) {
+  if (frame.id() == mavlink::set_mode::message_id) {
+    const auto m = mavlink::decode<mavlink::set_mode>(frame);
+    return (m.base_mode & custom_bit) != 0 ? std::optional(m.custom_mode) : std::nullopt;
+  }
+  const auto m = command_in(frame);
+  const bool is_mode = m && m->command == number(mav_cmd::do_set_mode) && m->param1 >= 0 && m->param1 < 256 &&
+                       (static_cast<std::uint8_t>(m->param1) & custom_bit) != 0 && m->param2 >= 0 && m->param3 >= 0 &&
+                       m->param3 < 256;
+  if (!is_mode)
+    return std::nullopt;
+  const auto main_mode = static_cast<std::uint32_t>(m->param2);
+  return who == sim::personality::px4 ? sim::px4_mode(main_mode, static_cast<std::uint32_t>(m->param3)) : main_mode;
+}
 
 moving_order moving_order_in(const mavlink::frame_view& frame, sim::personality who) {
   if (frame.id() == mavlink::mission_set_current::message_id)
@@ -261,7 +259,7 @@ void people_audit::on_delivered(const mavlink::frame_view& frame, std::int64_t n
   constexpr double moves_mps = 0.5;
   const auto seen = now_seen_();
   if (seen.in_air || seen.ground_speed_mps > moves_mps)
-    accepted_ns_.clear(); // it was done; behind a landing it may be sent anew
+    accepted_ns_.clear(); // it was done; after a landing it may be sent anew
 }
 
 // -- stations at the port ---------------------------------------------------------------------------
@@ -321,14 +319,14 @@ void people_audit::on_station_heard(const mavlink::frame_view& frame, std::int64
 void people_audit::on_time(std::int64_t now_ns) {
   if (wanted_.empty())
     return;
-  observe_wanted(now_ns);
+  observe_wanted();
   while (!wanted_.empty() && (wanted_.front().is_done || now_ns >= wanted_.front().judged_ns)) {
     judge_wanted(wanted_.front());
     wanted_.pop_front();
   }
 }
 
-void people_audit::observe_wanted(std::int64_t /*now_ns*/) {
+void people_audit::observe_wanted() {
   const auto seen = now_seen_();
   for (auto& each : wanted_) {
     if (each.mode && sim::find_mode(modes_of(who_), *each.mode)->name == seen.mode)

@@ -30,6 +30,11 @@ namespace godwit::drill {
 // executor keeps these rules it is off; `godwit-drill ... --strict-people` counts all the same.
 inline constexpr bool people_audit_fails_flights = false;
 
+inline constexpr io::mavlink::sender godwit_id{1, 191};
+
+// The mode that a command or SET_MODE asks for, as HEARTBEAT.custom_mode.
+[[nodiscard]] std::optional<std::uint32_t> custom_mode_in(const io::mavlink::frame_view& frame, sim::personality who);
+
 // An order of godwit that moves the vehicle, or makes it move when it is armed.
 enum class moving_order { none, arm, mission_mode, guided_mode, start, take_off, reposition, choose_item };
 [[nodiscard]] moving_order moving_order_in(const io::mavlink::frame_view& frame, sim::personality who);
@@ -104,7 +109,7 @@ private:
   [[nodiscard]] bool is_in_force() const;
   void judge_order(moving_order order, const io::mavlink::frame_view& frame, std::int64_t now_ns);
   void judge_again(const io::mavlink::frame_view& frame, std::int64_t now_ns);
-  void observe_wanted(std::int64_t now_ns);
+  void observe_wanted();
   void judge_wanted(const wanted_state& each);
   void find(const std::string& finding, std::int64_t now_ns);
 

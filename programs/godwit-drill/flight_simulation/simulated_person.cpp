@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "programs/godwit-drill/flight_simulation/autopilot_command.hpp"
+
 namespace godwit::drill {
 
 namespace mavlink = io::mavlink;
@@ -100,15 +102,7 @@ void simulated_person::set_home(const sim::position& where) {
 
 void simulated_person::command(mav_cmd what, float param1, float param2, float param3, float param7) {
   results_.erase(mavlink::number(what));
-  mavlink::command_long wanted;
-  wanted.target_system = autopilot_system;
-  wanted.target_component = autopilot_component;
-  wanted.command = mavlink::number(what);
-  wanted.param1 = param1;
-  wanted.param2 = param2;
-  wanted.param3 = param3;
-  wanted.param7 = param7;
-  send(wanted);
+  send(autopilot_command(what, param1, param2, param3, param7));
 }
 
 // -- what the vehicle answers -----------------------------------------------------------------------

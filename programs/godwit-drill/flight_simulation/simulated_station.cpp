@@ -4,6 +4,7 @@
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "io/mavlink/enums.hpp"
+#include "programs/godwit-drill/flight_simulation/autopilot_command.hpp"
 
 namespace godwit::drill {
 
@@ -88,15 +89,7 @@ bool simulated_station::was_told(const std::string& words) const {
 
 void simulated_station::command(mavlink::mav_cmd what, float param1, float param2, float param3, float param7) {
   results_.erase(mavlink::number(what));
-  mavlink::command_long wanted;
-  wanted.target_system = 1;
-  wanted.target_component = 1;
-  wanted.command = mavlink::number(what);
-  wanted.param1 = param1;
-  wanted.param2 = param2;
-  wanted.param3 = param3;
-  wanted.param7 = param7;
-  send(wanted);
+  send(autopilot_command(what, param1, param2, param3, param7));
 }
 
 void simulated_station::ask_for_params() {

@@ -151,7 +151,7 @@ private:
 
   // -- what a person does ---------------------------------------------------------------------------
 
-  // In time with an order: just before it arrives, at once behind it, or within a second.
+  // In time with an order: just before it arrives, at once after it, or within a second.
   std::int64_t any_delay_ns() {
     switch (rng_() % 3) {
     case 0:

@@ -1,6 +1,7 @@
 #include "programs/godwit-sim/host/hosted_vehicle.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace godwit::sim {
 
@@ -33,12 +34,15 @@ void hosted_vehicle::add_line(const io::link::uri& where) {
 }
 
 tl::expected<void, std::string> hosted_vehicle::open(const io::link::link_options& options) {
-  auto opened = io::link::open_link(settings_.where, callbacks(), options);
+  auto opened = io::link::open_link(
+      settings_.where, callbacks(finder_, settings_.where, [this](const mavlink::frame_view& frame) { heard(frame); }),
+      options);
   if (!opened)
     return tl::make_unexpected(std::move(opened.error()));
   link_ = *std::move(opened);
   for (const auto& each : further_) {
-    auto another = io::link::open_link(each->where, callbacks(*each), options);
+    const auto heard_there = [this, &line = *each](const mavlink::frame_view& frame) { heard(line, frame); };
+    auto another = io::link::open_link(each->where, callbacks(each->finder, each->where, heard_there), options);
     if (!another)
       return tl::make_unexpected(std::move(another.error()));
     each->link = *std::move(another);
@@ -61,38 +65,20 @@ std::vector<std::string> hosted_vehicle::more_link_descriptions() const {
   return result;
 }
 
-io::link::link_callbacks hosted_vehicle::callbacks() {
+io::link::link_callbacks hosted_vehicle::callbacks(frame_finder& finder, const io::link::uri& where, frame_sink take) {
   return {.received =
-              [this](io::link::peer_id from, std::span<const std::byte> bytes, bool is_datagram) {
-                finder_.feed(from, bytes, is_datagram, around_.now_ns(),
-                             [this](const mavlink::frame_view& frame) { heard(frame); });
+              [this, &finder, take = std::move(take)](io::link::peer_id from, std::span<const std::byte> bytes,
+                                                      bool is_datagram) {
+                finder.feed(from, bytes, is_datagram, around_.now_ns(), take);
                 around_.moved(*this);
               },
           .changed =
-              [this](const io::link::link_status& status) {
+              [this, &finder, &where](const io::link::link_status& status) {
                 if (status.phase != io::link::link_phase::up)
-                  finder_.forget_all();
-                around_.changed(*this, settings_.where, status);
+                  finder.forget_all();
+                around_.changed(*this, where, status);
               },
-          .left = [this](io::link::peer_id who) { finder_.forget(who); }};
-}
-
-io::link::link_callbacks hosted_vehicle::callbacks(further_line& of) {
-  return {.received =
-              [this, &of](io::link::peer_id from, std::span<const std::byte> bytes, bool is_datagram) {
-                of.finder.feed(from, bytes, is_datagram, around_.now_ns(), [&](const mavlink::frame_view& frame) {
-                  note_heard(frame);
-                  vehicle_.on_frame(frame, around_.now_ns(), of.number);
-                });
-                around_.moved(*this);
-              },
-          .changed =
-              [this, &of](const io::link::link_status& status) {
-                if (status.phase != io::link::link_phase::up)
-                  of.finder.forget_all();
-                around_.changed(*this, of.where, status);
-              },
-          .left = [&of](io::link::peer_id who) { of.finder.forget(who); }};
+          .left = [&finder](io::link::peer_id who) { finder.forget(who); }};
 }
 
 void hosted_vehicle::note_heard(const mavlink::frame_view& frame) {
@@ -110,6 +96,11 @@ void hosted_vehicle::note_sent(const mavlink::frame_view& frame) {
 void hosted_vehicle::heard(const mavlink::frame_view& frame) {
   note_heard(frame);
   line_.send(way::in, frame.bytes(), around_.now_ns());
+}
+
+void hosted_vehicle::heard(const further_line& on, const mavlink::frame_view& frame) {
+  note_heard(frame);
+  vehicle_.on_frame(frame, around_.now_ns(), on.number);
 }
 
 void hosted_vehicle::arrived(way to, std::span<const std::byte> frame, bool is_damaged) {
@@ -130,10 +121,7 @@ void hosted_vehicle::arrived(way to, std::span<const std::byte> frame, bool is_d
 void hosted_vehicle::on_time(std::int64_t now_ns) {
   finder_.on_time(now_ns, [this](const mavlink::frame_view& frame) { heard(frame); });
   for (const auto& each : further_)
-    each->finder.on_time(now_ns, [&](const mavlink::frame_view& frame) {
-      note_heard(frame);
-      vehicle_.on_frame(frame, now_ns, each->number);
-    });
+    each->finder.on_time(now_ns, [&](const mavlink::frame_view& frame) { heard(*each, frame); });
   line_.on_time(now_ns);
   if (vehicle_.next_deadline_ns() <= now_ns)
     vehicle_.on_time(now_ns);

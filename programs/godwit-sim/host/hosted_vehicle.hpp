@@ -84,12 +84,15 @@ private:
     std::unique_ptr<io::link::link> link;
   };
 
-  [[nodiscard]] io::link::link_callbacks callbacks();
-  [[nodiscard]] io::link::link_callbacks callbacks(further_line& of);
+  using frame_sink = std::function<void(const io::mavlink::frame_view& frame)>;
+
+  // FINDER and WHERE stay; TAKE gets each frame that comes.
+  [[nodiscard]] io::link::link_callbacks callbacks(frame_finder& finder, const io::link::uri& where, frame_sink take);
   void add_line(const io::link::uri& where);
   void note_heard(const io::mavlink::frame_view& frame);
   void note_sent(const io::mavlink::frame_view& frame);
   void heard(const io::mavlink::frame_view& frame);
+  void heard(const further_line& on, const io::mavlink::frame_view& frame);
   void arrived(way to, std::span<const std::byte> frame, bool is_damaged);
   void tell(std::string sentence);
   void look(std::int64_t now_ns);

@@ -16,6 +16,12 @@ constexpr home_place customer{47.402, 8.545594, 488};
 
 void guard_with_home(flight_world& world) { world.tell(asked_guard{1, {{}, {}, {}, depot}}); }
 
+void guard_with_home_moved(flight_world& world) {
+  guard_with_home(world);
+  world.tell(home_told{customer});
+  world.run_s(2);
+}
+
 // The battery is low until somebody is asked for a plan.
 std::uint64_t drain_until_asked(flight_world& world) {
   while (world.battery_percent > 22) {
@@ -31,9 +37,7 @@ std::uint64_t drain_until_asked(flight_world& world) {
 TEST(failsafe_home, where_its_return_leads_elsewhere_the_executor_is_asked_for_a_plan_and_nothing_is_sent) {
   for (const auto what : classes) {
     flight_world world(what);
-    guard_with_home(world);
-    world.tell(home_told{customer});
-    world.run_s(2);
+    guard_with_home_moved(world);
     const auto number = drain_until_asked(world);
     EXPECT_TRUE(world.has_warned_of("m from the home of the mission"));
     world.tell(return_taken{number, true, {}});
@@ -46,9 +50,7 @@ TEST(failsafe_home, where_its_return_leads_elsewhere_the_executor_is_asked_for_a
 TEST(failsafe_home, an_executor_that_is_down_leaves_it_to_the_vehicles_own_return_and_the_difference_is_told) {
   for (const auto what : classes) {
     flight_world world(what);
-    guard_with_home(world);
-    world.tell(home_told{customer});
-    world.run_s(2);
+    guard_with_home_moved(world);
     drain_to(world, 22);
     world.run_s(3);
     EXPECT_EQ(actions_of(world), these{action::return_home});
@@ -59,9 +61,7 @@ TEST(failsafe_home, an_executor_that_is_down_leaves_it_to_the_vehicles_own_retur
 
 TEST(failsafe_home, a_plan_that_the_executor_can_not_fly_leaves_it_to_the_vehicles_own_return) {
   flight_world world;
-  guard_with_home(world);
-  world.tell(home_told{customer});
-  world.run_s(2);
+  guard_with_home_moved(world);
   const auto number = drain_until_asked(world);
   world.tell(return_taken{number + 1, false, "of another request"});
   world.run_ms(200);
@@ -97,9 +97,7 @@ TEST(failsafe_home, of_the_arming_is_that_of_a_first_flight_and_who_moves_it_mov
 
 TEST(failsafe_home, what_is_asked_for_is_asked_for_again_behind_a_restart) {
   flight_world world;
-  guard_with_home(world);
-  world.tell(home_told{customer});
-  world.run_s(2);
+  guard_with_home_moved(world);
   const auto number = drain_until_asked(world);
   world.restart();
   world.run_ms(300);
@@ -111,9 +109,7 @@ TEST(failsafe_home, what_is_asked_for_is_asked_for_again_behind_a_restart) {
 
 TEST(failsafe_home, a_pilot_who_takes_it_meanwhile_is_left_alone) {
   flight_world world;
-  guard_with_home(world);
-  world.tell(home_told{customer});
-  world.run_s(2);
+  guard_with_home_moved(world);
   (void)drain_until_asked(world);
   world.tell(taken_over{});
   world.run_s(10);
@@ -140,9 +136,7 @@ TEST(failsafe_home, of_a_first_flight_is_wherever_the_vehicle_has_it) {
 
 TEST(failsafe_home, a_critical_battery_lands_wherever_home_is) {
   flight_world world;
-  guard_with_home(world);
-  world.tell(home_told{customer});
-  world.run_s(2);
+  guard_with_home_moved(world);
   world.tell(return_taken{drain_until_asked(world), true, {}});
   drain_to(world, 12);
   EXPECT_EQ(actions_of(world), these{action::land});

@@ -182,6 +182,7 @@ private:
   answer request_protocol_version(const role::order& what);
   answer get_home(const role::order& what);
   answer give(std::uint32_t message);
+  answer give_or_owe(std::uint32_t message);
 
   equipment with_;
   instant now_;

@@ -33,20 +33,25 @@ mav_result autopilot::give(std::uint32_t message) {
   return with_.tells.send(message, now_.world_ns) ? mav_result::accepted : autopilot_quirks().unknown_message;
 }
 
+// On the line of who asks: a PX4 before its answer, an ArduPilot after it.
+mav_result autopilot::give_or_owe(std::uint32_t message) {
+  if (autopilot_quirks().sends_before_ack) {
+    const auto there = aim_back();
+    return give(message);
+  }
+  owed_message_ = message;
+  return mav_result::accepted;
+}
+
 mav_result autopilot::request_message(const role::order& what) {
   const auto message = message_in(what.param1);
   if (!message)
     return autopilot_quirks().unknown_message;
-  if (autopilot_quirks().sends_before_ack) {
-    const auto there = aim_back();
-    return give(*message);
-  }
   const bool is_current =
       *message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away;
-  if (!is_current && !with_.tells.knows(*message))
+  if (!autopilot_quirks().sends_before_ack && !is_current && !with_.tells.knows(*message))
     return autopilot_quirks().unknown_message;
-  owed_message_ = message;
-  return mav_result::accepted;
+  return give_or_owe(*message);
 }
 
 mav_result autopilot::set_message_interval(const role::order& what) {
@@ -82,12 +87,7 @@ mav_result autopilot::get_message_interval(const role::order& what) {
 }
 
 mav_result autopilot::request_capabilities(const role::order&) {
-  if (autopilot_quirks().sends_before_ack) {
-    const auto there = aim_back();
-    return give(mavlink::autopilot_version::message_id);
-  }
-  owed_message_ = mavlink::autopilot_version::message_id;
-  return mav_result::accepted;
+  return give_or_owe(mavlink::autopilot_version::message_id);
 }
 
 mav_result autopilot::request_protocol_version(const role::order&) {
@@ -97,13 +97,6 @@ mav_result autopilot::request_protocol_version(const role::order&) {
   return give(mavlink::protocol_version::message_id);
 }
 
-mav_result autopilot::get_home(const role::order&) {
-  if (autopilot_quirks().sends_before_ack) {
-    const auto there = aim_back();
-    return give(mavlink::home_position::message_id);
-  }
-  owed_message_ = mavlink::home_position::message_id;
-  return mav_result::accepted;
-}
+mav_result autopilot::get_home(const role::order&) { return give_or_owe(mavlink::home_position::message_id); }
 
 } // namespace godwit::sim

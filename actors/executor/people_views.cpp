@@ -5,6 +5,7 @@
 
 #include "actors/executor/plan/setting.hpp"
 #include "io/mavlink/enums/command.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::executor {
@@ -12,7 +13,7 @@ namespace {
 
 using io::mavlink::mav_cmd;
 
-constexpr double units_a_degree = 1e7; // divided by, so that a coordinate keeps its digits
+using io::mavlink::units_a_degree;
 
 // The items to whose places the vehicle goes.
 constexpr std::array ways{mav_cmd::nav_waypoint,    mav_cmd::nav_loiter_unlim,    mav_cmd::nav_loiter_turns,

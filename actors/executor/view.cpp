@@ -9,6 +9,7 @@
 #include "actors/executor/preflight/checks/autopilot_checks.hpp"
 #include "actors/executor/preflight/checks/vehicle_ready.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 
 namespace godwit::executor {
@@ -16,7 +17,7 @@ namespace {
 
 using io::mavlink::mav_landed_state;
 
-constexpr double units_a_degree = 1e7; // divided by, so that a coordinate keeps its digits
+using io::mavlink::units_a_degree;
 constexpr double metres_of_mm = 1e-3;
 constexpr double metres_of_cm = 1e-2;
 constexpr std::uint8_t satellites_unknown = 255;

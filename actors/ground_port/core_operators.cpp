@@ -23,12 +23,11 @@ std::optional<double> core::home_altitude_m() const {
 
 std::optional<mission::position> core::here() const {
   constexpr double mm_per_m = 1'000;
-  constexpr double units = mavlink::units_of(mavlink::coordinate_kind::global);
   const auto& newest = gate_.newest(mavlink::global_position_int::message_id);
   if (!newest)
     return std::nullopt;
   const auto& m = std::get<mavlink::global_position_int>(*newest);
-  return mission::position{m.lat / units, m.lon / units, m.relative_alt / mm_per_m};
+  return mission::position{m.lat / mavlink::units_a_degree, m.lon / mavlink::units_a_degree, m.relative_alt / mm_per_m};
 }
 
 void core::say_word(decision_context& t, const vehicle_role::order& what) {

@@ -7,12 +7,13 @@
 
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/movement_detector/gimbal_attitude.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::movement_detector {
 namespace {
 
 constexpr double rad_in_deg = std::numbers::pi / 180;
-constexpr double deg_units = 1e7;
+using io::mavlink::units_a_degree;
 constexpr double mm_in_m = 1000;
 constexpr double position_sd_m = 3; // of a satellite receiver, with the time that a message needs
 constexpr double height_sd_m = 5;   // the ground is taken to be as high as home
@@ -116,8 +117,8 @@ effects core::pose_of(const rotation& camera, const std::array<double, 3>& rate,
   result.rate_x_rad_s = rate[0];
   result.rate_y_rad_s = rate[1];
   result.rate_z_rad_s = rate[2];
-  result.latitude_deg = position_->lat / deg_units;
-  result.longitude_deg = position_->lon / deg_units;
+  result.latitude_deg = position_->lat / units_a_degree;
+  result.longitude_deg = position_->lon / units_a_degree;
   result.height_m = position_->relative_alt / mm_in_m;
   result.attitude_sd_rad = settings_.attitude_sd_deg * rad_in_deg;
   result.position_sd_m = position_sd_m;
@@ -129,7 +130,7 @@ effects core::pose_of(const rotation& camera, const std::array<double, 3>& rate,
 void core::on_position(const io::mavlink::global_position_int& m, instant now) {
   constexpr double most_latitude = 90;
   constexpr double most_longitude = 180;
-  if (std::abs(m.lat / deg_units) > most_latitude || std::abs(m.lon / deg_units) > most_longitude)
+  if (std::abs(m.lat / units_a_degree) > most_latitude || std::abs(m.lon / units_a_degree) > most_longitude)
     return;
   position_ = m;
   position_ns_ = now.monotonic_ns;

@@ -4,6 +4,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "io/mavlink/frame_meaning.hpp"
+
 namespace godwit::scan_controller {
 
 using mapobjects_store::map_failure;
@@ -31,7 +33,7 @@ actor::behavior_type actor::handlers() {
             turn();
           }),
           on<io::mavlink::global_position_int>([this](const io::mavlink::global_position_int& m) {
-            constexpr double units_a_degree = 1e7;
+            using io::mavlink::units_a_degree;
             const geo::point here{m.lat / units_a_degree, m.lon / units_a_degree};
             if (geo::is_valid(here))
               core_.on_vehicle_at(here);

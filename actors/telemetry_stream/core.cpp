@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/fields/json_text.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::telemetry_stream {
@@ -13,7 +14,7 @@ namespace {
 
 namespace mavlink = io::mavlink;
 
-constexpr double units_a_degree = 1e7; // divided by, so that a coordinate keeps its digits
+using mavlink::units_a_degree;
 constexpr double metres_of_mm = 1e-3;
 constexpr double metres_of_cm = 1e-2;
 constexpr double degrees_of_cdeg = 1e-2;

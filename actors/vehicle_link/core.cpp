@@ -7,6 +7,7 @@
 
 #include "actors/vehicle_link/core_context.hpp"
 #include "actors/vehicle_link/relay_gate.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/heartbeat_meaning.hpp"
 #include "io/time_units.hpp"
 
@@ -191,10 +192,9 @@ template <mavlink::message M>
 void core::take(decision_context& t, const M& message) {
   if constexpr (requires { message.time_boot_ms; })
     note_boot_time(t, message.time_boot_ms);
-  if constexpr (M::message_id == mavlink::global_position_int::message_id) {
-    constexpr double degrees_of_unit = 1e-7;
-    identity_.on_place({message.lat * degrees_of_unit, message.lon * degrees_of_unit}, t.now.monotonic_ns);
-  }
+  if constexpr (M::message_id == mavlink::global_position_int::message_id)
+    identity_.on_place({message.lat / mavlink::units_a_degree, message.lon / mavlink::units_a_degree},
+                       t.now.monotonic_ns);
   if constexpr (told_messages::contains(M::message_id))
     t.done.emplace_back(observation(message));
 }

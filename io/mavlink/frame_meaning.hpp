@@ -55,6 +55,9 @@ enum class coordinate_kind { global, local, none };
   return 1;
 }
 
+// Divided by, so that a coordinate keeps its digits.
+inline constexpr double units_a_degree = units_of(coordinate_kind::global);
+
 enum class altitude_kind { above_sea, above_home, above_terrain };
 
 // None: local frames, and frames without a position.

@@ -8,6 +8,7 @@
 #include "actors/domain/home/home.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/plan/places.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 #include "actors/executor/preflight/report.hpp"
 #include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
@@ -116,10 +117,11 @@ bool flight_context::came_down_as_planned(instant now) const {
   const auto& last = s.flown->items.back();
   const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
-  if (last.command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch))
+  if (plan::is_return_item(last))
     return view.home() && !returns_elsewhere() && view.is_within(metres, plan::point_of(*view.home()), now.now_ns);
-  constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
-  return (last.x == 0 && last.y == 0) || view.is_within(metres, {last.x / units, last.y / units}, now.now_ns);
+  using io::mavlink::units_a_degree;
+  return (last.x == 0 && last.y == 0) ||
+         view.is_within(metres, {last.x / units_a_degree, last.y / units_a_degree}, now.now_ns);
 }
 
 bool flight_context::is_complete_credible(instant now) const {
@@ -217,8 +219,8 @@ tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(cons
   const auto where = setting(now);
   if (!where)
     return tl::make_unexpected(std::string("the vehicle tells no position"));
-  if (const auto found = out_of_limits(mission, first_item, now); found && !found->empty())
-    return tl::make_unexpected(found->front());
+  if (auto why = why_out_of_limits(mission, first_item, now); !why.empty())
+    return tl::make_unexpected(std::move(why));
   auto plans = plan::build_plans(mission, *where, going_on(mission, first_item));
   if (!plans)
     return tl::make_unexpected(plans.error().message());
@@ -244,6 +246,11 @@ std::optional<std::vector<std::string>> flight_context::out_of_limits(const miss
   if (!origin)
     return std::nullopt;
   return mission::places_out_of_limits(mission, first, *origin, configured.limits);
+}
+
+std::string flight_context::why_out_of_limits(const mission::document& mission, std::size_t first, instant now) const {
+  auto found = out_of_limits(mission, first, now);
+  return found && !found->empty() ? std::move(found->front()) : std::string();
 }
 
 std::optional<std::string> flight_context::out_of_limits(const std::string& what, const mission::position& at,

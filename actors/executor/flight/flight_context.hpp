@@ -157,6 +157,8 @@ struct flight_context {
   // is not known.
   [[nodiscard]] std::optional<std::vector<std::string>> out_of_limits(const mission::document& mission,
                                                                       std::size_t first, instant now) const;
+  // The first of them, for a mission that is refused; empty: none, or it is not known.
+  [[nodiscard]] std::string why_out_of_limits(const mission::document& mission, std::size_t first, instant now) const;
   // The same for one place.
   [[nodiscard]] std::optional<std::string> out_of_limits(const std::string& what, const mission::position& at,
                                                          instant now) const;

@@ -15,9 +15,9 @@ namespace {
 
 using io::mavlink::mav_cmd;
 using io::mavlink::number;
+using io::mavlink::units_a_degree;
 
 constexpr double metres_of_degree = 111'195; // of latitude, on a sphere
-constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
 
 // Good to a percent within the tens of kilometres of a mission.
 double metres_between(const geo::point& a, const geo::point& b) {
@@ -49,7 +49,7 @@ void track::begin(const std::vector<io::mavlink::mission_item_int>& items, fligh
     const bool circles = is_wing || is_loiter(each.command);
     const double accepted_m = each.command == number(mav_cmd::nav_waypoint) ? std::abs(each.param2) : 0;
     places_.push_back({each.seq,
-                       {each.x / units, each.y / units},
+                       {each.x / units_a_degree, each.y / units_a_degree},
                        accepted_m + (circles ? radius_m : 0) + (is_wing ? wing_margin_m : margin_m),
                        std::numeric_limits<double>::infinity()});
   }

@@ -16,7 +16,7 @@ using io::mavlink::mav_cmd;
 using io::mavlink::mission_item_int;
 using io::mavlink::number;
 
-constexpr double units_a_degree = 1e7;
+using io::mavlink::units_a_degree;
 constexpr float least_corners = 3;
 
 bool is_corner(const mission_item_int& each) {

@@ -148,7 +148,7 @@ void actor::obey(const operators::command& m, std::uint64_t request_id) {
     after_commit([this, request_id, answer] { answer_later(request_id, answer); });
 }
 
-// It is not held up by the disk: what is sent behind the answer has to meet nobody else's order. That something is
+// It is not held up by the disk: what is sent after the answer has to meet nobody else's order. That something is
 // begun is said before what comes of it.
 void actor::obey(const station_act& m, std::uint64_t request_id) {
   auto [wanted, answer] = core_->on_station(m, now());

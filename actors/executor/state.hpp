@@ -295,7 +295,7 @@ struct station_plan_dropped {
 };
 
 // Where the vehicle's home was when it was armed for the first take-off of the mission: there its returns lead, and
-// from there its altitudes count. It is wherever the vehicle says until it has told it behind that arming; from then on
+// from there its altitudes count. It is wherever the vehicle says until it has told it after that arming; from then on
 // it stays.
 struct kept_home {
   flight::home_place at;

@@ -519,8 +519,9 @@ void task_runner::resolve_upload(const world& w) {
   if (w.durable.progress.last_generation != generation_before_) {
     w.seen.plan.prove(uploaded_ns_, uploaded_ns_);
     next_step();
-  } else
+  } else {
     fail("the plan did not come to the vehicle: " + last_reason_);
+  }
 }
 
 } // namespace godwit::executor

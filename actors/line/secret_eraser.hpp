@@ -29,7 +29,7 @@ private:
     std::array<std::byte, io::mavlink::header_size> newest{}; // bytes as they came, the last one last
     std::size_t key_left = 0;                                 // bytes of a key to come
     std::size_t header_left = 0;                              // 0: no header is being read
-    std::size_t frame_left = 0;                               // bytes of a frame to come, behind its header
+    std::size_t frame_left = 0;                               // bytes of a frame to come, after its header
     std::size_t signature = 0;                                // so many of these are a signature
   };
 

@@ -98,7 +98,6 @@ bool foreign_watch::is_forwarded(const mavlink::command_ack& m, std::int64_t now
 }
 
 foreign_act foreign_watch::act(foreign_kind kind, std::uint16_t command, mavlink::sender who, std::int64_t now_ns) {
-  ++(kind == foreign_kind::command ? commands_ : plans_);
   last_ns_ = std::max(now_ns, last_ns_ + 1);
   return {kind, command, who.system, who.component, last_ns_};
 }

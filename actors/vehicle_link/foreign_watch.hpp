@@ -35,9 +35,6 @@ public:
   [[nodiscard]] std::optional<foreign_act> on_frame(const io::mavlink::frame_view& frame, std::uint8_t vehicle,
                                                     std::int64_t now_ns);
 
-  [[nodiscard]] std::uint64_t commands() const { return commands_; } // of somebody else, that the vehicle does
-  [[nodiscard]] std::uint64_t plans() const { return plans_; }       // signs of somebody else's plan
-
 private:
   struct forwarded {
     std::uint8_t system = 0;
@@ -51,8 +48,6 @@ private:
 
   std::deque<forwarded> forwarded_;
   std::int64_t last_ns_ = 0;
-  std::uint64_t commands_ = 0;
-  std::uint64_t plans_ = 0;
 };
 
 } // namespace godwit::vehicle_link

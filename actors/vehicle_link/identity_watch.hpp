@@ -6,7 +6,7 @@
 //   two counts of frames, in turn           two senders: either of these, or two ways of one vehicle
 //
 // Each is followed as two runs that go on steadily: who comes late or is lost continues neither. Found is what has gone
-// to and fro often enough of late, and it lasts for lasts_ns behind that. Pure: monotonic nanoseconds. Thread: a value.
+// to and fro often enough of late, and it lasts for lasts_ns after that. Pure: monotonic nanoseconds. Thread: a value.
 #pragma once
 
 #include <array>

@@ -23,12 +23,12 @@
 // |-------------------------------------------------------------|---------------------------------------|
 // | HEARTBEAT                                                   | once a second, while who decides here lives     |
 // | COMMAND_LONG, COMMAND_INT, COMMAND_CANCEL, SET_MODE         | asked for                             |
-// | COMMAND_LONG REQUEST_MESSAGE for HEARTBEAT                  | nobody was heard yet on an open link; a look is asked
-// for | | MISSION_COUNT, _ITEM_INT, _ACK, _REQUEST_LIST, _REQUEST_INT, _CLEAR_ALL | a transfer is asked for   | |
-// MISSION_SET_CURRENT                                         | the vehicle has no DO_SET_MISSION_CURRENT | |
-// REQUEST_DATA_STREAM                                         | SET_MESSAGE_INTERVAL brought nothing   | | TIMESYNC,
-// PING                                              | answers                               | | SETUP_SIGNING | asked
-// for, and the link is secure     |
+// | COMMAND_LONG REQUEST_MESSAGE for HEARTBEAT                  | nobody was heard yet; a look          |
+// | MISSION_COUNT, _ITEM_INT, _ACK, _REQUEST_LIST, _REQUEST_INT, _CLEAR_ALL | a transfer is asked for   |
+// | MISSION_SET_CURRENT                                         | the vehicle has no DO_SET_MISSION_CURRENT |
+// | REQUEST_DATA_STREAM                                         | SET_MESSAGE_INTERVAL brought nothing   |
+// | TIMESYNC, PING                                              | answers                               |
+// | SETUP_SIGNING                                               | asked for, and the link is secure     |
 #pragma once
 
 #include <concepts>

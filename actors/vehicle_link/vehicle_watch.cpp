@@ -34,8 +34,12 @@ std::optional<connection_changed> vehicle_watch::on_transport(bool up, const std
   }
   if (phase_ != connection_phase::down)
     return std::nullopt;
+  return enter(connection_phase::silent, why_silent());
+}
+
+std::string vehicle_watch::why_silent() const {
   const auto who = waits_for();
-  return enter(connection_phase::silent, who.empty() ? "no heartbeat of an autopilot yet" : who + " is not heard yet");
+  return who.empty() ? "no heartbeat of an autopilot yet" : who + " is not heard yet";
 }
 
 // Empty: a heartbeat changes nothing about why nobody is heard.
@@ -71,8 +75,7 @@ std::optional<connection_changed> vehicle_watch::keep(const std::optional<vehicl
   kept_ = who;
   if (phase_ != connection_phase::silent)
     return std::nullopt;
-  const auto waits = waits_for();
-  reason_ = waits.empty() ? "no heartbeat of an autopilot yet" : waits + " is not heard yet";
+  reason_ = why_silent();
   return connection_changed{phase_, reason_};
 }
 

@@ -103,6 +103,7 @@ private:
   [[nodiscard]] std::uint8_t wanted_system() const; // 0: any
   void note_other(vehicle_name who, std::int64_t now_ns);
   [[nodiscard]] std::string waits_for() const; // as a sentence; empty: for any autopilot
+  [[nodiscard]] std::string why_silent() const;
   [[nodiscard]] std::optional<connection_changed> wait_on(std::int64_t now_ns);
   [[nodiscard]] bool may_begin(std::uint8_t system, io::link::peer_id peer, std::int64_t now_ns);
   [[nodiscard]] std::optional<connection_changed> enter(connection_phase phase, std::string reason);

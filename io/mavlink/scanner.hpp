@@ -18,7 +18,7 @@
 //
 // What lies whole in the given bytes is handed on where it is; at most one frame and the header of the next wait for
 // more. A stream, and a sender of datagrams, should be told of a long silence (`end_of_datagram`): else a false start
-// that claims 280 bytes holds back what comes behind it until so much has come. What garbage costs is bounded: one
+// that claims 280 bytes holds back what comes after it until so much has come. What garbage costs is bounded: one
 // checksum of at most 264 bytes for each FD that has a known id, four for one that has not. Allocates nothing. Errors:
 // none, everything is counted. Thread: one at a time; a sink must not feed its scanner.
 #pragma once
@@ -73,7 +73,7 @@ public:
   }
 
   // As a piece of a stream, but for two things that a datagram tells. One that begins with a frame goes on with nothing
-  // that was begun before: what waits is let go. And a frame of an unknown id at its end has nothing behind it.
+  // that was begun before: what waits is let go. And a frame of an unknown id at its end has nothing after it.
   template <class Sink>
   void feed_next_datagram(byte_view bytes, Sink&& sink) {
     if (carried_ != 0 && begins_with_frame(bytes))

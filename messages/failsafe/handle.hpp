@@ -28,17 +28,8 @@ using telemetry_handle =
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::foreign_act>>;
 
 // All of it; ground_port tells operator_link.
-using own_handle =
-    runtime::mailbox<runtime::asks<guard_mission, guard_answer>, runtime::tells<expect_mode>,
-                     runtime::tells<taken_over>, runtime::tells<command_pending>, runtime::tells<following>,
-                     runtime::tells<hand_back>, runtime::asks<override_rule, override_answer>,
-                     runtime::asks<get_failsafe_status, failsafe_status>, runtime::tells<io::mavlink::heartbeat>,
-                     runtime::tells<io::mavlink::extended_sys_state>, runtime::tells<io::mavlink::global_position_int>,
-                     runtime::tells<io::mavlink::home_position>, runtime::tells<io::mavlink::sys_status>,
-                     runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::current_mode>,
-                     runtime::tells<io::mavlink::statustext>, runtime::tells<vehicle_link::connection_changed>,
-                     runtime::tells<vehicle_link::foreign_act>, runtime::tells<return_taken>,
-                     runtime::tells<ground_port::operator_link>, runtime::tells<tick>>;
+using own_handle = runtime::combine<handle, telemetry_handle,
+                                    runtime::mailbox<runtime::tells<ground_port::operator_link>, runtime::tells<tick>>>;
 
 // What the failsafe needs of the link to the vehicle.
 using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,

@@ -128,8 +128,8 @@ gcs_view::verdict gcs_view::take_plan(effects& out, const plan_taken& m, bool ha
   auto taken = import_plan(m, now);
   if (!taken)
     return refuse(taken.error().message());
-  if (const auto found = flight_.out_of_limits(taken->mission, 0, now); found && !found->empty())
-    return refuse(found->front());
+  if (const auto why = flight_.why_out_of_limits(taken->mission, 0, now); !why.empty())
+    return refuse(why);
   station_plan plan;
   plan.mission_id = taken->mission.mission_id;
   plan.revision = taken->mission.revision;

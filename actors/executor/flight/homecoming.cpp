@@ -62,9 +62,9 @@ void homecoming::begin_straight(effects& out, const std::string& why) {
   begin_return(out);
 }
 
-std::string homecoming::why_not_for_failsafe(bool has_looked, instant now) const {
+std::string homecoming::why_not_for_failsafe(instant now) const {
   const auto& view = flight_.view;
-  if (!has_looked || !flight_.is_in_flight() || flight_.has_person() || !flight_.authority.is_ours())
+  if (!flight_.is_in_flight() || flight_.has_person() || !flight_.authority.is_ours())
     return "the flight is not godwit's: " + flight_.sentence();
   if (!view.is_under_way() || !flight_.s.mission)
     return "the vehicle flies no mission of godwit's";
@@ -75,13 +75,13 @@ std::string homecoming::why_not_for_failsafe(bool has_looked, instant now) const
   return {};
 }
 
-// A new incarnation answers behind its first look.
+// A new incarnation answers after its first look.
 void homecoming::answer_failsafe(effects& out, bool has_looked, instant now) {
   const auto& status = flight_.failsafe_status;
   if (!status || !status->return_asked || status->return_asked->number == answered_ || !has_looked)
     return;
   answered_ = status->return_asked->number;
-  auto why = why_not_for_failsafe(has_looked, now);
+  auto why = why_not_for_failsafe(now);
   const bool is_taken = why.empty();
   out.emplace_back(say_to_failsafe{failsafe::return_taken{answered_, is_taken, std::move(why)}});
   if (!is_taken)

@@ -54,7 +54,7 @@ private:
   [[nodiscard]] turns_or_why turns(instant now) const;
   [[nodiscard]] std::int64_t time_for_plan_ns() const;
   [[nodiscard]] bool is_battery_low() const;
-  [[nodiscard]] std::string why_not_for_failsafe(bool has_looked, instant now) const;
+  [[nodiscard]] std::string why_not_for_failsafe(instant now) const;
   [[nodiscard]] bool is_coming_home() const; // by a plan
   [[nodiscard]] std::string why_not_by_plan(instant now) const;
   void begin_return(effects& out);

@@ -323,8 +323,8 @@ bool plan_changes::answer_assignment(effects& out, instant now) {
   const auto wanted = reassign(*s.mission, asked, last_done(s));
   if (!wanted)
     return reject(out, asked, wanted.error());
-  if (const auto found = flight_.out_of_limits(wanted->mission, wanted->first_item, now); found && !found->empty())
-    return reject(out, asked, found->front());
+  if (const auto why = flight_.why_out_of_limits(wanted->mission, wanted->first_item, now); !why.empty())
+    return reject(out, asked, why);
   return waits_on_ground ? take_on_ground(out, asked, wanted->mission) : deploy_assigned(out, asked, *wanted, now);
 }
 

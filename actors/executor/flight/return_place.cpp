@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "io/mavlink/enums.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -103,9 +103,7 @@ void return_place::tell_moved(effects& out) {
 bool return_place::returns_by_itself() const {
   const auto& view = flight_.view;
   const auto& flown = flight_.s.flown;
-  const bool ends_with_return =
-      flown && !flown->items.empty() &&
-      flown->items.back().command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch);
+  const bool ends_with_return = flown && !flown->items.empty() && plan::is_return_item(flown->items.back());
   return view.is_under_way() &&
          (view.is_in(flight::mode_kind::returning) ||
           (ends_with_return && view.is_in(flight::mode_kind::mission) && flight_.is_at_end_of_plan()));
@@ -116,7 +114,6 @@ void return_place::lead_back(effects& out) {
   if (flight_.runner.is_busy() || flight_.wanted.halt || flight_.homing.at != homing_stage::none ||
       flight_.has_open_intent())
     return;
-  const auto& flown = flight_.s.flown;
   if (returns_by_itself()) {
     if (std::exchange(is_led_back_, true))
       return;
@@ -126,9 +123,8 @@ void return_place::lead_back(effects& out) {
     flight_.wanted.put_halt(task_kind::come_home);
     return;
   }
-  const bool has_return = flown && std::ranges::any_of(flown->items, [](const auto& each) {
-                            return each.command == io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch);
-                          });
+  const auto& flown = flight_.s.flown;
+  const bool has_return = flown && std::ranges::any_of(flown->items, plan::is_return_item);
   const bool may_be_brought = flight_.s.status.now == phase::flying && flight_.may_change_plan() &&
                               flight_.view.is_in(flight::mode_kind::mission) && !flight_.is_plan_finished() &&
                               !flight_.is_on_way_home();

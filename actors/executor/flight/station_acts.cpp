@@ -58,7 +58,7 @@ bool station_acts::takes_vehicle(const station_act& m) const {
 }
 
 // Arm and start in one breath: a start that came before the vehicle has answered the arm of its station hands it back,
-// as one that comes behind it.
+// as one that comes after it.
 void station_acts::accept(effects& out, const station_act& m) {
   flight_.awaited_arming.reset();
   if (!takes_vehicle(m))

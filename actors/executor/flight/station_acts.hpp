@@ -7,8 +7,7 @@
 //   take_off    taken, passed on                  taken, passed on                        passed on
 //   sticks_at_rest   refused                      passed on                               passed on
 //   stop, stream, command   taken, passed on      passed on                               passed on
-//   configure   refused                           passed on, the checks anew              as the vehicle is: armed or
-//   not
+//   configure   refused                           passed on, the checks anew              by whether it is armed
 //
 // "Taken": from then on it is that station's person who has the vehicle, until a hand-back. Of a command that the
 // vehicle acknowledges that is pending until it has (pending_commands.hpp), and one that it refuses has taken nothing.

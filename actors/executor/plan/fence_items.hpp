@@ -4,9 +4,9 @@
 // does is left out, and said.
 //
 //   inclusion                     a polygon, without its floor and ceiling: wider than the mission's
-//   several of them               left out: PX4 and ArduPilot have to be inside of all, and the mission means one of
-//   them exclusion                     a polygon with a floor or a ceiling     left out: the vehicle may fly over or
-//   under it, and its polygon is for all altitudes
+//   several of them               left out: a vehicle has to be inside of all, and the mission means one of them
+//   exclusion                     a polygon
+//   with a floor or a ceiling     left out: the vehicle may fly over or under it, and its polygon is for all altitudes
 //
 // Pure. Source: MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION (5001), _EXCLUSION (5002); ArduPilot's FENCE_OPTIONS; PX4's
 // Geofence::checkPolygons, which asks each polygon.

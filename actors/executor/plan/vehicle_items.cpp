@@ -104,6 +104,10 @@ mission_item_int land_item(const mission::position& at, const plan_setting& sett
 
 mission_item_int return_item() { return bare_item(mav_cmd::nav_return_to_launch, {}); }
 
+bool is_return_item(const mission_item_int& item) {
+  return item.command == io::mavlink::number(mav_cmd::nav_return_to_launch);
+}
+
 mission_item_int speed_item(double mps, const plan_setting& setting) {
   const double kind = setting.vehicle == vehicle_class::fixed_wing ? air_speed : ground_speed;
   return bare_item(mav_cmd::do_change_speed, {kind, mps, keep_throttle, 0});

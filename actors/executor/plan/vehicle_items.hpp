@@ -34,6 +34,7 @@ using io::mavlink::mission_item_int;
                                            const plan_setting& setting);
 [[nodiscard]] mission_item_int land_item(const mission::position& at, const plan_setting& setting);
 [[nodiscard]] mission_item_int return_item();
+[[nodiscard]] bool is_return_item(const mission_item_int& item);
 [[nodiscard]] mission_item_int speed_item(double mps, const plan_setting& setting);
 [[nodiscard]] mission_item_int landing_start_item();
 

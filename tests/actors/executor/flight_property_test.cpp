@@ -272,7 +272,7 @@ private:
 #ifdef __SANITIZE_ADDRESS__
 constexpr int usual_flights = 300; // each takes many times as long
 #else
-constexpr int usual_flights = 10'000; // 8 ms each
+constexpr int usual_flights = 4'000; // 15 ms each
 #endif
 
 int wanted_flights() { return std::getenv("TEST_FULL") != nullptr ? 100'000 : usual_flights; }

@@ -3,7 +3,8 @@
 //
 //   GODWITD=... node --test demo_test.mjs
 //
-// The world runs several times as fast as in the demo. With GODWIT_PICTURES=FOLDER the end is written there as a picture.
+// The world runs several times as fast as in the demo. With GODWIT_PICTURES=FOLDER the pictures that README shows are
+// taken of this flight and written there.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
@@ -26,6 +27,18 @@ after(async () => {
   await ended;
 });
 
+async function picture(page, name, theme, tab, size) {
+  await page.setViewportSize(size);
+  await page.click(`#theme-${theme}`);
+  await page.click(`#tab-${tab}`);
+  await wait(500);
+  await page.evaluate("document.querySelectorAll('#alarms button').forEach((each) => each.click())");
+  await page.click("#see-all");
+  await page.evaluate("window.scrollTo(0, 0)");
+  await wait(300);
+  writeFileSync(join(process.env.GODWIT_PICTURES, `page_${name}.png`), await page.screenshot());
+}
+
 test("the page of the demo shows its end as it was", async () => {
   const [, address] = await until(() => /the page: (\S+)/.exec(heard), "the address of the page", () => heard, ready_ms);
   const { chromium } = load("playwright-core");
@@ -39,6 +52,14 @@ test("the page of the demo shows its end as it was", async () => {
   const all_heard = () => heard;
   await until(() => shows("#phase strong", "flying"), "it flies", all_heard, ready_ms);
   await until(() => shows("#authority strong", "godwit"), "godwit has the vehicle", all_heard);
+  if (process.env.GODWIT_PICTURES) {
+    const flown = async () => Number(/(\d+) of \d+ items/.exec(await page.textContent("#progress"))?.[1] ?? 0);
+    await until(async () => (await flown()) >= 7, "seven items are flown", all_heard, flight_ms);
+    await picture(page, "night", "night", "actors", { width: 1440, height: 900 });
+    await picture(page, "sun", "sun", "plan", { width: 820, height: 1180 });
+    await picture(page, "day", "day", "plots", { width: 1280, height: 800 });
+    await page.click("#tab-plan");
+  }
   await until(() => heard.includes("the flight is over"), "the flight is over", all_heard, flight_ms);
   for (const [where, words] of [["#phase strong", "done"], ["#line", "live"], ["#authority strong", "nobody"]])
     await until(() => shows(where, words), `${words} in ${where}`, all_heard);
@@ -52,10 +73,6 @@ test("the page of the demo shows its end as it was", async () => {
   await until(async () => (await page.locator(".instrument.old").count()) === 0, "no value is old");
   await page.waitForSelector(".mark-vehicle:not(.old)");
   await page.click("#see-all");
-  if (process.env.GODWIT_PICTURES) {
-    await wait(300);
-    writeFileSync(join(process.env.GODWIT_PICTURES, "page_demo_end.png"), await page.screenshot());
-  }
   assert.deepEqual(said, []);
   assert.equal(await ended, 0, heard.slice(-2_000));
 });

@@ -2,8 +2,7 @@
 //
 //   GODWITD=... GODWIT_SIM=... node --test page_test.mjs
 //
-// One flight from its login to the kill of the daemon; each test begins where the one before has ended. With
-// GODWIT_PICTURES=FOLDER the pictures that README shows are written there.
+// One flight from its login to the kill of the daemon; each test begins where the one before has ended.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -19,15 +18,6 @@ const text = (where, of = page) => of.textContent(where);
 const is_shown = async (where, words, of = page) => ((await of.textContent(where)) ?? "").includes(words);
 const shows = (where, words, of = page) => until(() => is_shown(where, words, of), `${words} in ${where}`,
   () => world.daemon.heard.slice(-1_000));
-
-async function picture(name, size) {
-  await page.setViewportSize(size);
-  await page.click("#see-all");
-  await wait(300);
-  const bytes = await page.screenshot();
-  assert.ok(bytes.length > 20_000, `${name}: ${bytes.length} bytes`);
-  if (process.env.GODWIT_PICTURES) writeFileSync(join(process.env.GODWIT_PICTURES, `page_${name}.png`), bytes);
-}
 
 // One grey point as each tile around the vehicle; rows of the file count from the south.
 function write_tiles(file) {
@@ -282,15 +272,15 @@ test("axe finds nothing serious, by day, in sunlight and at night", async () => 
   }
 });
 
-test("pictures at three sizes", async () => {
-  await page.click("#tab-actors");
-  await picture("night", { width: 1440, height: 900 });
-  await page.click("#theme-sun");
-  await picture("sun", { width: 820, height: 1180 });
+test("the plots are drawn at the size of a laptop and of a tablet", async () => {
   await page.click("#theme-day");
   await page.click("#tab-plots");
-  await page.waitForSelector("#plots canvas");
-  await picture("day", { width: 1280, height: 800 });
+  for (const size of [{ width: 1280, height: 800 }, { width: 820, height: 1180 }]) {
+    await page.setViewportSize(size);
+    await page.waitForSelector("#plots canvas");
+    const { width } = await page.locator("#plots canvas").first().boundingBox();
+    assert.ok(width > 200 && width <= size.width, `${width} of ${size.width} pixels`);
+  }
 });
 
 test("that godwitd is killed is said within two seconds, and two seconds behind its start all is as on a fresh page", async () => {

@@ -10,7 +10,8 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { flight_world, free_port, hold, root, until, wait } from "./flight_world.mjs";
 
-const names = ["person", "vehicle", "<b>boat</b>"];
+// Markup in a name must stay text; the picture for README shows names as people give them.
+const names = ["person", "vehicle", process.env.GODWIT_PICTURES ? "boat" : "<b>boat</b>"];
 let world;
 let page;
 before(async () => {

@@ -38,10 +38,15 @@ operator_port::route_list page_desk_routes(runtime::system& actors, const page_d
   const auto way_in = std::make_shared<runtime::gateway>(actors.make_gateway("page"));
   auto result = operator_port::view_routes(
       answers, [way_in, desk = desks.views](operator_port::view_request asked) { way_in->tell(desk, asked); });
-  for (auto& each :
-       operator_port::mission_routes(answers, [way_in, desk = desks.missions](operator_port::mission_upload asked) {
-         way_in->tell(desk, std::move(asked));
-       }))
+  const auto worker = std::make_shared<operator_port::background_worker>();
+  const auto run = [worker](const std::string& from, std::function<void()> work) {
+    return worker->run(from, std::move(work));
+  };
+  const auto way_of_worker = std::make_shared<runtime::gateway>(actors.make_gateway("page_files")); // one a thread
+  const auto upload = [way_of_worker, desk = desks.missions](operator_port::mission_upload asked) {
+    way_of_worker->tell(desk, std::move(asked));
+  };
+  for (auto& each : operator_port::mission_routes(answers, upload, run))
     result.push_back(std::move(each));
   return result;
 }

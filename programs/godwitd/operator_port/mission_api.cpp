@@ -1,5 +1,7 @@
 #include "programs/godwitd/operator_port/mission_api.hpp"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <random>
 #include <utility>
@@ -61,10 +63,23 @@ tl::expected<checked_mission, server_response> read_mission(const server_request
   return refused(std::move(result));
 }
 
+// HANDLE, run by RUN.
+auto in_background(const run_in_background& run, std::function<void(const server_request&, responder)> handle) {
+  return [run, handle = std::move(handle)](const server_request& asked, responder answer) {
+    struct waiting {
+      server_request asked;
+      responder answer;
+    };
+    const auto kept = std::make_shared<waiting>(asked, std::move(answer));
+    if (!run(asked.from, [kept, handle] { handle(kept->asked, std::move(kept->answer)); }))
+      kept->answer.send(problem(503, "other files are being read; send it again in a few seconds"));
+  };
+}
+
 } // namespace
 
 route_list mission_routes(const std::shared_ptr<waiting_answers>& answers,
-                          const std::function<void(mission_upload asked)>& tell) {
+                          const std::function<void(mission_upload asked)>& tell, const run_in_background& run) {
   const auto check = [](const server_request& asked, responder answer) {
     const auto read = read_mission(asked);
     answer.send(read ? server_response{.body = io::to_json(*read)} : read.error());
@@ -77,8 +92,8 @@ route_list mission_routes(const std::shared_ptr<waiting_answers>& answers,
     if (const auto ticket = answers->add(std::move(answer)))
       tell({*ticket, token.empty() ? std::string() : accounts::hash_of_token(token), std::move(read->mission)});
   };
-  return {{"POST", "/api/v1/missions/check", max_mission_file, check},
-          {"POST", "/api/v1/missions", max_mission_file, upload}};
+  return {{"POST", "/api/v1/missions/check", max_mission_file, in_background(run, check)},
+          {"POST", "/api/v1/missions", max_mission_file, in_background(run, upload)}};
 }
 
 } // namespace godwit::operator_port

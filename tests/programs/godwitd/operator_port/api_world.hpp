@@ -200,7 +200,9 @@ public:
     std::ranges::move(view_routes(answers, [this, views](view_request asked) { world.tell(views, asked); }),
                       std::back_inserter(list));
     std::ranges::move(
-        mission_routes(answers, [this, uploads](mission_upload asked) { world.tell(uploads, std::move(asked)); }),
+        mission_routes(
+            answers, [this, uploads](mission_upload asked) { world.tell(uploads, std::move(asked)); },
+            [this](const std::string&, const std::function<void()>& work) { return run_in_background(work); }),
         std::back_inserter(list));
     list.push_back({"GET", "/look", 0, [](const server_request&, responder answer) { answer.send({.body = "{}"}); }});
     routes = std::make_unique<router>(std::move(list), std::vector<std::string>{}, false);
@@ -295,6 +297,11 @@ public:
   std::vector<failsafe::override_rule> overridden;
   std::vector<mission::document> missions; // that were handed over
   bool is_in_flight = false;
+  // Where files are read: at once, unless a test puts something else here.
+  std::function<bool(const std::function<void()>& work)> run_in_background = [](const auto& work) {
+    work();
+    return true;
+  };
   operator_bridge::own_handle bridge;
   scan_controller::operator_handle points;
   desk_inlet desk;

@@ -54,6 +54,27 @@ TEST_F(mission_upload_of, what_is_wrong_with_a_file_is_said_with_its_place) {
   EXPECT_EQ(world.ask("POST", check, {{"a", 1}}).status, 415U);
 }
 
+TEST_F(mission_upload_of, a_file_that_waits_to_be_read_keeps_no_other_request_waiting) {
+  std::function<void()> waiting;
+  world.run_in_background = [&](const std::function<void()>& work) {
+    waiting = work;
+    return true;
+  };
+  EXPECT_EQ(send(check, file_of("simple.plan")).status, 0U); // no answer yet
+  ASSERT_TRUE(waiting);
+  EXPECT_EQ(world.ask("GET", "/look").status, 200U);
+}
+
+TEST_F(mission_upload_of, where_too_many_files_wait_the_next_is_refused_at_once) {
+  world.run_in_background = [](const std::function<void()>&) { return false; };
+  for (const char* target : {check, upload}) {
+    const auto answer = send(target, file_of("simple.plan"));
+    EXPECT_EQ(answer.status, 503U);
+    EXPECT_EQ(answer.body.at("detail"), "other files are being read; send it again in a few seconds");
+  }
+  EXPECT_TRUE(world.missions.empty());
+}
+
 TEST_F(mission_upload_of, who_has_control_hands_it_over_as_a_mission_of_its_own_with_one_row_in_the_audit) {
   const auto anna = world.log_in("anna", role::operator_);
   take_control(anna);

@@ -43,7 +43,7 @@ std::set<std::string> served() {
   const auto camera = std::make_shared<camera_api>(camera_parts{});
   const auto log = std::make_shared<log_api>();
   for (const auto& routes : {view->routes(), camera->routes(), stream->routes(), routes_of(nullptr), log->routes(),
-                             view_routes(nullptr, {}), mission_routes(nullptr, {}), tile_routes(nullptr)})
+                             view_routes(nullptr, {}), mission_routes(nullptr, {}, {}), tile_routes(nullptr)})
     for (const auto& each : routes)
       result.insert(std::string(each.method) + " " + std::string(each.path));
   return result;

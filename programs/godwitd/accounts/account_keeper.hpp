@@ -31,8 +31,8 @@ namespace godwit::accounts {
 class account_keeper {
 public:
   static constexpr std::chrono::milliseconds look_each{2'000};
-  static constexpr std::size_t max_waiting = 32;
-  static constexpr std::size_t max_waiting_of_one = 4; // from one address
+  static constexpr std::size_t max_waiting = 32;       // the last four for this computer
+  static constexpr std::size_t max_waiting_of_one = 4; // from one address, or one IPv6 network of 64 bits
 
   struct attempt {
     std::string name;

@@ -1,4 +1,5 @@
-// How many clients are there, in all and from one address; a WebSocket is one for as long as it lasts.
+// How many clients are there, in all and from one address (io::http::share_of); a WebSocket is one for as long as it
+// lasts. The last places are kept for this computer: whoever fills the others keeps nobody there from the vehicle.
 //
 //   hooks.admit = [table](const auto& from) { return table->admit(from); };
 //
@@ -12,25 +13,28 @@
 
 #include <boost/asio/ip/address.hpp>
 
+#include "io/http/server/client_share.hpp"
+
 namespace godwit::operator_port {
 
 class client_table : public std::enable_shared_from_this<client_table> {
 public:
+  static constexpr std::size_t kept_part = 8; // one place in eight is kept for this computer
+
   client_table(std::size_t max_clients, std::size_t max_an_address)
       : max_clients_(max_clients), max_an_address_(max_an_address) {}
 
   // Null: there is no room.
   [[nodiscard]] std::shared_ptr<void> admit(const boost::asio::ip::address& from) {
+    const auto share = io::http::share_of(from);
+    const auto most = share.is_loopback() ? max_clients_ : max_clients_ - max_clients_ / kept_part;
     const std::lock_guard guard(mutex_);
-    auto& its = clients_[from];
-    if (now_ >= max_clients_ || its >= max_an_address_) {
-      if (its == 0)
-        clients_.erase(from);
+    const auto its = clients_.find(share);
+    if (now_ >= most || (its != clients_.end() && its->second >= max_an_address_))
       return nullptr;
-    }
-    ++its;
+    ++clients_[share];
     ++now_;
-    return std::make_shared<place>(shared_from_this(), from);
+    return std::make_shared<place>(shared_from_this(), share);
   }
 
   [[nodiscard]] std::size_t now() const {

@@ -123,7 +123,7 @@ TEST_F(account_files, a_password_opens_its_own_account_alone) {
   keeper_world world(file);
   ASSERT_TRUE(world.ask("anna", "correct horse"));
   EXPECT_FALSE(world.ask("anna", "battery staple"));
-  EXPECT_FALSE(world.ask("nobody", "correct horse", "::2"));
+  EXPECT_FALSE(world.ask("nobody", "correct horse", "10.0.0.2"));
 }
 
 TEST_F(account_files, a_change_of_the_file_counts_from_the_next_try_on) {
@@ -145,12 +145,38 @@ TEST_F(account_files, tries_behind_a_failure_wait_and_too_many_of_one_address_ar
   EXPECT_TRUE(world.ask("anna", "correct horse"));
   EXPECT_GE(std::chrono::steady_clock::now() - since, std::chrono::milliseconds(login_delay::first_ms) - 50ms);
   for (int i = 0; i < 2; ++i)
-    EXPECT_FALSE(world.ask("anna", "wrong horse", "::9")) << i;
+    EXPECT_FALSE(world.ask("anna", "wrong horse", "10.0.0.9")) << i;
   std::size_t taken = 0;
   for (int i = 0; i < 20; ++i)
-    taken += world.keeper->check({"anna", secret("wrong horse"), "::9"}, [](const auto&) {}) ? 1 : 0;
+    taken += world.keeper->check({"anna", secret("wrong horse"), "10.0.0.9"}, [](const auto&) {}) ? 1 : 0;
   EXPECT_LE(taken, account_keeper::max_waiting_of_one + 1);
-  EXPECT_TRUE(world.ask("anna", "correct horse", "::3")) << "from elsewhere";
+  EXPECT_TRUE(world.ask("anna", "correct horse", "10.0.0.3")) << "from elsewhere";
+}
+
+TEST_F(account_files, who_fills_the_queue_from_elsewhere_keeps_nobody_here_from_logging_in) {
+  add("anna", "correct horse");
+  keeper_world world(file);
+  const auto try_from = [&](const std::string& from) {
+    return world.keeper->check({"anna", secret("wrong horse"), from}, [](const auto&) {});
+  };
+  std::size_t taken = 0;
+  for (int network = 1; network <= 100; ++network)
+    taken += try_from("2001:db8:0:" + std::to_string(network) + "::1") ? 1 : 0;
+  EXPECT_GE(taken, account_keeper::max_waiting - account_keeper::max_waiting_of_one);
+  EXPECT_LT(taken, 100U);
+  EXPECT_TRUE(world.ask("anna", "correct horse", "127.0.0.1"));
+}
+
+TEST_F(account_files, an_ipv6_network_has_the_share_of_one_address) {
+  add("anna", "correct horse");
+  keeper_world world(file);
+  std::size_t taken = 0;
+  for (int host = 1; host <= 20; ++host)
+    taken +=
+        world.keeper->check({"anna", secret("wrong horse"), "2001:db8::" + std::to_string(host)}, [](const auto&) {})
+            ? 1
+            : 0;
+  EXPECT_LE(taken, account_keeper::max_waiting_of_one + 1); // one may be judged meanwhile
 }
 
 } // namespace account_file_test

@@ -73,7 +73,7 @@ exit_code ask_running(const json& configuration, const json& question, bool as_j
   if (as_json)
     print(answer->dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
   else if (is_done)
-    print(programs::printable(text(*answer), "") + "\n");
+    print(text(programs::printable_strings(*answer)) + "\n");
   else
     say(programs::printable(answer->value("error", std::string("refused"))));
   return is_done ? exit_code::ok : exit_code::failed;

@@ -12,6 +12,17 @@ namespace beast = boost::beast;
 
 std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
 
+// Where such a line stands twice, two readers may believe different ones: RFC 9112, 3.2, for Host.
+constexpr std::string_view standing_once[] = {"Host", "Origin", "Authorization", "Content-Type"};
+
+std::string_view doubled_line(const server_request& made) {
+  for (const auto name : standing_once)
+    if (std::ranges::count_if(made.headers, [&](const auto& each) { return equals_ignoring_case(each.name, name); }) >
+        1)
+      return name;
+  return {};
+}
+
 } // namespace
 
 struct request_reader::state {
@@ -69,6 +80,8 @@ progress request_reader::state::judge_head() {
   made.target = text_of(head.target());
   for (const auto& each : head)
     made.headers.push_back({text_of(each.name_string()), text_of(each.value())});
+  if (const auto twice = doubled_line(made); !twice.empty())
+    return refuse(400, "There is more than one line " + std::string(twice) + ".");
   if (made.target.size() > set.max_target_bytes)
     return refuse(414, "The target has up to " + std::to_string(set.max_target_bytes) + " bytes.");
   max_body = limit ? std::min(set.max_body_bytes, limit(made.method, made.target)) : set.max_body_bytes;

@@ -1,6 +1,9 @@
 #include "programs/common/printable.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 namespace godwit::programs {
 namespace printable_test {
@@ -23,6 +26,29 @@ TEST(printable, words_in_any_language_and_tabs_stay) {
 
 TEST(printable, a_line_end_begins_no_line_that_looks_like_ours) {
   EXPECT_EQ(printable("no\nerror: godwitd: fake"), "no\n    error: godwitd: fake");
+}
+
+TEST(printable, what_turns_the_direction_of_reading_is_shown_and_does_nothing) {
+  EXPECT_EQ(printable("a\u202Eb"), "a\\xe2\\x80\\xaeb");
+  EXPECT_EQ(printable("\u2066\u2069\u200F\u061C\u2028"),
+            "\\xe2\\x81\\xa6\\xe2\\x81\\xa9\\xe2\\x80\\x8f\\xd8\\x9c\\xe2\\x80\\xa8");
+  EXPECT_EQ(printable("\u2013\u201E"), "\u2013\u201E") << "a dash and a quotation mark stay";
+}
+
+TEST(printable, one_line_has_no_line_end) { EXPECT_EQ(one_line("a\nb\tc"), "a\\x0ab\tc"); }
+
+TEST(printable, each_string_of_an_answer_is_printable) {
+  EXPECT_EQ(printable_strings({{"na\ame", {"a\nerror: fake", 7, {{"x", "\x1b"}}}}}),
+            (nlohmann::json{{"na\\x07me", {"a\n    error: fake", 7, {{"x", "\\x1b"}}}}}));
+}
+
+RC_GTEST_PROP(printable_property, nothing_active_is_left_and_only_line_ends_begin_a_line, (const std::string& text)) {
+  const auto shown = one_line(text);
+  RC_ASSERT(
+      std::ranges::none_of(shown, [](char each) { return static_cast<unsigned char>(each) < 0x20 && each != '\t'; }));
+  RC_ASSERT(one_line(shown) == shown);
+  const auto lines = printable(text);
+  RC_ASSERT(std::ranges::count(lines, '\n') == std::ranges::count(text, '\n'));
 }
 
 } // namespace printable_test

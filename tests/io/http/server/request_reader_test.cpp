@@ -138,6 +138,14 @@ TEST(http_request_reader, a_length_that_can_be_read_in_two_ways_is_refused) {
   EXPECT_EQ(reading().refused(posted("/", "Transfer-Encoding: chunked\r\n", "zz\r\n")), 400U);
 }
 
+TEST(http_request_reader, a_line_that_two_readers_may_read_differently_stands_once) {
+  for (const auto* lines :
+       {"Host: y\r\n", "HOST: x\r\n", "Content-Type: text/plain\r\n", "Origin: http://x\r\nOrigin: http://y\r\n",
+        "Authorization: Bearer a\r\nauthorization: Bearer b\r\n"})
+    EXPECT_EQ(reading().refused(posted("/", lines, "")), 400U) << lines;
+  EXPECT_EQ(reading().feed(posted("/", "Accept: a\r\nAccept: b\r\nContent-Length: 0\r\n", "")), progress::complete);
+}
+
 TEST(http_request_reader, headers_behind_a_chunked_body_are_not_looked_at) {
   reading it;
   ASSERT_EQ(it.feed(posted("/", "Transfer-Encoding: chunked\r\n", "0\r\nAuthorization: Bearer x\r\n\r\n")),

@@ -150,6 +150,15 @@ TEST_F(http_server_tls, holds_an_answer_as_the_last_of_its_connection) {
   EXPECT_TRUE(server.reaches(&server_counters::open, 0));
 }
 
+TEST_F(http_server_tls, has_no_cipher_suite_of_cbc) {
+  const auto tls = server_tls(loopback_identity());
+  const auto* const suites = ::SSL_CTX_get_ciphers(tls->native_handle());
+  ASSERT_GT(sk_SSL_CIPHER_num(suites), 0);
+  for (int i = 0; i < sk_SSL_CIPHER_num(suites); ++i)
+    EXPECT_TRUE(::SSL_CIPHER_is_aead(sk_SSL_CIPHER_value(suites, i)))
+        << ::SSL_CIPHER_get_name(sk_SSL_CIPHER_value(suites, i));
+}
+
 TEST_F(http_server_tls, uses_another_certificate_for_the_next_connection) {
   const auto good = server_tls(loopback_identity());
   const auto other = server_tls(godwit::test::make_tls_identity({.hosts = {"DNS:elsewhere"}}, &issuer()));

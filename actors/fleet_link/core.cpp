@@ -5,6 +5,7 @@
 
 #include "actors/fleet_link/remedy.hpp"
 #include "io/fields/json_text.hpp"
+#include "io/mqtt/encoder.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::fleet_link {
@@ -38,14 +39,22 @@ publication core::status_text(const char* how, instant now) const {
           shared(io::to_json(status_form{how, session_ + "-" + std::to_string(attempt_), now.wall_ns / ns_per_ms})), 0};
 }
 
-publication core::event_text(const state& s, const queued_event& what) const {
+bool core::is_too_large(const publication& what) const {
+  return io::mqtt::publish_bytes(what.topic.size(), what.payload->size()) > max_packet_bytes_;
+}
+
+publication core::event_text(const state& s, const queued_event& what) {
   std::string text = R"({"id":")" + s.store + "-" + std::to_string(what.number);
   text.append(R"(","number":)").append(std::to_string(what.number));
   text.append(R"(,"kind":")").append(io::name_of(what.kind));
   text.append(R"(","at_ms":)").append(std::to_string(what.at_ms));
   text.append(R"(,"historical":)").append(what.is_late ? "true" : "false");
-  text.append(R"(,"data":)").append(what.data).append("}");
-  return {publication::kind::event, topic("event"), shared(std::move(text)), what.number};
+  text.append(R"(,"data":)");
+  publication whole{publication::kind::event, topic("event"), shared(text + what.data + "}"), what.number};
+  if (!is_too_large(whole))
+    return whole;
+  ++too_large_;
+  return {whole.how, whole.topic, shared(text + "{}}"), what.number};
 }
 
 // -- the connection -------------------------------------------------------------------------------
@@ -63,6 +72,7 @@ effects core::on_opened(const broker_opened& m, const state& s, instant now) {
     return out;
   phase_ = phase::connected;
   since_ns_ = now.monotonic_ns;
+  max_packet_bytes_ = m.max_packet_bytes;
   ++connects_;
   sentence_.clear();
   sent_upto_ = s.events.empty() ? s.next_number - 1 : s.events.front().number - 1;
@@ -138,13 +148,17 @@ void core::send_live(effects& out, std::int64_t now_ns) {
     auto next = live_.next_due(now_ns);
     if (!next)
       return;
+    const auto how = next->row->is_kept ? publication::kind::kept : publication::kind::live;
+    publication what{how,
+                     topic((next->row->is_kept ? "state/" : "telemetry/") + std::string(io::name_of(next->row->what))),
+                     std::move(next->text), 0};
+    if (is_too_large(what)) {
+      ++too_large_;
+      continue;
+    }
     ++unsent_texts_;
     ++texts_;
-    const auto how = next->row->is_kept ? publication::kind::kept : publication::kind::live;
-    out.emplace_back(
-        publish{attempt_,
-                {how, topic((next->row->is_kept ? "state/" : "telemetry/") + std::string(io::name_of(next->row->what))),
-                 std::move(next->text), 0}});
+    out.emplace_back(publish{attempt_, std::move(what)});
   }
   live_.hold_back(now_ns);
 }
@@ -219,6 +233,7 @@ fleet_view core::view_of(const state& s, instant now) const {
   result.failures = failures_;
   result.texts = texts_;
   result.skipped = live_.skipped();
+  result.too_large = too_large_;
   return result;
 }
 

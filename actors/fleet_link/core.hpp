@@ -95,7 +95,9 @@ private:
   void send_events(effects& out, const state& s);
   void send_live(effects& out, std::int64_t now_ns);
   [[nodiscard]] publication status_text(const char* how, instant now) const;
-  [[nodiscard]] publication event_text(const state& s, const queued_event& what) const;
+  // Without its data where the broker takes no packet of that size.
+  [[nodiscard]] publication event_text(const state& s, const queued_event& what);
+  [[nodiscard]] bool is_too_large(const publication& what) const;
   [[nodiscard]] std::string topic(std::string_view rest) const;
   // Up to which the broker has taken all.
   [[nodiscard]] std::uint64_t taken_upto(const state& s) const;
@@ -111,15 +113,17 @@ private:
   std::string sentence_; // of the last failure; empty: connected, or not tried yet
   std::string said_;     // of it, to people
 
-  std::uint64_t written_upto_ = 0; // on our disk
-  std::uint64_t sent_upto_ = 0;    // handed to this connection
-  std::set<std::uint64_t> taken_;  // of these: by the broker, and still in the state
+  std::uint64_t written_upto_ = 0;   // on our disk
+  std::uint64_t sent_upto_ = 0;      // handed to this connection
+  std::set<std::uint64_t> taken_;    // of these: by the broker, and still in the state
+  std::size_t max_packet_bytes_ = 0; // of this connection: what the broker takes
   std::size_t unsent_texts_ = 0;
   live_texts live_;
 
   std::uint64_t connects_ = 0;
   std::uint64_t failures_ = 0;
   std::uint64_t texts_ = 0;
+  std::uint64_t too_large_ = 0;
 };
 
 } // namespace godwit::fleet_link

@@ -1,5 +1,6 @@
 #include "actors/fleet_link/mqtt_port.hpp"
 
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -30,11 +31,12 @@ std::uint64_t token_of(const publication& what) {
 
 } // namespace
 
-// A gateway is one thread's: those of two connections may overlap.
+// The mutex is held while the gateway is used: it is exchanged by the owner of the port.
 struct mqtt_port::way_in {
   std::mutex mutex;
   std::optional<runtime::gateway> gateway;
   port_handle actor;
+  std::atomic<bool> broker_retains{true}; // false: it has refused a will that is to be kept, and gets one that is not
 
   template <class Message>
   void tell(Message what) {
@@ -45,6 +47,7 @@ struct mqtt_port::way_in {
 };
 
 mqtt_port::mqtt_port(const settings& configured) : way_in_(std::make_shared<way_in>()) {
+  thread_.start();
   wanted_.broker = configured.broker;
   wanted_.client_id = configured.vehicle;
   wanted_.username = configured.username;
@@ -54,7 +57,7 @@ mqtt_port::mqtt_port(const settings& configured) : way_in_(std::make_shared<way_
   wanted_.key_file = configured.key_file;
 }
 
-mqtt_port::~mqtt_port() = default;
+mqtt_port::~mqtt_port() { detach(); }
 
 void mqtt_port::attach(runtime::gateway gateway, port_handle actor) {
   const std::lock_guard guard(way_in_->mutex);
@@ -83,19 +86,29 @@ void mqtt_port::open(std::uint64_t attempt, const publication& will) {
   if (is_detached_)
     return;
   attempt_ = attempt;
-  const auto ears = way_in_;
-  connection_ = std::make_shared<io::mqtt::connection>(
-      wanted_, message_of(will),
-      io::mqtt::listener{[ears, attempt] { ears->tell(broker_opened{attempt}); },
-                         [ears, attempt](io::mqtt::failure why, const std::string& sentence) {
-                           ears->tell(broker_closed{attempt, why, sentence});
-                         },
-                         [ears, attempt](std::uint64_t token) {
-                           if (token == token_of_live)
-                             ears->tell(text_left{attempt});
-                           else if (token != token_of_status)
-                             ears->tell(event_taken{attempt, token});
-                         }});
+  auto last_word = message_of(will);
+  last_word.is_retained = way_in_->broker_retains;
+  connection_ =
+      std::make_shared<io::mqtt::connection>(thread_.context(), wanted_, std::move(last_word), listener_of(attempt));
+}
+
+io::mqtt::listener mqtt_port::listener_of(std::uint64_t attempt) const {
+  io::mqtt::listener result;
+  result.opened = [to = way_in_, attempt](std::uint32_t max_packet_bytes) {
+    to->tell(broker_opened{attempt, max_packet_bytes});
+  };
+  result.closed = [to = way_in_, attempt](io::mqtt::failure why, const std::string& sentence) {
+    if (why == io::mqtt::failure::retain_refused)
+      to->broker_retains = false;
+    to->tell(broker_closed{attempt, why, sentence});
+  };
+  result.published = [to = way_in_, attempt](std::uint64_t token) {
+    if (token == token_of_live)
+      to->tell(text_left{attempt});
+    else if (token != token_of_status)
+      to->tell(event_taken{attempt, token});
+  };
+  return result;
 }
 
 void mqtt_port::close(std::uint64_t upto) {

@@ -4,7 +4,8 @@
 //   auto fleet = actors.add<fleet_link::actor>(..., port, ...);
 //   port->attach(actors.make_gateway("broker_port"), fleet);   // before the actors start
 //
-// One connection at a time: a new one ends the one before it, and close() from outside ends it for good. Thread: any.
+// One connection at a time: a new one ends the one before it, and detach() from outside ends it for good. All of them
+// share one thread, which also reads the files of keys and passwords. Thread: any.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 
 #include "actors/fleet_link/broker_port.hpp"
 #include "actors/fleet_link/settings.hpp"
+#include "io/link/io_thread.hpp"
 #include "io/mqtt/connection.hpp"
 #include "messages/fleet_link/handle.hpp"
 #include "runtime/gateway.hpp"
@@ -34,8 +36,11 @@ public:
   void publish(std::uint64_t attempt, const publication& what) override;
 
 private:
-  struct way_in; // to the actor; shared with the threads of connections
+  struct way_in; // to the actor; shared with what listens to the connections
 
+  [[nodiscard]] io::mqtt::listener listener_of(std::uint64_t attempt) const;
+
+  io::link::io_thread thread_; // first, so that its context is there until all that uses it is gone
   io::mqtt::connection_settings wanted_;
   std::shared_ptr<way_in> way_in_;
   std::mutex mutex_; // over the rest

@@ -21,6 +21,8 @@ std::string_view remedy_of(broker_failure why) {
     return "give each vehicle a telemetry.vehicle of its own";
   case broker_failure::refused:
     return "look into the log of the broker";
+  case broker_failure::retain_refused:
+    return "who watches later does not hear how the vehicle is: set the broker so that it retains messages";
   case broker_failure::unusable:
     return "mend the file and its mode; it is read again with each try";
   }

@@ -1,332 +1,293 @@
 #include "io/mqtt/connection.hpp"
 
-#include <cerrno>
+#include <array>
 #include <condition_variable>
-#include <cstring>
-#include <map>
 #include <mutex>
 #include <optional>
-#include <set>
-#include <thread>
 #include <utility>
 
-#include <mosquitto.h>
-#include <mqtt_protocol.h>
+#include <boost/asio/post.hpp>
+#include <boost/asio/ssl/error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <openssl/crypto.h>
 
+#include "io/http/connector.hpp"
 #include "io/http/secret_file.hpp"
+#include "io/http/tls.hpp"
+#include "io/mqtt/session.hpp"
 
 namespace godwit::io::mqtt {
 namespace {
 
-constexpr int loop_ms = 500;
-constexpr int first_refusal = 0x80; // of the reason codes
+namespace asio = boost::asio;
+using boost::system::error_code;
+
 constexpr std::size_t max_password_bytes = 4'096;
-constexpr const char* system_issuers = "/etc/ssl/certs";
+// What the kernel keeps of ours. Its own choice are megabytes, behind which what is live grows old.
+constexpr int kernel_buffer_bytes = 32 * 1024;
+// To each address of the broker; the rest of opening_limit is for the look-up and TLS.
+constexpr std::chrono::seconds address_limit{15};
 
-void begin_library() {
-  static const int begun = mosquitto_lib_init();
-  (void)begun;
-}
-
-failure failure_of_refusal(int code) {
+failure failure_of(http::errc code) {
   switch (code) {
-  case MQTT_RC_BAD_USERNAME_OR_PASSWORD:
-  case MQTT_RC_NOT_AUTHORIZED:
-  case MQTT_RC_BANNED:
-  case MQTT_RC_BAD_AUTHENTICATION_METHOD:
-    return failure::not_authorised;
-  case MQTT_RC_SESSION_TAKEN_OVER:
-    return failure::taken_over;
-  default:
-    return failure::refused;
-  }
-}
-
-failure failure_of_library(int code, int system, bool was_open) {
-  switch (code) {
-  case MOSQ_ERR_EAI:
-  case MOSQ_ERR_LOOKUP:
+  case http::errc::cannot_resolve:
     return failure::not_resolved;
-  case MOSQ_ERR_TLS:
-  case MOSQ_ERR_TLS_HANDSHAKE:
+  case http::errc::tls_failed:
+  case http::errc::tls_not_verified:
+  case http::errc::wrong_host:
     return failure::certificate;
-  case MOSQ_ERR_INVAL:
-    return failure::unusable;
   default:
-    return was_open ? failure::lost : system == EPROTO ? failure::certificate : failure::unreachable;
+    return failure::unreachable;
   }
 }
 
-class property_list {
-public:
-  property_list() = default;
-  property_list(const property_list&) = delete;
-  property_list& operator=(const property_list&) = delete;
-  ~property_list() { mosquitto_property_free_all(&list_); }
+std::int64_t now_ms() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
 
-  void add_text(int which, const char* value) { mosquitto_property_add_string(&list_, which, value); }
-  void add_number(int which, std::uint32_t value) { mosquitto_property_add_int32(&list_, which, value); }
-  [[nodiscard]] mosquitto_property* get() const { return list_; }
-  [[nodiscard]] mosquitto_property* release() { return std::exchange(list_, nullptr); }
-
-private:
-  mosquitto_property* list_ = nullptr;
-};
+// One end of line behind the password is cut off.
+http::result<http::secret_text> load_password(const std::string& file) {
+  auto read = http::load_secret_file(file, max_password_bytes, http::errc::token_file);
+  if (read)
+    read->cut_to(std::min(read->revealed().size(), read->revealed().find_first_of("\r\n")));
+  return read;
+}
 
 } // namespace
 
-class connection::inner {
+class connection::inner : public std::enable_shared_from_this<inner> {
 public:
-  inner(connection_settings wanted, message will, listener ears)
-      : wanted_(std::move(wanted)), will_(std::move(will)), ears_(std::move(ears)) {
-    begin_library();
-    client_ = mosquitto_new(wanted_.client_id.c_str(), true, this);
-  }
-  inner(const inner&) = delete;
-  inner& operator=(const inner&) = delete;
-  ~inner() { mosquitto_destroy(client_); }
+  inner(asio::io_context& io, connection_settings settings, message will, listener to)
+      : io_(io), settings_(std::move(settings)),
+        to_{{settings_.broker.uses_tls, settings_.broker.host, settings_.broker.port, {}}, {}, false, false},
+        session_({settings_.client_id, settings_.username, settings_.keep_alive_s}, std::move(will)), timer_(io),
+        listener_(std::move(to)) {}
 
-  void run();
+  void start();
   void publish(const message& what, std::uint64_t token);
   void end();
   [[nodiscard]] bool wait_for_end(std::chrono::milliseconds patience);
 
+  [[nodiscard]] asio::io_context& context() { return io_; }
+  void stop_listening() {
+    const std::lock_guard guard(listener_mutex_);
+    is_listened_to_ = false;
+  }
+
 private:
-  // Sentence: what is wrong.
-  using checked = std::optional<std::string>;
-
-  static inner& of(void* object) { return *static_cast<inner*>(object); }
-  void set_callbacks();
-  [[nodiscard]] checked prepare();
-  [[nodiscard]] checked set_password();
-  [[nodiscard]] checked set_tls();
-  void set_will();
-  void on_connected(int code);
-  void on_published(int message, int code);
-  void refuse(int code, const std::string& what);
-  void ended(failure why, const std::string& sentence);
-  void ended_by(int code);
+  [[nodiscard]] bool read_files();
+  void opened(http::result<std::unique_ptr<http::connection>> made);
+  void read();
+  void pump();
+  void write(std::string batch);
+  void wait();
+  void on_transport_failed(const error_code& failed);
+  void finish();
+  void report(const session_event& event);
   template <class F>
-  void tell(const F& what);
+  void call(const F& what) {
+    const std::lock_guard guard(listener_mutex_);
+    if (is_listened_to_)
+      what();
+  }
 
-  const connection_settings wanted_;
-  const message will_;
-  listener ears_;
-  mosquitto* client_ = nullptr;
+  asio::io_context& io_;
+  const connection_settings settings_;
+  const http::destination to_;
+  http::tls_context tls_;
+  std::optional<http::secret_text> password_;
+  session session_;
+  asio::steady_timer timer_;
+  std::shared_ptr<http::connector> connector_;
+  std::unique_ptr<http::connection> transport_;
+  std::array<char, max_packet_bytes> piece_{};
+  std::string batch_;
+  bool is_finished_ = false;
 
-  std::mutex ears_mutex_; // held while the listener is called
-  bool is_heard_ = true;
+  std::mutex listener_mutex_; // held while the listener is called
+  bool is_listened_to_ = true;
+  listener listener_;
 
-  std::mutex mutex_; // over all that follows
-  std::condition_variable has_ended_changed_;
-  std::map<int, std::uint64_t> under_way_; // token by message id
-  std::set<int> early_;                    // published before publish() had returned
-  bool is_open_ = false;
-  bool is_ending_ = false;
+  std::mutex end_mutex_;
+  std::condition_variable end_changed_;
   bool has_ended_ = false;
-  std::string last_error_; // as the library logs it
-  std::optional<std::pair<failure, std::string>> refusal_;
 };
 
-template <class F>
-void connection::inner::tell(const F& what) {
-  const std::lock_guard guard(ears_mutex_);
-  if (is_heard_)
-    what();
-}
+// -- opening --------------------------------------------------------------------------------------
 
-void connection::inner::set_callbacks() {
-  mosquitto_connect_v5_callback_set(
-      client_, [](mosquitto*, void* self, int code, int, const mosquitto_property*) { of(self).on_connected(code); });
-  mosquitto_publish_v5_callback_set(client_, [](mosquitto*, void* self, int id, int code, const mosquitto_property*) {
-    of(self).on_published(id, code);
-  });
-  mosquitto_disconnect_v5_callback_set(client_, [](mosquitto*, void* self, int code, const mosquitto_property*) {
-    if (code >= first_refusal)
-      of(self).refuse(code, "has ended the connection");
-  });
-  mosquitto_log_callback_set(client_, [](mosquitto*, void* self, int level, const char* text) {
-    if (level != MOSQ_LOG_ERR)
-      return;
-    const std::lock_guard guard(of(self).mutex_);
-    of(self).last_error_ = text;
-  });
-}
-
-connection::inner::checked connection::inner::prepare() {
-  if (client_ == nullptr)
-    return "there is no memory for a client";
-  mosquitto_threaded_set(client_, true);
-  mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
-  mosquitto_int_option(client_, MOSQ_OPT_TCP_NODELAY, 1);
-  set_callbacks();
-  set_will();
-  if (auto wrong = set_password())
-    return wrong;
-  return wanted_.broker.uses_tls ? set_tls() : std::nullopt;
-}
-
-connection::inner::checked connection::inner::set_password() {
-  if (wanted_.username.empty())
-    return {};
-  if (wanted_.password_file.empty()) {
-    mosquitto_username_pw_set(client_, wanted_.username.c_str(), nullptr);
-    return {};
-  }
-  auto password = http::load_secret_file(wanted_.password_file, max_password_bytes, http::errc::token_file);
-  if (!password)
-    return password.error().message();
-  const auto line = password->revealed().find_first_of("\r\n");
-  const auto size = line == std::string_view::npos ? password->revealed().size() : line;
-  http::secret_text ended(size + 1); // with its NUL
-  std::memcpy(ended.data(), password->revealed().data(), size);
-  mosquitto_username_pw_set(client_, wanted_.username.c_str(), ended.data());
-  return {};
-}
-
-connection::inner::checked connection::inner::set_tls() {
-  const auto path = [](const std::string& file) { return file.empty() ? nullptr : file.c_str(); };
-  if (!wanted_.key_file.empty())
-    if (const auto key = http::load_secret_file(wanted_.key_file, http::max_key_bytes, http::errc::invalid_settings);
-        !key)
-      return key.error().message();
-  const auto done =
-      mosquitto_tls_set(client_, path(wanted_.ca_file), wanted_.ca_file.empty() ? system_issuers : nullptr,
-                        path(wanted_.certificate_file), path(wanted_.key_file), nullptr);
-  if (done != MOSQ_ERR_SUCCESS)
-    return "the files of TLS (telemetry.ca_file, certificate_file, key_file) can not be used: " +
-           std::string(mosquitto_strerror(done));
-  return {};
-}
-
-void connection::inner::set_will() {
-  property_list about;
-  about.add_text(MQTT_PROP_CONTENT_TYPE, "application/json");
-  const auto set = mosquitto_will_set_v5(client_, will_.topic.c_str(), static_cast<int>(will_.payload->size()),
-                                         will_.payload->data(), 1, will_.is_retained, about.get());
-  if (set == MOSQ_ERR_SUCCESS)
-    (void)about.release(); // the client has it
-}
-
-void connection::inner::run() {
-  if (const auto wrong = prepare())
-    return ended(failure::unusable, *wrong);
-  errno = 0;
-  auto done = mosquitto_connect_bind_v5(client_, wanted_.broker.host.c_str(), wanted_.broker.port, wanted_.keep_alive_s,
-                                        nullptr, nullptr);
-  while (done == MOSQ_ERR_SUCCESS) {
-    {
-      const std::lock_guard guard(mutex_);
-      if (refusal_ || (is_ending_ && !is_open_))
-        break;
+bool connection::inner::read_files() {
+  if (!settings_.username.empty() && !settings_.password_file.empty()) {
+    auto password = load_password(settings_.password_file);
+    if (!password) {
+      session_.on_failed(failure::unusable, password.error().message());
+      return false;
     }
-    errno = 0;
-    done = mosquitto_loop(client_, loop_ms, 1);
+    password_ = *std::move(password);
   }
-  ended_by(done);
-}
-
-void connection::inner::ended_by(int code) {
-  const auto system = errno;
-  std::unique_lock lock(mutex_);
-  if (refusal_) {
-    const auto why = *refusal_;
-    lock.unlock();
-    return ended(why.first, why.second);
+  if (!settings_.broker.uses_tls)
+    return true;
+  http::settings files;
+  files.ca_file = settings_.ca_file;
+  files.certificate_file = settings_.certificate_file;
+  files.key_file = settings_.key_file;
+  auto tls = http::make_tls_context(files);
+  if (!tls) {
+    session_.on_failed(failure::unusable, tls.error().message());
+    return false;
   }
-  auto why = failure_of_library(code, system, is_open_);
-  if (!is_open_ && last_error_.find("OpenSSL") != std::string::npos)
-    why = failure::certificate;
-  std::string sentence = is_open_ ? "the connection was lost" : "there is no connection";
-  if (code == MOSQ_ERR_ERRNO && system != 0)
-    sentence += std::string(": ") + std::strerror(system);
-  else if (code != MOSQ_ERR_CONN_LOST)
-    sentence += std::string(": ") + mosquitto_strerror(code);
-  if (!last_error_.empty())
-    sentence += " (" + last_error_ + ")";
-  lock.unlock();
-  ended(why, sentence);
+  tls_ = *std::move(tls);
+  return true;
 }
 
-void connection::inner::ended(failure why, const std::string& sentence) {
-  tell([&] { ears_.closed(why, sentence); });
-  const std::lock_guard guard(mutex_);
-  has_ended_ = true;
-  has_ended_changed_.notify_all();
+void connection::inner::start() {
+  if (session_.is_over() || !read_files())
+    return pump();
+  connector_ = std::make_shared<http::connector>(io_, to_, tls_.get(), address_limit);
+  timer_.expires_after(opening_limit);
+  timer_.async_wait([self = shared_from_this()](const error_code& cancelled) {
+    if (cancelled || self->transport_ || self->is_finished_)
+      return;
+    self->session_.on_failed(failure::unreachable, "there is no connection after 25 s: " + self->connector_->step());
+    self->pump();
+  });
+  connector_->start([self = shared_from_this()](auto made) { self->opened(std::move(made)); });
 }
 
-void connection::inner::on_connected(int code) {
-  if (code >= first_refusal || code != MQTT_RC_SUCCESS)
-    return refuse(code, "refuses the connection");
-  {
-    const std::lock_guard guard(mutex_);
-    is_open_ = true;
+void connection::inner::opened(http::result<std::unique_ptr<http::connection>> made) {
+  if (!made) {
+    session_.on_failed(failure_of(made.error().code), "there is no connection: " + made.error().what);
+    return pump();
   }
-  tell([this] { ears_.opened(); });
+  transport_ = *std::move(made);
+  error_code ignored; // what is live is then a little older where the network is slow
+  transport_->socket().set_option(asio::socket_base::send_buffer_size(kernel_buffer_bytes), ignored);
+  const auto revealed = password_ ? password_->revealed() : std::string_view();
+  session_.begin(password_ ? &revealed : nullptr, now_ms());
+  password_.reset();
+  read();
+  pump();
 }
 
-// Below 0x80 stand the answers of older versions, which all mean no.
-void connection::inner::refuse(int code, const std::string& what) {
-  const std::string reason = code < first_refusal ? "it does not speak MQTT 5" : mosquitto_reason_string(code);
-  const std::lock_guard guard(mutex_);
-  if (!refusal_)
-    refusal_ = {failure_of_refusal(code), "the broker " + what + ": " + reason};
+// -- reading and writing --------------------------------------------------------------------------
+
+void connection::inner::read() {
+  transport_->read_some(asio::buffer(piece_), [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
+    if (self->is_finished_)
+      return;
+    if (failed)
+      self->on_transport_failed(failed);
+    else
+      self->session_.on_bytes({self->piece_.data(), bytes}, now_ms());
+    self->pump();
+    if (!failed && !self->is_finished_)
+      self->read();
+  });
 }
 
-void connection::inner::on_published(int id, int code) {
-  if (code >= first_refusal)
-    return refuse(code, "does not take a message");
-  std::unique_lock lock(mutex_);
-  const auto found = under_way_.find(id);
-  if (found == under_way_.end()) {
-    early_.insert(id);
+void connection::inner::write(std::string batch) {
+  batch_ = std::move(batch);
+  transport_->write(batch_, {}, [self = shared_from_this()](const error_code& failed, std::size_t) {
+    ::OPENSSL_cleanse(self->batch_.data(), self->batch_.size());
+    if (self->is_finished_)
+      return;
+    if (failed)
+      self->on_transport_failed(failed);
+    else
+      self->session_.on_written(now_ms());
+    self->pump();
+  });
+}
+
+void connection::inner::on_transport_failed(const error_code& failed) {
+  if (http::is_tls_alert(failed))
+    return session_.on_failed(failure::certificate, http::alert_error(failed).what);
+  const bool is_closed = failed == asio::error::eof || failed == asio::ssl::error::stream_truncated;
+  if (session_.is_open())
+    session_.on_failed(failure::lost,
+                       "the connection was lost" + (is_closed ? std::string() : ": " + failed.message()));
+  else
+    session_.on_failed(failure::unreachable,
+                       "the connection was closed before an answer to CONNECT: is it a broker of MQTT?");
+}
+
+// After each change of the session: what it has to report, to write, and to wait for.
+void connection::inner::pump() {
+  for (const auto& event : session_.take_events())
+    report(event);
+  if (session_.is_over())
+    return finish();
+  if (!transport_)
     return;
-  }
-  const auto token = found->second;
-  under_way_.erase(found);
-  lock.unlock();
-  tell([&] { ears_.published(token); });
+  if (auto batch = session_.take_batch(now_ms()); !batch.empty())
+    write(std::move(batch));
+  wait();
 }
+
+void connection::inner::wait() {
+  const auto left_ms = std::max<std::int64_t>(0, session_.next_due_ms() - now_ms());
+  timer_.expires_after(std::chrono::milliseconds(left_ms));
+  timer_.async_wait([self = shared_from_this()](const error_code& cancelled) {
+    if (cancelled || self->is_finished_)
+      return;
+    self->session_.on_time(now_ms());
+    self->pump();
+  });
+}
+
+void connection::inner::report(const session_event& event) {
+  if (const auto* const m = std::get_if<session_opened>(&event))
+    call([&] { listener_.opened(m->max_packet_bytes); });
+  else if (const auto* const taken = std::get_if<session_published>(&event))
+    call([&] { listener_.published(taken->token); });
+  else if (const auto* const end = std::get_if<session_closed>(&event))
+    call([&] { listener_.closed(end->why, end->sentence); });
+}
+
+// -- from any thread, and the end -----------------------------------------------------------------
 
 void connection::inner::publish(const message& what, std::uint64_t token) {
-  property_list about;
-  about.add_text(MQTT_PROP_CONTENT_TYPE, "application/json");
-  if (what.expires_s != 0)
-    about.add_number(MQTT_PROP_MESSAGE_EXPIRY_INTERVAL, what.expires_s);
-  int id = 0;
-  if (mosquitto_publish_v5(client_, &id, what.topic.c_str(), static_cast<int>(what.payload->size()),
-                           what.payload->data(), what.is_acknowledged ? 1 : 0, what.is_retained,
-                           about.get()) != MOSQ_ERR_SUCCESS)
-    return; // the connection is gone, and says so
-  std::unique_lock lock(mutex_);
-  if (early_.erase(id) == 0) {
-    under_way_[id] = token;
-    return;
-  }
-  lock.unlock();
-  tell([&] { ears_.published(token); });
+  asio::post(io_, [self = shared_from_this(), what, token] {
+    if (self->is_finished_)
+      return;
+    self->session_.publish(what, token, now_ms());
+    self->pump();
+  });
 }
 
 void connection::inner::end() {
-  {
-    const std::lock_guard guard(ears_mutex_);
-    is_heard_ = false;
-  }
-  const std::lock_guard guard(mutex_);
-  if (!std::exchange(is_ending_, true))
-    mosquitto_disconnect_v5(client_, MQTT_RC_DISCONNECT_WITH_WILL_MSG, nullptr);
+  stop_listening();
+  asio::post(io_, [self = shared_from_this()] {
+    if (self->is_finished_)
+      return;
+    self->session_.end(now_ms());
+    self->pump();
+  });
+}
+
+void connection::inner::finish() {
+  if (std::exchange(is_finished_, true))
+    return;
+  timer_.cancel();
+  if (connector_)
+    connector_->stop();
+  if (transport_)
+    transport_->close();
+  const std::lock_guard guard(end_mutex_);
+  has_ended_ = true;
+  end_changed_.notify_all();
 }
 
 bool connection::inner::wait_for_end(std::chrono::milliseconds patience) {
-  std::unique_lock lock(mutex_);
-  return has_ended_changed_.wait_for(lock, patience, [this] { return has_ended_; });
+  std::unique_lock lock(end_mutex_);
+  return end_changed_.wait_for(lock, patience, [this] { return has_ended_; });
 }
 
 // -- connection -----------------------------------------------------------------------------------
 
-connection::connection(connection_settings wanted, message will, listener ears)
-    : inner_(std::make_shared<inner>(std::move(wanted), std::move(will), std::move(ears))) {
-  std::thread([shared = inner_] { shared->run(); }).detach();
+connection::connection(asio::io_context& io, connection_settings settings, message will, listener to)
+    : inner_(std::make_shared<inner>(io, std::move(settings), std::move(will), std::move(to))) {
+  asio::post(io, [shared = inner_] { shared->start(); });
 }
 
 void connection::publish(const message& what, std::uint64_t token) { inner_->publish(what, token); }

@@ -1,14 +1,14 @@
 // One connection to a broker of MQTT 5, from the first try to its end: it does not come back, and keeps nothing for a
-// next one.
+// next one. It publishes, and nothing else (session.hpp).
 //
-//   [opening] ──CONNACK──> [open] ──lost, refused, end()──> [closed]
-//       └────────────── can not be made ───────────────────────^
+//   [opening: look-up, TCP, TLS] ──> [session] ──lost, refused, end()──> [closed]
+//       └────────────── can not be made ───────────────────────────────────^
 //
-// It has a thread of its own, because looking up a name and making a connection block in libmosquitto. Errors: told to
-// `closed`, with the reason; what a broker refuses (a message that its user may not publish) closes the connection, so
-// that nothing is taken for delivered that is not. Thread: publish and end from any; the listener is called in the
-// connection's thread, and not any more when end() has returned.
-// Source: MQTT Version 5.0 (OASIS), mosquitto.h 2.0.
+// Errors: given to `closed`, with the reason; what a broker refuses (a message that its user may not publish) closes
+// the connection, so that nothing is taken for delivered that is not. Thread: publish and end from any; the work is
+// done, and the listener called, in the thread of the context, and not any more when end() has returned. Files of keys
+// and passwords are read in that thread.
+// Source: MQTT Version 5.0 (OASIS).
 #pragma once
 
 #include <chrono>
@@ -17,8 +17,11 @@
 #include <memory>
 #include <string>
 
+#include <boost/asio/io_context.hpp>
+
 #include "io/mqtt/broker_uri.hpp"
 #include "io/mqtt/failure.hpp"
+#include "io/mqtt/message.hpp"
 
 namespace godwit::io::mqtt {
 
@@ -30,19 +33,11 @@ struct connection_settings {
   std::string ca_file;          // PEM; these issuers and no others. Empty: those that the system trusts
   std::string certificate_file; // PEM, our own, with key_file; empty: none
   std::string key_file;         // PEM, mode 0600
-  int keep_alive_s = 15;        // the broker publishes the will when it has heard nothing for 1.5 times that
-};
-
-struct message {
-  std::string topic;
-  std::shared_ptr<const std::string> payload; // JSON
-  bool is_acknowledged = false;               // QoS 1; else 0
-  bool is_retained = false;
-  std::uint32_t expires_s = 0; // the broker keeps it no longer for who is away; 0: for ever
+  std::uint16_t keep_alive_s = 15;
 };
 
 struct listener {
-  std::function<void()> opened;
+  std::function<void(std::uint32_t max_packet_bytes)> opened;
   std::function<void(failure why, const std::string& sentence)> closed; // once, and the last
   // The broker has it; without acknowledgement: it has left.
   std::function<void(std::uint64_t token)> published;
@@ -50,18 +45,21 @@ struct listener {
 
 class connection {
 public:
+  static constexpr std::chrono::seconds opening_limit{25}; // look-up, TCP and TLS
+
   // Returns at once. WILL: published by the broker when the connection is lost, and when it is ended.
-  connection(connection_settings wanted, message will, listener ears);
+  connection(boost::asio::io_context& io, connection_settings settings, message will, listener to);
   connection(const connection&) = delete;
   connection& operator=(const connection&) = delete;
   ~connection() { end(); }
 
-  // What can not be handed over any more is not told as published. TOKEN: says which, to the listener.
+  // What can not be handed over any more is not reported as published. TOKEN: says which, to the listener.
   void publish(const message& what, std::uint64_t token);
 
-  // Does not wait. What still waits for the network goes on without anybody who listens.
+  // Does not wait: the last packet goes out within a second, or not at all.
   void end();
-  // For its end, so that the broker hears of it before the process is gone. False: not within PATIENCE.
+  // For its end, so that the broker hears of it before the process is gone. False: not within PATIENCE. Not in the
+  // thread of the context.
   bool wait_for_end(std::chrono::milliseconds patience);
 
 private:

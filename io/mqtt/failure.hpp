@@ -13,7 +13,8 @@ enum class failure {
   certificate,    // TLS: the broker is not who it should be, or will not have us
   not_authorised, // user, password, or what this user may publish
   taken_over,     // somebody else has connected under the same name
-  refused,        // the broker says no for another reason
+  refused,        // the broker says no for another reason, or what does not belong here
+  retain_refused, // it keeps no messages for who comes later
   unusable        // of our own: a file can not be read
 };
 
@@ -26,6 +27,7 @@ constexpr auto enum_names(failure) {
                              {failure::not_authorised, "not_authorised"},
                              {failure::taken_over, "taken_over"},
                              {failure::refused, "refused"},
+                             {failure::retain_refused, "retain_refused"},
                              {failure::unusable, "unusable"}});
 }
 

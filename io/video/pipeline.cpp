@@ -14,6 +14,7 @@
 
 #include "io/video/gst_owned.hpp"
 #include "io/video/monotonic.hpp"
+#include "io/video/size_guard.hpp"
 
 namespace godwit::io::video {
 namespace {
@@ -72,9 +73,10 @@ std::string size_caps(const camera_uri& from) {
 
 // Texts of people stand in none of these: they are set as properties.
 std::string description_of(const camera_uri& from, bool is_paced) {
-  const std::string end = " ! videoconvert ! video/x-raw,format=I420 ! appsink name=sink enable-last-sample=false" +
-                          std::string(is_paced ? " max-buffers=1 drop=true" : " max-buffers=4 drop=false") +
-                          (from.kind == camera_kind::file && is_paced ? " sync=true" : " sync=false");
+  const std::string end =
+      " ! videoconvert name=convert ! video/x-raw,format=I420 ! appsink name=sink enable-last-sample=false" +
+      std::string(is_paced ? " max-buffers=1 drop=true" : " max-buffers=4 drop=false") +
+      (from.kind == camera_kind::file && is_paced ? " sync=true" : " sync=false");
   switch (from.kind) {
   case camera_kind::device:
     return from.width_px == 0 ? "v4l2src name=source ! decodebin" + end
@@ -211,6 +213,7 @@ tl::expected<std::unique_ptr<pipeline>, std::string> pipeline::make(const camera
   made->bus.reset(gst_element_get_bus(made->whole.get()));
   const owned<GstElement> begin(gst_bin_get_by_name(GST_BIN(made->whole.get()), "source"));
   set_properties(from, begin.get());
+  guard_picture_sizes(made->whole.get());
   const owned<GstElement> sink(gst_bin_get_by_name(GST_BIN(made->whole.get()), "sink"));
   GstAppSinkCallbacks callbacks{};
   callbacks.new_sample = take_sample;

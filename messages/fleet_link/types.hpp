@@ -15,7 +15,9 @@ using broker_failure = io::mqtt::failure;
 
 struct broker_opened {
   std::uint64_t attempt = 0;
-  static constexpr auto fields = io::table("fleet_link.broker_opened", io::field("attempt", &broker_opened::attempt));
+  std::uint32_t max_packet_bytes = 1024 * 1024; // of a message with its topic: what the broker takes
+  static constexpr auto fields = io::table("fleet_link.broker_opened", io::field("attempt", &broker_opened::attempt),
+                                           io::field("max_packet_bytes", &broker_opened::max_packet_bytes));
 };
 
 struct broker_closed {
@@ -59,8 +61,9 @@ struct fleet_view {
   std::uint64_t dropped = 0;    // the same: there was no room for them any more
   std::uint64_t connects = 0;   // these are of this incarnation
   std::uint64_t failures = 0;
-  std::uint64_t texts = 0;   // of what is live
-  std::uint64_t skipped = 0; // of it: the network was too slow, and a newer one went out instead
+  std::uint64_t texts = 0;     // of what is live
+  std::uint64_t skipped = 0;   // of it: the network was too slow, and a newer one went out instead
+  std::uint64_t too_large = 0; // for the broker: of what is live, not sent; of events, sent without data
   static constexpr auto fields =
       io::table("fleet_link.fleet_view", io::field("is_connected", &fleet_view::is_connected),
                 io::field("broker", &fleet_view::broker), io::field("vehicle", &fleet_view::vehicle),
@@ -68,7 +71,7 @@ struct fleet_view {
                 io::field("waiting", &fleet_view::waiting), io::field("delivered", &fleet_view::delivered),
                 io::field("dropped", &fleet_view::dropped), io::field("connects", &fleet_view::connects),
                 io::field("failures", &fleet_view::failures), io::field("texts", &fleet_view::texts),
-                io::field("skipped", &fleet_view::skipped));
+                io::field("skipped", &fleet_view::skipped), io::field("too_large", &fleet_view::too_large));
 };
 
 } // namespace godwit::fleet_link

@@ -5,10 +5,13 @@
 
 #include "programs/godwit-eyes/commands.hpp"
 #include "programs/godwit-eyes/console.hpp"
+#include "programs/godwit-eyes/self_limits.hpp"
 
 using namespace godwit::eyes;
 
 int main(int argc, char** argv) {
+  if (const char* const objection = limit_own_memory())
+    say(objection);
   std::signal(SIGPIPE, SIG_IGN);
   CLI::App app{
       "Looks at a camera and finds what moves on the ground. godwitd starts it by itself when camera.uri is set.",

@@ -84,11 +84,11 @@ void composition::surround_views() {
   views_outside_.pictured_points = pictured_points();
   if (!wanted_.fleet)
     return;
-  broker_ = make_broker_access(*wanted_.fleet);
-  views_outside_.fleet = fleet_surroundings{*wanted_.fleet, broker_.port, outside_.seed,
-                                            [this](const std::string& sentence, bool is_warning) {
-                                              announce({sentence, is_warning}, "fleet_link");
-                                            }};
+  broker_ = std::make_shared<fleet_link::mqtt_port>(*wanted_.fleet);
+  views_outside_.fleet =
+      fleet_surroundings{*wanted_.fleet, broker_, outside_.seed, [this](const std::string& sentence, bool is_warning) {
+                           announce({sentence, is_warning}, "fleet_link");
+                         }};
 }
 
 void composition::add_ground_run(control::peers& of_desk) {
@@ -191,8 +191,8 @@ int composition::close(runtime::exit_code code) {
     eyes_->close();
   if (trial_eyes_)
     trial_eyes_->close();
-  if (broker_.detach)
-    broker_.detach();
+  if (broker_)
+    broker_->detach();
   vehicle_port_->close();
   ground_line_->close();
   if (link_log_)

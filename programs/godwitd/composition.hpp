@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "actors/fleet_link/mqtt_port.hpp"
 #include "actors/ground_port/link_port.hpp"
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/http_service.hpp"
@@ -17,7 +18,6 @@
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
-#include "programs/godwitd/broker_access.hpp"
 #include "programs/godwitd/camera_trial.hpp"
 #include "programs/godwitd/control/request_handler.hpp"
 #include "programs/godwitd/control/server.hpp"
@@ -104,7 +104,7 @@ private:
   std::shared_ptr<point_pictures> point_pictures_;             // the same
   std::shared_ptr<io::eyes::helper> trial_eyes_;               // the same; of the trial before the flight
   std::shared_ptr<camera_trial> camera_trial_;                 // the same
-  broker_access broker_;                                       // none without one
+  std::shared_ptr<fleet_link::mqtt_port> broker_;              // none without one
   std::shared_ptr<vehicle_link::link_port> vehicle_port_ = std::make_shared<vehicle_link::link_port>();
   std::shared_ptr<mapobjects_store::map_port> map_port_ = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<ground_port::link_port> ground_line_ = std::make_shared<ground_port::link_port>();

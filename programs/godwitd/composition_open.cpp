@@ -22,8 +22,8 @@ tl::expected<void, std::string> composition::open() {
   if (wanted_.flies)
     begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
   tell_open_lines();
-  if (broker_.attach)
-    broker_.attach(host_->actors().make_gateway("broker_port"), views_.fleet);
+  if (broker_)
+    broker_->attach(host_->actors().make_gateway("broker_port"), views_.fleet);
   if (eyes_port_)
     eyes_port_->open(host_->actors().make_gateway("eyes_port"), flight_.eyes);
   if (trial_eyes_)

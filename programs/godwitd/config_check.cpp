@@ -33,7 +33,7 @@ void check_service(const io::http::settings& service, problem_list& to) {
     to.add("service", opened.error());
 }
 
-// What libmosquitto would say only at the first connection.
+// What would be reported only at the first connection.
 void check_fleet(const fleet_link::settings& fleet, problem_list& to) {
   for (const auto* const file : {&fleet.ca_file, &fleet.certificate_file})
     if (!file->empty())

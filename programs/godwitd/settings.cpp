@@ -28,12 +28,6 @@ constexpr bool has_eyes = true;
 constexpr bool has_eyes = false;
 #endif
 
-#ifdef GODWIT_HAS_MQTT
-constexpr bool has_mqtt = true;
-#else
-constexpr bool has_mqtt = false;
-#endif
-
 std::string text(const json& section, const char* key) { return section.at(key).get<std::string>(); }
 
 std::chrono::milliseconds ms(const json& value) { return std::chrono::milliseconds(value.get<std::int64_t>()); }
@@ -310,9 +304,6 @@ checked read_fleet(const json& given, daemon_settings& to) {
   const auto where = text(given, "broker");
   if (where.empty())
     return {};
-  if constexpr (!has_mqtt)
-    return wrong("broker",
-                 "this godwitd was built without MQTT (GODWIT_MQTT=OFF); leave it out, or build it with libmosquitto");
   if (!to.flies)
     return wrong("broker", "a run on the ground has nothing to tell a broker; leave it out");
   auto parsed = io::mqtt::parse_broker_uri(where);

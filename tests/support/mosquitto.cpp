@@ -1,5 +1,6 @@
 #include "tests/support/mosquitto.hpp"
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -9,8 +10,6 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
-#include <mosquitto.h>
-#include <mqtt_protocol.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -20,6 +19,7 @@ namespace godwit::tests {
 namespace {
 
 constexpr const char* program = "/usr/sbin/mosquitto";
+constexpr const char* subscriber = "/usr/bin/mosquitto_sub";
 constexpr auto look_period = std::chrono::milliseconds(20);
 constexpr int patience_looks = 500;
 
@@ -59,7 +59,7 @@ std::filesystem::path fresh_folder() {
 
 } // namespace
 
-bool broker::is_installed() { return std::filesystem::exists(program); }
+bool broker::is_installed() { return std::filesystem::exists(program) && std::filesystem::exists(subscriber); }
 
 broker::broker(std::string extra) : extra_(std::move(extra)), folder_(fresh_folder()), port_(free_port()) { start(); }
 
@@ -93,33 +93,45 @@ void broker::stop() {
   ::waitpid(std::exchange(process_, -1), nullptr, 0);
 }
 
+// The session stays while it is away, and nothing is missed: -c with -x, and QoS 1.
 watcher::watcher(std::uint16_t port, const std::string& name) {
-  mosquitto_lib_init();
-  client_ = mosquitto_new(name.c_str(), false, this);
-  mosquitto_int_option(client_, MOSQ_OPT_PROTOCOL_VERSION, MQTT_PROTOCOL_V5);
-  mosquitto_reconnect_delay_set(client_, 1, 1, false);
-  mosquitto_connect_callback_set(client_, [](mosquitto* client, void*, int) {
-    mosquitto_subscribe_v5(client, nullptr, "#", 1, MQTT_SUB_OPT_RETAIN_AS_PUBLISHED, nullptr);
-  });
-  mosquitto_message_callback_set(client_, [](mosquitto*, void* self, const mosquitto_message* what) {
-    auto& me = *static_cast<watcher*>(self);
-    const std::lock_guard guard(me.mutex_);
-    me.heard_.push_back({what->topic,
-                         {static_cast<const char*>(what->payload), static_cast<std::size_t>(what->payloadlen)},
-                         what->retain});
-    me.more_.notify_all();
-  });
-  mosquitto_property* keep = nullptr;
-  mosquitto_property_add_int32(&keep, MQTT_PROP_SESSION_EXPIRY_INTERVAL, ~std::uint32_t{0});
-  mosquitto_connect_bind_v5(client_, "127.0.0.1", port, 10, nullptr, keep);
-  mosquitto_property_free_all(&keep);
-  mosquitto_loop_start(client_);
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
+    throw std::runtime_error("no pipe can be made");
+  process_ = ::fork();
+  if (process_ == 0) {
+    ::dup2(pipe[1], STDOUT_FILENO);
+    const auto place = std::to_string(port);
+    ::execl(subscriber, subscriber, "-V", "5", "-p", place.c_str(), "-i", name.c_str(), "-c", "-x", "4294967295", "-q",
+            "1", "-k", "10", "-t", "#", "--retain-as-published", "-F", "%r %t %p", nullptr);
+    ::_exit(127);
+  }
+  ::close(pipe[1]);
+  output_ = pipe[0];
+  reader_ = std::thread([this] { collect(); });
 }
 
 watcher::~watcher() {
-  mosquitto_disconnect(client_);
-  mosquitto_loop_stop(client_, false);
-  mosquitto_destroy(client_);
+  ::kill(process_, SIGTERM);
+  ::waitpid(process_, nullptr, 0);
+  reader_.join();
+  ::close(output_);
+}
+
+// Payloads are JSON of one line.
+void watcher::collect() {
+  std::string text;
+  std::array<char, 4096> piece{};
+  for (ssize_t got = 0; (got = ::read(output_, piece.data(), piece.size())) > 0;) {
+    text.append(piece.data(), static_cast<std::size_t>(got));
+    const std::lock_guard guard(mutex_);
+    for (std::size_t end = 0; (end = text.find('\n')) != std::string::npos; text.erase(0, end + 1)) {
+      const auto topic_end = text.find(' ', 2);
+      heard_.push_back(
+          {text.substr(2, topic_end - 2), text.substr(topic_end + 1, end - topic_end - 1), text[0] == '1'});
+    }
+    more_.notify_all();
+  }
 }
 
 std::vector<heard_message> watcher::heard() {

@@ -1,5 +1,5 @@
-// Debian's mosquitto on a free port of 127.0.0.1, and a client that hears what it is told. For tests; processes and
-// files are gone with the objects. Thread: one; what was heard is collected by a thread of the client's own.
+// Debian's mosquitto on a free port of 127.0.0.1, and its mosquitto_sub, which hears what it is told. For tests;
+// processes and files are gone with the objects. Thread: one; what was heard is collected by a thread of its own.
 #pragma once
 
 #include <chrono>
@@ -9,11 +9,10 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sys/types.h>
-
-struct mosquitto;
 
 namespace godwit::tests {
 
@@ -60,7 +59,11 @@ public:
                 std::chrono::seconds patience = std::chrono::seconds(60));
 
 private:
-  mosquitto* client_;
+  void collect();
+
+  pid_t process_ = -1;
+  int output_ = -1;
+  std::thread reader_;
   std::mutex mutex_; // over the rest
   std::condition_variable more_;
   std::vector<heard_message> heard_;

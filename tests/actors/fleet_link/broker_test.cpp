@@ -22,6 +22,7 @@
 #include "programs/godwitd/hub_reader.hpp"
 #include "runtime/process.hpp"
 #include "tests/support/mosquitto.hpp"
+#include "tests/support/mqtt_peer.hpp"
 #include "tests/support/tls_identity.hpp"
 
 namespace godwit::fleet_link {
@@ -231,6 +232,41 @@ TEST_F(fleet_link_broker, a_broker_that_does_not_take_the_topics_is_named_and_no
   vehicle rover(journal(), settings_for(strict), 1);
   rover.progress(1);
   EXPECT_TRUE(rover.was_told("does not take a message", 30s)) << rover.all_told();
+}
+
+TEST_F(fleet_link_broker, the_limits_of_a_broker_are_kept_to_and_events_reach_it_all_the_same) {
+  tests::broker broker("allow_anonymous true\nmax_keepalive 10\nretain_available false\nmax_packet_size 2000\n"
+                       "max_inflight_messages 3");
+  tests::watcher watcher(broker.port());
+  vehicle rover(journal(), settings_for(broker), 1);
+  EXPECT_TRUE(rover.was_told("set the broker so that it retains messages", 30s)) << rover.all_told();
+  for (std::uint32_t items = 1; items <= 200; ++items)
+    rover.progress(items);
+  EXPECT_TRUE(watcher.wait_for([](const heard& all) {
+    const auto events = events_of(all);
+    return !events.empty() && events.back().at("data").value("items_done", 0U) == 200;
+  })) << rover.all_told();
+  EXPECT_TRUE(watcher.wait_for([](const heard& all) { return newest_status(all) == "online"; }));
+}
+
+TEST_F(fleet_link_broker, a_broker_that_acknowledges_nothing_is_named) {
+  tests::broker broker("allow_anonymous true\nmax_qos 0");
+  vehicle rover(journal(), settings_for(broker), 1);
+  EXPECT_TRUE(rover.was_told("QoS not supported", 30s)) << rover.all_told();
+}
+
+TEST_F(fleet_link_broker, the_packet_that_ended_godwitd_is_named_and_the_vehicle_goes_on_to_the_next_broker) {
+  tests::mqtt::peer broker([](tests::mqtt::peer_end& end, int connection) {
+    (void)end.read();
+    end.write(connection == 1 ? std::string("\x20\x05\x00\x00\x01\x7a\x00", 7) : tests::mqtt::connack());
+    (void)end.last();
+  });
+  settings configured;
+  configured.broker = io::mqtt::parse_broker_uri("mqtt://127.0.0.1:" + std::to_string(broker.port())).value();
+  configured.vehicle = "rover-7";
+  vehicle rover(journal(), configured, 1);
+  EXPECT_TRUE(rover.was_told("the broker sends CONNACK with", 30s)) << rover.all_told();
+  EXPECT_TRUE(rover.was_told("connected to", 30s)) << "at the next try";
 }
 
 TEST_F(fleet_link_broker, nobody_there_and_a_name_that_is_nobodys_are_told_apart) {

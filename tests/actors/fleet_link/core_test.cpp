@@ -275,6 +275,27 @@ TEST(fleet_link_core, a_network_that_takes_nothing_holds_back_what_is_live_and_t
   EXPECT_EQ(json::parse(*world.others.back().payload).at("number"), 600);
 }
 
+TEST(fleet_link_core, what_the_broker_does_not_take_is_counted_and_an_event_goes_without_its_data) {
+  fleet_world world;
+  world.max_packet_bytes = 1'024;
+  noted what = tests::progress_news(1);
+  what.what.front().data = R"({"long":")" + std::string(2'000, 'x') + R"("})";
+  world.apply(what);
+  world.note(2);
+  world.core.on_text(text_of("position", 1));
+  world.core.on_text(
+      std::make_shared<const std::string>(R"({"topic":"health","x":")" + std::string(2'000, 'x') + R"("})"));
+  world.deliver_all();
+  while (world.take()) {
+  }
+  ASSERT_EQ(world.received.size(), 2U);
+  EXPECT_EQ(json::parse(world.received.front()).at("data"), json::object());
+  EXPECT_EQ(json::parse(world.received.back()).at("data").at("items_done"), 2);
+  EXPECT_TRUE(std::ranges::none_of(world.others, [](const auto& each) { return each.payload->size() > 1'024; }));
+  EXPECT_EQ(world.core.view_of(world.state, world.now()).too_large, 2U);
+  EXPECT_TRUE(world.state.events.empty());
+}
+
 TEST(fleet_link_core, without_room_the_oldest_events_are_dropped_counted_and_said) {
   fleet_world world;
   for (std::uint32_t i = 1; i <= max_events + 1; ++i)

@@ -100,7 +100,7 @@ struct fleet_world {
     if (!attempt || is_open)
       return;
     is_open = true;
-    carry_out(core.on_opened({*attempt}, state, now()));
+    carry_out(core.on_opened({*attempt, max_packet_bytes}, state, now()));
   }
   void refuse(fleet_link::broker_failure why, const std::string& sentence = "no") {
     if (!attempt)
@@ -159,6 +159,7 @@ struct fleet_world {
   std::vector<std::uint64_t> unsynced;
   fleet_link::core core{fleet_settings(), 1, "s1", std::uint64_t{1} << 24U};
   std::optional<std::uint64_t> attempt;
+  std::uint32_t max_packet_bytes = 1024 * 1024;
   bool is_open = false;
   bool is_silent = false;
   fleet_link::publication will;

@@ -25,7 +25,7 @@ KNOWN = {
         ProtectHostname DevicePolicy DeviceAllow RestrictAddressFamilies RestrictNamespaces RestrictRealtime
         RestrictSUIDSGID LockPersonality MemoryDenyWriteExecute SystemCallArchitectures SystemCallFilter
         SystemCallErrorNumber PrivateUsers PrivateMounts ProtectProc RemoveIPC MemoryMax MemorySwapMax TasksMax
-        LimitNOFILE LimitCORE""",
+        LimitNOFILE LimitCORE OOMPolicy""",
     "Install": "WantedBy",
 }
 
@@ -68,6 +68,15 @@ class Unit(unittest.TestCase):
         self.assertIn("MemoryMax", service)
         self.assertIn("TasksMax", service)
         self.assertEqual(service["SystemCallErrorNumber"], "EPERM")
+
+    def test_a_helper_that_takes_too_much_memory_does_not_end_the_unit(self):
+        self.assertEqual(parsed()["Service"]["OOMPolicy"], "continue")
+
+    def test_the_helper_may_make_itself_less_urgent_and_nobody_more_urgent(self):
+        # configparser keeps the last line of a name; here all count, in their order.
+        lines = re.findall(r"(?m)^SystemCallFilter=(.*)$", UNIT.read_text(encoding="utf-8"))
+        self.assertEqual(lines, ["@system-service", "~@privileged @resources", "setpriority"])
+        self.assertEqual(parsed()["Service"]["CapabilityBoundingSet"], "")
 
     def test_every_option_of_its_command_line_is_one_of_godwitd(self):
         command = parsed()["Service"]["ExecStart"]

@@ -5,7 +5,7 @@
 //   deploy, under way, without           hold, note upload, upload, guard, choose the first item, mission mode
 //   start                                guard, (guided or hold, arm,) start
 //   start behind a landing on the way    guard, set home, (arm,) see home, start; ArduPilot has it in the plan
-//   hold, resume, come home              that mode
+//   hold, resume, come home              that mode; resume of a PX4 in the return of its mission: the return
 //   come home by plan                    hold; then as deploy, with the way home
 //   stand down                           disarm
 //   stand by                             the standing mode, on the ground

@@ -233,7 +233,7 @@ bool task_runner::moves(const world& w) const {
   using flight::mode_kind;
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
-    return mode->to == mode_kind::mission || mode->to == mode_kind::guided;
+    return mode->to == mode_kind::mission || mode->to == mode_kind::guided || mode->to == mode_kind::returning;
   const bool flies_plan = w.view.is_armed() && w.view.is_in(mode_kind::mission);
   if (std::holds_alternative<set_current_item>(what))
     return flies_plan; // else it only says where to go on
@@ -252,7 +252,7 @@ intended_order task_runner::intended(const world& w) const {
     result.kind = order_kind::moves;
   const auto* mode = std::get_if<change_mode>(&what);
   result.flies_plan = result.kind == order_kind::moves && !std::holds_alternative<bring_plan>(what) &&
-                      !(mode != nullptr && mode->to == flight::mode_kind::guided);
+                      (mode == nullptr || mode->to == flight::mode_kind::mission);
   result.looked_ns = looked_ns_;
   result.proof_from_ns = w.now_ns - proof_counts_ns;
   // A vehicle without plan ids is read before it is armed: one that stands armed for as long may disarm itself.

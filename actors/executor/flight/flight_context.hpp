@@ -117,9 +117,10 @@ struct flight_context {
   [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
 
   // -- the end of the plan on the vehicle
-  [[nodiscard]] bool is_at_end_of_plan() const; // MISSION_CURRENT has its last item that moves the vehicle
-  [[nodiscard]] bool is_coming_down() const;    // in the landing or the return with which it ends
-  [[nodiscard]] bool ends_on_ground() const;    // by a landing or a return
+  [[nodiscard]] bool is_at_end_of_plan() const;    // MISSION_CURRENT has its last item that moves the vehicle
+  [[nodiscard]] bool is_in_return_of_plan() const; // with which it ends
+  [[nodiscard]] bool is_coming_down() const;       // in the landing or the return with which it ends
+  [[nodiscard]] bool ends_on_ground() const;       // by a landing or a return
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;
   // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the

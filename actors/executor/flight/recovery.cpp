@@ -221,7 +221,7 @@ void recovery::read_back(effects& out, instant now) {
 
 bool recovery::follow_late_order(effects& out, instant now) {
   if (now.now_ns >= late_order_until_ns_ || !flight_.is_held() || !flight_.authority.is_ours() ||
-      !flight_.view.is_in(mode_kind::mission))
+      !flight_.view.is_in(going_on_mode(flight_)))
     return false;
   late_order_until_ns_ = 0;
   phases_.go(out, trigger::resumed);

@@ -21,7 +21,7 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
   case personality::rover:
     return std::make_unique<rover>(with, settings.arms_on_start);
   case personality::px4:
-    return std::make_unique<px4>(with);
+    return std::make_unique<px4>(with, settings.holds_when_landed);
   case personality::ardupilot:
     return std::make_unique<copter>(with);
   case personality::plane:
@@ -222,6 +222,12 @@ void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {
 void vehicle::parts::block(bool is_blocked, std::int64_t now_ns) {
   advance(now_ns);
   pilot_->block(is_blocked);
+  end_turn();
+}
+
+void vehicle::parts::breach_fence(std::int64_t now_ns) {
+  advance(now_ns);
+  pilot_->breach_fence();
   end_turn();
 }
 

@@ -35,6 +35,21 @@ TEST_P(landing_end, a_landing_ends_the_mission_also_where_the_vehicle_does_not_s
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
 
+TEST(flight_end_of_px4, who_holds_when_it_has_landed_by_its_plan_has_reached_its_landing_and_completed_the_mission) {
+  for (const double speed : {1.0, 5.0}) {
+    flight_world world({.who = sim::personality::px4, .speed = speed, .holds_when_landed = true});
+    world.load(with_landing());
+    ASSERT_TRUE(world.run_until(
+        [&] { return world.durable().status.now == phase::done || world.durable().status.cause != pause_cause::none; },
+        600))
+        << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
+    EXPECT_TRUE(is_told(world, progress_kind::reached, "down")) << world.story();
+    EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+    EXPECT_EQ(world.durable().status.cause, pause_cause::none) << world.story();
+  }
+}
+
 // PX4 leaves its mission mode for the return.
 TEST_P(landing_end, killed_while_the_plan_brings_it_home_it_sees_nobodys_takeover) {
   flight_world world({.who = GetParam()});

@@ -65,6 +65,8 @@ flight_world::flight_world(const options& wanted)
   vehicle.speed = wanted.speed;
   vehicle.battery_percent = wanted.battery_percent;
   vehicle.endurance_s = wanted.endurance_s;
+  vehicle.holds_when_landed = wanted.holds_when_landed;
+  vehicle.rtl_autoland = wanted.rtl_autoland;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(), [this](std::span<const std::byte> frame) {
     if (!is_vehicle_silent_)
       hear(frame);

@@ -54,6 +54,8 @@ public:
     double late = 0;                // by a second and a half
     std::int64_t most_delay_ms = 1; // frames overtake each other when it is above 1
     std::uint64_t seed = 1;
+    bool holds_when_landed = false;       // of a PX4
+    int rtl_autoland = 3;                 // of a plane
     bool is_person_on_other_line = false; // to the vehicle; else on that of the link, which hears what it answers them
   };
 

@@ -6,8 +6,8 @@
 // ends before that item cuts it, and the vehicle stays where it is. Item 0 is home, which moves to
 // where it is armed until a command has set it.
 //
-// What it is not: failsafes but for an empty battery and the loss of position; manual flight; fences are kept and a
-// breach does nothing. Thread: one at a time.
+// What it is not: failsafes but for an empty battery, the loss of position and a breach of its own fence on demand;
+// manual flight; fences are kept, and that one is left does nothing by itself. Thread: one at a time.
 #pragma once
 
 #include <string>
@@ -26,6 +26,7 @@ public:
   void on_half_a_plan() override;
   void on_happening(const happening& what) override;
   [[nodiscard]] mavlink::mission_current progress() const override;
+  void breach_fence() override;
 
 protected:
   enum class mission_phase { stopped, running, complete };

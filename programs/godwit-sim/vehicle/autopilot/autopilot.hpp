@@ -69,6 +69,8 @@ public:
   void lose_position(bool lost);
   void block(bool is_blocked) { with_.craft.block(is_blocked); }
   void empty_battery();
+  // Of a fence of its own, which is a circle: whatever it does then.
+  virtual void breach_fence() {}
   void restart();
   [[nodiscard]] refused_orders& refusals() { return refusals_; }
 

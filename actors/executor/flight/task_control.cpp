@@ -221,7 +221,8 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
   case task_kind::stand_down:
     return warn("the vehicle stays armed: ");
   case task_kind::stand_by:
-    return warn("do not arm the vehicle: it stands in its mission mode and would move. ");
+    return warn(flight_.view.is_armed() ? "keep away from the vehicle: it stands armed in its mission mode. "
+                                        : "do not arm the vehicle: it stands in its mission mode and would move. ");
   case task_kind::await_arming:
     flight_.awaited_arming.reset();
     return warn("the flight is not started: ");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "programs/godwit-sim/vehicle/autopilot/ardu_rover.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/copter.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/home_item.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/plane.hpp"
@@ -25,7 +26,9 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
   case personality::ardupilot:
     return std::make_unique<copter>(with);
   case personality::plane:
-    return std::make_unique<plane>(with);
+    return std::make_unique<plane>(with, settings.rtl_autoland != 0);
+  case personality::ardurover:
+    return std::make_unique<ardu_rover>(with);
   }
   GODWIT_ASSERT(false, "each personality has its autopilot");
 }

@@ -283,7 +283,7 @@ autopilot::answer ardupilot::reposition(const role::order& what) {
     return answer::denied;
   if (change_mode(&guided, guided.custom) != answer::accepted)
     return answer::failed;
-  if (state().is_armed && craft().is_in_air())
+  if (state().is_armed && goes_to_places())
     go_to(place_in(what));
   return answer::accepted;
 }

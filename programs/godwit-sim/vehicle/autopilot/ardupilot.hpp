@@ -43,13 +43,15 @@ protected:
   answer reposition(const role::order& what) override;
   answer restart_or_shut_down(const role::order& what) override;
 
-  // -- what Copter and Plane decide
+  // -- what Copter, Plane and Rover decide
 
   [[nodiscard]] virtual bool is_armable(mode_kind kind) const = 0;
   // A sentence if AUTO can not begin there, armed and with a mission.
   [[nodiscard]] virtual std::string_view why_not_auto() const { return {}; }
   // AUTO is entered or told to begin: whether the mission goes on without MISSION_START.
   [[nodiscard]] virtual bool begins_in_auto() const = 0;
+  // Where a DO_REPOSITION names: what flies has to be in the air.
+  [[nodiscard]] virtual bool goes_to_places() const { return craft().is_in_air(); }
   virtual void on_item_begun(int) {}
   virtual void on_took_off() {}
   virtual void on_landed() = 0;

@@ -64,6 +64,7 @@ struct flight_context {
   command_queue wanted;
   // The last mission, revision or assignment that could not be flown, for people; a new incarnation knows of none.
   std::optional<known_mission> refused;
+  std::string refused_start; // by the vehicle, for now: why
   homing_state homing;
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
   std::int64_t arming_until_ns = 0;

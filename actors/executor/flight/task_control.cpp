@@ -158,6 +158,7 @@ void task_control::finish(effects& out, const task& what, instant now) {
   case task_kind::start:
     verify_plan(now);
     start_refused_since_ns_ = 0;
+    flight_.refused_start.clear();
     flight_.was_up = flight_.view.is_under_way();
     out.emplace_back(note{preflight::took_off{}});
     phases_.go(out, trigger::started);
@@ -246,8 +247,9 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
   case task_kind::resume:
     break;
   case task_kind::start:
-    if (is_start_tried_on(what, now))
-      phases_.go(out, trigger::start_refused, why + "; it is tried again");
+    flight_.refused_start = is_start_tried_on(what, now) ? why : std::string();
+    if (!flight_.refused_start.empty())
+      phases_.go(out, trigger::start_refused, why + "; godwit tries it again while the vehicle stands, for a minute");
     else
       phases_.go(out, trigger::start_failed, why);
     if (flight_.is_left_armed() && !flight_.view.is_in(mode_kind::mission))

@@ -41,10 +41,12 @@ plans::autopilot_quirks with_home(plans::autopilot_quirks autopilot_quirks, cons
 }
 
 // A ground station looks for its vehicle's id there, by one of the names that it has had.
-std::vector<role::param> with_system(std::vector<role::param> params, std::uint8_t system) {
+std::vector<role::param> with_settings(std::vector<role::param> params, const vehicle_settings& settings) {
   for (auto& each : params)
-    if (each.name == "SYSID_THISMAV" || each.name == "MAV_SYSID" || each.name == "MAV_SYS_ID")
-      each.value = system;
+    if (each.name == "RTL_AUTOLAND")
+      each.value = static_cast<float>(settings.rtl_autoland);
+    else if (each.name == "SYSID_THISMAV" || each.name == "MAV_SYSID" || each.name == "MAV_SYS_ID")
+      each.value = settings.system;
   return params;
 }
 
@@ -68,7 +70,7 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
       craft_(quirks_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
       tells_(quirks_, craft_, power_, state_, out_),
       plans_(with_home(quirks_.plan_quirks, settings.home), out_.ourselves()),
-      params_(with_system(quirks_.params, settings.system), quirks_.param_encoding) {
+      params_(with_settings(quirks_.params, settings), quirks_.param_encoding) {
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
   state_.mode = state_.intended = find_mode(quirks_.modes, quirks_.first_mode);
   state_.is_ready = quirks_.ready_after_ns == 0;

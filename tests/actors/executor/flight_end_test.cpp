@@ -122,6 +122,21 @@ TEST_P(flight_end, an_automatic_start_that_is_refused_for_now_is_tried_on) {
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
+TEST_P(flight_end,
+       an_automatic_start_that_is_refused_is_told_in_one_sentence_while_it_is_tried_and_when_it_is_not_any_more) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.vehicle().refuse_command(arming, failed, -1);
+  world.load(tests::short_mission(GetParam()));
+  const auto says = [&](std::string_view what) { return world.sentence().find(what) != std::string::npos; };
+  ASSERT_TRUE(world.run_until([&] { return says("tries it again"); }, 60)) << world.story();
+  EXPECT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::not_done; }, 90))
+      << world.story();
+  EXPECT_TRUE(says("was asked to arm")) << world.sentence();
+  EXPECT_FALSE(says("tries it again")) << world.sentence();
+  for (const auto& each : world.said())
+    EXPECT_EQ(each.find("a person has to start it"), std::string::npos) << each;
+}
+
 // It may stand armed, with a person beside it who thinks that nothing comes of it any more.
 TEST_P(flight_end, after_an_arm_that_was_not_refused_only_a_person_starts_again) {
   flight_world world({.who = GetParam(), .speed = 1});

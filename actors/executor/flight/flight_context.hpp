@@ -64,6 +64,8 @@ struct flight_context {
   command_queue wanted;
   // The last mission, revision or assignment that could not be flown, for people; a new incarnation knows of none.
   std::optional<known_mission> refused;
+  // A revision of the service that was not taken: it has that one, and changes are made to it.
+  std::optional<std::pair<std::string, std::int32_t>> refused_revision;
   std::string refused_start; // by the vehicle, for now: why
   homing_state homing;
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
@@ -83,6 +85,7 @@ struct flight_context {
   [[nodiscard]] std::string why_not_armed() const;
   // What an order says of the moment in which it was decided.
   [[nodiscard]] std::optional<vehicle_link::seen_state> known() const;
+  [[nodiscard]] std::string refused_start_sentence() const;
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
 
   // -- the flight
@@ -90,8 +93,11 @@ struct flight_context {
   [[nodiscard]] bool is_starting() const { return s.doing && s.doing->kind == task_kind::start; }
   // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
   [[nodiscard]] bool has_person() const { return needs_hand_back(s.status.cause); }
-  // By a command: what is brought to it meanwhile is not begun.
-  [[nodiscard]] bool is_held() const { return s.status.now == phase::paused && s.status.cause == pause_cause::asked; }
+  // By a command, or because it can not fly what was brought to it: what is brought meanwhile is not begun.
+  [[nodiscard]] bool is_held() const {
+    return s.status.now == phase::paused &&
+           (s.status.cause == pause_cause::asked || s.status.cause == pause_cause::infeasible_plan);
+  }
   // Of an upload or a start: what became of it is not known yet.
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;

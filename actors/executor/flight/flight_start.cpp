@@ -67,7 +67,8 @@ bool flight_start::begin_wanted(effects& out, instant now) {
 
 std::string flight_start::why_not_in_flight() const {
   const auto cause = flight_.s.status.cause;
-  if (!flight_.s.progress.plan || cause == pause_cause::foreign_plan || cause == pause_cause::vehicle_restarted)
+  if (!flight_.s.progress.plan || cause == pause_cause::foreign_plan || cause == pause_cause::vehicle_restarted ||
+      cause == pause_cause::infeasible_plan)
     return flight_.sentence();
   if (!flight_.view.is_under_way())
     return "the vehicle stands on the ground; its flight has not ended yet";

@@ -22,11 +22,19 @@ steps out_of_mission_steps(const flight_context& flight) {
 steps way_to_plan(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
   if (!flight.is_in_flight()) {
     steps result = out_of_mission_steps(flight);
+    if (flight.view.finds_infeasible())
+      result.emplace_back(clear_plan{});
     result.emplace_back(bring_plan{});
     return result;
   }
-  if (flight.view.owner().autopilot == mav_autopilot::px4)
-    return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
+  if (flight.view.owner().autopilot == mav_autopilot::px4) {
+    steps result{bring_plan{}, guard{}};
+    if (goes_on)
+      result.emplace_back(change_mode{mode_kind::mission});
+    else if (flight.view.is_in(mode_kind::mission))
+      result.insert(result.begin(), change_mode{mode_kind::hold});
+    return result;
+  }
   steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
   if (flight.is_ardupilot()) {
     result.emplace_back(set_current_item{map.start_sequence, map.total});

@@ -164,7 +164,8 @@ void flight_world::change_mission(const std::string& key, const std::optional<st
   mission_client::change_outcome answer{key, change_answer_, {}};
   auto revised = *state_.mission;
   if (answer.verdict == mission_client::change_verdict::done) {
-    ++revised.revision;
+    service_revision_ = std::max(service_revision_, revised.revision) + 1;
+    revised.revision = service_revision_;
     const auto first = executor::first_remaining(revised, after);
     const std::vector rest(revised.items.begin() + static_cast<std::ptrdiff_t>(first), revised.items.end());
     revised.items.resize(first);

@@ -309,6 +309,7 @@ private:
   std::pair<std::uint16_t, int> losses_; // MAV_CMD, how many more
   std::uint32_t lost_message_ = 0;
   std::vector<failsafe::command_vehicle> reactions_;
+  std::int32_t service_revision_ = 0;
   mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
   std::vector<io::mavlink::mission_item_int> shown_items_;
   int times_shown_ = 0;

@@ -7,6 +7,8 @@
 
 #include "io/mavlink/messages/current_mode.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
+#include "programs/godwit-sim/vehicle/flight/item_place.hpp"
+#include "programs/godwit-sim/vehicle/flight/mission_run.hpp"
 
 namespace godwit::sim {
 
@@ -50,7 +52,7 @@ void px4::on_unknown_mode(const role::order& what) { acknowledge(what, answer::a
 autopilot::answer px4::change_mode(const flight_mode* mode, std::uint32_t) {
   if (mode == nullptr)
     return answer::accepted;
-  const bool has_no_mission = mode->kind == mode_kind::mission && run().is_empty();
+  const bool has_no_mission = mode->kind == mode_kind::mission && (run().is_empty() || is_infeasible_);
   const bool has_no_position = mode->needs_position && !state().has_position;
   if (state().is_armed && (has_no_mission || has_no_position)) {
     say_tabbed(mav_severity::critical, "Switching to mode '" + std::string(mode->name) + "' is currently not possible");
@@ -114,6 +116,7 @@ void px4::on_battery_empty() {
 
 void px4::on_restart() {
   run().load(held_mission().items);
+  check_plan();
   reached_ = {};
   stale_messages_ = {};
   heard_station_ns_ = -1;
@@ -135,7 +138,7 @@ void px4::hear_heartbeat(mavlink::sender, const mavlink::heartbeat& m) {
 // -- the mission ------------------------------------------------------------------------------------
 
 autopilot::answer px4::start_mission(const role::order& what) {
-  if (run().is_empty()) {
+  if (run().is_empty() || is_infeasible_) {
     say_tabbed(mav_severity::critical, "Mission start denied! No valid mission");
     return answer::denied;
   }
@@ -249,6 +252,7 @@ void px4::on_change(const plans::plan_change& what) {
     return;
   if (what.kind == plans::plan_change_kind::cleared) {
     reached_ = {};
+    is_infeasible_ = false;
     run().load({});
     if (state().is_armed && state().is_in(mode_kind::mission))
       enter(mode_kind::hold);
@@ -264,13 +268,30 @@ void px4::take_plan(const plans::plan_change& what) {
   const bool was_completed = run().state() == run_state::completed;
   const int current = what.marked_current.value_or(was_completed ? 0 : old_current);
   run().replace(held_mission().items, 0, current);
-  if (was_completed && state().is_armed && state().is_in(mode_kind::mission))
+  check_plan();
+  if (is_infeasible_) {
+    run().stop();
+    if (state().is_armed && state().is_in(mode_kind::mission))
+      refuse_finished_mission();
+  } else if (was_completed && state().is_armed && state().is_in(mode_kind::mission))
     begin_mission();
   if (!had_plan)
     return;
   if (const auto news = stale_messages_.on_switch({old_current, reached_.last()}, progress(), with().random))
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
   reached_ = {};
+}
+
+void px4::check_plan() {
+  is_infeasible_ = false;
+  const auto& items = held_mission().items;
+  for (std::size_t i = 0; i < items.size() && !is_infeasible_ && max_distance_m_ > 0; ++i) {
+    const auto place = place_of(items[i], craft().home(), craft().where().where);
+    const bool has_place = is_nav(items[i]) && items[i].x != 0 && place && !place->is_here;
+    is_infeasible_ = has_place && between(craft().home(), place->at).distance_m > max_distance_m_;
+    if (is_infeasible_)
+      say_tabbed(mav_severity::critical, "Geofence violation for waypoint " + std::to_string(i + 1));
+  }
 }
 
 void px4::end_turn() {
@@ -317,7 +338,8 @@ void px4::on_time() {
   }
   if (now().world_ns >= holds_at_ns_) {
     holds_at_ns_ = never_ns;
-    if (state().is_armed && state().is_in(mode_kind::mission) && run().state() == run_state::completed)
+    const bool has_none = is_infeasible_ || run().state() == run_state::completed;
+    if (state().is_armed && state().is_in(mode_kind::mission) && has_none)
       enter(mode_kind::hold);
   }
   if (now().world_ns >= trigger_again_ns_) {
@@ -334,6 +356,8 @@ mavlink::mission_current px4::progress() const {
   auto result = progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
   if (says_complete_)
     result.mission_state = mavlink::number(mavlink::mission_state::complete);
+  if (is_infeasible_)
+    result.mission_state = mavlink::number(mavlink::mission_state::no_mission);
   return result;
 }
 

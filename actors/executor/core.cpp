@@ -114,8 +114,8 @@ bool core::leave_to_person(effects& out, instant) {
 }
 
 bool core::begin_wanted(effects& out, instant now) {
-  return recovery_.finish(out) || changes_.bring_return_anew(out, now) || changes_.begin_wanted(out, now) ||
-         operators_.go_on(out, now) || start_.begin_wanted(out, now);
+  return recovery_.finish(out) || changes_.bring_plan_before(out, now) || changes_.bring_return_anew(out, now) ||
+         changes_.begin_wanted(out, now) || operators_.go_on(out, now) || start_.begin_wanted(out, now);
 }
 
 bool core::prepare(effects& out, instant now) {
@@ -437,6 +437,11 @@ effects core::on_news(const progress::resolve_start& m, instant now) {
 // Who has the vehicle still has it; behind the hand-back the plan counts. What would fly the vehicle's plan is given
 // up, but for a start that may have come through.
 void core::lose_plan(effects& out, trigger what, instant now) {
+  const bool is_infeasible = what == trigger::infeasible_plan_found;
+  const std::string why = is_infeasible ? "the vehicle finds that the plan can not be flown"
+                                        : "the vehicle does not hold our plan any more";
+  if (flight_.has_person() && is_infeasible && flight_.view.is_in(flight::mode_kind::hold))
+    out.emplace_back(announce{why + ": that it holds may be its own doing, and no pilot's", true});
   if (flight_.has_person())
     return;
   const auto& runner = flight_.runner;
@@ -444,9 +449,9 @@ void core::lose_plan(effects& out, trigger what, instant now) {
   const bool flies_it = kind == task_kind::resume || kind == task_kind::await_arming ||
                         (kind == task_kind::start && !runner.has_asked_to_start());
   if (flies_it)
-    tasks_.give_up(out, now, "the vehicle does not hold our plan any more");
+    tasks_.give_up(out, now, why);
   flight_.wanted.go_on = false;
-  start_.refuse(out, "the vehicle does not hold our plan any more");
+  start_.refuse(out, why);
   phases_.go(out, what);
   if (flies_it && flight_.is_left_armed() && !flight_.is_in_flight())
     tasks_.begin(out, task_kind::stand_down, {disarm{}});
@@ -461,6 +466,9 @@ effects core::on_news(const progress::progress_event& m, instant now) {
     break;
   case progress_event_kind::foreign_plan:
     lose_plan(out, trigger::foreign_plan_found, now);
+    break;
+  case progress_event_kind::infeasible_plan:
+    lose_plan(out, trigger::infeasible_plan_found, now);
     break;
   case progress_event_kind::vehicle_restarted:
     lose_plan(out, trigger::autopilot_restarted, now);

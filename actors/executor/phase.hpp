@@ -60,6 +60,7 @@ enum class pause_cause {
   autopilot_failsafe, // the autopilot's own acts: until an operator hands it back
   vehicle_restarted,  // what the autopilot flew is lost
   foreign_plan,       // the vehicle holds a plan that is not ours
+  infeasible_plan,    // the vehicle finds that the plan that was brought to it can not be flown
   not_done,           // a command or an upload failed for good; the reason says which
   restarted,          // godwit was restarted on the ground: nothing begins by itself
   plan_ended          // in the air: the vehicle waits there until it is called home or sent further
@@ -73,6 +74,7 @@ constexpr auto enum_names(pause_cause) {
                                  {pause_cause::autopilot_failsafe, "autopilot_failsafe"},
                                  {pause_cause::vehicle_restarted, "vehicle_restarted"},
                                  {pause_cause::foreign_plan, "foreign_plan"},
+                                 {pause_cause::infeasible_plan, "infeasible_plan"},
                                  {pause_cause::not_done, "not_done"},
                                  {pause_cause::restarted, "restarted"},
                                  {pause_cause::plan_ended, "plan_ended"}});

@@ -1,11 +1,13 @@
 // What a task is made of: steps that the vehicle is brought through one after the other.
 //
 //   deploy, on the ground                (hold,) note upload, upload
+//   the same, behind an infeasible plan  clear it, note upload, upload: a PX4 checks no plan anew that it holds
 //   deploy, under way, with plan ids     note upload, upload, guard, mission mode
+//   bring back the plan before           (hold,) note upload, upload, guard
 //   deploy, under way, without           hold, note upload, upload, guard, choose the first item, mission mode
 //   start                                guard, (guided or hold, arm,) start
 //   start behind a landing on the way    guard, set home, (arm,) see home, start; ArduPilot has it in the plan
-//   hold, resume, come home              that mode
+//   hold, resume, come home              that mode; resume of a PX4 in the return of its mission: the return
 //   come home by plan                    hold; then as deploy, with the way home
 //   stand down                           disarm
 //   stand by                             the standing mode, on the ground
@@ -38,6 +40,7 @@ struct stand_by {
 // On the ground, disarmed: the mission mode, in which its station arms it next.
 struct await_arming {};
 struct guard {};      // the failsafe takes over the limits of the flight, as the deployment on the vehicle has them
+struct clear_plan {}; // on the ground, disarmed: what the vehicle holds
 struct bring_plan {}; // the deployment of the task; its intent is noted by then
 // Shown by MISSION_CURRENT, where the vehicle is not in its mission mode and so does not go on at once; by an item
 // behind it, where it is a command that moves nothing.
@@ -54,8 +57,8 @@ struct start_plan {
   std::uint16_t sequence = 0;
 };
 
-using step = std::variant<change_mode, stand_by, await_arming, guard, bring_plan, set_current_item, set_home, see_home,
-                          free_home, arm, disarm, start_plan>;
+using step = std::variant<change_mode, stand_by, await_arming, guard, clear_plan, bring_plan, set_current_item,
+                          set_home, see_home, free_home, arm, disarm, start_plan>;
 using steps = std::vector<step>;
 
 inline constexpr int max_tries = 3;                            // of each step
@@ -70,6 +73,9 @@ inline constexpr std::int64_t prove_again_ns = 500'000'000;    // while another 
 inline constexpr std::int64_t proof_within_ns =
     30'000'000'000; // and proof_item_ns for each item: a Rover's 600 take 12 s
 inline constexpr std::int64_t proof_item_ns = 100'000'000;
+// A PX4 checks a plan some 50 ms behind its MISSION_ACK, and tells it with MISSION_CURRENT (1 Hz).
+inline constexpr std::int64_t judged_after_ns = 300'000'000;
+inline constexpr std::int64_t judged_within_ns = 2'500'000'000;
 inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try of what was refused
 inline constexpr std::int64_t stop_answer_ms = 800;             // of a stop: it is obeyed within 2.5 s at 20 % loss
 inline constexpr std::int64_t until_heartbeat_ns = 100'000'000; // that vehicle_link has, and we have not: on its way

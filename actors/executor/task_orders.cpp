@@ -55,6 +55,8 @@ std::string task_runner::what_is_asked() const {
     return "to disarm";
   if (std::holds_alternative<guard>(what))
     return "to be guarded";
+  if (std::holds_alternative<clear_plan>(what))
+    return "to drop the plan that it can not fly";
   return std::holds_alternative<bring_plan>(what) ? "to take the plan" : "to start the mission";
 }
 
@@ -95,9 +97,16 @@ void task_runner::ask(const world& w, const guard&) {
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}), std::move(limits)});
 }
 
+// No items: the vehicle's plan is cleared.
+void task_runner::ask(const world& w, const clear_plan&) {
+  w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
+                           vehicle_link::upload_plan{io::mavlink::mav_mission_type::mission, {}, known(w)}});
+}
+
 void task_runner::ask(const world& w, const bring_plan&) {
   if (tries_ == 1)
     uploads_.begin(w.now_ns);
+  held_infeasible_ = w.view.finds_infeasible();
   w.seen.plan.forget();
   w.out.emplace_back(
       order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),

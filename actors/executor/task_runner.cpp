@@ -60,6 +60,8 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   begin_looking();
   looked_after_ns_ = 0;
   was_starved_ = false;
+  was_infeasible_ = false;
+  judged_.reset();
   ended_.reset();
   why_failed_.clear();
   enter(stage::begin);
@@ -74,6 +76,8 @@ void task_runner::drop(const world& w) {
     w.out.emplace_back(note{progress::start_ended{false}});
   else if (is_open && stage_ == stage::asked)
     w.out.emplace_back(give_up_transfer{});
+  else if (is_open && stage_ == stage::judging)
+    w.out.emplace_back(note{end_of_upload(w.view)});
   else if (is_open && stage_ != stage::resolving)
     w.out.emplace_back(note{uploads_.end_unsent("it was given up")});
   if (!ended_ && at_ < way_.size() && std::holds_alternative<guard>(way_[at_]))
@@ -133,6 +137,8 @@ task_runner::verdict task_runner::advance(const world& w) {
       was_not_seen(w, "vehicle_link did not answer");
     else if (stage_ == stage::pausing && w.now_ns >= deadline_ns_)
       enter(stage::begin);
+    else if (stage_ == stage::judging)
+      judge_upload(w);
     else if (stage_ == stage::resolving)
       resolve_upload(w);
     if (before == std::pair(at_, stage_))
@@ -233,7 +239,7 @@ bool task_runner::moves(const world& w) const {
   using flight::mode_kind;
   const auto& what = way_[at_];
   if (const auto* mode = std::get_if<change_mode>(&what))
-    return mode->to == mode_kind::mission || mode->to == mode_kind::guided;
+    return mode->to == mode_kind::mission || mode->to == mode_kind::guided || mode->to == mode_kind::returning;
   const bool flies_plan = w.view.is_armed() && w.view.is_in(mode_kind::mission);
   if (std::holds_alternative<set_current_item>(what))
     return flies_plan; // else it only says where to go on
@@ -252,7 +258,7 @@ intended_order task_runner::intended(const world& w) const {
     result.kind = order_kind::moves;
   const auto* mode = std::get_if<change_mode>(&what);
   result.flies_plan = result.kind == order_kind::moves && !std::holds_alternative<bring_plan>(what) &&
-                      !(mode != nullptr && mode->to == flight::mode_kind::guided);
+                      (mode == nullptr || mode->to == flight::mode_kind::mission);
   result.looked_ns = looked_ns_;
   result.proof_from_ns = w.now_ns - proof_counts_ns;
   // A vehicle without plan ids is read before it is armed: one that stands armed for as long may disarm itself.
@@ -337,8 +343,8 @@ std::string task_runner::why_not_now(const vehicle_view& view) const {
   if (std::holds_alternative<start_plan>(way_[at_]) && !view.is_armed())
     return "the vehicle is disarmed";
   const auto* status = std::get_if<stand_by>(&way_[at_]);
-  const bool needs_disarmed =
-      std::holds_alternative<await_arming>(way_[at_]) || (status != nullptr && !status->is_armed);
+  const bool needs_disarmed = std::holds_alternative<await_arming>(way_[at_]) ||
+                              std::holds_alternative<clear_plan>(way_[at_]) || (status != nullptr && !status->is_armed);
   return needs_disarmed && view.is_armed() ? "it was armed meanwhile" : "";
 }
 
@@ -474,22 +480,6 @@ void task_runner::on_guarded(const world& w, std::uint64_t number, const std::st
   fail("the failsafe does not watch over this flight: " + refused);
 }
 
-void task_runner::on_transfer(const world& w, std::uint64_t number, const transfer::outcome& outcome) {
-  if (!task_ || ended_ || number != last_order_)
-    return;
-  if (stage_ == stage::proving)
-    return on_read(w, outcome);
-  if (stage_ != stage::asked)
-    return;
-  last_reason_ = outcome.reason;
-  looked_ns_ = 0;
-  uploaded_ns_ = w.now_ns;
-  if (uploads_.go_on(outcome, w.now_ns))
-    return enter(stage::pausing, w.now_ns + pause_between_ns);
-  note_and_wait(w, uploads_.end(outcome));
-  enter(stage::closing);
-}
-
 void task_runner::was_obeyed(const world& w) {
   if (!has_intent())
     return next_step();
@@ -510,18 +500,6 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
   why_failed_ = sentence;
   note_and_wait(w, progress::start_ended{false});
   enter(stage::closing);
-}
-
-// The upload's end is applied; where it was not known, progress has it looked at.
-void task_runner::resolve_upload(const world& w) {
-  if (w.durable.progress.upload)
-    return;
-  if (w.durable.progress.last_generation != generation_before_) {
-    w.seen.plan.prove(uploaded_ns_, uploaded_ns_);
-    next_step();
-  } else {
-    fail("the plan did not come to the vehicle: " + last_reason_);
-  }
 }
 
 } // namespace godwit::executor

@@ -84,6 +84,10 @@ public:
   [[nodiscard]] bool has_asked_to_start() const;
   // What was asked last was refused, and may be done when it is asked again.
   [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
+  // The plan of the task that began last came to the vehicle, which finds that it can not be flown.
+  [[nodiscard]] bool was_infeasible() const { return was_infeasible_; }
+  // Of the mission whose plan was to be brought.
+  [[nodiscard]] std::int32_t brought_revision() const { return intent_ ? intent_->revision : 0; }
   // The vehicle is armed because of the task that began last, or may be.
   [[nodiscard]] bool has_armed() const { return has_armed_; }
 
@@ -94,7 +98,7 @@ public:
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 
 private:
-  enum class stage { begin, proving, noting, looking, asked, showing, pausing, closing, resolving };
+  enum class stage { begin, proving, noting, looking, asked, judging, showing, pausing, closing, resolving };
 
   static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
@@ -120,6 +124,7 @@ private:
   void ask(const world& w, const stand_by& what);
   void ask(const world& w, const await_arming& what);
   void ask(const world& w, const guard& what);
+  void ask(const world& w, const clear_plan& what);
   void ask(const world& w, const bring_plan& what);
   void ask(const world& w, const set_current_item& what);
   void ask(const world& w, const set_home& what);
@@ -133,6 +138,10 @@ private:
   void give_order(const world& w, vehicle_link::send_command what);
   void was_obeyed(const world& w);
   void was_not_done(const world& w, const std::string& why, bool is_final);
+  // Whether the vehicle can fly what it has taken; nothing: it has not told yet.
+  [[nodiscard]] std::optional<bool> is_judged_infeasible(const vehicle_view& view) const;
+  [[nodiscard]] progress::upload_ended end_of_upload(const vehicle_view& view);
+  void judge_upload(const world& w);
   void resolve_upload(const world& w);
   [[nodiscard]] bool was_outdated(const world& w);
 
@@ -163,14 +172,17 @@ private:
   std::uint64_t last_order_ = 0;
   bool must_ask_ = false;
   std::uint64_t asked_at_heartbeat_ = 0;
-  std::int64_t looked_ns_ = 0;               // for the order that is next; 0: not yet
-  std::int64_t next_look_ns_ = 0;            // while the vehicle does not show what it was asked for
-  int unseen_ = 0;                           // looks for this order in which nothing was seen
-  bool is_moving_ = false;                   // what was asked last moves the vehicle
-  std::int64_t proving_since_ns_ = 0;        // this step; 0: not
-  std::int64_t read_since_ns_ = 0;           // the reading that is under way
-  std::int64_t armed_ns_ = 0;                // when arming was asked for, by this task
-  std::int64_t uploaded_ns_ = 0;             // when the answer to the upload came
+  std::int64_t looked_ns_ = 0;                            // for the order that is next; 0: not yet
+  std::int64_t next_look_ns_ = 0;                         // while the vehicle does not show what it was asked for
+  int unseen_ = 0;                                        // looks for this order in which nothing was seen
+  bool is_moving_ = false;                                // what was asked last moves the vehicle
+  std::int64_t proving_since_ns_ = 0;                     // this step; 0: not
+  std::int64_t read_since_ns_ = 0;                        // the reading that is under way
+  std::int64_t armed_ns_ = 0;                             // when arming was asked for, by this task
+  std::int64_t uploaded_ns_ = 0;                          // when the answer to the upload came
+  std::optional<vehicle_link::transfer::outcome> judged_; // the upload that the vehicle has taken, and looks at
+  bool held_infeasible_ = false;                          // the plan before that
+  bool was_infeasible_ = false;
   std::vector<std::uint32_t> expected_;      // by the order that is made
   std::vector<std::uint32_t> last_expected_; // by the last order, and by no earlier one
   int outdated_ = 0;                         // the step under way, so often

@@ -90,7 +90,7 @@ void vehicle_view::take(const flight::vehicle_message& m, std::int64_t now_ns) {
   if (flight::tells_why_not_armed(m.text))
     why_not_armed_ = {m.text, now_ns};
   if (m.severity <= io::mavlink::number(io::mavlink::mav_severity::warning) && !m.text.empty())
-    warned_ = {m.text, now_ns};
+    warned_ = {m.text.substr(0, m.text.find_last_not_of(" \t") + 1), now_ns}; // PX4's end with a tab
 }
 
 std::string vehicle_view::warned_since(std::int64_t ns) const {
@@ -117,6 +117,12 @@ bool vehicle_view::obeys(flight::mode_kind kind) const { return is_in_one_of(fli
 
 bool vehicle_view::says_complete() const {
   return current_ && current_->mission_state == io::mavlink::number(io::mavlink::mission_state::complete);
+}
+
+bool vehicle_view::finds_infeasible() const {
+  constexpr std::uint16_t total_of_no_plan = 65535;
+  return current_ && current_->mission_id != 0 && current_->total != 0 && current_->total != total_of_no_plan &&
+         current_->mission_state == io::mavlink::number(io::mavlink::mission_state::no_mission);
 }
 
 bool vehicle_view::is_within(double metres, const geo::point& there, std::int64_t now_ns) const {

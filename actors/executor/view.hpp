@@ -87,6 +87,8 @@ public:
   [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
   // MISSION_CURRENT says so; false before it was heard.
   [[nodiscard]] bool says_complete() const;
+  // A PX4 that has checked the plan that it holds: it has an id and items, and is no mission.
+  [[nodiscard]] bool finds_infeasible() const;
   [[nodiscard]] std::int64_t current_heard_ns() const { return current_heard_ns_; }
   [[nodiscard]] const std::optional<std::int32_t>& battery_percent() const { return battery_percent_; }
   [[nodiscard]] std::uint8_t fix_type() const { return fix_type_; }

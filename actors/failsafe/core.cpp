@@ -99,7 +99,7 @@ void core::take_one(const mission_current& what, instant now) {
 }
 
 void core::take_one(const autopilot_text& what, instant now) {
-  if (flight::tells_failsafe(what.what))
+  if (flight::tells_failsafe(what.what) || flight::tells_fence_breach(what.what))
     failsafe_text_ = {what.what, now};
 }
 

@@ -127,7 +127,8 @@ exit_code run(const vehicle_arguments& given) {
 }
 
 void add_vehicle_options(CLI::App& app, vehicle_arguments& given) {
-  app.add_option("--personality", given.personality, "The autopilot that it behaves as: rover, px4, ardupilot or plane")
+  app.add_option("--personality", given.personality,
+                 "The autopilot that it behaves as: rover, px4, ardupilot, plane or ardurover")
       ->type_name("NAME")
       ->required();
   app.add_option("--link", given.links,

@@ -18,6 +18,7 @@ constexpr flight_mode not_known{mode_kind::unknown, std::numeric_limits<std::uin
 
 void control_authority::begin(const flight_mode& mode) {
   failsafe_told_ns_.reset();
+  breach_told_ns_.reset();
   told_.reset();
   drop_expected(mode);
   adopt(mode, holder::godwit);
@@ -110,7 +111,7 @@ void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode
   if (follows_by_itself(whose, ours_->custom_mode, mode.custom_mode, was_ordered_))
     return adopt(mode, who_);
   if (leads_to(mode) && !unclear_) {
-    unclear_ = change{mode, now_ns, is_critical};
+    unclear_ = change{mode, now_ns, is_critical, false};
     return on_time(now_ns);
   }
   lose(is_critical, now_ns);
@@ -145,18 +146,37 @@ void control_authority::judge_intention(const told_modes& told, const std::optio
   if (is_ours() && before && !is_known && !expects({{}, told.intended}, now_ns))
     take_away(holder::person);
   else if (is_ours() && has_changed && (is_known || expects({{}, told.intended}, now_ns)))
-    take_away(holder::autopilot_failsafe);
+    change_by_itself(told, now_ns);
   else if (who_ == holder::person && has_changed && is_known && taken_ns_ &&
            now_ns - *taken_ns_ <= failsafe_is_told_within_ns)
     who_ = holder::autopilot_failsafe;
 }
 
+// A PX4 that lands by its plan may hold for a moment when that is complete, before it disarms.
+void control_authority::change_by_itself(const told_modes& told, std::int64_t now_ns) {
+  const bool is_at_last = sequence_ && *sequence_ >= plan_end_.from_sequence;
+  if (plan_end_.as_it_begins || !is_at_last || !leads_to(told.actual))
+    return take_away(holder::autopilot_failsafe);
+  unclear_ = change{told.actual, unclear_ ? unclear_->since_ns : now_ns, told.is_critical, true};
+  on_time(now_ns);
+}
+
 void control_authority::on_text(const mode_owner& whose, std::string_view text, std::int64_t now_ns) {
-  if (whose.autopilot != io::mavlink::mav_autopilot::ardupilotmega || !tells_failsafe(text))
+  if (whose.autopilot != io::mavlink::mav_autopilot::ardupilotmega)
     return;
-  failsafe_told_ns_ = now_ns;
-  if (who_ == holder::person && taken_ns_ && now_ns - *taken_ns_ <= failsafe_is_told_within_ns)
+  if (tells_failsafe(text))
+    failsafe_told_ns_ = now_ns;
+  else if (tells_fence_breach(text))
+    breach_told_ns_ = now_ns;
+  else
+    return;
+  if (who_ == holder::person && taken_ns_ && is_told(*taken_ns_))
     who_ = holder::autopilot_failsafe;
+}
+
+bool control_authority::is_told(std::int64_t since_ns) const {
+  return (failsafe_told_ns_ && std::abs(since_ns - *failsafe_told_ns_) <= failsafe_is_told_within_ns) ||
+         (breach_told_ns_ && std::abs(since_ns - *breach_told_ns_) <= breach_is_told_within_ns);
 }
 
 void control_authority::on_time(std::int64_t now_ns) {
@@ -170,12 +190,11 @@ void control_authority::on_time(std::int64_t now_ns) {
   }
   const bool is_denied = place_heard_ns_ >= unclear_->since_ns + end_is_denied_after_ns;
   if (is_denied || now_ns >= unclear_->since_ns + end_is_told_within_ns)
-    lose(unclear_->is_critical, unclear_->since_ns);
+    lose(unclear_->is_critical || unclear_->is_by_itself, unclear_->since_ns);
 }
 
 void control_authority::lose(bool is_critical, std::int64_t since_ns) {
-  const bool is_told = failsafe_told_ns_ && std::abs(since_ns - *failsafe_told_ns_) <= failsafe_is_told_within_ns;
-  take_away(is_critical || is_told ? holder::autopilot_failsafe : holder::person);
+  take_away(is_critical || is_told(since_ns) ? holder::autopilot_failsafe : holder::person);
   taken_ns_ = since_ns;
 }
 

@@ -19,8 +19,9 @@
 //
 // CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
 // the actual mode alone has changed the autopilot's own failsafe has the vehicle, also in a mode that an order of ours
-// names; where somebody else has asked for another mode a person has it, obeyed or not. It has no armed state: a change
-// that may follow from a disarm waits for the heartbeat, and until then it is unclear who has the vehicle.
+// names, but for the one into which the plan leads when MISSION_CURRENT says that it is complete; where somebody else
+// has asked for another mode a person has it, obeyed or not. It has no armed state: a change that may follow from a
+// disarm waits for the heartbeat, and until then it is unclear who has the vehicle.
 //
 // Source: HEARTBEAT (0): custom_mode, system_status; MISSION_CURRENT (42); STATUSTEXT (253); CURRENT_MODE (436).
 #pragma once
@@ -51,6 +52,9 @@ inline constexpr std::int64_t end_is_denied_after_ns = 500'000'000;
 
 // Between the texts of a failsafe and the mode that it changes, either way.
 inline constexpr std::int64_t failsafe_is_told_within_ns = 3'000'000'000;
+// The same of a breach of its own fence, which is told where the mode stays as well: HEARTBEAT and text come in the
+// same millisecond, and a pilot who hears of it needs longer.
+inline constexpr std::int64_t breach_is_told_within_ns = 200'000'000;
 
 // CURRENT_MODE, and what the newest heartbeat says of the autopilot itself.
 struct told_modes {
@@ -106,10 +110,13 @@ private:
     flight_mode to;
     std::int64_t since_ns = 0;
     bool is_critical = false;
+    bool is_by_itself = false; // nobody has asked for it
   };
 
   void adopt(const flight_mode& mode, holder who);
   void drop_expected(const flight_mode& mode);
+  void change_by_itself(const told_modes& told, std::int64_t now_ns);
+  [[nodiscard]] bool is_told(std::int64_t since_ns) const;
   void lose(bool is_critical, std::int64_t since_ns);
   void judge_intention(const told_modes& told, const std::optional<told_modes>& before, std::int64_t now_ns);
   [[nodiscard]] bool leads_to(const flight_mode& mode) const;
@@ -128,6 +135,7 @@ private:
   std::optional<told_modes> told_; // the newest since begin()
   bool awaits_heartbeat_ = false;  // for what has changed the mode that was told
   std::optional<std::int64_t> failsafe_told_ns_;
+  std::optional<std::int64_t> breach_told_ns_;
   std::optional<std::int64_t> taken_ns_; // by a person, as the mode alone shows
 };
 

@@ -60,7 +60,7 @@ bool leads_down(std::uint16_t last_command) { return is_landing(last_command) ||
 plan_end plan_end_of(const mode_owner& whose, std::uint16_t last_command, std::uint16_t last_sequence) {
   plan_end result{last_sequence, false, {}};
   const bool returns = is_return(last_command);
-  if (is_landing(last_command))
+  if (is_landing(last_command) && !is_px4(whose))
     return result;
   if (is_plane(whose)) {
     result.as_it_begins = returns;

@@ -9,8 +9,8 @@
 //   Plane              landing                nothing
 //   Plane              any other              the same when the mission is complete
 //   PX4                return                 AUTO.RTL as the item begins
-//   PX4                landing                nothing before the disarm
-//   PX4                any other              AUTO.LOITER when the mission is complete
+//   PX4                any other              AUTO.LOITER when the mission is complete; behind a landing some of them
+//                                             (a VTOL, for 0.2 s until its disarm), and nobody has asked for it
 //   by MAVLink's text  landing, return        nothing
 //   by MAVLink's text  any other              its first holding mode when the mission is complete
 //

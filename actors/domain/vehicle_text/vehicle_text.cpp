@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, 9> failsafes{
 constexpr std::array<std::string_view, 2> changes_nothing{"Cleared", "Continuing"};
 constexpr std::array<std::string_view, 2> not_armed{"PreArm: ", "Preflight Fail: "};
 
+constexpr std::array<std::string_view, 2> breaches{" fence breached", " fences breached"};
 constexpr std::array<std::string_view, 2> new_plan{"Auto mission changed", "Flight plan received"};
 
 template <class Texts>
@@ -29,6 +30,10 @@ std::string_view text_of(const io::mavlink::statustext& m) {
 bool tells_failsafe(std::string_view text) {
   const auto says = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
   return begins_with_one_of(text, failsafes) && std::ranges::none_of(changes_nothing, says);
+}
+
+bool tells_fence_breach(std::string_view text) {
+  return std::ranges::any_of(breaches, [&](std::string_view each) { return text.ends_with(each); });
 }
 
 bool tells_new_plan(std::string_view text) { return begins_with_one_of(text, new_plan); }

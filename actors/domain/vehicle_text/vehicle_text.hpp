@@ -19,6 +19,11 @@ namespace godwit::flight {
 // RTL". Not: one that is over ("GCS Failsafe Cleared"), or that changes nothing ("Radio Failsafe - Continuing Auto").
 [[nodiscard]] bool tells_failsafe(std::string_view text);
 
+// An ArduPilot has left its own fence: "Circle fence breached", "Max Alt and Circle fences breached" (Copter and Plane,
+// AC_Fence::print_fence_message; a Rover has no words for it). Whether it changes its mode for that is a parameter, and
+// a pilot who hears it may do so as well: only what changes in the same moment is its doing.
+[[nodiscard]] bool tells_fence_breach(std::string_view text);
+
 // Another plan is on the vehicle: "Auto mission changed, restarted command" (ArduPilot in AUTO, on all lines), "Flight
 // plan received" (to whoever has uploaded it). An upload of ours makes it say so as well.
 [[nodiscard]] bool tells_new_plan(std::string_view text);

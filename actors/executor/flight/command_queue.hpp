@@ -50,6 +50,7 @@ struct command_queue {
   bool guard_again = false;
   bool set_current_item = false;
   bool bring_return_anew = false; // home was moved: the rest of the plan leads to the mission's
+  bool bring_back = false;        // the plan before, in the place of one that the vehicle can not fly
   std::optional<plan_change> change;
   bool go_on = false;
   std::optional<start_flight> start;
@@ -71,6 +72,7 @@ struct command_queue {
   void drop_all_behind_takeover() {
     drop_words();
     finish_replan = false;
+    bring_back = false;
     start.reset();
   }
 

@@ -51,9 +51,18 @@ std::string flight_context::sentence() const {
     result += ": " + at.reason;
   else if (at.now == phase::preflight)
     result += ": " + preflight::sentence_of(s.preflight);
+  if (at.now == phase::starting && !refused_start.empty())
+    result += ": " + refused_start_sentence();
+  const bool fails = s.preflight.now == preflight::phase::failed || s.preflight.now == preflight::phase::awaiting_ack;
+  if (at.now == phase::ready && fails) // by what was seen when the plan was there
+    result += (at.reason.empty() ? ": it is not started. " : "; ") + preflight::sentence_of(s.preflight);
   if (keeps_vehicle() && !view.is_connected() && !view.why_not_connected().empty())
     result += "; the vehicle is not heard: " + view.why_not_connected();
   return result;
+}
+
+std::string flight_context::refused_start_sentence() const {
+  return refused_start + "; godwit tries it again while the vehicle stands, for a minute";
 }
 
 bool flight_context::is_plan_finished() const { return s.progress.plan && s.progress.plan->generation.is_finished; }
@@ -105,6 +114,10 @@ bool flight_context::ends_on_ground() const {
 
 bool flight_context::is_at_end_of_plan() const {
   return view.current() && view.current()->seq >= end_of_plan(view.owner(), s).from_sequence;
+}
+
+bool flight_context::is_in_return_of_plan() const {
+  return s.flown && !s.flown->items.empty() && plan::is_return_item(s.flown->items.back()) && is_at_end_of_plan();
 }
 
 bool flight_context::is_coming_down() const {

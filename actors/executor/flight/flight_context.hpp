@@ -64,6 +64,9 @@ struct flight_context {
   command_queue wanted;
   // The last mission, revision or assignment that could not be flown, for people; a new incarnation knows of none.
   std::optional<known_mission> refused;
+  // A revision of the service that was not taken: it has that one, and changes are made to it.
+  std::optional<std::pair<std::string, std::int32_t>> refused_revision;
+  std::string refused_start; // by the vehicle, for now: why
   homing_state homing;
   // A station's arm has gone on to the vehicle, which shows it within a heartbeat or two.
   std::int64_t arming_until_ns = 0;
@@ -82,6 +85,7 @@ struct flight_context {
   [[nodiscard]] std::string why_not_armed() const;
   // What an order says of the moment in which it was decided.
   [[nodiscard]] std::optional<vehicle_link::seen_state> known() const;
+  [[nodiscard]] std::string refused_start_sentence() const;
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
 
   // -- the flight
@@ -89,8 +93,11 @@ struct flight_context {
   [[nodiscard]] bool is_starting() const { return s.doing && s.doing->kind == task_kind::start; }
   // A person, a failsafe or the autopilot's own has had it, and nobody has handed it back.
   [[nodiscard]] bool has_person() const { return needs_hand_back(s.status.cause); }
-  // By a command: what is brought to it meanwhile is not begun.
-  [[nodiscard]] bool is_held() const { return s.status.now == phase::paused && s.status.cause == pause_cause::asked; }
+  // By a command, or because it can not fly what was brought to it: what is brought meanwhile is not begun.
+  [[nodiscard]] bool is_held() const {
+    return s.status.now == phase::paused &&
+           (s.status.cause == pause_cause::asked || s.status.cause == pause_cause::infeasible_plan);
+  }
   // Of an upload or a start: what became of it is not known yet.
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;
@@ -117,9 +124,10 @@ struct flight_context {
   [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
 
   // -- the end of the plan on the vehicle
-  [[nodiscard]] bool is_at_end_of_plan() const; // MISSION_CURRENT has its last item that moves the vehicle
-  [[nodiscard]] bool is_coming_down() const;    // in the landing or the return with which it ends
-  [[nodiscard]] bool ends_on_ground() const;    // by a landing or a return
+  [[nodiscard]] bool is_at_end_of_plan() const;    // MISSION_CURRENT has its last item that moves the vehicle
+  [[nodiscard]] bool is_in_return_of_plan() const; // with which it ends
+  [[nodiscard]] bool is_coming_down() const;       // in the landing or the return with which it ends
+  [[nodiscard]] bool ends_on_ground() const;       // by a landing or a return
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;
   // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the

@@ -119,14 +119,31 @@ bool flight_end::leave_mission_mode(effects& out, instant now) {
   const auto& paused = flight_.s.progress.paused;
   const bool is_our_plan = flight_.s.flown && paused != progress::pause_reason::vehicle_restarted &&
                            paused != progress::pause_reason::foreign_plan;
-  if (flight_.is_in_flight() || flight_.runner.is_busy() || has_stood_by_ || !(is_our_plan || was_put_there_) ||
-      !view.is_connected())
+  was_told_to_hold_ = was_told_to_hold_ && view.is_armed() && !flight_.is_in_flight();
+  if (flight_.is_in_flight() || flight_.runner.is_busy() || !view.is_connected())
     return false;
-  if (!view.is_in(mode_kind::mission) || view.is_armed() || disarmed_since_ns_ == 0 ||
-      now.now_ns - disarmed_since_ns_ < stands_ns)
+  if (view.is_armed())
+    return is_our_plan && hold_where_mission_ended(out);
+  if (has_stood_by_ || !(is_our_plan || was_put_there_))
+    return false;
+  if (!view.is_in(mode_kind::mission) || disarmed_since_ns_ == 0 || now.now_ns - disarmed_since_ns_ < stands_ns)
     return false;
   has_stood_by_ = true;
   tasks_.begin(out, task_kind::stand_by, {stand_by{}});
+  return true;
+}
+
+bool flight_end::hold_where_mission_ended(effects& out) {
+  const auto& view = flight_.view;
+  const bool stands_at_end = view.owner().vehicle == flight::vehicle_class::rover && view.is_in(mode_kind::mission) &&
+                             view.says_complete() && view.stands();
+  if (!stands_at_end || !is_over(flight_.s.status.now) || flight_.has_person() || was_told_to_hold_)
+    return false;
+  was_told_to_hold_ = true;
+  out.emplace_back(announce{"the mission is over and the vehicle stands armed in its mission mode: it is told to hold. "
+                            "Disarm it before anybody comes near",
+                            true});
+  tasks_.begin(out, task_kind::stand_by, {executor::stand_by{true}});
   return true;
 }
 

@@ -67,7 +67,8 @@ bool flight_start::begin_wanted(effects& out, instant now) {
 
 std::string flight_start::why_not_in_flight() const {
   const auto cause = flight_.s.status.cause;
-  if (!flight_.s.progress.plan || cause == pause_cause::foreign_plan || cause == pause_cause::vehicle_restarted)
+  if (!flight_.s.progress.plan || cause == pause_cause::foreign_plan || cause == pause_cause::vehicle_restarted ||
+      cause == pause_cause::infeasible_plan)
     return flight_.sentence();
   if (!flight_.view.is_under_way())
     return "the vehicle stands on the ground; its flight has not ended yet";
@@ -137,6 +138,14 @@ void flight_start::refuse(effects& out, const std::string& why) {
   flight_.wanted.start.reset();
 }
 
+// Empty: as the table says it.
+std::string flight_start::why_start_waits() const {
+  if (flight_.refused_start.empty())
+    return {};
+  return flight_.refused_start +
+         "; godwit does not try it again, because the vehicle was under way without it: a person has to start it";
+}
+
 bool flight_start::begin_by_itself(effects& out, instant now) {
   const auto& configured = flight_.configured;
   const bool is_automatic = configured.start == start_policy::automatic;
@@ -144,7 +153,7 @@ bool flight_start::begin_by_itself(effects& out, instant now) {
   const bool is_rover = flight_.view.owner().vehicle == flight::vehicle_class::rover;
   const bool is_held_rover = is_rover && flight_.view.is_in(mode_kind::hold); // nobody drives it
   if (is_automatic && waits_for_word)
-    phases_.go(out, trigger::start_waits);
+    phases_.go(out, trigger::start_waits, why_start_waits());
   const auto commanded_ns = flight_.evidence.commanded_ns;
   if (commanded_ns != 0 && now.now_ns - commanded_ns < person_acts_ns)
     return false;

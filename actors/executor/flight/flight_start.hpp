@@ -33,6 +33,7 @@ private:
   void begin(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence);
   void begin_in_flight(effects& out, const start_mission& asked, instant now);
   void begin_in_air(effects& out, const start_mission& asked);
+  [[nodiscard]] std::string why_start_waits() const;
   [[nodiscard]] bool waits_for_arming(instant now) const;
   [[nodiscard]] std::string why_not_in_flight() const;
   [[nodiscard]] std::uint16_t first_sequence() const;

@@ -10,8 +10,10 @@ namespace {
 using flight::mode_kind;
 using operators::command_kind;
 
-bool holds_our_plan(pause_cause cause) {
-  return cause != pause_cause::foreign_plan && cause != pause_cause::vehicle_restarted;
+// One that it can fly.
+bool holds_our_plan(const state& s) {
+  return s.status.cause != pause_cause::foreign_plan && s.status.cause != pause_cause::vehicle_restarted &&
+         s.progress.paused != progress::pause_reason::infeasible_plan;
 }
 
 bool can_be_stopped(task_kind kind) {
@@ -164,6 +166,11 @@ void operator_control::drop_change(effects& out) {
 
 // -- resume -----------------------------------------------------------------------------------------
 
+// Its own return, to a home that somebody has moved: the rest of the mission leads to the mission's.
+bool operator_control::leads_elsewhere() const {
+  return going_on_mode(flight_) == mode_kind::returning && flight_.returns_elsewhere();
+}
+
 bool operator_control::go_on(effects& out, instant now) {
   if (!flight_.wanted.go_on || flight_.has_open_intent()) // it waits for the end of what was given up
     return false;
@@ -177,7 +184,7 @@ bool operator_control::go_on(effects& out, instant now) {
   drop_change(out);
   if (flight_.was_called_home()) // since it was said
     out.emplace_back(announce{"not resumed: " + why_not_resume(), true});
-  else if (!holds_our_plan(flight_.s.status.cause))
+  else if (!holds_our_plan(flight_.s) || leads_elsewhere())
     changes_.deploy_again(out, now);
   else
     tasks_.begin(out, task_kind::resume, tasks_.guarded(going_on_steps(flight_)));

@@ -27,6 +27,7 @@ private:
   [[nodiscard]] std::string why_not_resume() const;
   [[nodiscard]] bool interrupt(effects& out, instant now);
   [[nodiscard]] bool flies_our_plan() const;
+  [[nodiscard]] bool leads_elsewhere() const;
   void begin_halt(effects& out, instant now);
   void drop_change(effects& out);
 

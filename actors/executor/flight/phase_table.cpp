@@ -31,6 +31,9 @@ bool is_mission_finished(const flight_context& c) { return c.is_mission_finished
 bool holds_foreign_plan(const flight_context& c) {
   return c.is_in_flight() && c.s.progress.paused == progress::pause_reason::foreign_plan;
 }
+bool holds_infeasible_plan(const flight_context& c) {
+  return c.is_in_flight() && c.s.progress.paused == progress::pause_reason::infeasible_plan;
+}
 bool has_lost_plan(const flight_context& c) {
   return c.is_in_flight() && c.s.progress.paused == progress::pause_reason::vehicle_restarted;
 }
@@ -52,11 +55,13 @@ constexpr named_guard more_plans{"plan finished, under godwit", has_more_plans};
 constexpr named_guard to_deliver{"mission finished, with a service", owes_delivery};
 constexpr named_guard mission_finished{"mission finished", is_mission_finished};
 constexpr named_guard with_foreign_plan{"in flight, foreign plan", holds_foreign_plan};
+constexpr named_guard with_infeasible_plan{"in flight, infeasible plan", holds_infeasible_plan};
 constexpr named_guard without_plan{"in flight, autopilot restarted", has_lost_plan};
 constexpr named_guard in_mission_mode{"in flight, in mission mode", flies_plan};
 constexpr named_guard at_end_of_plan{"in flight, in mission mode, plan finished", flies_end_of_plan};
 
 constexpr std::string_view other_plan = "the vehicle holds a plan that is not godwit's";
+constexpr std::string_view infeasible = "the vehicle finds that the plan that was brought to it can not be flown";
 constexpr std::string_view plan_lost = "the autopilot started again; what it flew is lost";
 
 constexpr std::optional<phase> stays = std::nullopt;
@@ -152,12 +157,14 @@ constexpr std::array table{
     flies(pauses(trigger::autopilot_failsafe_acts, cause::autopilot_failsafe), flight_bit::if_moving),
     row(trigger::handed_back, at_rest_or_prepared, no_guard, stays),
     with(row(trigger::handed_back, any, with_foreign_plan, paused), cause::foreign_plan, other_plan),
+    with(row(trigger::handed_back, any, with_infeasible_plan, paused), cause::infeasible_plan, infeasible),
     with(row(trigger::handed_back, any, without_plan, paused), cause::vehicle_restarted, plan_lost),
     waits(trigger::handed_back, any),
     flying_on(trigger::handed_back, any, at_end_of_plan, landing),
     flying_on(trigger::handed_back, any, in_mission_mode, flying),
     pauses(trigger::handed_back, cause::asked, "handed back; resume goes on with the mission"),
     pauses(trigger::foreign_plan_found, cause::foreign_plan, other_plan),
+    pauses(trigger::infeasible_plan_found, cause::infeasible_plan, infeasible),
     pauses(trigger::autopilot_restarted, cause::vehicle_restarted, plan_lost),
     // behind a restart of the executor
     pauses(trigger::restarted_on_ground, cause::restarted,

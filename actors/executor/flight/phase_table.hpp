@@ -53,6 +53,7 @@ enum class trigger {
   autopilot_failsafe_acts,
   handed_back,
   foreign_plan_found,
+  infeasible_plan_found, // ours
   autopilot_restarted,
   // behind a restart of the executor
   restarted_on_ground,
@@ -97,6 +98,7 @@ constexpr auto enum_names(trigger) {
                              {trigger::autopilot_failsafe_acts, "autopilot_failsafe_acts"},
                              {trigger::handed_back, "handed_back"},
                              {trigger::foreign_plan_found, "foreign_plan_found"},
+                             {trigger::infeasible_plan_found, "infeasible_plan_found"},
                              {trigger::autopilot_restarted, "autopilot_restarted"},
                              {trigger::restarted_on_ground, "restarted_on_ground"},
                              {trigger::replan_left_open, "replan_left_open"},

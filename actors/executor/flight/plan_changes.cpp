@@ -256,7 +256,10 @@ void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
   const auto& mission = *flight_.s.mission;
   const auto number = ids::text_of({changes, static_cast<std::uint64_t>(now.wall_ns)});
   change_asked asked;
-  asked.what = {ids::derived_uuid(mission.mission_id, number), what.kind, mission.revision};
+  const auto& refused = flight_.refused_revision;
+  const bool has_refused = flight_.configured.has_service && refused && refused->first == mission.mission_id;
+  const auto revision = has_refused ? std::max(mission.revision, refused->second) : mission.revision;
+  asked.what = {ids::derived_uuid(mission.mission_id, number), what.kind, revision};
   asked.after_item_id = what.after_item_id;
   asked.items = what.items;
   asked.reason = reason_for(what.kind);

@@ -164,6 +164,8 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
     flight_.wanted.finish_replan = true;
     return phases_.go(out, trigger::found_on_its_way);
   }
+  if (is_held && flight_.s.status.cause == pause_cause::infeasible_plan)
+    return phases_.go(out, trigger::infeasible_plan_found, flight_.s.status.reason);
   if (is_held && (flight_.s.status.cause == pause_cause::asked || is(task_kind::hold)))
     return phases_.go(out, trigger::found_held);
   const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();
@@ -221,7 +223,7 @@ void recovery::read_back(effects& out, instant now) {
 
 bool recovery::follow_late_order(effects& out, instant now) {
   if (now.now_ns >= late_order_until_ns_ || !flight_.is_held() || !flight_.authority.is_ours() ||
-      !flight_.view.is_in(mode_kind::mission))
+      !flight_.view.is_in(going_on_mode(flight_)))
     return false;
   late_order_until_ns_ = 0;
   phases_.go(out, trigger::resumed);

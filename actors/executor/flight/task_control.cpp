@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/flight/vehicle_steps.hpp"
 
 namespace godwit::executor {
@@ -40,6 +41,11 @@ void task_control::begin_deploy(effects& out, const mission::document& mission, 
                                 const std::optional<std::string>& assignment, bool goes_on) {
   begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, deployment_of(mission, what), what.map,
              assignment);
+}
+
+void task_control::begin_bring_back(effects& out, const mission::document& mission, const plan::flight_plan& what) {
+  brings_back_ = true;
+  begin_deploy(out, mission, what, {}, false);
 }
 
 void task_control::begin_part(effects& out, const station_plan_taken& part, const plan::flight_plan& what,
@@ -158,6 +164,7 @@ void task_control::finish(effects& out, const task& what, instant now) {
   case task_kind::start:
     verify_plan(now);
     start_refused_since_ns_ = 0;
+    flight_.refused_start.clear();
     flight_.was_up = flight_.view.is_under_way();
     out.emplace_back(note{preflight::took_off{}});
     phases_.go(out, trigger::started);
@@ -196,7 +203,29 @@ void task_control::finish_way_home(effects& out) {
 
 void task_control::finish_deploy(effects& out, const task& what) {
   const bool is_held = flight_.is_in_flight() && !what.goes_on;
-  phases_.go(out, is_held ? trigger::plan_brought_held : trigger::plan_brought);
+  const bool is_brought_back = std::exchange(brings_back_, false) && is_held;
+  phases_.go(out, is_held ? trigger::plan_brought_held : trigger::plan_brought,
+             is_brought_back ? "held: the vehicle can not fly the plan that was brought to it, and has the mission's "
+                               "again; resume goes on with that"
+                             : "");
+}
+
+// Nothing of ours flies: the vehicle holds. What it had before is brought back, once.
+void task_control::refuse_infeasible(effects& out, const std::string& why) {
+  const auto& s = flight_.s;
+  const auto revision = flight_.runner.brought_revision();
+  if (s.arrived && s.arrived->revision == revision) {
+    flight_.refused = refused_mission(flight_, s.arrived->mission_id, revision, why);
+    flight_.refused_revision = {s.arrived->mission_id, revision};
+    out.emplace_back(announce{"revision " + std::to_string(revision) + " of the mission is not flown: " + why, true});
+    out.emplace_back(note{arrival_refused{revision}});
+  }
+  const bool was_brought_back = std::exchange(brings_back_, false);
+  flight_.wanted.bring_back = flight_.is_in_flight() && s.mission && s.flown && !was_brought_back;
+  const std::string what_next = flight_.wanted.bring_back ? "; it is held, and the plan before is brought back"
+                                : flight_.is_in_flight()  ? "; it is held: goto, resume and come_home are possible"
+                                                          : "; change the mission or the vehicle's limits, then resume";
+  phases_.go(out, trigger::infeasible_plan_found, why + what_next);
 }
 
 bool task_control::is_start_tried_on(const task& what, instant now) {
@@ -221,7 +250,8 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
   case task_kind::stand_down:
     return warn("the vehicle stays armed: ");
   case task_kind::stand_by:
-    return warn("do not arm the vehicle: it stands in its mission mode and would move. ");
+    return warn(flight_.view.is_armed() ? "keep away from the vehicle: it stands armed in its mission mode. "
+                                        : "do not arm the vehicle: it stands in its mission mode and would move. ");
   case task_kind::await_arming:
     flight_.awaited_arming.reset();
     return warn("the flight is not started: ");
@@ -239,14 +269,18 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
     flight_.homing.why = why;
     return;
   case task_kind::deploy:
+    if (flight_.runner.was_infeasible())
+      return refuse_infeasible(out, why);
+    brings_back_ = false;
     if (flight_.is_in_flight() && flight_.view.is_in(mode_kind::mission)) // it has never left the plan before
       return warn("the vehicle goes on with the plan that it has: ");
     break;
   case task_kind::resume:
     break;
   case task_kind::start:
-    if (is_start_tried_on(what, now))
-      phases_.go(out, trigger::start_refused, why + "; it is tried again");
+    flight_.refused_start = is_start_tried_on(what, now) ? why : std::string();
+    if (!flight_.refused_start.empty())
+      phases_.go(out, trigger::start_refused, flight_.refused_start_sentence());
     else
       phases_.go(out, trigger::start_failed, why);
     if (flight_.is_left_armed() && !flight_.view.is_in(mode_kind::mission))

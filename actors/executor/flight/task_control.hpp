@@ -41,7 +41,11 @@ public:
   // The failsafe takes over the limits of the flight first; the same ones twice without harm.
   [[nodiscard]] steps guarded(steps way);
 
+  // In flight, in the place of one that the vehicle can not fly; it stays held.
+  void begin_bring_back(effects& out, const mission::document& mission, const plan::flight_plan& what);
+
 private:
+  void refuse_infeasible(effects& out, const std::string& why);
   void begin_plan(effects& out, const task& doing, deployment brings, const progress::plan_map& map,
                   const std::optional<std::string>& assignment = {});
   void finish_way_home(effects& out);
@@ -58,6 +62,7 @@ private:
   bool deploys_behind_end_ = false;         // the plan before was done already when the deployment began
   bool gave_up_order_ = false;              // for a stop; it may still come through
   std::int64_t start_refused_since_ns_ = 0; // the automatic one; 0: it is not
+  bool brings_back_ = false;                // the deployment under way: the plan before
 };
 
 } // namespace godwit::executor

@@ -22,11 +22,19 @@ steps out_of_mission_steps(const flight_context& flight) {
 steps way_to_plan(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
   if (!flight.is_in_flight()) {
     steps result = out_of_mission_steps(flight);
+    if (flight.view.finds_infeasible())
+      result.emplace_back(clear_plan{});
     result.emplace_back(bring_plan{});
     return result;
   }
-  if (flight.view.owner().autopilot == mav_autopilot::px4)
-    return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
+  if (flight.view.owner().autopilot == mav_autopilot::px4) {
+    steps result{bring_plan{}, guard{}};
+    if (goes_on)
+      result.emplace_back(change_mode{mode_kind::mission});
+    else if (flight.view.is_in(mode_kind::mission))
+      result.insert(result.begin(), change_mode{mode_kind::hold});
+    return result;
+  }
   steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
   if (flight.is_ardupilot()) {
     result.emplace_back(set_current_item{map.start_sequence, map.total});
@@ -73,6 +81,8 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
 steps jump_steps(const flight_context& flight, std::uint16_t sequence) {
   if (starts_in_mission_mode(flight))
     return {start_plan{sequence}};
+  if (going_on_mode(flight) == mode_kind::returning && sequence == flight.s.flown->items.back().seq)
+    return {change_mode{mode_kind::returning}};
   return {set_current_item{sequence}, change_mode{mode_kind::mission}};
 }
 
@@ -83,6 +93,11 @@ steps deploy_steps(const flight_context& flight, const progress::plan_map& map, 
   return result;
 }
 
+mode_kind going_on_mode(const flight_context& flight) {
+  const bool is_px4 = flight.view.owner().autopilot == mav_autopilot::px4;
+  return is_px4 && flight.is_in_return_of_plan() ? mode_kind::returning : mode_kind::mission;
+}
+
 steps going_on_steps(const flight_context& flight) {
   const auto& plan = flight.s.progress.plan;
   const bool is_new =
@@ -91,7 +106,7 @@ steps going_on_steps(const flight_context& flight) {
     return {start_plan{plan->generation.start_sequence}};
   if (is_new && flight.is_ardupilot()) // it goes on where it was in the plan before
     return at_start_steps(flight, false);
-  return {change_mode{mode_kind::mission}};
+  return {change_mode{is_new ? mode_kind::mission : going_on_mode(flight)}};
 }
 
 steps at_start_steps(const flight_context& flight, bool may_start) {

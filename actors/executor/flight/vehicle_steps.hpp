@@ -18,6 +18,9 @@ namespace godwit::executor {
 // Of a flight under way: to this item of the plan that it flies.
 [[nodiscard]] steps jump_steps(const flight_context& flight, std::uint16_t sequence);
 [[nodiscard]] steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on);
+// Into the plan that it flies. In the return with which that ends a PX4 has finished its mission, and would hold in the
+// mission mode: it returns.
+[[nodiscard]] flight::mode_kind going_on_mode(const flight_context& flight);
 // Back into the plan that the vehicle holds, or into one that was brought to it in flight.
 [[nodiscard]] steps going_on_steps(const flight_context& flight);
 // To the first item of the plan. MAY_START: a vehicle by the text alone may be started for it.

@@ -54,6 +54,7 @@ enum class progress_event_kind {
   upload_failed,     // the plan before stays in force
   place_missed,      // its track contradicts that it was at an item, which the reason names
   foreign_plan,      // paused: the vehicle holds a plan that is not ours
+  infeasible_plan,   // paused: the vehicle finds that the plan that was brought to it can not be flown
   vehicle_restarted  // paused: what the vehicle flew is lost
 };
 
@@ -66,6 +67,7 @@ constexpr auto enum_names(progress_event_kind) {
                                          {progress_event_kind::upload_failed, "upload_failed"},
                                          {progress_event_kind::place_missed, "place_missed"},
                                          {progress_event_kind::foreign_plan, "foreign_plan"},
+                                         {progress_event_kind::infeasible_plan, "infeasible_plan"},
                                          {progress_event_kind::vehicle_restarted, "vehicle_restarted"}});
 }
 

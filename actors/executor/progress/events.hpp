@@ -78,16 +78,18 @@ struct mission_aborted {
 // -- the executor learns ----------------------------------------------------------------------------
 
 enum class upload_verdict {
-  accepted,  // with a proof: the vehicle holds the plan
-  unchanged, // the vehicle holds what it held before
-  other,     // the vehicle was looked at, and holds neither
-  unknown    // it has to be looked at
+  accepted,   // with a proof: the vehicle holds the plan
+  unchanged,  // the vehicle holds what it held before
+  other,      // the vehicle was looked at, and holds neither
+  infeasible, // it holds the plan, and finds that it can not be flown
+  unknown     // it has to be looked at
 };
 
 constexpr auto enum_names(upload_verdict) {
   return io::names<upload_verdict>({{upload_verdict::accepted, "accepted"},
                                     {upload_verdict::unchanged, "unchanged"},
                                     {upload_verdict::other, "other"},
+                                    {upload_verdict::infeasible, "infeasible"},
                                     {upload_verdict::unknown, "unknown"}});
 }
 

@@ -111,6 +111,8 @@ plan_match look_for_foreign(decision_context& t, const mission_current& message)
   const auto whose = match_of(message, *t.s.plan);
   if (whose == plan_match::other && !is_resolving(t))
     pause(t, pause_reason::foreign_plan);
+  else if (whose == plan_match::infeasible && !is_resolving(t))
+    pause(t, pause_reason::infeasible_plan);
   return whose;
 }
 
@@ -240,6 +242,8 @@ void pause(decision_context& t, pause_reason why) {
   t.s.paused = why;
   if (why == pause_reason::foreign_plan)
     tell(t, progress_event_kind::foreign_plan, "the vehicle holds a plan that was not uploaded by this computer");
+  else if (why == pause_reason::infeasible_plan)
+    tell(t, progress_event_kind::infeasible_plan, "the vehicle finds that the plan can not be flown");
   else if (why == pause_reason::vehicle_restarted)
     tell(t, progress_event_kind::vehicle_restarted,
          "the autopilot has started again: the mission has to be started anew");

@@ -15,11 +15,18 @@ bool says_no_plan(const io::mavlink::mission_current& message) {
          message.mission_state == io::mavlink::number(io::mavlink::mission_state::no_mission);
 }
 
+bool is_infeasible(const io::mavlink::mission_current& message, const followed_plan& plan) {
+  return plan.vehicle_plan_id && message.mission_id == *plan.vehicle_plan_id && message.total == plan.map.total &&
+         message.mission_state == io::mavlink::number(io::mavlink::mission_state::no_mission);
+}
+
 } // namespace
 
 plan_match match_of(const io::mavlink::mission_current& message, const followed_plan& plan) {
   if (GODWIT_PLANTED(old_plans_progress))
     return plan_match::ours;
+  if (is_infeasible(message, plan))
+    return plan_match::infeasible;
   if (says_no_plan(message))
     return plan_match::other;
   if (plan.vehicle_plan_id) {

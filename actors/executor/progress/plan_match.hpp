@@ -1,8 +1,8 @@
 // Of whose plan a MISSION_CURRENT tells.
 //
 // With plan ids: by the id. Without: by the number of items, which is all that there is; a foreign plan of the same
-// length passes for ours. A vehicle whose id was not learned with the upload shows it in its first message that fits.
-// Thread: pure. Source: MISSION_CURRENT (42).
+// length passes for ours. A PX4 that finds ours infeasible has its id and no mission. A vehicle whose id was not
+// learned with the upload shows it in its first message that fits. Thread: pure. Source: MISSION_CURRENT (42).
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,9 @@ namespace godwit::executor::progress {
 
 enum class plan_match {
   ours,
-  other,   // another plan, or none
-  not_told // the message lacks what would say it
+  infeasible, // ours, and the vehicle finds that it can not be flown
+  other,      // another plan, or none
+  not_told    // the message lacks what would say it
 };
 
 [[nodiscard]] plan_match match_of(const io::mavlink::mission_current& message, const followed_plan& plan);

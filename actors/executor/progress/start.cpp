@@ -30,7 +30,7 @@ void take(decision_context& t, const start_ended& what) {
   if (!t.s.start)
     return;
   const auto start = *std::exchange(t.s.start, std::nullopt);
-  if (!what.is_accepted || t.s.paused == pause_reason::foreign_plan) {
+  if (!what.is_accepted || t.s.paused == pause_reason::foreign_plan || t.s.paused == pause_reason::infeasible_plan) {
     t.s.held.clear(); // what was true then comes again if it is still true
     return;
   }

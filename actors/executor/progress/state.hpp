@@ -120,12 +120,13 @@ struct pending_upload {
                 io::field("unconfirmed_reached", &pending_upload::unconfirmed_reached));
 };
 
-enum class pause_reason { foreign_plan, vehicle_restarted, aborted };
+enum class pause_reason { foreign_plan, vehicle_restarted, aborted, infeasible_plan };
 
 constexpr auto enum_names(pause_reason) {
   return io::names<pause_reason>({{pause_reason::foreign_plan, "foreign_plan"},
                                   {pause_reason::vehicle_restarted, "vehicle_restarted"},
-                                  {pause_reason::aborted, "aborted"}});
+                                  {pause_reason::aborted, "aborted"},
+                                  {pause_reason::infeasible_plan, "infeasible_plan"}});
 }
 
 inline constexpr std::size_t max_held = 8;           // a new one is dropped then: the vehicle repeats itself

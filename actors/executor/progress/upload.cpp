@@ -36,10 +36,11 @@ void fail(decision_context& t, const std::string& reason, bool is_tried_again = 
   tell(t, progress_event_kind::upload_failed, reason);
 }
 
-void fail_with_other(decision_context& t, const std::string& reason, bool is_tried_again = false) {
+// The vehicle does not hold the plan before any more.
+void fail_and_pause(decision_context& t, pause_reason why, const std::string& reason, bool is_tried_again = false) {
   t.s.upload->unconfirmed_reached.reset();
   fail(t, reason, is_tried_again);
-  pause(t, pause_reason::foreign_plan);
+  pause(t, why);
 }
 
 // The same id can also mean that the new plan has the same content. One of another length has not.
@@ -73,7 +74,9 @@ void take(decision_context& t, const upload_ended& what) {
   case upload_verdict::unchanged:
     return fail(t, what.reason);
   case upload_verdict::other:
-    return fail_with_other(t, what.reason.empty() ? another_plan : what.reason);
+    return fail_and_pause(t, pause_reason::foreign_plan, what.reason.empty() ? another_plan : what.reason);
+  case upload_verdict::infeasible:
+    return fail_and_pause(t, pause_reason::infeasible_plan, what.reason);
   case upload_verdict::unknown:
     t.out.emplace_back(look_at_vehicle{});
   }
@@ -98,7 +101,7 @@ void take(decision_context& t, const plan_read_back& what) {
   case read_back_match::before:
     return fail(t, not_come, what.is_tried_again);
   case read_back_match::other:
-    return fail_with_other(t, another_plan, what.is_tried_again);
+    return fail_and_pause(t, pause_reason::foreign_plan, another_plan, what.is_tried_again);
   }
 }
 

@@ -21,7 +21,7 @@ mission::vertex corner(double north_m, double east_m) {
 
 mission::document scan_mission(sim::personality who) {
   auto result = short_mission(who);
-  const bool drives = who == sim::personality::rover;
+  const bool drives = sim::drives(who);
   mission::survey field;
   field.id = "field";
   field.polygon = {corner(south_m, 0), corner(south_m + length_m, 0), corner(south_m + length_m, width_m),

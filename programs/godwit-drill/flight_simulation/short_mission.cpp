@@ -19,7 +19,7 @@ mission::item place(const std::string& id, double north_m, double east_m, double
 
 mission::item place(sim::personality who, const std::string& id, double north_m, double east_m) {
   const double factor = who == sim::personality::plane ? plane_goes_farther : 1;
-  return place(id, factor * north_m, factor * east_m, who == sim::personality::rover ? 0 : 20);
+  return place(id, factor * north_m, factor * east_m, sim::drives(who) ? 0 : 20);
 }
 
 mission::item way_home(sim::personality who, const std::string& id) {
@@ -42,7 +42,7 @@ mission::document short_mission(sim::personality who) {
   mission::document result;
   result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
   result.return_point = {home_latitude, home_longitude, 0};
-  const bool drives = who == sim::personality::rover;
+  const bool drives = sim::drives(who);
   if (!drives)
     result.items.emplace_back(mission::takeoff{"up", 20});
   result.items.push_back(place(who, "w1", 60, 0));
@@ -58,7 +58,7 @@ mission::document long_mission(sim::personality who) {
   constexpr double apart_m = 20;
   constexpr double reach_m = 140; // to each side of home
   auto result = short_mission(who);
-  const bool drives = who == sim::personality::rover;
+  const bool drives = sim::drives(who);
   result.items.clear();
   if (!drives)
     result.items.emplace_back(mission::takeoff{"up", 20});

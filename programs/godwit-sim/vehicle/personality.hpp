@@ -5,13 +5,19 @@
 
 namespace godwit::sim {
 
-enum class personality { rover, px4, ardupilot, plane }; // ardupilot: its Copter
+// rover: nobody's product, by MAVLink's text; ardupilot: its Copter; ardurover: its Rover.
+enum class personality { rover, px4, ardupilot, plane, ardurover };
+
+[[nodiscard]] constexpr bool drives(personality who) {
+  return who == personality::rover || who == personality::ardurover;
+}
 
 constexpr auto enum_names(personality) {
   return io::names<personality>({{personality::rover, "rover"},
                                  {personality::px4, "px4"},
                                  {personality::ardupilot, "ardupilot"},
-                                 {personality::plane, "plane"}});
+                                 {personality::plane, "plane"},
+                                 {personality::ardurover, "ardurover"}});
 }
 
 } // namespace godwit::sim

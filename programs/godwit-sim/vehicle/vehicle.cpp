@@ -30,6 +30,10 @@ void vehicle::block(bool is_blocked, std::int64_t now_ns) { parts_->block(is_blo
 
 void vehicle::set_battery(double percent, std::int64_t now_ns) { parts_->set_battery(percent, now_ns); }
 
+void vehicle::limit_distance(double metres) { parts_->limit_distance(metres); }
+
+void vehicle::breach_fence(std::int64_t now_ns) { parts_->breach_fence(now_ns); }
+
 void vehicle::say(std::string_view words, std::int64_t now_ns) { parts_->say(words, now_ns); }
 
 void vehicle::refuse_command(std::uint16_t command, std::uint8_t result, int times) {

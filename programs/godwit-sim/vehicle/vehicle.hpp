@@ -43,6 +43,8 @@ struct vehicle_settings {
   double endurance_s = 1'500;       // of a full battery in flight; world time
   bool arms_on_start = false;       // rover: MISSION_START arms
   double stream_factor = 1;         // rates of the default streams, times this
+  int rtl_autoland = 3;             // plane: its RTL_AUTOLAND; 0, ArduPilot's default: DO_LAND_START keeps it disarmed
+  bool holds_when_landed = false;   // px4: as a VTOL of it was seen to, behind the landing of a mission
   bool beats_at_mode_change = true; // ardupilot, plane: off for what was recorded before they did
 };
 
@@ -90,6 +92,9 @@ public:
   void lose_position(bool lost, std::int64_t now_ns); // GPS
   void block(bool is_blocked, std::int64_t now_ns);   // something holds it where it is; not a fixed wing in the air
   void set_battery(double percent, std::int64_t now_ns);
+  // PX4's GF_MAX_HOR_DIST, from home; 0: none. As with any parameter, a plan that it holds is not looked at anew.
+  void limit_distance(double metres);
+  void breach_fence(std::int64_t now_ns);                                     // of its own, an ArduPilot: it returns
   void say(std::string_view words, std::int64_t now_ns);                      // as a STATUSTEXT, a warning
   void refuse_command(std::uint16_t command, std::uint8_t result, int times); // times < 0: from now on; 0: no longer
 

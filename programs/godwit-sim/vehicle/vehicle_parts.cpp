@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "programs/godwit-sim/vehicle/autopilot/ardu_rover.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/copter.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/home_item.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/plane.hpp"
@@ -21,11 +22,13 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
   case personality::rover:
     return std::make_unique<rover>(with, settings.arms_on_start);
   case personality::px4:
-    return std::make_unique<px4>(with);
+    return std::make_unique<px4>(with, settings.holds_when_landed);
   case personality::ardupilot:
     return std::make_unique<copter>(with);
   case personality::plane:
-    return std::make_unique<plane>(with);
+    return std::make_unique<plane>(with, settings.rtl_autoland != 0);
+  case personality::ardurover:
+    return std::make_unique<ardu_rover>(with);
   }
   GODWIT_ASSERT(false, "each personality has its autopilot");
 }
@@ -38,10 +41,12 @@ plans::autopilot_quirks with_home(plans::autopilot_quirks autopilot_quirks, cons
 }
 
 // A ground station looks for its vehicle's id there, by one of the names that it has had.
-std::vector<role::param> with_system(std::vector<role::param> params, std::uint8_t system) {
+std::vector<role::param> with_settings(std::vector<role::param> params, const vehicle_settings& settings) {
   for (auto& each : params)
-    if (each.name == "SYSID_THISMAV" || each.name == "MAV_SYSID" || each.name == "MAV_SYS_ID")
-      each.value = system;
+    if (each.name == "RTL_AUTOLAND")
+      each.value = static_cast<float>(settings.rtl_autoland);
+    else if (each.name == "SYSID_THISMAV" || each.name == "MAV_SYSID" || each.name == "MAV_SYS_ID")
+      each.value = settings.system;
   return params;
 }
 
@@ -65,7 +70,7 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
       craft_(quirks_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
       tells_(quirks_, craft_, power_, state_, out_),
       plans_(with_home(quirks_.plan_quirks, settings.home), out_.ourselves()),
-      params_(with_system(quirks_.params, settings.system), quirks_.param_encoding) {
+      params_(with_settings(quirks_.params, settings), quirks_.param_encoding) {
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
   state_.mode = state_.intended = find_mode(quirks_.modes, quirks_.first_mode);
   state_.is_ready = quirks_.ready_after_ns == 0;
@@ -222,6 +227,12 @@ void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {
 void vehicle::parts::block(bool is_blocked, std::int64_t now_ns) {
   advance(now_ns);
   pilot_->block(is_blocked);
+  end_turn();
+}
+
+void vehicle::parts::breach_fence(std::int64_t now_ns) {
+  advance(now_ns);
+  pilot_->breach_fence();
   end_turn();
 }
 

@@ -36,6 +36,8 @@ public:
   void lose_position(bool lost, std::int64_t now_ns);
   void block(bool is_blocked, std::int64_t now_ns);
   void set_battery(double percent, std::int64_t now_ns);
+  void limit_distance(double metres) { pilot_->limit_distance(metres); }
+  void breach_fence(std::int64_t now_ns);
   void say(std::string_view words, std::int64_t now_ns);
   void refuse_command(std::uint16_t command, std::uint8_t result, int times);
 

@@ -58,6 +58,35 @@ TEST(failsafe_words, long_before_or_behind_the_mode_leave_it_a_persons) {
   EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
 }
 
+class own_fence : public testing::TestWithParam<personality> {};
+
+TEST_P(own_fence, that_is_left_is_called_the_autopilots_and_nothing_is_sent) {
+  flight_world world({.who = GetParam(), .failsafe = {}});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();
+  const auto orders = world.orders();
+  world.vehicle().breach_fence(world.now_ns());
+  ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 5)) << world.story();
+  world.run_for(0.5);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::autopilot_failsafe) << world.story();
+  world.run_for(5);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_FALSE(world.say(command_kind::resume).is_taken) << "it has to be handed back";
+}
+
+INSTANTIATE_TEST_SUITE_P(of, own_fence, testing::Values(personality::ardupilot, personality::plane));
+
+// Its fence may be set to report only; a person who hears of it may act.
+TEST(failsafe_words, of_its_fence_count_for_what_changes_with_them_and_not_for_who_has_heard_them) {
+  flight_world world({.who = personality::ardupilot, .speed = 1});
+  fly(world);
+  world.vehicle_says("Circle fence breached");
+  world.run_for(0.8);
+  world.switch_mode(copter_loiter);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+}
+
 // What is found out about the plan meanwhile counts when the vehicle was handed back, and does not hand it back.
 TEST(failsafe_words, a_person_keeps_the_vehicle_when_its_autopilot_starts_again) {
   flight_world world({.who = personality::ardupilot});

@@ -35,6 +35,21 @@ TEST_P(landing_end, a_landing_ends_the_mission_also_where_the_vehicle_does_not_s
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
 
+TEST(flight_end_of_px4, who_holds_when_it_has_landed_by_its_plan_has_reached_its_landing_and_completed_the_mission) {
+  for (const double speed : {1.0, 5.0}) {
+    flight_world world({.who = sim::personality::px4, .speed = speed, .holds_when_landed = true});
+    world.load(with_landing());
+    ASSERT_TRUE(world.run_until(
+        [&] { return world.durable().status.now == phase::done || world.durable().status.cause != pause_cause::none; },
+        600))
+        << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
+    EXPECT_TRUE(is_told(world, progress_kind::reached, "down")) << world.story();
+    EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+    EXPECT_EQ(world.durable().status.cause, pause_cause::none) << world.story();
+  }
+}
+
 // PX4 leaves its mission mode for the return.
 TEST_P(landing_end, killed_while_the_plan_brings_it_home_it_sees_nobodys_takeover) {
   flight_world world({.who = GetParam()});
@@ -105,6 +120,21 @@ TEST_P(flight_end, an_automatic_start_that_is_refused_for_now_is_tried_on) {
   ASSERT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
   EXPECT_GT(std::ranges::count(world.commands(), arming), 8);
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(flight_end,
+       an_automatic_start_that_is_refused_is_told_in_one_sentence_while_it_is_tried_and_when_it_is_not_any_more) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.vehicle().refuse_command(arming, failed, -1);
+  world.load(tests::short_mission(GetParam()));
+  const auto says = [&](std::string_view what) { return world.sentence().find(what) != std::string::npos; };
+  ASSERT_TRUE(world.run_until([&] { return says("tries it again"); }, 60)) << world.story();
+  EXPECT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::not_done; }, 90))
+      << world.story();
+  EXPECT_TRUE(says("was asked to arm")) << world.sentence();
+  EXPECT_FALSE(says("tries it again")) << world.sentence();
+  for (const auto& each : world.said())
+    EXPECT_EQ(each.find("a person has to start it"), std::string::npos) << each;
 }
 
 // It may stand armed, with a person beside it who thinks that nothing comes of it any more.

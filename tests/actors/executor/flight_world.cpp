@@ -65,6 +65,8 @@ flight_world::flight_world(const options& wanted)
   vehicle.speed = wanted.speed;
   vehicle.battery_percent = wanted.battery_percent;
   vehicle.endurance_s = wanted.endurance_s;
+  vehicle.holds_when_landed = wanted.holds_when_landed;
+  vehicle.rtl_autoland = wanted.rtl_autoland;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(), [this](std::span<const std::byte> frame) {
     if (!is_vehicle_silent_)
       hear(frame);
@@ -162,7 +164,8 @@ void flight_world::change_mission(const std::string& key, const std::optional<st
   mission_client::change_outcome answer{key, change_answer_, {}};
   auto revised = *state_.mission;
   if (answer.verdict == mission_client::change_verdict::done) {
-    ++revised.revision;
+    service_revision_ = std::max(service_revision_, revised.revision) + 1;
+    revised.revision = service_revision_;
     const auto first = executor::first_remaining(revised, after);
     const std::vector rest(revised.items.begin() + static_cast<std::ptrdiff_t>(first), revised.items.end());
     revised.items.resize(first);

@@ -54,6 +54,8 @@ public:
     double late = 0;                // by a second and a half
     std::int64_t most_delay_ms = 1; // frames overtake each other when it is above 1
     std::uint64_t seed = 1;
+    bool holds_when_landed = false;       // of a PX4
+    int rtl_autoland = 3;                 // of a plane
     bool is_person_on_other_line = false; // to the vehicle; else on that of the link, which hears what it answers them
   };
 
@@ -307,6 +309,7 @@ private:
   std::pair<std::uint16_t, int> losses_; // MAV_CMD, how many more
   std::uint32_t lost_message_ = 0;
   std::vector<failsafe::command_vehicle> reactions_;
+  std::int32_t service_revision_ = 0;
   mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
   std::vector<io::mavlink::mission_item_int> shown_items_;
   int times_shown_ = 0;

@@ -82,6 +82,46 @@ TEST_P(people, on_the_way_to_the_last_item_a_pilot_is_seen_and_nothing_is_sent) 
     }
 }
 
+// The mission is finished as its return begins: in its mission mode a PX4 would hold.
+TEST_P(people_at_a_px4, a_resume_in_the_return_of_the_mission_returns_and_the_mission_is_complete) {
+  for (const auto mode : {manual(GetParam()), hold_mode(GetParam())}) {
+    flight_world world({.who = GetParam(), .speed = 2});
+    ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::reached, "w3"));
+    world.run_for(3);
+    world.switch_mode(mode);
+    ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 6))
+        << world.story();
+    world.run_for(5);
+    ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
+    ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::asked; }, 5))
+        << world.story();
+    ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
+    ASSERT_TRUE(world.run_until_phase(phase::done, 300)) << world.sentence() << world.story();
+    EXPECT_TRUE(is_complete(world)) << world.story();
+    EXPECT_EQ(world.arms(), 1) << world.story();
+  }
+}
+
+TEST_P(people_at_a_px4, a_return_of_the_mission_that_was_paused_goes_on_also_behind_a_kill) {
+  for (const bool is_killed : {false, true}) {
+    flight_world world({.who = GetParam(), .speed = 2});
+    ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::reached, "w3"));
+    world.run_for(3);
+    ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.story();
+    ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::asked; }, 6))
+        << world.story();
+    ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
+    if (is_killed) {
+      world.crash_all();
+      ASSERT_TRUE(world.run_until_phase(phase::paused, 20)) << world.sentence() << world.story();
+      world.run_for(2);
+      ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.sentence() << world.story();
+    }
+    ASSERT_TRUE(world.run_until_phase(phase::done, 300)) << world.sentence() << world.story();
+    EXPECT_TRUE(is_complete(world)) << world.story();
+  }
+}
+
 // -- between two heartbeats -----------------------------------------------------------------------------
 
 TEST_P(people_at_a_px4, who_takes_it_is_seen_without_a_heartbeat_and_nothing_is_sent) {

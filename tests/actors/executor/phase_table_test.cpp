@@ -44,7 +44,7 @@ TEST(phase_table, each_trigger_has_a_row) {
 
 TEST(phase_table, what_takes_the_vehicle_from_godwit_pauses_in_each_phase) {
   for (const auto on : {trigger::person_took_over, trigger::failsafe_acts, trigger::autopilot_failsafe_acts,
-                        trigger::foreign_plan_found, trigger::autopilot_restarted})
+                        trigger::foreign_plan_found, trigger::infeasible_plan_found, trigger::autopilot_restarted})
     for (int from = 0; from <= last_phase; ++from) {
       state s;
       s.status = stands_in(static_cast<phase>(from));

@@ -147,6 +147,21 @@ TEST(plane_flight, a_critical_battery_lands_it_by_the_landing_of_its_plan) {
   EXPECT_LT(between(world.vehicle().describe().where, home()).distance_m, 150) << world.story();
 }
 
+// RTL_AUTOLAND 0 is the default of a real one.
+TEST(plane_flight, whose_plan_marks_its_landing_and_that_is_not_armed_so_names_the_parameter_and_flies_nothing) {
+  flight_world world({.who = plane, .speed = 1, .marks_landings = true, .rtl_autoland = 0});
+  world.load(plane_mission());
+  const auto names_it = [&] { return world.sentence().find("Set RTL_AUTOLAND to 3") != std::string::npos; };
+  ASSERT_TRUE(world.run_until(names_it, 60)) << world.sentence() << world.story();
+  const auto arms = world.arms();
+  for (int i = 0; i < 90; ++i) {
+    world.run_for(1);
+    EXPECT_TRUE(names_it()) << world.sentence();
+  }
+  EXPECT_EQ(world.arms(), arms) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed);
+}
+
 TEST(plane_flight, stood_in_auto_behind_its_landing_it_is_put_into_a_mode_in_which_arming_begins_nothing) {
   flight_world world({.who = plane});
   world.load(plane_mission());

@@ -104,6 +104,15 @@ void ardupilot::on_mode_entered(const flight_mode& mode) {
 
 void ardupilot::on_restart() { load_plan(); }
 
+// FENCE_ACTION 1. The HEARTBEAT of the new mode goes out before the text (ArduCopter/fence.cpp; seen in one
+// millisecond).
+void ardupilot::breach_fence() {
+  if (!state().is_armed)
+    return;
+  say(mav_severity::notice, "Circle fence breached");
+  enter(mode_kind::come_back);
+}
+
 // -- the mission ------------------------------------------------------------------------------------
 
 autopilot::answer ardupilot::start_mission(const role::order& what) {
@@ -274,7 +283,7 @@ autopilot::answer ardupilot::reposition(const role::order& what) {
     return answer::denied;
   if (change_mode(&guided, guided.custom) != answer::accepted)
     return answer::failed;
-  if (state().is_armed && craft().is_in_air())
+  if (state().is_armed && goes_to_places())
     go_to(place_in(what));
   return answer::accepted;
 }

@@ -6,8 +6,8 @@
 // ends before that item cuts it, and the vehicle stays where it is. Item 0 is home, which moves to
 // where it is armed until a command has set it.
 //
-// What it is not: failsafes but for an empty battery and the loss of position; manual flight; fences are kept and a
-// breach does nothing. Thread: one at a time.
+// What it is not: failsafes but for an empty battery, the loss of position and a breach of its own fence on demand;
+// manual flight; fences are kept, and that one is left does nothing by itself. Thread: one at a time.
 #pragma once
 
 #include <string>
@@ -26,6 +26,7 @@ public:
   void on_half_a_plan() override;
   void on_happening(const happening& what) override;
   [[nodiscard]] mavlink::mission_current progress() const override;
+  void breach_fence() override;
 
 protected:
   enum class mission_phase { stopped, running, complete };
@@ -42,13 +43,15 @@ protected:
   answer reposition(const role::order& what) override;
   answer restart_or_shut_down(const role::order& what) override;
 
-  // -- what Copter and Plane decide
+  // -- what Copter, Plane and Rover decide
 
   [[nodiscard]] virtual bool is_armable(mode_kind kind) const = 0;
   // A sentence if AUTO can not begin there, armed and with a mission.
   [[nodiscard]] virtual std::string_view why_not_auto() const { return {}; }
   // AUTO is entered or told to begin: whether the mission goes on without MISSION_START.
   [[nodiscard]] virtual bool begins_in_auto() const = 0;
+  // Where a DO_REPOSITION names: what flies has to be in the air.
+  [[nodiscard]] virtual bool goes_to_places() const { return craft().is_in_air(); }
   virtual void on_item_begun(int) {}
   virtual void on_took_off() {}
   virtual void on_landed() = 0;

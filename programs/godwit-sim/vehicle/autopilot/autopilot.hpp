@@ -69,6 +69,10 @@ public:
   void lose_position(bool lost);
   void block(bool is_blocked) { with_.craft.block(is_blocked); }
   void empty_battery();
+  // Plans that lead farther from home are none that it flies; 0: no limit.
+  virtual void limit_distance(double /*metres*/) {}
+  // Of a fence of its own, which is a circle: whatever it does then.
+  virtual void breach_fence() {}
   void restart();
   [[nodiscard]] refused_orders& refusals() { return refusals_; }
 

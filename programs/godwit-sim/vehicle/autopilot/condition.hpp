@@ -12,9 +12,10 @@ struct condition {
   const flight_mode* mode = nullptr;
   const flight_mode* intended = nullptr; // by people; a failsafe of its own changes MODE alone
   bool is_armed = false;
-  bool has_position = true; // from satellites
-  bool is_ready = true;     // has been up for as long as it needs before it flies
-  bool has_estimate = true; // its estimator knows where it is: some time behind a start, and while it has a position
+  bool has_position = true;    // from satellites
+  bool is_ready = true;        // has been up for as long as it needs before it flies
+  bool has_estimate = true;    // its estimator knows where it is: some time behind a start, and while it has a position
+  bool is_plan_armable = true; // by its own checks
   bool is_battery_empty = false;
   bool is_home_fixed = false;        // by a command: arming moves it no longer
   bool beats_at_mode_change = false; // a HEARTBEAT at once, besides those of each second

@@ -68,6 +68,19 @@ constexpr std::array<flight_mode, 15> plane_table{{
     {"THERMAL", 24, plane_guided, mode_kind::hold, true},
 }};
 
+// MANUAL with a pilot's sticks, HOLD and AUTO as recorded: 65, 1 and 9, and 128 where it is armed.
+constexpr std::uint8_t ardurover_auto = 1 | 8;
+constexpr std::array<flight_mode, 8> ardurover_table{{
+    {"MANUAL", 0, 1 | 64, mode_kind::manual, false},
+    {"ACRO", 1, 1 | 16 | 64, mode_kind::manual, false},
+    {"STEERING", 3, 1 | 16 | 64, mode_kind::manual, true},
+    {"HOLD", 4, 1, mode_kind::hold, false},
+    {"LOITER", 5, ardurover_auto, mode_kind::hold, true},
+    {"AUTO", 10, ardurover_auto, mode_kind::mission, true},
+    {"RTL", 11, ardurover_auto, mode_kind::come_back, true},
+    {"GUIDED", 15, ardurover_auto, mode_kind::guided, true},
+}};
+
 const flight_mode* first_of(mode_table modes, mode_kind kind) {
   const auto found = std::find_if(modes.begin(), modes.end(), [&](const flight_mode& m) { return m.kind == kind; });
   return found == modes.end() ? nullptr : &*found;
@@ -79,6 +92,7 @@ mode_table rover_modes() { return rover_table; }
 mode_table px4_modes() { return px4_table; }
 mode_table copter_modes() { return copter_table; }
 mode_table plane_modes() { return plane_table; }
+mode_table ardurover_modes() { return ardurover_table; }
 
 const flight_mode* find_mode(mode_table modes, std::uint32_t custom) {
   const auto found = std::find_if(modes.begin(), modes.end(), [&](const flight_mode& m) { return m.custom == custom; });

@@ -54,9 +54,40 @@ void plane::on_battery_empty() {
 void plane::on_restart() {
   disarms_ns_ = never_ns;
   ardupilot::on_restart();
+  check_plan();
+}
+
+void plane::on_change(const plans::plan_change& what) {
+  ardupilot::on_change(what);
+  check_plan();
+}
+
+void plane::check_plan() {
+  const bool marks_landing = std::ranges::any_of(held_mission().items, [](const mavlink::mission_item_int& each) {
+    return each.command == mavlink::number(mav_cmd::do_land_start);
+  });
+  const bool was_armable = state().is_plan_armable;
+  with().state.is_plan_armable = has_autoland_ || !marks_landing;
+  if (state().is_plan_armable)
+    says_checks_ns_ = never_ns;
+  else if (was_armable)
+    says_checks_ns_ = now().world_ns + ns_per_s;
+}
+
+std::optional<autopilot::refusal> plane::why_not_arm(bool forced) const {
+  if (auto refused = ardupilot::why_not_arm(forced))
+    return refused;
+  if (!forced && !state().is_plan_armable)
+    return refusal{answer::failed, mav_severity::critical, "Arm: DO_LAND_START set and RTL_AUTOLAND disabled"};
+  return std::nullopt;
 }
 
 void plane::on_time() {
+  if (now().world_ns >= says_checks_ns_) {
+    says_checks_ns_ = now().world_ns + says_checks_each_ns;
+    if (!state().is_armed)
+      say(mav_severity::critical, "PreArm: DO_LAND_START set and RTL_AUTOLAND disabled");
+  }
   if (now().world_ns < disarms_ns_)
     return;
   disarms_ns_ = never_ns;

@@ -5,9 +5,12 @@
 // is complete. Behind any other last item, and as a return item begins, it changes to RTL by itself, which circles over
 // home for ever. Disarming in another mode than AUTO puts the mission back to its beginning. It has no mode for
 // landing; DO_LAND_START leads to the landing of its plan. Its RTL_AUTOLAND lets it arm with such a plan (3), and
-// leaves RTL without a landing. A pilot of the manual modes circles where he took it over. Thread: one at a time.
-// Source: ArduPlane 4.7 (commands_logic.cpp, mode_auto.cpp, AP_Arming_Plane.cpp, GCS_MAVLink_Plane.cpp), as remembered.
+// leaves RTL without a landing; by default (0) its own checks fail while it holds such a plan, which it says each 30 s.
+// A pilot of the manual modes circles where he took it over. Thread: one at a time. Source: ArduPlane 4.7
+// (commands_logic.cpp, mode_auto.cpp, AP_Arming_Plane.cpp, GCS_MAVLink_Plane.cpp), as remembered.
 #pragma once
+
+#include <algorithm>
 
 #include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
 
@@ -15,12 +18,15 @@ namespace godwit::sim {
 
 class plane final : public ardupilot {
 public:
-  explicit plane(const equipment& with) : ardupilot(with) {}
+  plane(const equipment& with, bool has_autoland) : ardupilot(with), has_autoland_(has_autoland) {}
 
   void on_time() override;
-  [[nodiscard]] std::int64_t next_timer_ns() const override { return disarms_ns_; }
+  [[nodiscard]] std::int64_t next_timer_ns() const override { return std::min(disarms_ns_, says_checks_ns_); }
+  using ardupilot::on_change;
+  void on_change(const plans::plan_change& what) override;
 
   static constexpr std::int64_t disarms_after_ns = 20 * ns_per_s; // LAND_DISARMDELAY
+  static constexpr std::int64_t says_checks_each_ns = 30 * ns_per_s;
 
 protected:
   void on_mode_left(const flight_mode& mode) override;
@@ -31,6 +37,7 @@ protected:
   void on_battery_empty() override;
   void on_restart() override;
 
+  [[nodiscard]] std::optional<refusal> why_not_arm(bool forced) const override;
   answer take_off(const role::order& what) override;
   answer pause_or_continue(const role::order& what) override;
   answer start_landing(const role::order& what) override;
@@ -44,8 +51,11 @@ protected:
 
 private:
   void take_off_ahead();
+  void check_plan();
 
+  bool has_autoland_; // RTL_AUTOLAND is not 0
   std::int64_t disarms_ns_ = never_ns;
+  std::int64_t says_checks_ns_ = never_ns;
 };
 
 } // namespace godwit::sim

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "io/mavlink/messages/current_mode.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
+#include "programs/godwit-sim/vehicle/flight/item_place.hpp"
+#include "programs/godwit-sim/vehicle/flight/mission_run.hpp"
 
 namespace godwit::sim {
 
@@ -18,7 +21,9 @@ constexpr std::string_view health_failure = "Arming denied: Resolve system healt
 
 } // namespace
 
-px4::px4(const equipment& tools) : autopilot(tools) { with().out.hold_texts_back(true); }
+px4::px4(const equipment& tools, bool holds_when_landed) : autopilot(tools), holds_when_landed_(holds_when_landed) {
+  with().out.hold_texts_back(true);
+}
 
 // -- arming and modes -------------------------------------------------------------------------------
 
@@ -47,7 +52,7 @@ void px4::on_unknown_mode(const role::order& what) { acknowledge(what, answer::a
 autopilot::answer px4::change_mode(const flight_mode* mode, std::uint32_t) {
   if (mode == nullptr)
     return answer::accepted;
-  const bool has_no_mission = mode->kind == mode_kind::mission && run().is_empty();
+  const bool has_no_mission = mode->kind == mode_kind::mission && (run().is_empty() || is_infeasible_);
   const bool has_no_position = mode->needs_position && !state().has_position;
   if (state().is_armed && (has_no_mission || has_no_position)) {
     say_tabbed(mav_severity::critical, "Switching to mode '" + std::string(mode->name) + "' is currently not possible");
@@ -111,11 +116,13 @@ void px4::on_battery_empty() {
 
 void px4::on_restart() {
   run().load(held_mission().items);
+  check_plan();
   reached_ = {};
   stale_messages_ = {};
   heard_station_ns_ = -1;
   preflight_ends_ns_ = never_ns;
   trigger_again_ns_ = never_ns;
+  holds_at_ns_ = disarms_at_ns_ = never_ns;
   with().out.hold_texts_back(true);
 }
 
@@ -131,7 +138,7 @@ void px4::hear_heartbeat(mavlink::sender, const mavlink::heartbeat& m) {
 // -- the mission ------------------------------------------------------------------------------------
 
 autopilot::answer px4::start_mission(const role::order& what) {
-  if (run().is_empty()) {
+  if (run().is_empty() || is_infeasible_) {
     say_tabbed(mav_severity::critical, "Mission start denied! No valid mission");
     return answer::denied;
   }
@@ -164,12 +171,30 @@ void px4::begin_mission() {
   }
   if (run().state() == run_state::completed) {
     if (craft().is_in_air())
-      return; // it stays where it is until it is told where to go on
+      return refuse_finished_mission();
     run().start(0);
   } else if (run().state() == run_state::idle) {
     run().start(run().current());
   }
   announce_mission();
+}
+
+// Behind the return of a mission, too: it is finished as that begins. Who is told where to go on meanwhile goes there.
+void px4::refuse_finished_mission() {
+  say_tabbed(mav_severity::critical, "No valid mission available, loitering");
+  holds_at_ns_ = now().world_ns + holds_after_ns;
+}
+
+// Its return is a mode, and the end of the mission: the item is reached and the mission complete as it begins.
+void px4::begin_return(int sequence) {
+  with().out.send(mavlink::command_long{.target_system = with().out.ourselves().system,
+                                        .command = mavlink::number(mavlink::mav_cmd::nav_return_to_launch)});
+  with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(sequence)});
+  reached_.forget();
+  run().advance();
+  stop_trigger(0);
+  trigger_again_ns_ = now().world_ns + ns_per_s;
+  enter(mode_kind::come_back);
 }
 
 void px4::announce_mission() {
@@ -190,8 +215,18 @@ void px4::finish_mission() {
     enter(mode_kind::hold);
   } else {
     say_tabbed(mav_severity::info, "Mission finished, landed");
-    disarm_by("landing");
+    finish_on_ground();
   }
+}
+
+// Seen of a VTOL: one CURRENT_MODE with HOLD, and MISSION as the intended mode, in the millisecond of MISSION_CURRENT
+// with state 5; 0.17 s later it is disarmed, and in MISSION again.
+void px4::finish_on_ground() {
+  if (!holds_when_landed_)
+    return disarm_by("landing");
+  enter_by_failsafe(mode_kind::hold);
+  static_cast<void>(with().tells.send(mavlink::current_mode::message_id, now().world_ns)); // it is known
+  disarms_at_ns_ = now().world_ns + disarms_behind_hold_ns;
 }
 
 // A camera may still be triggered along the way; whoever has one is to stop.
@@ -217,6 +252,7 @@ void px4::on_change(const plans::plan_change& what) {
     return;
   if (what.kind == plans::plan_change_kind::cleared) {
     reached_ = {};
+    is_infeasible_ = false;
     run().load({});
     if (state().is_armed && state().is_in(mode_kind::mission))
       enter(mode_kind::hold);
@@ -232,13 +268,30 @@ void px4::take_plan(const plans::plan_change& what) {
   const bool was_completed = run().state() == run_state::completed;
   const int current = what.marked_current.value_or(was_completed ? 0 : old_current);
   run().replace(held_mission().items, 0, current);
-  if (was_completed && state().is_armed && state().is_in(mode_kind::mission))
+  check_plan();
+  if (is_infeasible_) {
+    run().stop();
+    if (state().is_armed && state().is_in(mode_kind::mission))
+      refuse_finished_mission();
+  } else if (was_completed && state().is_armed && state().is_in(mode_kind::mission))
     begin_mission();
   if (!had_plan)
     return;
   if (const auto news = stale_messages_.on_switch({old_current, reached_.last()}, progress(), with().random))
     std::visit([this](const auto& m) { with().out.send(m); }, *news);
   reached_ = {};
+}
+
+void px4::check_plan() {
+  is_infeasible_ = false;
+  const auto& items = held_mission().items;
+  for (std::size_t i = 0; i < items.size() && !is_infeasible_ && max_distance_m_ > 0; ++i) {
+    const auto place = place_of(items[i], craft().home(), craft().where().where);
+    const bool has_place = is_nav(items[i]) && items[i].x != 0 && place && !place->is_here;
+    is_infeasible_ = has_place && between(craft().home(), place->at).distance_m > max_distance_m_;
+    if (is_infeasible_)
+      say_tabbed(mav_severity::critical, "Geofence violation for waypoint " + std::to_string(i + 1));
+  }
 }
 
 void px4::end_turn() {
@@ -250,7 +303,7 @@ void px4::on_happening(const happening& what) {
   if (const auto* begun = std::get_if<item_begun>(&what)) {
     const auto& item = run().items()[static_cast<std::size_t>(begun->sequence)];
     if (item.command == mavlink::number(mavlink::mav_cmd::nav_return_to_launch))
-      enter(mode_kind::come_back); // which is no part of the mission: nothing says that it was completed
+      begin_return(begun->sequence);
   } else if (const auto* reached = std::get_if<item_reached>(&what)) {
     with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(reached->sequence)});
     reached_.reach(reached->sequence, now().world_ns);
@@ -263,7 +316,8 @@ void px4::on_happening(const happening& what) {
     if (!flies_mission() && !(state().is_in(mode_kind::mission) && run().state() == run_state::completed))
       disarm_by("landing");
   } else if (std::holds_alternative<mission_completed>(what)) {
-    finish_mission();
+    if (holds_at_ns_ == never_ns)
+      finish_mission();
   } else if (std::holds_alternative<arrived>(what) && state().is_in(mode_kind::take_off)) {
     enter(mode_kind::hold);
   }
@@ -277,6 +331,17 @@ void px4::on_time() {
     if (!craft().is_in_air())
       disarm_by("auto preflight disarming");
   }
+  if (now().world_ns >= disarms_at_ns_) {
+    disarms_at_ns_ = never_ns;
+    disarm_by("landing");
+    enter(mode_kind::mission);
+  }
+  if (now().world_ns >= holds_at_ns_) {
+    holds_at_ns_ = never_ns;
+    const bool has_none = is_infeasible_ || run().state() == run_state::completed;
+    if (state().is_armed && state().is_in(mode_kind::mission) && has_none)
+      enter(mode_kind::hold);
+  }
   if (now().world_ns >= trigger_again_ns_) {
     trigger_again_ns_ = never_ns;
     stop_trigger(1);
@@ -284,13 +349,15 @@ void px4::on_time() {
 }
 
 std::int64_t px4::next_timer_ns() const {
-  return std::min({reached_.next_ns(), preflight_ends_ns_, trigger_again_ns_});
+  return std::min({reached_.next_ns(), preflight_ends_ns_, trigger_again_ns_, holds_at_ns_, disarms_at_ns_});
 }
 
 mavlink::mission_current px4::progress() const {
   auto result = progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
   if (says_complete_)
     result.mission_state = mavlink::number(mavlink::mission_state::complete);
+  if (is_infeasible_)
+    result.mission_state = mavlink::number(mavlink::mission_state::no_mission);
   return result;
 }
 

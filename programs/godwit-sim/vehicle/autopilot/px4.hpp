@@ -1,8 +1,12 @@
-// PX4, a multirotor, as version 1.17 was seen to behave.
+// PX4, a multirotor, as versions 1.17 and 1.18 were seen to behave.
 //
 // It arms on MISSION_START, goes on at its old index with a plan that marks no item, does not activate a plan that it
 // holds already, repeats MISSION_ITEM_REACHED, and for a moment after the change of a plan may tell old news. After
-// landing it disarms itself. A finished mission that does not end on the ground ends in AUTO.LOITER.
+// landing it disarms itself. It takes any plan, and then checks it: one that leads beyond its own limit has its id and
+// is no mission (state 1), and the mission mode is refused (MissionBase::check_mission_valid; seen with
+// GF_MAX_HOR_DIST). The same plan is not checked anew. A finished mission that does not end on the ground ends in
+// AUTO.LOITER, and so does the mission mode of one that is finished: 0.4 s later, also behind the return with which it
+// ended (1.18: a mission is complete as its return begins; Mission::on_activation, Commander::checkForMissionUpdate).
 //
 // What it is not: failsafes but for an empty battery and the loss of position; manual flight; fences are kept and a
 // breach does nothing. Thread: one at a time. Source: recordings; PX4's commander and navigator.
@@ -19,7 +23,8 @@ namespace godwit::sim {
 
 class px4 final : public autopilot {
 public:
-  explicit px4(const equipment& tools);
+  // HOLDS_WHEN_LANDED: behind the landing of a mission, until it disarms (PX4 1.18's VTOL was seen to).
+  explicit px4(const equipment& tools, bool holds_when_landed = false);
 
   using autopilot::take;
   void take(const mavlink::mission_set_current& m) override;
@@ -30,10 +35,13 @@ public:
   void on_time() override;
   [[nodiscard]] std::int64_t next_timer_ns() const override;
   void end_turn() override;
+  void limit_distance(double metres) override { max_distance_m_ = metres; }
   [[nodiscard]] mavlink::mission_current progress() const override;
 
   static constexpr std::int64_t station_lost_after_ns = 10 * ns_per_s; // COM_DL_LOSS_T
   static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;      // COM_DISARM_PRFLT, without a take-off
+  static constexpr std::int64_t holds_after_ns = 400'000'000;          // a finished mission, in flight
+  static constexpr std::int64_t disarms_behind_hold_ns = 170'000'000;
 
 protected:
   [[nodiscard]] std::optional<refusal> why_not_arm(bool forced) const override;
@@ -61,9 +69,13 @@ private:
   // On the way into its mission: from where it stands, or from the beginning when it is done and on the ground.
   void begin_mission();
   void announce_mission();
+  void refuse_finished_mission();
+  void begin_return(int sequence);
   void finish_mission();
+  void finish_on_ground();
   void stop_trigger(std::uint8_t confirmation);
   void take_plan(const plans::plan_change& what);
+  void check_plan();
   void disarm_by(std::string_view reason);
   void say_tabbed(mavlink::mav_severity severity, const std::string& text) { say(severity, text + '\t'); }
 
@@ -73,6 +85,11 @@ private:
   std::int64_t heard_station_ns_ = -1; // real time
   std::int64_t preflight_ends_ns_ = never_ns;
   std::int64_t trigger_again_ns_ = never_ns;
+  double max_distance_m_ = 0;
+  bool is_infeasible_ = false; // the plan that it holds, as it was checked
+  bool holds_when_landed_;
+  std::int64_t disarms_at_ns_ = never_ns;
+  std::int64_t holds_at_ns_ = never_ns; // in its mission mode, and its mission is finished
   double takeoff_altitude_m_ = 0;
   std::string_view reason_ = by_command; // for arming and disarming
 

@@ -141,7 +141,7 @@ mavlink::sys_status telemetry::status() const {
   auto health = quirks_.sensors.health;
   if (!state_.has_position)
     health &= ~gps_bit;
-  if (!state_.has_position || !state_.is_ready || state_.is_battery_empty)
+  if (!state_.has_position || !state_.is_ready || state_.is_battery_empty || !state_.is_plan_armable)
     health &= ~prearm_bit;
   return {.onboard_control_sensors_present = quirks_.sensors.present,
           .onboard_control_sensors_enabled = quirks_.sensors.enabled,

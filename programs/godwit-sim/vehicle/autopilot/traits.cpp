@@ -123,6 +123,18 @@ traits plane_traits() {
   return t;
 }
 
+traits ardurover_traits() {
+  auto t = ardupilot_traits();
+  t.type = mavlink::mav_type::ground_rover;
+  t.body = rover_craft();
+  t.modes = ardurover_modes();
+  t.first_mode = 0; // MANUAL
+  t.plan_quirks = plans::ardupilot_rover_quirks();
+  t.params = copter_params(); // those that stations ask for are the same
+  t.banner = {"ArduRover V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
+  return t;
+}
+
 } // namespace
 
 const traits& traits_of(personality who) {
@@ -130,6 +142,7 @@ const traits& traits_of(personality who) {
   static const traits px4 = px4_traits();
   static const traits copter = copter_traits();
   static const traits plane = plane_traits();
+  static const traits ardurover = ardurover_traits();
   switch (who) {
   case personality::rover:
     return rover;
@@ -139,6 +152,8 @@ const traits& traits_of(personality who) {
     return copter;
   case personality::plane:
     return plane;
+  case personality::ardurover:
+    return ardurover;
   }
   GODWIT_ASSERT(false, "each personality has its traits");
 }

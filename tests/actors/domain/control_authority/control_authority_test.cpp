@@ -166,6 +166,54 @@ TEST(control_authority, behind_the_last_item_the_hold_into_which_the_plan_leads_
   EXPECT_FALSE(who.is_unclear());
 }
 
+// CURRENT_MODE (hold, mission intended) came in the millisecond of MISSION_CURRENT, in either order.
+TEST(control_authority, a_hold_that_nobody_has_asked_for_when_the_plan_is_complete_is_its_end) {
+  for (const bool is_place_first : {true, false}) {
+    auto who = near_its_end();
+    who.on_current_mode(px4, {px4_mission, false, px4_mission.custom_mode}, 0);
+    who.on_place(last_item, false, 0);
+    if (is_place_first)
+      who.on_place(last_item, true, 2 * s);
+    who.on_current_mode(px4, {px4_hold, false, px4_mission.custom_mode}, 2 * s);
+    if (!is_place_first) {
+      EXPECT_TRUE(who.is_unclear());
+      who.on_place(last_item, true, 2 * s);
+    }
+    EXPECT_EQ(who.who(), holder::autopilot_end) << is_place_first;
+    EXPECT_FALSE(who.is_unclear());
+  }
+}
+
+TEST(control_authority, a_hold_that_nobody_has_asked_for_is_a_failsafes_while_the_plan_is_not_complete) {
+  auto early = near_its_end();
+  early.on_current_mode(px4, {px4_mission, false, px4_mission.custom_mode}, 0);
+  auto late = early;
+  early.on_place(last_item - 1, false, 0);
+  early.on_current_mode(px4, {px4_hold, false, px4_mission.custom_mode}, 1);
+  EXPECT_EQ(early.who(), holder::autopilot_failsafe) << "it is not at its end yet";
+  late.on_place(last_item, false, 0);
+  late.on_current_mode(px4, {px4_hold, false, px4_mission.custom_mode}, 1);
+  EXPECT_TRUE(late.is_unclear());
+  late.on_place(last_item, false, s);
+  EXPECT_EQ(late.who(), holder::autopilot_failsafe);
+}
+
+TEST(control_authority, the_words_of_a_breached_fence_count_for_what_changes_in_that_moment) {
+  for (const auto told_ns : {s - s / 10, s + s / 10}) {
+    auto who = in_flight();
+    if (told_ns < s)
+      who.on_text(copter, "Circle fence breached", told_ns);
+    who.on_mode(copter, loiter, false, s);
+    if (told_ns > s)
+      who.on_text(copter, "Circle fence breached", told_ns);
+    EXPECT_EQ(who.who(), holder::autopilot_failsafe) << told_ns;
+  }
+  auto heard = in_flight();
+  heard.on_text(copter, "Circle fence breached", s);
+  heard.on_mode(copter, loiter, false, s + s / 2);
+  EXPECT_EQ(heard.who(), holder::person);
+}
+
 TEST(control_authority, a_plan_leads_there_once) {
   auto who = near_its_end();
   who.on_place(last_item, true, 0);

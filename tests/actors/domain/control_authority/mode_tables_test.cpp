@@ -39,7 +39,10 @@ TEST(mode_tables, a_plane_returns_as_its_return_begins_and_when_another_plan_is_
 TEST(mode_tables, a_px4_returns_as_its_return_begins_and_holds_when_another_plan_is_done) {
   EXPECT_EQ(end_of(px4, mav_cmd::nav_return_to_launch), (plan_end{7, true, {px4_return}}));
   EXPECT_EQ(end_of(px4, mav_cmd::nav_waypoint), (plan_end{7, false, {px4_hold_number}}));
-  EXPECT_EQ(end_of(px4, mav_cmd::nav_land).modes, modes());
+}
+
+TEST(mode_tables, behind_the_landing_of_a_px4_it_may_hold_until_it_is_disarmed) {
+  EXPECT_EQ(end_of(px4, mav_cmd::nav_land), (plan_end{7, false, {px4_hold_number}}));
 }
 
 TEST(mode_tables, by_the_text_alone_a_vehicle_holds_when_its_plan_is_done) {

@@ -34,6 +34,13 @@ TEST(vehicle_text, of_a_failsafe_that_is_over_or_changes_nothing_is_none) {
     EXPECT_FALSE(tells_failsafe(each)) << each;
 }
 
+TEST(vehicle_text, of_a_breach_of_an_ardupilots_own_fence_is_known) {
+  for (const auto* each : {"Circle fence breached", "Max Alt fence breached", "Max Alt and Circle fences breached"})
+    EXPECT_TRUE(tells_fence_breach(each)) << each;
+  for (const auto* each : {"Fence breach cleared", "Circle fence active", "Circle fence in 4.2m", ""})
+    EXPECT_FALSE(tells_fence_breach(each)) << each;
+}
+
 TEST(vehicle_text, says_why_it_can_not_be_armed) {
   EXPECT_TRUE(tells_why_not_armed("PreArm: Compass not calibrated"));
   EXPECT_TRUE(tells_why_not_armed("Preflight Fail: horizontal position unstable"));

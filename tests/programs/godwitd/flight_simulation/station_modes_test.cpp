@@ -41,6 +41,8 @@ flight::mode_owner owner_of(sim::personality who) {
     return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
   case sim::personality::ardupilot:
     return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+  case sim::personality::ardurover:
+    return {mav_autopilot::ardupilotmega, vehicle_class::rover};
   case sim::personality::rover:
     break;
   }

@@ -37,6 +37,8 @@ protected:
       return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
     case sim::personality::ardupilot:
       return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+    case sim::personality::ardurover:
+      return {mav_autopilot::ardupilotmega, vehicle_class::rover};
     case sim::personality::rover:
       break;
     }

@@ -29,6 +29,27 @@ TEST(autopilot_check, passes_when_they_pass) { EXPECT_EQ(with(own_checks::passin
 
 TEST(autopilot_check, fails_when_they_fail) { EXPECT_EQ(with(own_checks::failing), verdict::fail); }
 
+TEST(autopilot_check, names_the_parameter_that_keeps_a_plane_on_the_ground_whose_plan_marks_its_landing) {
+  plan_result plans = std::vector<plan::flight_plan>(1);
+  io::mavlink::mission_item_int marks;
+  marks.command = io::mavlink::number(io::mavlink::mav_cmd::do_land_start);
+  plans->front().items.push_back(marks);
+  auto seen = good_facts();
+  seen.vehicle.own = own_checks::failing;
+  seen.vehicle.autopilot = mav_autopilot::ardupilotmega;
+  seen.vehicle.what = flight::vehicle_class::fixed_wing;
+  seen.mission.plans = &plans;
+  const auto sentence = [&](const std::string& words) {
+    seen.vehicle.why_not_armed = words;
+    return look_at_autopilot_checks(seen, {}).sentence;
+  };
+  EXPECT_TRUE(has(sentence("PreArm: DO_LAND_START set and RTL_AUTOLAND disabled"), "Set RTL_AUTOLAND to 3"));
+  EXPECT_TRUE(has(sentence({}), "Set RTL_AUTOLAND to 3")) << "its words may be lost";
+  EXPECT_FALSE(has(sentence("PreArm: Compass not calibrated"), "RTL_AUTOLAND"));
+  plans->front().items.clear();
+  EXPECT_FALSE(has(sentence({}), "RTL_AUTOLAND"));
+}
+
 TEST(autopilot_check, fails_before_anything_was_heard_of_them) { EXPECT_EQ(with(own_checks::unknown), verdict::fail); }
 
 TEST(autopilot_check, degrades_when_the_autopilot_does_not_say) {

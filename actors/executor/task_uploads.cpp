@@ -1,0 +1,75 @@
+// What becomes of a plan that a task brings to the vehicle.
+#include "actors/executor/task_runner.hpp"
+
+namespace godwit::executor {
+
+namespace transfer = vehicle_link::transfer;
+
+void task_runner::on_transfer(const world& w, std::uint64_t number, const transfer::outcome& outcome) {
+  if (!task_ || ended_ || number != last_order_)
+    return;
+  if (stage_ == stage::proving)
+    return on_read(w, outcome);
+  if (stage_ != stage::asked)
+    return;
+  last_reason_ = outcome.reason;
+  looked_ns_ = 0;
+  if (std::holds_alternative<clear_plan>(way_[at_]))
+    return outcome.verdict == transfer::verdict::accepted ? next_step() : was_not_done(w, outcome.reason, false);
+  uploaded_ns_ = w.now_ns;
+  if (uploads_.go_on(outcome, w.now_ns))
+    return enter(stage::pausing, w.now_ns + pause_between_ns);
+  judged_ = outcome;
+  const bool is_judged = outcome.verdict == transfer::verdict::accepted && outcome.plan_id.value_or(0) != 0 &&
+                         w.view.owner().autopilot == io::mavlink::mav_autopilot::px4;
+  enter(stage::judging, is_judged ? w.now_ns + judged_within_ns : w.now_ns);
+  judge_upload(w);
+}
+
+// What it says right behind the upload may still be about the plan before: that counts where the two differ.
+std::optional<bool> task_runner::is_judged_infeasible(const vehicle_view& view) const {
+  const auto& current = view.current();
+  if (!judged_ || judged_->verdict != transfer::verdict::accepted || !current ||
+      view.current_heard_ns() < uploaded_ns_ || current->mission_id != judged_->plan_id.value_or(0))
+    return std::nullopt;
+  const bool is_infeasible = view.finds_infeasible();
+  const bool has_looked = is_infeasible != held_infeasible_;
+  return has_looked || view.current_heard_ns() >= uploaded_ns_ + judged_after_ns ? std::optional(is_infeasible)
+                                                                                 : std::nullopt;
+}
+
+progress::upload_ended task_runner::end_of_upload(const vehicle_view& view) {
+  auto result = uploads_.end(*judged_);
+  was_infeasible_ = is_judged_infeasible(view).value_or(false);
+  if (!was_infeasible_)
+    return result;
+  const auto words = view.warned_since(asked_ns_);
+  last_reason_ =
+      "the vehicle has taken the plan, and finds that it can not be flown" +
+      (words.empty() ? ", by its own fence, its parameters or its state; it says why to ground stations alone"
+                     : ": \"" + words + "\"");
+  result.verdict = progress::upload_verdict::infeasible;
+  result.reason = last_reason_;
+  return result;
+}
+
+void task_runner::judge_upload(const world& w) {
+  if (!is_judged_infeasible(w.view) && w.now_ns < deadline_ns_)
+    return;
+  note_and_wait(w, end_of_upload(w.view));
+  enter(stage::closing);
+}
+
+// The upload's end is applied; where it was not known, progress has it looked at.
+void task_runner::resolve_upload(const world& w) {
+  if (w.durable.progress.upload)
+    return;
+  if (w.durable.progress.last_generation != generation_before_) {
+    w.seen.plan.prove(uploaded_ns_, uploaded_ns_);
+    next_step();
+  } else {
+    fail(was_infeasible_ ? last_reason_ : "the plan did not come to the vehicle: " + last_reason_);
+  }
+}
+
+} // namespace godwit::executor

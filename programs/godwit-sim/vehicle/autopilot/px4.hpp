@@ -33,7 +33,7 @@ public:
   [[nodiscard]] mavlink::mission_current progress() const override;
 
   static constexpr std::int64_t station_lost_after_ns = 10 * ns_per_s; // COM_DL_LOSS_T
-  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;      // COM_DISARM_PRFLT, without a take-off
+  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;      // COM_DISARM_PRFLT, without a take-off; outside
 
 protected:
   [[nodiscard]] std::optional<refusal> why_not_arm(bool forced) const override;

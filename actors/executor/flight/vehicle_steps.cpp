@@ -27,7 +27,8 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
   }
   if (flight.view.owner().autopilot == mav_autopilot::px4)
     return goes_on ? steps{bring_plan{}, guard{}, change_mode{mode_kind::mission}} : steps{bring_plan{}, guard{}};
-  steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
+  steps result{guard{}, change_mode{mode_kind::hold}, bring_plan{},
+               guard{}}; // whose hold that is, is on the disk first
   if (flight.is_ardupilot()) {
     result.emplace_back(set_current_item{map.start_sequence, map.total});
     if (goes_on)

@@ -12,8 +12,7 @@ std::vector<std::uint32_t> announced_modes(task_kind kind, const steps& way, std
     if (std::holds_alternative<start_plan>(way[i]))
       return flight::modes_of_start(whose);
     if (const auto* mode = std::get_if<change_mode>(&way[i]))
-      return mode->to == flight::mode_kind::hold ? std::vector<std::uint32_t>()
-                                                 : flight::modes_obeying(whose, mode->to);
+      return flight::modes_obeying(whose, mode->to);
   }
   return {};
 }

@@ -13,8 +13,9 @@
 
 namespace godwit::executor {
 
-// By the first step of WAY behind AT that lets a vehicle go on which is under way. Empty: none does, or it is told to
-// hold first. A start is not among them: the failsafe knows whose a take-off in the mission mode is.
+// By the first step of WAY behind AT that changes the mode of a vehicle which is under way: it goes on, or holds for
+// another plan. Empty: none does. A start is not among them: the failsafe knows whose a take-off in the mission mode
+// is.
 [[nodiscard]] std::vector<std::uint32_t> announced_modes(task_kind kind, const steps& way, std::size_t at,
                                                          const flight::mode_owner& whose);
 

@@ -139,8 +139,11 @@ effects core::on_vehicle(const vehicle_link::vehicle_restarted&, instant) {
 }
 
 effects core::on_vehicle(const vehicle_link::foreign_act& m, instant) {
+  effects out;
   watch_.on_foreign(m);
-  return {};
+  if (m.kind != vehicle_link::foreign_kind::plan)
+    ground_.on_act(out);
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::global_position_int& m, instant now) {
@@ -153,9 +156,12 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
   flight_.view.take(m, now.now_ns);
   flight_.was_up = flight_.was_up || flight_.view.is_under_way();
   end_.on_heartbeat(now);
-  if (recovery_.has_looked())
+  effects out;
+  if (recovery_.has_looked()) {
     watch_.on_mode(now);
-  return {};
+    ground_.on_mode(out, now);
+  }
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::current_mode& m, instant now) {
@@ -215,7 +221,9 @@ effects core::on_vehicle(const io::mavlink::sys_status& m, instant now) {
 
 effects core::on_vehicle(const io::mavlink::home_position& m, instant now) {
   flight_.view.take(m, now.now_ns);
-  return return_place_.on_home();
+  auto out = return_place_.on_home();
+  ground_.on_home(out, now);
+  return out;
 }
 
 // -- orders that waited for the disk, and what became of orders -------------------------------------

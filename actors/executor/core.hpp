@@ -36,6 +36,7 @@
 #include "actors/executor/flight/flight_end.hpp"
 #include "actors/executor/flight/flight_start.hpp"
 #include "actors/executor/flight/gcs_view.hpp"
+#include "actors/executor/flight/ground_watch.hpp"
 #include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/last_line.hpp"
 #include "actors/executor/flight/mission_list.hpp"
@@ -210,6 +211,7 @@ private:
   phase_machine phases_{flight_};
   task_control tasks_{flight_, phases_};
   control_watch watch_{flight_, phases_, tasks_};
+  ground_watch ground_{flight_};
   recovery recovery_{flight_, phases_, tasks_, watch_};
   energy_control energy_{flight_};
   vehicle_messages messages_;
@@ -228,7 +230,7 @@ private:
   plan_clearing clearing_{flight_, phases_};
   last_line last_line_{flight_, clearing_};
   gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};
-  station_acts acts_{flight_, watch_, preparation_, operators_, arming_};
+  station_acts acts_{flight_, watch_, ground_, preparation_, operators_, arming_};
 };
 
 } // namespace godwit::executor

@@ -183,6 +183,7 @@ durable_effects take(state& s, const mission_arrived& happened, std::int64_t) {
 durable_effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
   if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
     s.awaits_word = progress::is_begun(s.progress, happened.mission.mission_id);
+    s.awaits_person = false;
     s.home.reset();
     s.supervision.has_landed = false;
   }
@@ -266,6 +267,8 @@ durable_effects take(state& s, const arrival_refused& happened, std::int64_t) {
 durable_effects take(state& s, const task_begun& happened, std::int64_t) {
   s.doing = happened.what;
   s.last_task = happened.what.number;
+  if (happened.what.kind == task_kind::start)
+    s.awaits_person = false;
   if (happened.brings)
     s.brings = happened.brings;
   return {};
@@ -310,6 +313,11 @@ durable_effects take(state& s, const supervision::failsafe_missed& happened, std
 
 durable_effects take(state& s, const home_kept& happened, std::int64_t) {
   s.home = happened.where;
+  return {};
+}
+
+durable_effects take(state& s, const person_acted&, std::int64_t) {
+  s.awaits_person = true;
   return {};
 }
 

@@ -14,7 +14,7 @@
 //   start_resolved                 start_answer to who asked
 //   station_took_over             none
 //   supervision::failsafe_missed  none
-//   home_kept, home_commanded     none
+//   home_kept, home_commanded, person_acted: none
 //
 // A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
 #pragma once
@@ -125,11 +125,13 @@ struct deployment {
   std::optional<mission::assignment> asked = {}; // that it carries out in flight, until the upload is resolved
   std::optional<station_plan> station = {};      // the same of a part that a station's start asks for, or of an upload
   bool is_upload = false;                        // of a station, which waits for what becomes of it
-  static constexpr auto fields =
-      io::table("executor.deployment", io::field("mission", &deployment::mission),
-                io::field("items", &deployment::items), io::field("landing_sequence", &deployment::landing_sequence),
-                io::field("surveys", &deployment::surveys), io::field("asked", &deployment::asked),
-                io::field("station", &deployment::station), io::field("is_upload", &deployment::is_upload));
+  // The vehicle's, where it stood when the plan was brought before a flight: an arming leaves it there.
+  std::optional<flight::home_place> home = {};
+  static constexpr auto fields = io::table(
+      "executor.deployment", io::field("mission", &deployment::mission), io::field("items", &deployment::items),
+      io::field("landing_sequence", &deployment::landing_sequence), io::field("surveys", &deployment::surveys),
+      io::field("asked", &deployment::asked), io::field("station", &deployment::station),
+      io::field("is_upload", &deployment::is_upload), io::field("home", &deployment::home));
 };
 
 // -- events besides those of the progress -----------------------------------------------------------
@@ -289,6 +291,11 @@ struct station_took_over {
   static constexpr auto fields = io::table("executor.station_took_over", io::field("by", &station_took_over::by));
 };
 
+// Somebody else has acted on the vehicle on the ground, after its plan was brought to it.
+struct person_acted {
+  static constexpr auto fields = io::table("executor.person_acted");
+};
+
 // Its plan was cleared.
 struct station_plan_dropped {
   static constexpr auto fields = io::table("executor.station_plan_dropped");
@@ -343,6 +350,9 @@ struct state {
       person; // through which the person acts who has the vehicle; none: another way, or nobody has
   // It has flown, was resumed on the ground, was begun before, or was under way without us: a person starts it.
   bool awaits_word = false;
+  // Somebody has acted on the vehicle since its plan was brought: a person starts it, also where flights that take off
+  // again start by themselves.
+  bool awaits_person = false;
   std::optional<kept_home> home;   // of this mission
   bool has_commanded_home = false; // and has not freed it
   preflight::state preflight;
@@ -361,9 +371,10 @@ struct state {
       io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
       io::field("last_task", &state::last_task), io::field("standing", &state::status),
       io::field("person", &state::person), io::field("awaits_word", &state::awaits_word),
-      io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
-      io::field("preflight", &state::preflight), io::field("progress", &state::progress),
-      io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
+      io::field("awaits_person", &state::awaits_person), io::field("home", &state::home),
+      io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
+      io::field("progress", &state::progress), io::field("supervision", &state::supervision),
+      io::field("deleted_mission", &state::deleted_mission));
 };
 
 // From the decision to start on.
@@ -384,7 +395,7 @@ struct durable_core {
                    mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_resolved,
                    assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_rally_taken,
                    last_line_brought, station_plan_dropped, task_begun, task_ended, phase_status, station_took_over,
-                   start_resolved, supervision::failsafe_missed, home_kept, home_commanded>;
+                   start_resolved, supervision::failsafe_missed, home_kept, home_commanded, person_acted>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

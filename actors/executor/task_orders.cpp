@@ -91,6 +91,7 @@ void task_runner::ask(const world& w, const guard&) {
       limits.geofences = w.durable.flown->mission.geofences;
     limits.land_start = w.durable.flown->landing_sequence;
     limits.plan_end = end_of_plan(w.view.owner(), w.durable);
+    limits.home_before = w.durable.flown->home;
   }
   if (w.durable.home && w.durable.home->is_resolved)
     limits.home = w.durable.home->at;

@@ -85,7 +85,7 @@ void core::take_one(const position& what, instant now) {
 void core::take_one(const home_told& what, instant) {
   home_ = what.where;
   if (newest_.armed && !armed_at_)
-    armed_at_ = what.where;
+    armed_at_ = flight::home_of_arming(what.where, limits_.home_before);
 }
 
 void core::take_one(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }

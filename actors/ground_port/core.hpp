@@ -186,7 +186,8 @@ private:
                    const mavlink::frame_view& frame, bool is_for_all);
   void route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
                   std::uint32_t base_mode, const mavlink::frame_view& frame);
-  void start_or_resume(decision_context& t, vehicle_role::order what);
+  void start_or_resume(decision_context& t, vehicle_role::order what, const std::string& name);
+  void ask_to_go_on(decision_context& t, const vehicle_role::order& what, const std::string& name);
   [[nodiscard]] bool answers_itself(const vehicle_role::order& what) const;
   [[nodiscard]] bool is_known(std::uint32_t id) const;
   [[nodiscard]] static vehicle_link::relayed_frame needed_rate(mavlink::request_data_stream m, mavlink::sender who);
@@ -209,7 +210,6 @@ private:
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
   [[nodiscard]] std::optional<mission::position> here() const; // where the vehicle is; the altitude above home
   void say_word(decision_context& t, const vehicle_role::order& what);
-  void say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which);
   void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 

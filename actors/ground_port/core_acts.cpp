@@ -45,6 +45,15 @@ void core::ask(decision_context& t, passing::waiting_act what) {
   }
 }
 
+// It is godwit's to do, and answered when the vehicle is in its mission: no frame of the station's goes on.
+void core::ask_to_go_on(decision_context& t, const vehicle_role::order& what, const std::string& name) {
+  relayed_frame none;
+  none.message = mavlink::command_long::message_id;
+  none.system = what.from.system;
+  none.component = what.from.component;
+  ask(t, {{act_kind::go_on, by(what.from), name}, std::move(none), what});
+}
+
 effects core::on_act_answer(std::uint64_t request, const executor::act_answer& m, instant now) {
   decision_context t(*this, now);
   if (auto asked = acts_.resolve(request))
@@ -90,11 +99,14 @@ void core::act_on_answer(decision_context& t, passing::waiting_act asked, const 
   }
 }
 
-// A repetition takes the place of the first: the executor may have crashed, and knows of the last one alone.
+// A repetition takes the place of the first: the executor may have crashed, and knows of the last one alone. What takes
+// longer than a hold hears that it is under way.
 void core::begin_act(decision_context& t, passing::waiting_act asked) {
-  std::erase_if(begun_acts_, [&](const passing::waiting_act& each) {
-    return each.act.by == asked.act.by && each.frame.message == asked.frame.message;
+  const auto repeated = std::erase_if(begun_acts_, [&](const passing::waiting_act& each) {
+    return each.act.by == asked.act.by && each.act.kind == asked.act.kind && each.frame.message == asked.frame.message;
   });
+  if (repeated > 0 && asked.act.kind == act_kind::go_on && asked.order)
+    answer(t, *asked.order, mav_result::in_progress);
   if (begun_acts_.size() == max_begun_acts)
     begun_acts_.erase(begun_acts_.begin());
   audit_act(t, asked, audited_as_taken, {});

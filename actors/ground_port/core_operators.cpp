@@ -38,14 +38,8 @@ void core::say_word(decision_context& t, const vehicle_role::order& what) {
   if (!command)
     return refuse(t, what, command.error().result, command.error().text);
   if (command->kind == operators::command_kind::resume && noted_start_item_)
-    return start_or_resume(t, what); // at the item that was chosen while it was paused
+    return start_or_resume(t, what, name_for_people(what)); // at the item that was chosen while it was paused
   begin_word(t, what, *command);
-}
-
-void core::say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which) {
-  if (const auto heard = words_.heard_before(what, t.now.monotonic_ns))
-    return answer(t, what, *heard);
-  begin_word(t, what, said_by(what, which));
 }
 
 void core::begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command) {

@@ -10,7 +10,7 @@
 //                                                       first; all else is refused
 // What people do is a row of the audit: one when a stream of sticks or of parameters begins (passing/act_series.hpp).
 //
-//   mission mode ──> as MISSION_START, or a resume where the flight is paused; hold ──> the executor decides
+//   mission mode ──> as MISSION_START, or as going on where the flight is paused; hold ──> the executor decides
 #include <algorithm>
 #include <array>
 #include <span>
@@ -283,7 +283,7 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
                             "Mode " + std::string(io::name_of(mode.kind)) + " (" + std::to_string(custom_mode) + ")"};
   switch (mode.kind) {
   case mode_kind::mission:
-    return start_or_resume(t, what);
+    return start_or_resume(t, what, act.what);
   case mode_kind::hold: // in another mode of holding (Copter's LOITER) a person's sticks fly it
     act.kind = flight::number_of(owner_, mode_kind::hold) == custom_mode ? act_kind::hold : act_kind::stop;
     break;
@@ -297,7 +297,7 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
   ask(t, {std::move(act), as_said(frame), what});
 }
 
-void core::start_or_resume(decision_context& t, vehicle_role::order what) {
+void core::start_or_resume(decision_context& t, vehicle_role::order what, const std::string& name) {
   if (rules_.look() && is_refused(t, what, "Mission start"))
     return;
   const bool is_held = std::exchange(is_hold_asked_, false);
@@ -307,7 +307,7 @@ void core::start_or_resume(decision_context& t, vehicle_role::order what) {
   const auto state = progress_ ? progress_->state : mavlink::mission_state::unknown;
   const bool is_paused = is_armed_ && (is_held || state == mavlink::mission_state::paused);
   if (is_paused && !noted_start_item_)
-    return say_word_of(t, what, operators::command_kind::resume);
+    return ask_to_go_on(t, what, name);
   start(t, what);
 }
 

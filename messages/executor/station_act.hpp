@@ -20,7 +20,8 @@
 namespace godwit::executor {
 
 enum class act_kind {
-  hold, // a mode in which the vehicle stays where it is
+  hold,  // a mode in which the vehicle stays where it is
+  go_on, // the mission mode of a flight that is paused
   arm,
   take_off,
   go_to,
@@ -33,6 +34,7 @@ enum class act_kind {
 
 constexpr auto enum_names(act_kind) {
   return io::names<act_kind>({{act_kind::hold, "hold"},
+                              {act_kind::go_on, "go_on"},
                               {act_kind::arm, "arm"},
                               {act_kind::take_off, "take_off"},
                               {act_kind::go_to, "go_to"},

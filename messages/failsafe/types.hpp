@@ -51,11 +51,13 @@ struct guard_mission {
   flight::plan_end plan_end;               // of that plan
   // Where a return has to lead; absent in a first flight that begins: to where the vehicle is armed then.
   std::optional<flight::home_place> home = {};
+  // Of a first flight that begins where its home is: an arming leaves it there.
+  std::optional<flight::home_place> home_before = {};
 
   static constexpr auto fields =
       io::table("failsafe.guard_mission", io::field("geofences", &guard_mission::geofences),
                 io::field("land_start", &guard_mission::land_start), io::field("plan_end", &guard_mission::plan_end),
-                io::field("home", &guard_mission::home));
+                io::field("home", &guard_mission::home), io::field("home_before", &guard_mission::home_before));
   friend bool operator==(const guard_mission&, const guard_mission&) = default;
 };
 

@@ -24,4 +24,8 @@ bool is_moved(const home_place& now, const home_place& before) {
          std::abs(now.above_sea_m - before.above_sea_m) > moved_height_m;
 }
 
+home_place home_of_arming(const home_place& told, const std::optional<home_place>& before) {
+  return before && is_moved(told, *before) ? *before : told;
+}
+
 } // namespace godwit::flight

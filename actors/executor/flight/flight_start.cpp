@@ -152,12 +152,16 @@ bool flight_start::begin_by_itself(effects& out, instant now) {
   const bool waits_for_word = flight_.s.awaits_word && configured.takeoff_again == start_policy::on_command;
   const bool is_rover = flight_.view.owner().vehicle == flight::vehicle_class::rover;
   const bool is_held_rover = is_rover && flight_.view.is_in(mode_kind::hold); // nobody drives it
-  if (is_automatic && waits_for_word)
+  if (is_automatic && flight_.s.awaits_person)
+    phases_.go(out, trigger::start_waits,
+               "somebody has acted on the vehicle since its plan was brought to it; a person has to start it");
+  else if (is_automatic && waits_for_word)
     phases_.go(out, trigger::start_waits, why_start_waits());
   const auto commanded_ns = flight_.evidence.commanded_ns;
   if (commanded_ns != 0 && now.now_ns - commanded_ns < person_acts_ns)
     return false;
-  if (!is_automatic || !configured.arm_on_start || waits_for_word || !(!flight_.view.is_under_way() || is_held_rover))
+  const bool waits_for_person = waits_for_word || flight_.s.awaits_person;
+  if (!is_automatic || !configured.arm_on_start || waits_for_person || !(!flight_.view.is_under_way() || is_held_rover))
     return false;
   begin(out, {}, first_sequence());
   return true;

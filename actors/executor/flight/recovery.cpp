@@ -344,7 +344,7 @@ bool recovery::finish(effects& out) {
 // The vehicle has another item than the one with which it should begin. A new incarnation starts nothing.
 void recovery::begin_at_start(effects& out) {
   const bool has_begun_task = flight_.s.last_task != last_task_before_;
-  tasks_.begin(out, task_kind::resume, at_start_steps(flight_, has_begun_task));
+  tasks_.begin(out, task_kind::resume, tasks_.guarded(at_start_steps(flight_, has_begun_task)));
 }
 
 // The vehicle is held with the new plan; whether it was told where to begin is not known.

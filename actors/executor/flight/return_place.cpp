@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "actors/domain/home/home.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor {
@@ -12,7 +13,10 @@ namespace {
 constexpr std::int64_t answer_ms = 450;
 
 kept_home kept(const flight_context& flight) {
-  return {plan::place_of(*flight.view.home()), flight.is_home_told, flight.is_home_told};
+  const auto told = plan::place_of(*flight.view.home());
+  const auto& flown = flight.s.flown;
+  const auto at = flown ? flight::home_of_arming(told, flown->home) : told;
+  return {at, flight.is_home_told, flight.is_home_told};
 }
 
 } // namespace

@@ -22,6 +22,8 @@ act_answer station_acts::take(effects& out, const station_act& m, bool has_looke
     return {takes_vehicle(m) && !flight_.has_person() ? act_verdict::refused : act_verdict::pass, "godwit flies"};
   if (auto answer = hold(m, has_looked, now))
     return *std::move(answer);
+  if (m.kind == act_kind::go_on)
+    return go_on(m, has_looked, now);
   if (m.kind == act_kind::go_to && !flight_.has_person())
     return {act_verdict::own, {}};
   if (is_armed_already(m))
@@ -46,7 +48,9 @@ act_answer station_acts::pass(effects& out, const station_act& m, instant now) {
     if (const auto oldest = flight_.pending.begin(m, now.now_ns))
       accept(out, *oldest);
   }
-  if (is_up_next(m))
+  if (!is_up_next(m))
+    ground_.on_act(out);
+  else
     flight_.arming_until_ns = now.now_ns + arming_shows_within_ns;
   return {act_verdict::pass, {}};
 }
@@ -116,8 +120,50 @@ void station_acts::on_hold_accepted(effects& out) {
     out.emplace_back(say_to_port{act_resolved{each.number, {act_verdict::done, {}}}});
 }
 
+// -- go on ------------------------------------------------------------------------------------------
+
+bool station_acts::is_going_on() const {
+  const auto at = flight_.s.status.now;
+  return (at == phase::flying || at == phase::landing) && !flight_.runner.is_busy() && flight_.view.mode() &&
+         flight_.view.is_connected() && flight_.view.is_in(mode_kind::mission);
+}
+
+// What is brought about already is not asked for twice.
+act_answer station_acts::go_on(const station_act& m, bool has_looked, instant now) {
+  if (is_going_on() && !flight_.has_person())
+    return {act_verdict::done, {}};
+  if (awaited_goings_on_.empty()) {
+    operators::command command;
+    command.kind = operators::command_kind::resume;
+    command.by = name_of(m.by);
+    command.system = m.by.system;
+    command.component = m.by.component;
+    if (auto answer = operators_.take(command, has_looked, now); !answer.is_taken)
+      return {act_verdict::refused, std::move(answer.reason)};
+  }
+  if (awaited_goings_on_.size() == max_awaited_holds)
+    awaited_goings_on_.erase(awaited_goings_on_.begin());
+  awaited_goings_on_.push_back(m);
+  return {act_verdict::begun, {}};
+}
+
+void station_acts::resolve_goings_on(effects& out) {
+  const auto& wanted = flight_.wanted;
+  const bool is_done = is_going_on() && !flight_.has_person();
+  const bool is_under_way = wanted.go_on || wanted.hand_back || flight_.runner.is_busy() || flight_.has_open_intent();
+  if (awaited_goings_on_.empty() || (is_under_way && !is_done))
+    return;
+  const auto answer = is_done ? act_answer{act_verdict::done, {}}
+                              : act_answer{act_verdict::refused, "the vehicle does not go on: " + flight_.sentence()};
+  for (const auto& each : std::exchange(awaited_goings_on_, {}))
+    out.emplace_back(say_to_port{act_resolved{each.number, answer}});
+}
+
+// -- what has come of them --------------------------------------------------------------------------
+
 // One at a time: what a note leads to is decided when it is applied.
 void station_acts::look(effects& out, instant now) {
+  resolve_goings_on(out);
   if (const auto silent = flight_.pending.take_silent(now.now_ns))
     return accept(out, *silent);
   const bool may_hold = flight_.is_in_flight() && !flight_.has_person();

@@ -72,6 +72,11 @@ void task_control::begin_plan(effects& out, const task& doing, deployment brings
   progress::upload_intended intent{brings.mission.revision, map, {}, {}};
   if (flight_.view.keeps_plan_ids() && flight_.view.current())
     intent.id_before = flight_.view.current()->mission_id;
+  const auto& view = flight_.view;
+  if (flight_.is_in_flight() && flight_.s.flown)
+    brings.home = flight_.s.flown->home;
+  else if (!flight_.is_in_flight() && view.stands_at_home(view.place_heard_ns())) // as it was heard last
+    brings.home = plan::place_of(*view.home());
   if (assignment)
     intent.assignment =
         progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};

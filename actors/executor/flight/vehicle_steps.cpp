@@ -28,14 +28,17 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
     return result;
   }
   if (flight.view.owner().autopilot == mav_autopilot::px4) {
-    steps result{bring_plan{}, guard{}};
+    steps result;
+    if (!goes_on && flight.view.is_in(mode_kind::mission))
+      result = {guard{}, change_mode{mode_kind::hold}};
+    result.emplace_back(bring_plan{});
+    result.emplace_back(guard{});
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
-    else if (flight.view.is_in(mode_kind::mission))
-      result.insert(result.begin(), change_mode{mode_kind::hold});
     return result;
   }
-  steps result{change_mode{mode_kind::hold}, bring_plan{}, guard{}};
+  // Whose hold that is, is on the disk first.
+  steps result{guard{}, change_mode{mode_kind::hold}, bring_plan{}, guard{}};
   if (flight.is_ardupilot()) {
     result.emplace_back(set_current_item{map.start_sequence, map.total});
     if (goes_on)

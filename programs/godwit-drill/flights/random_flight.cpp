@@ -99,8 +99,6 @@ private:
   // Half of the lines lose, double, delay and mix up frames.
   flight_simulation::options any_flight(const flight_wishes& wishes) {
     flight_simulation::options result{.who = who_, .seed = seed_};
-    if (who_ == sim::personality::px4) // it disarms when nothing follows the arming for 10 s of its world
-      result.speed = 4;
     if (wishes.stream_hz)
       result.stream_factor = stream_factor_of(who_, *wishes.stream_hz / result.speed);
     const bool is_good = test_rng_() % 2 == 0;

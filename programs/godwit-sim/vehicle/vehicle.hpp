@@ -11,10 +11,11 @@
 //
 // It answers as the autopilot whose personality it has was seen to answer (see personality.hpp). The world (motion,
 // battery, telemetry) runs `speed` times as fast as the time that comes in; the patience of transfers and commands does
-// not, because who talks to it lives in real time. Everything random comes from the seed. Pure: no clock, no socket; it
-// calls the SEND of a line with each frame, which goes to everybody who listens there. What is an answer goes out on
-// the line of who asked, or where its autopilot sends it; what is asked for at an interval comes on that line alone.
-// Bounds: outlet::max_lines. Thread: one at a time.
+// not, nor that of an autopilot that was armed and has not taken off, because who talks to it lives in real time.
+// Everything random comes from the seed. Pure: no clock, no socket; it calls the SEND of a line with each frame, which
+// goes to everybody who listens there. What is an answer goes out on the line of who asked, or where its autopilot
+// sends it; what is asked for at an interval comes on that line alone. Bounds: outlet::max_lines. Thread: one at a
+// time.
 #pragma once
 
 #include <cstddef>

@@ -32,9 +32,10 @@ TEST(announced_modes, of_a_start_there_are_none) {
   EXPECT_TRUE(announced_modes(task_kind::start, {guard{}, arm{}, start_plan{1}}, 0, px4).empty());
 }
 
-TEST(announced_modes, of_what_holds_first_there_are_none) {
-  const steps way{guard{}, change_mode{mode_kind::hold}, change_mode{mode_kind::mission}};
-  EXPECT_TRUE(announced_modes(task_kind::deploy, way, 0, px4).empty());
+TEST(announced_modes, of_what_holds_first_are_those_of_the_hold) {
+  const steps way{guard{}, change_mode{mode_kind::hold}, guard{}, change_mode{mode_kind::mission}};
+  EXPECT_EQ(announced_modes(task_kind::deploy, way, 0, px4), flight::modes_obeying(px4, mode_kind::hold));
+  EXPECT_EQ(announced_modes(task_kind::deploy, way, 2, px4), mission_modes());
 }
 
 } // namespace announced_modes_test

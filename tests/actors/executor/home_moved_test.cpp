@@ -108,6 +108,46 @@ TEST_P(home_moved, and_back_again_is_as_if_nothing_had_been) {
   EXPECT_TRUE(is_said("home is that of the mission again")) << world.story();
 }
 
+// Between the arming and the first word of the vehicle about its home; and before it, when the plan is there already.
+TEST_P(home_moved, right_after_the_arming_is_noticed_and_who_is_called_home_comes_to_where_it_was_armed) {
+  for (const bool is_before_arming : {false, true}) {
+    flight_world slow({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    slow.load(tests::short_mission(GetParam()));
+    ASSERT_TRUE(slow.run_until_phase(phase::ready, 120)) << slow.story();
+    const auto stood = slow.vehicle().describe().where;
+    const auto elsewhere = sim::moved(stood, {90, 200});
+    if (is_before_arming)
+      slow.set_home_by_hand(elsewhere);
+    ASSERT_TRUE(slow.say(command_kind::start).is_taken);
+    ASSERT_TRUE(slow.run_until([&] { return slow.vehicle().describe().armed; }, 20)) << slow.story();
+    if (!is_before_arming)
+      slow.set_home_by_hand(elsewhere);
+    ASSERT_TRUE(slow.run_until([&] { return !slow.home_moved().empty(); }, 20)) << slow.story();
+    ASSERT_TRUE(slow.run_until([&] { return between(slow.vehicle().describe().where, stood).distance_m > 20; }, 100));
+    ASSERT_TRUE(slow.run_until([&] { return slow.say(command_kind::come_home).is_taken; }, 20)) << slow.story();
+    ASSERT_TRUE(
+        slow.run_until([&] { return is_over(slow.durable().status.now) && !slow.vehicle().describe().in_air; }, 300))
+        << slow.story();
+    EXPECT_LT(between(slow.vehicle().describe().where, stood).distance_m, at_home_m) << slow.story();
+  }
+}
+
+TEST_P(home_moved, right_after_the_arming_a_failsafes_return_leads_to_where_it_was_armed) {
+  flight_world slow({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  slow.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(slow.run_until_phase(phase::ready, 120)) << slow.story();
+  const auto stood = slow.vehicle().describe().where;
+  ASSERT_TRUE(slow.say(command_kind::start).is_taken);
+  ASSERT_TRUE(slow.run_until([&] { return slow.vehicle().describe().armed; }, 20)) << slow.story();
+  slow.set_home_by_hand(sim::moved(stood, {90, 200}));
+  ASSERT_TRUE(slow.run_until([&] { return between(slow.vehicle().describe().where, stood).distance_m > 20; }, 100));
+  slow.vehicle().set_battery(22, slow.now_ns());
+  ASSERT_TRUE(
+      slow.run_until([&] { return is_over(slow.durable().status.now) && !slow.vehicle().describe().in_air; }, 300))
+      << slow.story();
+  EXPECT_LT(between(slow.vehicle().describe().where, stood).distance_m, at_home_m) << slow.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(each, home_moved,
                          testing::Values(personality::rover, personality::px4, personality::ardupilot),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });

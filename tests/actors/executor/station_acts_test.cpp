@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace godwit::executor {
 namespace station_acts_test {
@@ -114,6 +115,41 @@ TEST_P(station_acts, a_resume_right_behind_a_hold_goes_on_when_it_holds) {
       world.run_until([&] { return world.durable().status.now == phase::flying && !world.durable().doing; }, 20))
       << world.story();
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+// On a slow line, and with nobody to start it again.
+TEST_P(station_acts, who_has_it_go_on_is_answered_when_the_vehicle_is_in_its_mission) {
+  auto wanted = on_command(GetParam());
+  wanted.most_delay_ms = 150;
+  flight_world slow(wanted);
+  slow.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(slow.run_until_phase(phase::ready, 120)) << slow.story();
+  (void)slow.say(command_kind::start);
+  ASSERT_TRUE(slow.run_until_phase(phase::flying, 60)) << slow.story();
+  slow.run_for(5);
+  (void)slow.say(command_kind::pause);
+  ASSERT_TRUE(slow.run_until_phase(phase::paused, 20)) << slow.story();
+  EXPECT_EQ(slow.station_does(act_kind::go_on).verdict, act_verdict::begun);
+  EXPECT_EQ(slow.station_does(act_kind::go_on).verdict, act_verdict::begun) << "said again";
+  const auto starts = slow.starts();
+  ASSERT_TRUE(slow.run_until([&] { return !slow.resolved_acts().empty(); }, 20)) << slow.story();
+  ASSERT_EQ(slow.resolved_acts().size(), 2U) << slow.story();
+  EXPECT_EQ(slow.resolved_acts()[0].answer.verdict, act_verdict::done) << slow.story();
+  EXPECT_EQ(slow.heard_mode(), tests::mission_mode(GetParam())) << slow.story();
+  slow.run_for(10);
+  EXPECT_LE(slow.starts(), starts + 1) << slow.story();
+  EXPECT_EQ(slow.station_does(act_kind::go_on).verdict, act_verdict::done) << "it goes on already";
+}
+
+TEST_P(station_acts, who_has_it_go_on_and_does_not_come_so_far_hears_why) {
+  ASSERT_TRUE(fly());
+  (void)world.say(command_kind::pause);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 20)) << world.story();
+  EXPECT_EQ(world.station_does(act_kind::go_on).verdict, act_verdict::begun);
+  world.switch_mode(tests::pilot_mode(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return !world.resolved_acts().empty(); }, 30)) << world.story();
+  EXPECT_EQ(world.resolved_acts()[0].answer.verdict, act_verdict::refused) << world.story();
+  EXPECT_NE(world.resolved_acts()[0].answer.reason.find("does not go on"), std::string::npos);
 }
 
 TEST_P(station_acts, a_hold_of_who_has_the_vehicle_is_passed_on) {

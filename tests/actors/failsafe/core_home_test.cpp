@@ -95,6 +95,27 @@ TEST(failsafe_home, of_the_arming_is_that_of_a_first_flight_and_who_moves_it_mov
   }
 }
 
+TEST(failsafe_home, that_was_moved_before_the_vehicle_told_it_is_the_one_at_which_it_was_armed) {
+  for (const bool restarts : {false, true}) {
+    flight_world world;
+    world.armed = false;
+    world.landed = landed_state::on_ground;
+    world.run_s(3);
+    world.tell(asked_guard{1, {{}, {}, {}, {}, depot}});
+    world.run_s(1);
+    world.armed = true;
+    world.run_s(1);
+    world.tell(home_told{customer}); // the first word after the arming
+    world.landed = landed_state::in_air;
+    world.run_s(3);
+    if (restarts)
+      world.restart();
+    world.run_s(1);
+    EXPECT_NE(drain_until_asked(world), 0U);
+    EXPECT_TRUE(world.sent.empty());
+  }
+}
+
 TEST(failsafe_home, what_is_asked_for_is_asked_for_again_behind_a_restart) {
   flight_world world;
   guard_with_home_moved(world);

@@ -425,16 +425,36 @@ TEST_F(ground_port_passing, the_mission_mode_is_a_start_and_never_goes_on) {
   EXPECT_TRUE(port.passed_on.empty());
 }
 
-TEST_F(ground_port_passing, the_mission_mode_resumes_a_flight_that_is_paused) {
+TEST_F(ground_port_passing, the_mission_mode_of_a_flight_that_is_paused_is_accepted_when_the_vehicle_is_in_it) {
+  for (const bool goes_on : {true, false}) {
+    port_fixture paused(passing_settings());
+    paused.upload(3);
+    paused.vehicle_says(copter_beat(5, true));
+    paused.executor_says(mission_progress{paused.shown().plans[0].plan_id, 1, mavlink::mission_state::paused});
+    paused.say(command(mav_cmd::do_set_mode, 1, 3));
+    ASSERT_EQ(paused.acts.size(), 1U);
+    EXPECT_EQ(paused.acts[0].what.kind, act_kind::go_on);
+    EXPECT_EQ(paused.acts[0].what.by, (executor::station{255, 190}));
+    paused.executor_says(act_verdict::begun);
+    EXPECT_EQ(paused.last_result(), -1) << "it is under way";
+    paused.executor_resolves(goes_on ? act_verdict::done : act_verdict::refused);
+    EXPECT_EQ(paused.last<mavlink::command_ack>().command, 176);
+    EXPECT_EQ(paused.last_result(), mavlink::number(goes_on ? mav_result::accepted : mav_result::temporarily_rejected));
+    EXPECT_TRUE(paused.passed_on.empty());
+  }
+}
+
+TEST_F(ground_port_passing, the_mission_mode_that_is_repeated_while_the_flight_goes_on_is_in_progress) {
   port.upload(3);
   port.vehicle_says(copter_beat(5, true));
   port.executor_says(mission_progress{port.shown().plans[0].plan_id, 1, mavlink::mission_state::paused});
   set_mode(3);
-  ASSERT_EQ(port.words.size(), 1U);
-  EXPECT_EQ(port.words[0].what.kind, operators::command_kind::resume);
-  EXPECT_EQ(port.words[0].what.system, 255);
-  port.executor_says(operators::answer{true, {}});
-  EXPECT_EQ(port.last<mavlink::command_ack>().command, 176);
+  port.executor_says(act_verdict::begun);
+  set_mode(3);
+  port.executor_says(act_verdict::begun);
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::in_progress));
+  port.executor_resolves(act_verdict::done);
+  EXPECT_EQ(port.last_result(), mavlink::number(mav_result::accepted));
 }
 
 TEST_F(ground_port_passing, the_mission_mode_right_behind_a_hold_resumes_and_is_no_repeated_start) {
@@ -446,8 +466,8 @@ TEST_F(ground_port_passing, the_mission_mode_right_behind_a_hold_resumes_and_is_
   set_mode(17);
   port.executor_says(act_verdict::begun);
   set_mode(3); // before anything shows the hold
-  ASSERT_EQ(port.words.size(), 1U);
-  EXPECT_EQ(port.words[0].what.kind, operators::command_kind::resume);
+  ASSERT_EQ(port.acts.size(), 2U);
+  EXPECT_EQ(port.acts[1].what.kind, act_kind::go_on);
   EXPECT_EQ(port.starts.size(), 1U);
 }
 

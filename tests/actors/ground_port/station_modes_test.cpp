@@ -183,9 +183,11 @@ TEST(station_modes, the_mission_mode_with_the_armed_flag_resumes_a_paused_flight
   for (const auto& vehicle : all_vehicles()) {
     station_mode one(vehicle, flight_phase::paused);
     one.say(form::command, vehicle.mission, 209);
-    ASSERT_EQ(one.port.words.size(), 1U);
-    EXPECT_EQ(one.port.words[0].what.kind, operators::command_kind::resume);
-    one.port.executor_says(operators::answer{true, {}});
+    ASSERT_EQ(one.port.acts.size(), 1U);
+    EXPECT_EQ(one.port.acts[0].what.kind, act_kind::go_on);
+    one.port.executor_says(act_verdict::begun);
+    EXPECT_EQ(one.port.last_result(), -1);
+    one.port.executor_resolves(act_verdict::done);
     EXPECT_EQ(one.port.last_result(), mavlink::number(mav_result::accepted));
   }
 }

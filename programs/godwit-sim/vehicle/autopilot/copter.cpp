@@ -28,7 +28,7 @@ bool copter::begins_with_take_off() const {
   return found != items.end() && found->command == mavlink::number(mav_cmd::nav_takeoff);
 }
 
-void copter::on_armed() { preflight_ends_ns_ = now().world_ns + disarms_after_ns; }
+void copter::on_armed() { preflight_ends_ns_ = now().world_after(disarms_after_ns); }
 
 void copter::on_disarmed() {
   preflight_ends_ns_ = never_ns;

@@ -15,7 +15,7 @@ public:
   void on_time() override;
   [[nodiscard]] std::int64_t next_timer_ns() const override { return preflight_ends_ns_; }
 
-  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s; // DISARM_DELAY, without a take-off
+  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s; // DISARM_DELAY, without a take-off; outside
 
 protected:
   void on_armed() override;

@@ -80,7 +80,7 @@ bool px4::may_move_home() const {
 
 void px4::on_armed() {
   say_tabbed(mav_severity::info, "Armed by " + std::string(reason_));
-  preflight_ends_ns_ = now().world_ns + disarms_after_ns;
+  preflight_ends_ns_ = now().world_after(disarms_after_ns);
   on_mode_entered(*state().mode);
 }
 

@@ -39,7 +39,7 @@ public:
   [[nodiscard]] mavlink::mission_current progress() const override;
 
   static constexpr std::int64_t station_lost_after_ns = 10 * ns_per_s; // COM_DL_LOSS_T
-  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;      // COM_DISARM_PRFLT, without a take-off
+  static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;      // COM_DISARM_PRFLT, without a take-off; outside
   static constexpr std::int64_t holds_after_ns = 400'000'000;          // a finished mission, in flight
   static constexpr std::int64_t disarms_behind_hold_ns = 170'000'000;
 

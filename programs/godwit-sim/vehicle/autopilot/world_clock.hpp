@@ -14,13 +14,19 @@ namespace godwit::sim {
 struct instant {
   std::int64_t real_ns = 0;
   std::int64_t world_ns = 0;
+  double speed = 1; // of the world
+
+  // The world's time after so long for people and programs, who live outside of it.
+  [[nodiscard]] std::int64_t world_after(std::int64_t outside_ns) const {
+    return world_ns + static_cast<std::int64_t>(static_cast<double>(outside_ns) * speed);
+  }
 };
 
 class world_clock {
 public:
   world_clock(double speed, std::int64_t now_ns) : speed_(speed), begin_ns_(now_ns) {}
 
-  [[nodiscard]] instant at(std::int64_t real_ns) const { return {real_ns, world_ns(real_ns)}; }
+  [[nodiscard]] instant at(std::int64_t real_ns) const { return {real_ns, world_ns(real_ns), speed_}; }
 
   [[nodiscard]] std::int64_t world_ns(std::int64_t real_ns) const {
     return static_cast<std::int64_t>(std::floor(static_cast<double>(real_ns - begin_ns_) * speed_));

@@ -133,8 +133,46 @@ TEST_P(danger, a_pilots_hold_right_after_the_way_to_a_new_plan_is_not_flown_over
   EXPECT_NE(world.heard_mode(), mission_mode(who())) << world.story();
 }
 
+// The vehicle stands disarmed with its plan, and would be started by itself. A person has changed its mode, in the
+// upload or after it, in a form that nobody acknowledges to others.
+TEST_P(danger, what_a_person_has_changed_on_the_ground_is_not_started_by_itself) {
+  for (const bool is_in_upload : {true, false})
+    for (const auto mode :
+         {pilot_mode(who()), who() == personality::px4 || who() == personality::ardupilot ? tests::landing_mode(who())
+                                                                                          : pilot_mode(who())}) {
+      auto wanted = settings();
+      wanted.start = start_policy::automatic;
+      wanted.takeoff_again = start_policy::automatic;
+      flight_world world(wanted);
+      world.load(tests::short_mission(who()));
+      ASSERT_TRUE(world.run_until_phase(is_in_upload ? phase::uploading : phase::ready, 120)) << world.story();
+      if (world.heard_mode() == mode)
+        continue;
+      world.switch_mode(mode);
+      world.run_for(60);
+      EXPECT_EQ(world.arms(), 0) << world.story();
+      EXPECT_EQ(world.starts(), 0) << world.story();
+      EXPECT_EQ(world.durable().status.now, phase::ready) << world.story();
+      EXPECT_NE(world.sentence().find("a person has to start it"), std::string::npos) << world.sentence();
+      ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.sentence();
+      EXPECT_TRUE(world.run_until_phase(phase::flying, 20)) << world.story();
+    }
+}
+
 // An acknowledgement goes to who has asked, on that line.
 class danger_on_its_line : public danger {};
+
+TEST_P(danger_on_its_line, who_is_commanded_on_the_ground_is_not_started_by_itself) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  world.load(tests::short_mission(who()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  world.person().disarm();
+  world.run_for(60);
+  EXPECT_EQ(world.arms(), 0) << world.story();
+  EXPECT_NE(world.sentence().find("a person has to start it"), std::string::npos) << world.sentence();
+}
 
 TEST_P(danger_on_its_line, what_somebody_else_commands_is_known_at_once) {
   auto wanted = settings();

@@ -20,7 +20,9 @@ void task_runner::on_transfer(const world& w, std::uint64_t number, const transf
   if (uploads_.go_on(outcome, w.now_ns))
     return enter(stage::pausing, w.now_ns + pause_between_ns);
   judged_ = outcome;
+  // The way home has no time for that: where it can not be flown the mission mode is refused, and it returns straight.
   const bool is_judged = outcome.verdict == transfer::verdict::accepted && outcome.plan_id.value_or(0) != 0 &&
+                         task_->kind != task_kind::come_home_by_plan &&
                          w.view.owner().autopilot == io::mavlink::mav_autopilot::px4;
   enter(stage::judging, is_judged ? w.now_ns + judged_within_ns : w.now_ns);
   judge_upload(w);

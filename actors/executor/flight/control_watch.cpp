@@ -162,7 +162,14 @@ void control_watch::drop_all(effects& out, const std::string& why) {
   flight_.wanted.drop_all_behind_takeover();
 }
 
-void control_watch::yield(effects& out, trigger to, const std::string& why) {
+// It is not disarmed under somebody else's hands.
+std::string control_watch::left_armed() const {
+  const bool stands_armed = flight_.is_starting() && flight_.is_left_armed();
+  return stands_armed ? "; godwit has armed the vehicle, and it stands armed: whoever has it disarms it" : "";
+}
+
+void control_watch::yield(effects& out, trigger to, const std::string& reason) {
+  const auto why = reason + left_armed();
   if (!GODWIT_PLANTED(act_after_takeover))
     drop_all(out, why);
   if (to != trigger::failsafe_acts && (!flight_.failsafe_status || !flight_.failsafe_status->taken_over))

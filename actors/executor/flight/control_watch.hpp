@@ -53,7 +53,8 @@ private:
   [[nodiscard]] bool judge_holder(effects& out);
   [[nodiscard]] std::string in_its_mode() const;       // the end of a sentence about who has the vehicle
   void drop_all(effects& out, const std::string& why); // what is under way, and what is wanted
-  void yield(effects& out, trigger to, const std::string& why);
+  [[nodiscard]] std::string left_armed() const;
+  void yield(effects& out, trigger to, const std::string& reason);
   void say_taken_over(effects& out);
 
   flight_context& flight_;

@@ -33,6 +33,9 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
       result = {guard{}, change_mode{mode_kind::hold}};
     result.emplace_back(bring_plan{});
     result.emplace_back(guard{});
+    if (goes_on && flight.view.says_complete() &&
+        !progress::is_way_home(map)) // the same plan again is finished, and would be held
+      result.emplace_back(set_current_item{map.start_sequence, map.total});
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
     return result;
@@ -107,7 +110,8 @@ steps going_on_steps(const flight_context& flight) {
       plan && !plan->generation.was_active && plan->generation.origin != progress::generation_origin::start;
   if (is_new && starts_in_mission_mode(flight))
     return {start_plan{plan->generation.start_sequence}};
-  if (is_new && flight.is_ardupilot()) // it goes on where it was in the plan before
+  const bool is_finished = !flight.is_ardupilot() && flight.view.says_complete(); // with the same plan before
+  if (is_new && (flight.is_ardupilot() || is_finished)) // it goes on where it was in the plan before
     return at_start_steps(flight, false);
   return {change_mode{is_new ? mode_kind::mission : going_on_mode(flight)}};
 }

@@ -78,6 +78,7 @@ struct mission_facts {
   std::optional<planned_home_fact> planned_home;            // absent: there is none, or it was not looked at yet
   // Of all plans; absent: not looked at yet.
   std::optional<std::vector<plan::return_crossing>> straight_return;
+  bool is_brought = false; // its first plan is on the vehicle
   bool has_service = true; // false: a ground station's; nothing keeps a map of it
   mission_client::pull_state map = mission_client::pull_state::not_started;
   std::string map_problem; // why the pull failed

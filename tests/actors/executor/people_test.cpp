@@ -102,6 +102,28 @@ TEST_P(people_at_a_px4, a_resume_in_the_return_of_the_mission_returns_and_the_mi
   }
 }
 
+// A PX4 does not begin a plan anew that it has finished, when it is brought once more.
+TEST_P(people_at_a_px4, an_assignment_in_the_return_that_has_the_same_places_is_flown) {
+  flight_world world({.who = GetParam(), .speed = 2});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::reached, "w3"));
+  for (int revision = 2; revision <= 4; ++revision) {
+    world.run_for(3);
+    auto again = tail_behind("w2", GetParam());
+    again.assignment_id.back() = static_cast<char>('0' + revision);
+    again.base_revision = revision - 1;
+    again.revision = revision;
+    again.items.push_back(tests::way_home(GetParam(), "home" + std::to_string(revision)));
+    world.assign(again);
+    const auto answers = static_cast<std::size_t>(revision - 1);
+    ASSERT_TRUE(world.run_until([&] { return world.answers().size() == answers; }, 30)) << world.story();
+    ASSERT_TRUE(
+        world.run_until([&] { return is_told(world, progress_kind::started, "home" + std::to_string(revision)); }, 120))
+        << world.sentence() << world.story();
+  }
+  ASSERT_TRUE(world.run_until_phase(phase::done, 300)) << world.sentence() << world.story();
+  EXPECT_TRUE(is_complete(world)) << world.story();
+}
+
 TEST_P(people_at_a_px4, a_return_of_the_mission_that_was_paused_goes_on_also_behind_a_kill) {
   for (const bool is_killed : {false, true}) {
     flight_world world({.who = GetParam(), .speed = 2});
@@ -148,6 +170,26 @@ TEST_P(people_at_a_px4, a_landing_of_its_own_failsafe_is_called_so_without_a_hea
   world.vehicle().lose_position(true, world.now_ns());
   ASSERT_TRUE(world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 1.1)) << world.story();
   EXPECT_EQ(world.durable().status.cause, pause_cause::autopilot_failsafe) << world.story();
+}
+
+// -- armed by godwit --------------------------------------------------------------------------------------
+
+TEST_P(people, who_takes_it_in_a_start_in_which_godwit_has_armed_it_is_told_that_and_it_is_not_disarmed) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.lose_command(start_of(GetParam()), 100);
+  ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.sentence();
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 20)) << world.story();
+  world.run_for(1.2);
+  world.switch_mode(manual(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 6))
+      << world.story();
+  EXPECT_NE(world.sentence().find("stands armed"), std::string::npos) << world.sentence();
+  const auto orders = world.orders();
+  world.run_for(8);
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_TRUE(world.vehicle().describe().armed) << world.story();
 }
 
 // -- landings -----------------------------------------------------------------------------------------

@@ -152,7 +152,8 @@ TEST(plane_flight, whose_plan_marks_its_landing_and_that_is_not_armed_so_names_t
   flight_world world({.who = plane, .speed = 1, .marks_landings = true, .rtl_autoland = 0});
   world.load(plane_mission());
   const auto names_it = [&] { return world.sentence().find("Set RTL_AUTOLAND to 3") != std::string::npos; };
-  ASSERT_TRUE(world.run_until(names_it, 60)) << world.sentence() << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::ready && names_it(); }, 60))
+      << world.sentence() << world.story();
   const auto arms = world.arms();
   for (int i = 0; i < 90; ++i) {
     world.run_for(1);

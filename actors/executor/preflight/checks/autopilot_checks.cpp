@@ -22,7 +22,8 @@ bool marks_landing(const facts& seen) {
 
 result failing(const facts& seen) {
   const auto& words = seen.vehicle.why_not_armed;
-  if (marks_landing(seen) && (words.empty() || words.find("RTL_AUTOLAND") != std::string::npos))
+  if (marks_landing(seen) &&
+      ((words.empty() && seen.mission.is_brought) || words.find("RTL_AUTOLAND") != std::string::npos))
     return fail(std::string(words.empty()
                                 ? "The autopilot's own checks fail, and it does not say which; it may be this: "
                                 : "") +

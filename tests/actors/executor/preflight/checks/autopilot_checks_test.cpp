@@ -45,6 +45,8 @@ TEST(autopilot_check, names_the_parameter_that_keeps_a_plane_on_the_ground_whose
     return look_at_autopilot_checks(seen, {}).sentence;
   };
   EXPECT_TRUE(has(sentence("PreArm: DO_LAND_START set and RTL_AUTOLAND disabled"), "Set RTL_AUTOLAND to 3"));
+  EXPECT_FALSE(has(sentence({}), "RTL_AUTOLAND")) << "it does not hold that plan yet";
+  seen.mission.is_brought = true;
   EXPECT_TRUE(has(sentence({}), "Set RTL_AUTOLAND to 3")) << "its words may be lost";
   EXPECT_FALSE(has(sentence("PreArm: Compass not calibrated"), "RTL_AUTOLAND"));
   plans->front().items.clear();

@@ -26,6 +26,7 @@ public:
   void on_half_a_plan() override;
   void on_happening(const happening& what) override;
   [[nodiscard]] mavlink::mission_current progress() const override;
+  [[nodiscard]] bool fly_to(const role::order& what) override;
 
 protected:
   enum class mission_phase { stopped, running, complete };

@@ -118,6 +118,9 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, current_state());
+  restored_missions_ = current_state().progress.past_missions;
+  if (const auto& open = current_state().progress.mission)
+    restored_missions_.push_back(*open);
   supervision::own_process process{world_.process(), world_.children()};
   std::optional<supervision::own_process> not_recorded;
   observe(process, not_recorded);

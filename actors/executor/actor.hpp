@@ -149,11 +149,13 @@ private:
   bool is_sending_table_ = false;
   std::optional<bool> kept_told_; // to vehicle_link: a flight is open
   std::int64_t kept_told_ns_ = 0;
-  std::optional<flight_status> shown_flight_;             // to the watchers
-  std::optional<known_missions> shown_missions_;          // to the viewers
-  std::optional<preflight::journal_facts> journal_facts_; // as recorded last
-  std::optional<preflight::operator_fact> operator_fact_; // the same
-  std::optional<preflight::camera_fact> camera_fact_;     // the same
+  std::optional<flight_status> shown_flight_;               // to the watchers
+  std::optional<known_missions> shown_missions_;            // to the viewers
+  std::vector<progress::mission_record> restored_missions_; // what was reported of them may have been shown before
+  std::string told_phase_;                                  // to the stations: each sentence once in a row
+  std::optional<preflight::journal_facts> journal_facts_;   // as recorded last
+  std::optional<preflight::operator_fact> operator_fact_;   // the same
+  std::optional<preflight::camera_fact> camera_fact_;       // the same
   std::optional<scan_controller::survey_progress> told_survey_;
   std::uint64_t revoked_ = 0;        // orders that waited for the disk and were not meant any more
   std::set<std::uint64_t> currents_; // set_current requests that wait for their answer

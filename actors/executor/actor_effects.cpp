@@ -1,5 +1,7 @@
 // How what the cores decided leaves the executor: orders to the vehicle, and what is said to other actors.
+#include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "actors/executor/actor.hpp"
 #include "actors/executor/station_plan.hpp"
@@ -139,16 +141,23 @@ void actor::say_to_stations(io::mavlink::mav_severity severity, const std::strin
 }
 
 void actor::show_reached(const mission::progress_report& report) {
-  const auto reached = reached_shown(current_state(), report, settings_.shows_home);
-  if (others_->port && reached)
-    tell(*others_->port, *reached);
+  auto reached = reached_shown(current_state(), report, settings_.shows_home);
+  if (!others_->port || !reached)
+    return;
+  const auto before = std::ranges::find(restored_missions_, report.mission_id, &progress::mission_record::mission_id);
+  reached->is_repeated = before != restored_missions_.end() && report.report_no <= before->report_no;
+  tell(*others_->port, *std::move(reached));
 }
 
 void actor::show_phase_status(const phase_status& status) {
   using io::mavlink::mav_severity;
   at_end([this, status] {
     world_.on_phase_status(status);
-    say_to_stations(status.now == phase::paused ? mav_severity::warning : mav_severity::info, core_->sentence());
+    auto sentence = core_->sentence();
+    if (sentence == told_phase_)
+      return;
+    say_to_stations(status.now == phase::paused ? mav_severity::warning : mav_severity::info, sentence);
+    told_phase_ = std::move(sentence);
   });
 }
 

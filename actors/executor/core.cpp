@@ -93,6 +93,8 @@ effects core::advance(instant now) {
   arming_.look(out, now);
   acts_.look(out, now);
   clearing_.look(out, recovery_.has_looked(), now);
+  if (stations_.look(out, now))
+    return out;
   if (end_.end_by_person(out, now))
     return out;
   homecoming_.answer_failsafe(out, recovery_.has_looked(), now);
@@ -355,6 +357,8 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
     recovery_.take_read_back(out, number, outcome, now);
     break;
   case order_owner::runner:
+    if (outcome.mission_type == io::mavlink::mav_mission_type::mission)
+      stations_.on_transfer(outcome);
     if (flight_.runner.awaits(number))
       flight_.runner.on_transfer(flight_.world(now, out), number, outcome);
     else if (flight_.s.progress.upload) // of a task that was dropped

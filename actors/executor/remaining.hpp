@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -15,6 +16,10 @@
 #include "messages/mission/document.hpp"
 
 namespace godwit::executor {
+
+// Items that an operator's change puts in front of what is left of a mission: their ids begin so, and a number follows.
+inline constexpr std::string_view go_to_id = "goto";
+inline constexpr std::string_view way_back_id = "back";
 
 // The items that are done or skipped end with this one: its id. None: nothing is done.
 [[nodiscard]] std::optional<std::string> last_done(const state& s);

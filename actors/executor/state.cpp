@@ -49,12 +49,13 @@ void judge_upload(durable_effects& out, const state& s, ground_port::plan_verdic
 }
 
 // An upload that is over leaves either the new mission or the one before.
-void settle_deployment(durable_effects& out, state& s, std::uint32_t generation_before, bool was_assigned) {
+void settle_deployment(durable_effects& out, state& s, std::uint32_t generation_before, bool was_assigned,
+                       bool has_no_room) {
   using ground_port::plan_verdict;
   if (s.progress.upload || !s.brings)
     return;
   const bool has_come = s.progress.last_generation != generation_before;
-  judge_upload(out, s, has_come ? plan_verdict::taken : plan_verdict::refused);
+  judge_upload(out, s, has_come ? plan_verdict::taken : has_no_room ? plan_verdict::no_space : plan_verdict::refused);
   if (has_come) {
     s.mission = s.brings->mission;
     if (was_assigned)
@@ -120,8 +121,11 @@ durable_effects take(state& s, const M& happened, std::int64_t now_ns) {
     try_again(s, *intent);
   else if (was_assigned && !s.progress.upload)
     s.cut_off_uploads = 0; // it is answered
+  bool has_no_room = false;
+  if constexpr (requires { happened.has_no_room; })
+    has_no_room = happened.has_no_room;
   if (was_uploading)
-    settle_deployment(out, s, generation, was_assigned);
+    settle_deployment(out, s, generation, was_assigned, has_no_room);
   return out;
 }
 
@@ -237,7 +241,18 @@ durable_effects take(state& s, const station_plan_dropped&, std::int64_t) {
   return {};
 }
 
+// Its station goes on seeing what it has uploaded: the items are found again by their ids.
+void note_items_of_upload(state& s) {
+  const auto* const uploaded = uploaded_mission(s);
+  if (uploaded == nullptr || !s.status.in_flight)
+    return;
+  s.station->ids.clear();
+  for (const auto& each : uploaded->items)
+    s.station->ids.push_back(mission::id_of(each));
+}
+
 durable_effects take(state& s, const change_asked& happened, std::int64_t) {
+  note_items_of_upload(s);
   s.change = happened.what;
   s.change->sets_aside = !happened.set_aside.empty() || happened.what.kind == change_kind::cancel;
   if (!happened.set_aside.empty())
@@ -296,6 +311,8 @@ durable_effects take(state& s, const phase_status& happened, std::int64_t) {
   if (s.status.in_flight != happened.in_flight)
     supervision::change_in_flight(s.supervision, happened.in_flight);
   s.status = happened;
+  if (has_landed && s.station) // from here on the next start would mean what the vehicle has
+    s.station->ids.clear();
   if (!needs_hand_back(happened.cause))
     s.person.reset();
   return {happened};

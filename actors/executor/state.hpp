@@ -109,11 +109,12 @@ struct station_plan {
   std::vector<std::uint16_t> places;     // for each item of the mission: of the item in the upload that it was made of
   std::optional<station_part> part = {}; // that the mission is; none: it is the whole upload
   station by = {};                       // who has uploaded it
-  static constexpr auto fields =
-      io::table("executor.station_plan", io::field("mission_id", &station_plan::mission_id),
-                io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
-                io::field("items", &station_plan::items), io::field("places", &station_plan::places),
-                io::field("part", &station_plan::part), io::field("by", &station_plan::by));
+  std::vector<std::string> ids = {};     // of the items of `places`, once an operator has changed the mission in flight
+  static constexpr auto fields = io::table(
+      "executor.station_plan", io::field("mission_id", &station_plan::mission_id),
+      io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
+      io::field("items", &station_plan::items), io::field("places", &station_plan::places),
+      io::field("part", &station_plan::part), io::field("by", &station_plan::by), io::field("ids", &station_plan::ids));
 };
 
 // The plan that an upload brings, until the upload is resolved.

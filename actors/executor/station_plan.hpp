@@ -4,7 +4,9 @@
 //   a station                its own upload, untouched             as in its upload
 //   the service, a file      what was uploaded to the vehicle      from 0
 //
-// A station's plan that was changed in flight (go_to, insert) is shown as the vehicle has it, too. An ArduPilot keeps
+// A station's plan stays what is shown while an operator sends the vehicle elsewhere, and back: the current item is
+// then the one with which it would go on, as on a vehicle alone. Where the flight has ended elsewhere, or with what an
+// operator has inserted, the plan is shown as the vehicle has it, too. An ArduPilot keeps
 // its home as item 0, and stations that take us for one (WITH_HOME) expect it there, and leave it out of what they
 // show. Pure; thread: plain values.
 #pragma once
@@ -23,8 +25,11 @@ namespace godwit::executor {
 // it. Null: it is another one.
 [[nodiscard]] const mission::document* uploaded_mission(const state& s);
 
+// What is flown is the upload of a station, as it came.
+[[nodiscard]] inline bool flies_upload(const state& s) { return uploaded_mission(s) != nullptr; }
+
 // The upload of a station is shown as it came. Else items_on_vehicle are.
-[[nodiscard]] inline bool shows_upload(const state& s) { return uploaded_mission(s) != nullptr; }
+[[nodiscard]] bool shows_upload(const state& s);
 
 // Of the plan that the vehicle has, from 0 on. Empty: there is none.
 [[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home);

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "io/mavlink/enums.hpp"
+
 namespace godwit::executor {
 namespace {
 
@@ -12,7 +14,9 @@ using progress::upload_verdict;
 } // namespace
 
 progress::upload_ended end_of(const transfer::outcome& outcome) {
-  progress::upload_ended result{upload_verdict::unknown, outcome.plan_id, outcome.reason};
+  const bool has_no_room = outcome.verdict == transfer::verdict::refused &&
+                           outcome.result == io::mavlink::number(io::mavlink::mav_mission_result::no_space);
+  progress::upload_ended result{upload_verdict::unknown, outcome.plan_id, outcome.reason, has_no_room};
   if (outcome.verdict == transfer::verdict::accepted)
     result.verdict = upload_verdict::accepted;
   else if (outcome.holding == transfer::holding::unchanged)

@@ -20,8 +20,8 @@ std::array<std::uint64_t, 7> bits_of(const order& what) {
 }
 
 bool is_same(const order& a, const order& b) {
-  return a.from == b.from && a.command == b.command && a.is_in_integers == b.is_in_integers && a.frame == b.frame &&
-         bits_of(a) == bits_of(b);
+  return a.from == b.from && a.command == b.command && a.is_in_integers == b.is_in_integers && a.is_item == b.is_item &&
+         a.frame == b.frame && bits_of(a) == bits_of(b);
 }
 
 } // namespace

@@ -213,7 +213,13 @@ effects core::on_progress(const mission_progress& m, instant now) {
 
 effects core::on_item_reached(const item_reached& m, instant now) {
   decision_context t(*this, now);
-  t.send(io::link::every_peer, mavlink::mission_item_reached{.seq = m.sequence});
+  const bool is_told = told_reached_
+                           ? told_reached_->mission_id == m.mission_id && m.report_no <= told_reached_->report_no
+                           : m.is_repeated;
+  if (!is_told || m.report_no == 0) {
+    told_reached_ = m;
+    t.send(io::link::every_peer, mavlink::mission_item_reached{.seq = m.sequence});
+  }
   finish(t);
   return std::move(t.done);
 }

@@ -184,6 +184,7 @@ private:
   void route_file(decision_context& t, station& from, const mavlink::frame_view& frame);
   void route_owned(decision_context& t, station& from, const vehicle_role::order& what,
                    const mavlink::frame_view& frame, bool is_for_all);
+  [[nodiscard]] vehicle_role::order order_of_mode(mavlink::sender who) const;
   void route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
                   std::uint32_t base_mode, const mavlink::frame_view& frame);
   void start_or_resume(decision_context& t, vehicle_role::order what, const std::string& name);
@@ -206,7 +207,13 @@ private:
   void read_back(decision_context& t, const vehicle_link::relayed_frame& asked);
   [[nodiscard]] io::link::peer_id way_of(const vehicle_link::relayed_frame& m) const;
 
-  // core_words.cpp
+  // core_items.cpp
+  [[nodiscard]] bool route_item(decision_context& t, const mavlink::frame_view& frame);
+  void answer_item(decision_context& t, const vehicle_role::order& what, mavlink::mav_result result);
+  void note_forwarded_item(mavlink::sender by, std::int64_t now_ns);
+  [[nodiscard]] bool is_answer_to_item(const vehicle_link::relayed_frame& m, std::int64_t now_ns);
+
+  // core_operators.cpp
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
   [[nodiscard]] std::optional<mission::position> here() const; // where the vehicle is; the altitude above home
   void say_word(decision_context& t, const vehicle_role::order& what);
@@ -293,6 +300,7 @@ private:
   passing::act_queue acts_;
   std::vector<passing::waiting_act> begun_acts_; // that godwit does, and the station is answered for later
   passing::forwarded_commands forwarded_;
+  passing::forwarded_commands forwarded_items_; // that an ArduPilot flies to at once
   passing::act_series audited_acts_;
   passing::stick_watch sticks_;
   bool is_hold_asked_ = false; // through a station, and not shown by the progress yet
@@ -332,6 +340,7 @@ private:
   std::size_t waiting_for_disk_ = 0;
 
   std::optional<mission_progress> progress_;
+  std::optional<item_reached> told_reached_;       // the last one
   std::optional<std::uint16_t> start_item_;        // as shown
   std::optional<std::uint16_t> noted_start_item_;  // as it will be when nothing waits for the disk any more
   std::optional<set_current_request> set_current_; // the executor was asked

@@ -35,7 +35,7 @@ bool is_stream(act_kind kind) { return kind == act_kind::stream || kind == act_k
 executor::station core::by(mavlink::sender who) { return {who.system, who.component}; }
 
 void core::ask(decision_context& t, passing::waiting_act what) {
-  what.act.is_acknowledged = what.order.has_value();
+  what.act.is_acknowledged = what.order && !what.order->is_item; // by a COMMAND_ACK
   auto act = what.act;
   if (!has_executor_)
     return pass_unanswered(t, what, "no executor is there");
@@ -121,6 +121,8 @@ void core::forward(decision_context& t, passing::waiting_act what) {
     const auto as_message = static_cast<std::uint16_t>(mavlink::set_mode::message_id); // ArduPilot's number for it
     forwarded_.put(what.order->from, {command, is_set_mode ? as_message : command}, what.request, t.now.monotonic_ns);
   }
+  if (what.order && what.order->is_item)
+    note_forwarded_item(what.order->from, t.now.monotonic_ns);
   is_mode_known_ = false;
   pass(t, std::move(what.frame));
 }

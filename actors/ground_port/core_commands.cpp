@@ -86,8 +86,10 @@ void core::obey(decision_context& t, const vehicle_role::order& what, bool is_fo
   }
 }
 
-// As the one who was asked. SET_MODE has no answer.
+// As the one who was asked. SET_MODE has no answer, but of a PX4.
 void core::answer(decision_context& t, const vehicle_role::order& what, mav_result result) {
+  if (what.is_item)
+    return answer_item(t, what, result);
   if (what.command != 0)
     t.send_as(stations_.way_to(what.from), vehicle_role::answer_to(what, result), asked_one(what.target_component));
 }

@@ -52,8 +52,10 @@ mavlink::mission_current core::current() const {
   result.mission_id = mission.id;
   result.fence_id = shown_[place_of(mav_mission_type::fence)].id;
   result.rally_points_id = shown_[place_of(mav_mission_type::rally)].id;
+  // An ArduPilot's home, which is its item 0, does not count (MISSION_CURRENT, common.xml).
+  const bool has_home = is_standing_in() && owner_.autopilot == mavlink::mav_autopilot::ardupilotmega;
   if (mission.items == 0) {
-    result.total = no_mission_total;
+    result.total = has_home ? 0 : no_mission_total; // as it says it
     result.mission_state = mavlink::number(mission_state::no_mission);
     return result;
   }
@@ -63,7 +65,7 @@ mavlink::mission_current core::current() const {
   auto seq = is_known ? progress_->current : std::uint16_t{0};
   if (start_item_ && state != mission_state::active)
     seq = *start_item_;
-  result.total = static_cast<std::uint16_t>(mission.items);
+  result.total = static_cast<std::uint16_t>(mission.items - (has_home ? 1 : 0));
   result.seq = std::min(seq, static_cast<std::uint16_t>(mission.items - 1));
   result.mission_state = mavlink::number(start_item_ && !is_under_way ? mission_state::not_started : state);
   result.mission_mode = mavlink::number(is_known ? progress_->mode : mavlink::mission_mode::unknown);

@@ -211,7 +211,7 @@ bool core::held::is_judged() const {
 std::optional<plan_verdict> core::held::worst() const {
   if (!is_judged())
     return std::nullopt;
-  for (const auto bad : {plan_verdict::refused, plan_verdict::failed})
+  for (const auto bad : {plan_verdict::refused, plan_verdict::no_space, plan_verdict::failed})
     if (std::ranges::any_of(verdicts, [&](const awaited_verdict& each) { return each.verdict == bad; }))
       return bad;
   return plan_verdict::taken;
@@ -250,11 +250,15 @@ void core::tell_verdict(decision_context& t, held& what) {
       t.say(static_cast<mav_severity>(each.severity), each.text);
     return;
   }
-  const bool is_refused = verdict == plan_verdict::refused;
+  const bool has_no_room = verdict == plan_verdict::no_space;
+  const bool is_refused = verdict == plan_verdict::refused || has_no_room;
+  using mavlink::mav_mission_result;
+  const auto answer = has_no_room  ? mav_mission_result::no_space
+                      : is_refused ? mav_mission_result::denied
+                                   : mav_mission_result::error;
   for (auto& each : what.reaction.messages)
     if (auto* const ack = std::get_if<mavlink::mission_ack>(&each)) {
-      ack->type =
-          mavlink::number(is_refused ? mavlink::mav_mission_result::denied : mavlink::mav_mission_result::error);
+      ack->type = mavlink::number(answer);
       ack->opaque_id = 0;
     }
   if (!verdict)
@@ -262,7 +266,7 @@ void core::tell_verdict(decision_context& t, held& what) {
   if (is_refused)
     ++counts_.plans_refused;
   for (const auto& each : what.verdicts)
-    if (each.verdict == plan_verdict::refused)
+    if (each.verdict == plan_verdict::refused || each.verdict == plan_verdict::no_space)
       take_back(t, each);
 }
 

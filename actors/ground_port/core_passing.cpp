@@ -10,7 +10,8 @@
 //                                                       first; all else is refused
 // What people do is a row of the audit: one when a stream of sticks or of parameters begins (passing/act_series.hpp).
 //
-//   mission mode ──> as MISSION_START, or as going on where the flight is paused; hold ──> the executor decides
+//   mission mode ──> as MISSION_START, as going on where the flight is paused, or the way back from a go to; hold ──> the
+//   executor decides
 #include <algorithm>
 #include <array>
 #include <span>
@@ -84,10 +85,13 @@ void core::pass(decision_context& t, relayed_frame what) {
 
 bool core::route(decision_context& t, station& from, const mavlink::frame_view& frame) {
   const auto* const row = passing::find_message(frame.id());
-  if (row == nullptr || row->on == pass_list::owned || !is_passing(t.now.monotonic_ns))
+  if (row == nullptr || !is_passing(t.now.monotonic_ns))
     return false;
   const auto target = passing::target_of(*row, frame);
-  if (target.system != 0 && target.system != settings_.as.system) {
+  const bool is_for_another = target.system != 0 && target.system != settings_.as.system;
+  if (row->on == pass_list::owned)
+    return !is_for_another && route_item(t, frame);
+  if (is_for_another) {
     ++counts_.not_for_us;
     return true;
   }
@@ -107,8 +111,7 @@ bool core::route(decision_context& t, station& from, const mavlink::frame_view& 
     return true;
   case mavlink::set_mode::message_id: {
     const auto m = mavlink::decode<mavlink::set_mode>(frame);
-    vehicle_role::order silent{.from = from.who}; // SET_MODE has no answer
-    route_mode(t, silent, m.custom_mode, m.base_mode, frame);
+    route_mode(t, order_of_mode(from.who), m.custom_mode, m.base_mode, frame);
     return true;
   }
   case mavlink::request_data_stream::message_id:
@@ -270,6 +273,16 @@ bool core::is_known(std::uint32_t id) const { return forwarded_messages::contain
 
 // -- modes ------------------------------------------------------------------------------------------
 
+// MAVLink has no answer to SET_MODE; a PX4 answers it as DO_SET_MODE.
+vehicle_role::order core::order_of_mode(mavlink::sender who) const {
+  vehicle_role::order result{.from = who};
+  if (owner_.autopilot != mavlink::mav_autopilot::px4)
+    return result;
+  result.command = mavlink::number(mav_cmd::do_set_mode);
+  result.target_component = autopilot().component;
+  return result;
+}
+
 // Of the base mode the custom flag alone counts. Stations copy the rest from the vehicle's heartbeat, its armed flag
 // too: a mode command arms nothing (MAVLink, MAV_MODE_FLAG_SAFETY_ARMED).
 void core::route_mode(decision_context& t, const vehicle_role::order& what, std::uint32_t custom_mode,
@@ -283,6 +296,8 @@ void core::route_mode(decision_context& t, const vehicle_role::order& what, std:
                             "Mode " + std::string(io::name_of(mode.kind)) + " (" + std::to_string(custom_mode) + ")"};
   switch (mode.kind) {
   case mode_kind::mission:
+    if (is_in_flight() && progress_->is_sent_elsewhere && is_armed_) // back to the mission, as a vehicle alone would go
+      return say_word_of(t, what, operators::command_kind::cancel);
     return start_or_resume(t, what, act.what);
   case mode_kind::hold: // in another mode of holding (Copter's LOITER) a person's sticks fly it
     act.kind = flight::number_of(owner_, mode_kind::hold) == custom_mode ? act_kind::hold : act_kind::stop;
@@ -317,6 +332,8 @@ effects core::on_relayed(const relayed_frame& m, instant now) {
   decision_context t(*this, now);
   if (m.message == mavlink::command_ack::message_id)
     on_acknowledgement(t, m);
+  if (m.message == mavlink::mission_ack::message_id && !is_answer_to_item(m, now.monotonic_ns))
+    return std::move(t.done);
   if (!is_passing(now.monotonic_ns) || !to_stations_.take(m.payload.size(), now.monotonic_ns)) {
     ++counts_.not_passed_to_stations;
   } else {
@@ -331,8 +348,13 @@ effects core::on_relayed(const relayed_frame& m, instant now) {
 io::link::peer_id core::way_of(const relayed_frame& m) const {
   constexpr std::size_t in_command_ack = 8;
   constexpr std::size_t in_file_transfer = 1;
-  const auto at = m.message == mavlink::command_ack::message_id ? in_command_ack : in_file_transfer;
-  const bool is_targeted = m.message == mavlink::command_ack::message_id || m.message == file_transfer_id;
+  constexpr std::size_t in_mission_ack = 0;
+  const bool is_plan_answer = m.message == mavlink::mission_ack::message_id;
+  const bool is_targeted =
+      m.message == mavlink::command_ack::message_id || m.message == file_transfer_id || is_plan_answer;
+  const auto at = m.message == mavlink::command_ack::message_id ? in_command_ack
+                  : is_plan_answer                              ? in_mission_ack
+                                                                : in_file_transfer;
   if (!is_targeted || at + 1 >= m.payload.size())
     return io::link::every_peer;
   return stations_.way_to({m.payload[at], m.payload[at + 1]});

@@ -30,11 +30,13 @@ bool forward_gate::take(const telemetry& m, std::int64_t now_ns) {
   if (lane.interval_ns < 0) // asked for, so not counted
     return false;
   // A tenth less is let through: else a stream at just this rate would lose every second one to jitter.
-  if (lane.last_ns && now_ns - *lane.last_ns < lane.interval_ns - lane.interval_ns / 10) {
+  if (lane.due_ns && now_ns < *lane.due_ns - lane.interval_ns / 10) {
     ++held_back_;
     return false;
   }
-  lane.last_ns = now_ns;
+  // One that comes late does not delay those after it, unless it is late by a whole interval.
+  const bool is_in_time = lane.due_ns && now_ns < *lane.due_ns + lane.interval_ns;
+  lane.due_ns = (is_in_time ? *lane.due_ns : now_ns) + lane.interval_ns;
   return true;
 }
 
@@ -48,6 +50,7 @@ bool forward_gate::set_interval(std::uint32_t id, std::int64_t interval_us) {
     return false;
   auto& lane = lanes_[forwarded_messages::place_of(id)];
   lane.interval_ns = interval_us == 0 ? lane.default_interval_ns : interval_us * ns_per_us;
+  lane.due_ns.reset();
   return true;
 }
 

@@ -14,6 +14,7 @@ namespace mavlink = io::mavlink;
 using mavlink::mav_cmd;
 using mavlink::number;
 
+constexpr std::uint16_t item_to_fly_to = UINT16_MAX; // no command
 constexpr auto set_mode_message = static_cast<std::uint16_t>(mavlink::set_mode::message_id);
 
 // Commands by which somebody has the vehicle. ArduPilot acknowledges SET_MODE as a command with its message id.
@@ -54,7 +55,9 @@ bool changes_plan_of(std::uint8_t vehicle, const mavlink::frame_view& frame) {
 } // namespace
 
 void foreign_watch::on_forwarded(const relayed_frame& what, std::int64_t now_ns) {
-  const auto command = command_of(what);
+  const bool is_item =
+      what.message == mavlink::mission_item::message_id || what.message == mavlink::mission_item_int::message_id;
+  const auto command = is_item ? std::optional(item_to_fly_to) : command_of(what);
   if (!command)
     return;
   if (forwarded_.size() == max_forwarded)
@@ -71,7 +74,11 @@ std::optional<foreign_act> foreign_watch::on_ack(const mavlink::command_ack& m, 
   return act(foreign_kind::command, m.command, {m.target_system, m.target_component}, now_ns);
 }
 
-foreign_act foreign_watch::on_plan_answer(std::uint8_t system, std::uint8_t component, std::int64_t now_ns) {
+// An ArduPilot answers an item that it flies to at once like one of an upload.
+std::optional<foreign_act> foreign_watch::on_plan_answer(std::uint8_t system, std::uint8_t component,
+                                                         std::int64_t now_ns) {
+  if (is_forwarded({.command = item_to_fly_to, .target_system = system, .target_component = component}, now_ns))
+    return std::nullopt;
   return act(foreign_kind::plan, 0, {system, component}, now_ns);
 }
 

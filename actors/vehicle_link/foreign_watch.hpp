@@ -30,7 +30,8 @@ public:
   // IS_OURS: it is addressed to us, or to nobody and is about a command of ours.
   [[nodiscard]] std::optional<foreign_act> on_ack(const io::mavlink::command_ack& m, bool is_ours, std::int64_t now_ns);
   // Of the vehicle, about its mission, to somebody else.
-  [[nodiscard]] foreign_act on_plan_answer(std::uint8_t system, std::uint8_t component, std::int64_t now_ns);
+  [[nodiscard]] std::optional<foreign_act> on_plan_answer(std::uint8_t system, std::uint8_t component,
+                                                          std::int64_t now_ns);
   // FRAME is of somebody who is neither the vehicle nor this process; VEHICLE: the system that it has to be for.
   [[nodiscard]] std::optional<foreign_act> on_frame(const io::mavlink::frame_view& frame, std::uint8_t vehicle,
                                                     std::int64_t now_ns);

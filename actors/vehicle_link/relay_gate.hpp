@@ -2,7 +2,7 @@
 //
 //   the autopilot's messages of `told`                no: listeners have them already
 //   plan transfers, TIMESYNC, PING, keys, commands    no: they are for godwit, or for nobody else
-//   COMMAND_ACK, FILE_TRANSFER_PROTOCOL, ...          only where another system than the vehicle's is meant
+//   COMMAND_ACK, MISSION_ACK, FILE_TRANSFER_PROTOCOL, ...  only where another system than the vehicle's is meant
 //   all others of any component of the vehicle        yes
 //
 // Thread: pure. Source: MAVLink common.xml; the places of the targets by its serialization rules.
@@ -27,6 +27,7 @@ struct target_place {
   std::size_t at = 0;
 };
 inline constexpr std::array targeted{
+    target_place{47, 0},  // MISSION_ACK: to an item that ground_port has passed on
     target_place{77, 8},  // COMMAND_ACK
     target_place{110, 1}, // FILE_TRANSFER_PROTOCOL
     target_place{413, 4}, // RESPONSE_EVENT_ERROR

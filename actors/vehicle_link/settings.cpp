@@ -16,4 +16,13 @@ std::vector<wanted_stream> default_streams() {
           {mavlink::current_mode::message_id, 500, mavlink::mav_autopilot::px4, true}};
 }
 
+std::vector<wanted_stream> streams_for_stations() {
+  auto result = default_streams();
+  for (auto& each : result)
+    if (each.message == mavlink::battery_status::message_id)
+      each.interval_ms = 1'000;
+  result.push_back({mavlink::vfr_hud::message_id, 250, {}, true});
+  return result;
+}
+
 } // namespace godwit::vehicle_link

@@ -27,6 +27,8 @@ inline constexpr identity ground_station_identity{255,
 
 // What godwit needs to know of a flight, at rates that a 57600 baud line carries beside a mission transfer.
 [[nodiscard]] std::vector<wanted_stream> default_streams();
+// The same, and what ground stations are promised besides (ground_port's default_rates).
+[[nodiscard]] std::vector<wanted_stream> streams_for_stations();
 
 struct settings {
   identity as;

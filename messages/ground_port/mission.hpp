@@ -21,16 +21,24 @@ struct mission_progress {
   std::uint16_t current = 0;
   io::mavlink::mission_state state = io::mavlink::mission_state::not_started;
   io::mavlink::mission_mode mode = io::mavlink::mission_mode::unknown;
-  static constexpr auto fields =
-      io::table("ground_port.mission_progress", io::field("plan_id", &mission_progress::plan_id),
-                io::field("current", &mission_progress::current), io::field("state", &mission_progress::state),
-                io::field("mode", &mission_progress::mode));
+  bool is_sent_elsewhere = false; // by a go to: the mission waits
+  static constexpr auto fields = io::table(
+      "ground_port.mission_progress", io::field("plan_id", &mission_progress::plan_id),
+      io::field("current", &mission_progress::current), io::field("state", &mission_progress::state),
+      io::field("mode", &mission_progress::mode), io::field("is_sent_elsewhere", &mission_progress::is_sent_elsewhere));
 };
 
-// Becomes MISSION_ITEM_REACHED, once for each.
+// Becomes MISSION_ITEM_REACHED, once for each. A crash repeats it: then the port tells what it has not told yet, and
+// one that has begun anew itself tells nothing.
 struct item_reached {
   std::uint16_t sequence = 0;
-  static constexpr auto fields = io::table("ground_port.item_reached", io::field("sequence", &item_reached::sequence));
+  std::string mission_id = {};
+  std::uint32_t report_no = 0; // in the mission
+  bool is_repeated = false;    // an earlier incarnation may have told it
+  static constexpr auto fields =
+      io::table("ground_port.item_reached", io::field("sequence", &item_reached::sequence),
+                io::field("mission_id", &item_reached::mission_id), io::field("report_no", &item_reached::report_no),
+                io::field("is_repeated", &item_reached::is_repeated));
 };
 
 // Becomes STATUSTEXT, in several frames when it is longer than 50 characters.

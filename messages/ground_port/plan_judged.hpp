@@ -9,15 +9,17 @@
 namespace godwit::ground_port {
 
 enum class plan_verdict {
-  taken,   // it is the one from now on; a clear: the vehicle has no plan any more
-  refused, // the plan from before is still the one
-  failed,  // a clear: it is gone here, and may still be on the vehicle
-  bringing // in flight: it goes to the vehicle now, and another word follows
+  taken,    // it is the one from now on; a clear: the vehicle has no plan any more
+  refused,  // the plan from before is still the one
+  no_space, // the same, because the vehicle has no room for it
+  failed,   // a clear: it is gone here, and may still be on the vehicle
+  bringing  // it goes to the vehicle now, and another word follows
 };
 
 constexpr auto enum_names(plan_verdict) {
   return io::names<plan_verdict>({{plan_verdict::taken, "taken"},
                                   {plan_verdict::refused, "refused"},
+                                  {plan_verdict::no_space, "no_space"},
                                   {plan_verdict::failed, "failed"},
                                   {plan_verdict::bringing, "bringing"}});
 }

@@ -126,6 +126,8 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
   auto link = settings.link;
   link.watch.system = settings.vehicle_system;
   link.relays = settings.flies && settings.ground_passes && outside.ground;
+  if (settings.flies && outside.ground)
+    link.streams = vehicle_link::streams_for_stations();
   const bool is_signed = !settings.signing_key_file.empty();
   link.watch.heartbeats_to_begin = heartbeats_to_begin(settings.vehicle, is_signed);
   link.open_line = open_line_warning(settings.vehicle, is_signed, "--signing-key");

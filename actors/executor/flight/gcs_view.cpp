@@ -18,7 +18,8 @@ using io::mavlink::mav_mission_type;
 constexpr std::int64_t tell_period_ns = 1'000'000'000;
 
 bool is_same(const ground_port::mission_progress& a, const ground_port::mission_progress& b) {
-  return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode;
+  return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode &&
+         a.is_sent_elsewhere == b.is_sent_elsewhere;
 }
 
 // Behind a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
@@ -53,7 +54,7 @@ gcs_view::verdict gcs_view::take(effects& out, const plan_taken& m, bool has_loo
 // That it counted before makes no difference to who has uploaded it. What comes of rally points is said.
 bool gcs_view::counts(const plan_taken& m) const {
   if (m.type == mav_mission_type::mission)
-    return shows_upload(flight_.s) && flight_.s.station->plan_id == m.plan_id; // and nobody has changed it since
+    return flies_upload(flight_.s) && flight_.s.station->plan_id == m.plan_id; // and nobody has changed it since
   if (m.type != mav_mission_type::fence)
     return true;
   const auto fences = mission::import_fence_list(m.items);
@@ -146,10 +147,11 @@ gcs_view::verdict gcs_view::take_plan(effects& out, const plan_taken& m, bool ha
     out.emplace_back(announce{"the plan is taken without this: " + taken->losses.message(), true});
   if (is_flown)
     return verdict::bringing;
+  const bool is_brought = on_ground_.begin(out, m.plan_id, now);
   out.emplace_back(note{std::move(next)});
   if (flight_.s.status.now == phase::paused && !flight_.has_person())
     phases_.go(out, trigger::mission_changed);
-  return verdict::taken;
+  return is_brought ? verdict::bringing : verdict::taken;
 }
 
 effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {

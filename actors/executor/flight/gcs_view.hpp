@@ -12,6 +12,7 @@
 #include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/plan_clearing.hpp"
 #include "actors/executor/flight/upload_in_flight.hpp"
+#include "actors/executor/flight/upload_on_ground.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/ground_port/mission.hpp"
 
@@ -21,7 +22,8 @@ class gcs_view {
 public:
   gcs_view(flight_context& flight, phase_machine& phases, task_control& tasks, control_watch& watch,
            plan_clearing& clearing)
-      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), clearing_(clearing), uploads_(flight, tasks) {}
+      : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch), clearing_(clearing), uploads_(flight, tasks),
+        on_ground_(flight, phases) {}
 
   // Answered with plan_judged to the port.
   [[nodiscard]] effects on_plan(const plan_taken& m, bool has_looked, instant now);
@@ -29,6 +31,10 @@ public:
   [[nodiscard]] effects on_start(const start_mission& m, instant now);
   // What stations are to be told, when it has changed and once a second.
   [[nodiscard]] effects tell(instant now);
+  // The vehicle has, or has not, the plan of the mission.
+  void on_transfer(const vehicle_link::transfer::outcome& outcome) { on_ground_.on_transfer(outcome); }
+  // True: what follows is decided when it is applied.
+  [[nodiscard]] bool look(effects& out, instant now) { return on_ground_.look(out, now); }
   // The durable state has changed.
   void forget_shown() { shown_.reset(); }
   // Why the last upload of a station was not taken; empty: it was, or there was none.
@@ -64,6 +70,7 @@ private:
   control_watch& watch_;
   plan_clearing& clearing_;
   upload_in_flight uploads_;
+  upload_on_ground on_ground_;
   std::optional<shown_plan> shown_;
   std::uint32_t told_plan_id_ = 0;
   std::string refused_upload_; // why the last upload of a station was not taken; empty: it was

@@ -149,6 +149,8 @@ void last_line::on_transfer(effects& out, std::uint64_t number, const transfer::
     return begin_next(out, now);
   }
   if (doing_->wanted.empty()) {
+    if (doing_->type == mav_mission_type::fence)
+      brought_.reset();
     note_brought(out, doing_->type, false);
     return begin_next(out, now);
   }

@@ -66,7 +66,8 @@ bool part_choice::begin(effects& out, start_flight& what, instant now) {
     asked.first = 0;
     return false;
   }
-  if (flight_.view.is_armed())
+  const bool stands = drives() && !flight_.view.is_moving(); // and no mode in which a plan that comes would move it
+  if (flight_.view.is_armed() && !stands)
     return refuse(out, asked, start_verdict::not_ready,
                   "this part of the plan has to be brought to the vehicle first; disarm it");
   if (const auto plan = flight_.plan_in_flight(part.mission, 0, now); !plan)

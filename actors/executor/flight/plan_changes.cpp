@@ -47,7 +47,9 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
   if (!flight_.may_change_plan() || !flight_.s.mission)
     return refused("the mission can not be changed now: " + flight_.sentence());
   const auto& s = flight_.s;
-  if (s.change || flight_.wanted.change || flight_.runner.is_busy() || !s.waiting.empty() || s.arrived)
+  const auto& doing = flight_.runner.doing();
+  const bool is_pausing = doing && doing->kind == task_kind::hold; // then it goes there after that
+  if (s.change || flight_.wanted.change || (flight_.runner.is_busy() && !is_pausing) || !s.waiting.empty() || s.arrived)
     return refused("another change is under way; say it again when it is over");
   if (m.kind != command_kind::cancel && !m.place)
     return refused("the command has no place");
@@ -107,7 +109,7 @@ plan_changes::change_or_reason plan_changes::go_there(const mission::position& t
   result.to = to;
   result.leads_around = true;
   result.after_item_id = last_done(flight_.s);
-  const auto name = "goto" + std::to_string(flight_.s.last_task + 1);
+  const auto name = std::string(go_to_id) + std::to_string(flight_.s.last_task + 1);
   result.items = items_of(*turns, to.altitude_m, name);
   result.items.emplace_back(mission::loiter{name, to, 0, stay_s});
   if (flight_.s.set_aside.empty()) {
@@ -151,7 +153,8 @@ plan_changes::change_or_reason plan_changes::cancel(instant now) const {
     return tl::make_unexpected("there is no way back to the mission: " + turns.error());
   if (!turns)
     return result;
-  const auto items = items_of(*turns, to->altitude_m, "back" + std::to_string(flight_.s.last_task + 1));
+  const auto items =
+      items_of(*turns, to->altitude_m, std::string(way_back_id) + std::to_string(flight_.s.last_task + 1));
   result.leads_around = !items.empty();
   result.items.insert(result.items.begin(), items.begin(), items.end());
   return result;

@@ -23,7 +23,7 @@ std::string upload_in_flight::why_not(const station& by, bool has_looked) const 
   const auto& s = flight_.s;
   if (flight_.has_person())
     return "the vehicle has to be handed back first";
-  if (!s.station || !shows_upload(s) || s.station->by != by)
+  if (!s.station || !flies_upload(s) || s.station->by != by)
     return "another one is flown, which is not this station's; upload it after the flight";
   const bool waits = s.status.now == phase::paused && flight_.may_change_plan();
   if (!waits || !flight_.view.is_under_way())

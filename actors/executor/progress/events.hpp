@@ -97,9 +97,11 @@ struct upload_ended {
   upload_verdict verdict = upload_verdict::unknown;
   std::optional<std::uint32_t> plan_id; // the vehicle's for the new plan, where it keeps one
   std::string reason;                   // sentence for people; empty when accepted
+  bool has_no_room = false;             // the vehicle, for so long a plan
   static constexpr auto fields =
       io::table("executor.progress_upload_ended", io::field("verdict", &upload_ended::verdict),
-                io::field("plan_id", &upload_ended::plan_id), io::field("reason", &upload_ended::reason));
+                io::field("plan_id", &upload_ended::plan_id), io::field("reason", &upload_ended::reason),
+                io::field("has_no_room", &upload_ended::has_no_room));
 };
 
 // The answer to look_at_vehicle. Told when no transfer is under way any more: one that goes on would make it untrue.

@@ -173,6 +173,7 @@ constexpr std::array commands{
     command(2505, passes, "REQUEST_VIDEO_STREAM_STATUS"),
     command(2510, passes, "LOGGING_START"),
     command(2511, passes, "LOGGING_STOP"),
+    command(2600, passes, "CONTROL_HIGH_LATENCY"), // of lines that are slow by themselves
     command(3000, person, "Transition"),
     command(42001, person, "Solo's button"),
     command(42002, person, "Solo's button"),

@@ -1,5 +1,7 @@
 #include "actors/ground_port/vehicle_role/order.hpp"
 
+#include <limits>
+
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::ground_port::vehicle_role {
@@ -39,6 +41,22 @@ order read_order(mavlink::sender from, const mavlink::command_int& m) {
           .param2 = m.param2,
           .param3 = m.param3,
           .param4 = m.param4,
+          .x = m.x / scale,
+          .y = m.y / scale,
+          .z = m.z,
+          .frame = m.frame};
+}
+
+order read_order(mavlink::sender from, const mavlink::mission_item_int& m) {
+  constexpr float default_speed = -1;
+  const auto scale = integer_scale(m.frame);
+  return {.from = from,
+          .command = mavlink::number(mavlink::mav_cmd::do_reposition),
+          .target_component = m.target_component,
+          .is_in_integers = true,
+          .is_item = true,
+          .param1 = default_speed,
+          .param4 = std::numeric_limits<float>::quiet_NaN(),
           .x = m.x / scale,
           .y = m.y / scale,
           .z = m.z,

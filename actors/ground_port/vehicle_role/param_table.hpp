@@ -51,6 +51,7 @@ public:
   [[nodiscard]] std::optional<io::mavlink::param_value> due(std::int64_t now_ns);
   [[nodiscard]] std::int64_t next_due_ns() const { return next_ns_; }
 
+  [[nodiscard]] const std::vector<param>& all() const { return params_; }
   // 0 for an unknown name.
   [[nodiscard]] float value_of(std::string_view name) const;
 

@@ -25,6 +25,8 @@ void simulated_station::on_time(std::int64_t now_ns) {
 void simulated_station::receive(std::span<const std::byte> bytes) {
   scanner_.feed_datagram(bytes, [this](const mavlink::frame_view& frame) {
     ++heard_[frame.id()];
+    if (listener_)
+      listener_(frame);
     if (frame.id() == mavlink::heartbeat::message_id && frame.from() == mavlink::sender{1, 1})
       mode_ = mavlink::decode<mavlink::heartbeat>(frame).custom_mode;
     if (frame.id() == mavlink::param_value::message_id)

@@ -32,6 +32,8 @@ public:
   void on_time(std::int64_t now_ns);
   [[nodiscard]] std::int64_t next_deadline_ns() const { return next_heartbeat_ns_; }
   void receive(std::span<const std::byte> bytes);
+  // Of each frame, before anything comes of it.
+  void listen(std::function<void(const io::mavlink::frame_view&)> listener) { listener_ = std::move(listener); }
 
   void start_mission(float first = 0, float last = 0);
   void clear_mission();
@@ -66,6 +68,7 @@ public:
 
 private:
   frame_sink send_;
+  std::function<void(const io::mavlink::frame_view&)> listener_;
   io::mavlink::scanner scanner_;
   std::uint8_t sequence_ = 0;
   std::int64_t next_heartbeat_ns_ = 0;

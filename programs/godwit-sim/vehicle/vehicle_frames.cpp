@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "actors/ground_port/mission_server/item_forms.hpp"
+
 namespace godwit::sim {
 
 namespace {
@@ -25,7 +27,10 @@ void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now
     out_.on_frame(from, line);
     plans_.lock(state_.is_armed && craft_.mission().state() == run_state::running);
     plans_.set_current(craft_.mission().current());
-    heard_messages::visit(frame, [&](const auto& message) { hear(from, message); });
+    if (frame.id() == file_transfer_id)
+      hear_file_request(from, frame.payload());
+    else
+      heard_messages::visit(frame, [&](const auto& message) { hear(from, message); });
   }
   end_turn();
 }
@@ -35,6 +40,20 @@ bool vehicle::parts::is_for_us(std::uint8_t system, std::uint8_t component) cons
   if (quirks_.hears_any_component)
     return system == us.system || system == 0;
   return system == us.system && (component == us.component || component == every_component);
+}
+
+void vehicle::parts::hear_file_request(mavlink::sender from, mavlink::byte_view payload) {
+  const auto target = [&](std::size_t at) {
+    return at < payload.size() ? std::to_integer<std::uint8_t>(payload[at]) : std::uint8_t{0};
+  };
+  if (!is_for_us(target(1), target(2)))
+    return;
+  std::vector<file_server::file> files;
+  if (quirks_.has_param_file)
+    files.push_back(param_file(params_.all()));
+  const auto there = out_.aim(out_.line_of_event());
+  for (const auto& each : files_.on(from, payload, files))
+    out_.send_payload(file_transfer_id, file_transfer_crc_extra, each);
 }
 
 void vehicle::parts::hear(mavlink::sender from, const mavlink::heartbeat& m) { pilot_->hear_heartbeat(from, m); }
@@ -143,9 +162,32 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::request_data_stream& m
   }
 }
 
+// ArduPilot looks at `current` before it asks whether there is an upload. An item with 3, the altitude alone, is not
+// flown here.
+bool vehicle::parts::flies_to(mavlink::sender from, const plans::incoming& m) {
+  const auto item = std::holds_alternative<mavlink::mission_item>(m)
+                        ? plans::in_integers(std::get<mavlink::mission_item>(m))
+                    : std::holds_alternative<mavlink::mission_item_int>(m) ? std::get<mavlink::mission_item_int>(m)
+                                                                           : mavlink::mission_item_int{};
+  const bool is_at_once = item.current == role::item_to_fly_to || item.current == role::item_with_altitude;
+  if (!quirks_.flies_to_items || !is_at_once || !is_for_us(item.target_system, item.target_component))
+    return false;
+  const bool is_flown = item.current == role::item_to_fly_to &&
+                        item.command == mavlink::number(mavlink::mav_cmd::nav_waypoint) &&
+                        pilot_->fly_to(role::read_order(from, item));
+  const auto there = out_.aim(lines_of_partner(from));
+  out_.send(mavlink::mission_ack{
+      .target_system = from.system,
+      .target_component = from.component,
+      .type = mavlink::number(is_flown ? mavlink::mav_mission_result::accepted : mavlink::mav_mission_result::error)});
+  return true;
+}
+
 void vehicle::parts::hear(mavlink::sender from, const plans::incoming& m) {
   const bool was_receiving = plans_.is_receiving();
   note_partner(from);
+  if (flies_to(from, m))
+    return;
   if (const auto* count = std::get_if<mavlink::mission_count>(&m))
     if (is_for_us(count->target_system, count->target_component) &&
         count->mission_type == mavlink::number(mavlink::mav_mission_type::mission))

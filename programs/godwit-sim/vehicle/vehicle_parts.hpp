@@ -19,6 +19,7 @@
 #include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/file_server.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
 
 namespace godwit::sim {
@@ -72,6 +73,8 @@ private:
   void hear(mavlink::sender from, const mavlink::param_set& m);
   void hear(mavlink::sender from, const mavlink::request_data_stream& m);
   void hear(mavlink::sender from, const plans::incoming& m);
+  void hear_file_request(mavlink::sender from, mavlink::byte_view payload);
+  [[nodiscard]] bool flies_to(mavlink::sender from, const plans::incoming& m); // true: it has its answer
 
   // Orders, parameters and such, by their target.
   [[nodiscard]] bool is_for_us(std::uint8_t system, std::uint8_t component) const;
@@ -95,6 +98,7 @@ private:
   telemetry tells_;
   plans::server plans_;
   role::param_table params_;
+  file_server files_;
   std::vector<line_streams> streams_; // by line
   std::unique_ptr<autopilot> pilot_;
   line_number params_line_ = 0;                                    // where all of them were asked for last

@@ -75,6 +75,7 @@ TEST_P(last_line_of, a_fence_that_is_cleared_alone_is_cleared_on_the_vehicle_bef
   ASSERT_TRUE(comes_to_have(0)) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
   ASSERT_TRUE(fly_to_end(world, items));
+  EXPECT_FALSE(was_said(world, "the vehicle keeps the fence")) << world.story();
 }
 
 TEST_P(last_line_of, what_somebody_else_has_put_there_is_left_alone_where_the_mission_has_none) {

@@ -373,6 +373,27 @@ TEST(ground_port_core, an_item_that_was_reached_is_told_once_and_at_once) {
   EXPECT_EQ(port.last<mavlink::mission_item_reached>().seq, 1);
 }
 
+// A process that was killed lets out again what it had not marked as let out.
+TEST(ground_port_core, what_was_reached_is_not_told_again_after_a_crash_of_the_executor_or_of_all) {
+  port_fixture port;
+  port.upload(3);
+  const auto reached = [&](std::uint16_t item, bool is_repeated) {
+    port.executor_says(item_reached{item, "mission", item + 5U, is_repeated});
+  };
+  reached(0, false);
+  reached(1, false);
+  reached(0, true); // the executor alone
+  reached(1, true);
+  reached(2, true); // it crashed before it was told
+  ASSERT_EQ(port.sent<mavlink::mission_item_reached>().size(), 3U);
+  port.crash();
+  reached(1, true);
+  reached(2, true);
+  EXPECT_EQ(port.sent<mavlink::mission_item_reached>().size(), 3U);
+  port.executor_says(item_reached{0, "another mission", 1, false});
+  EXPECT_EQ(port.sent<mavlink::mission_item_reached>().size(), 4U);
+}
+
 // -- the current item -----------------------------------------------------------------------------
 
 TEST(ground_port_core, set_current_out_of_range_changes_nothing_and_is_said) {
@@ -579,6 +600,22 @@ TEST(ground_port_plans, an_upload_that_the_executor_does_not_take_is_denied_and_
   EXPECT_EQ(port.shown().plans[0].plan_id, first.opaque_id);
   EXPECT_EQ(port.disk.plans.at(0).items.size(), 3U);
   EXPECT_EQ(port.count_of("plans_refused"), 1U);
+}
+
+TEST(ground_port_plans, an_upload_for_which_the_vehicle_has_no_room_is_answered_so_and_the_plan_from_before_stays) {
+  port_fixture port;
+  ASSERT_EQ(port.upload(3).type, 0);
+  port.judges = false;
+  EXPECT_EQ(port.upload(900).type, 0xFF) << "no answer yet";
+  const auto plan = port.taken.back();
+  port.judge({plan.type, plan.plan_id, plan_verdict::bringing});
+  port.advance(500 * ms);
+  EXPECT_EQ(port.sent<mavlink::mission_ack>().size(), 1U);
+  port.judge({plan.type, plan.plan_id, plan_verdict::no_space});
+  EXPECT_EQ(port.last<mavlink::mission_ack>().type, mavlink::number(mavlink::mav_mission_result::no_space));
+  EXPECT_EQ(port.shown().plans[0].items, 3U);
+  port.advance(s);
+  EXPECT_FALSE(port.said("Mission: 900 items taken from 255/190"));
 }
 
 TEST(ground_port_plans, an_upload_is_not_accepted_before_the_executor_has_taken_it) {

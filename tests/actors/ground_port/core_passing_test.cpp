@@ -95,8 +95,8 @@ TEST_F(ground_port_passing, clocks_are_answered_here) {
 
 TEST_F(ground_port_passing, what_is_on_no_list_is_refused_counted_and_said_once) {
   say_frame(131, {1, 2, 3}); // ENCAPSULATED_DATA
-  say_command(2'600);        // CONTROL_HIGH_LATENCY
-  say_command(2'600);
+  say_command(2'800);        // PANORAMA_CREATE
+  say_command(2'800);
   EXPECT_TRUE(port.passed_on.empty());
   EXPECT_EQ(port.last_result(), mavlink::number(mav_result::unsupported));
   EXPECT_EQ(port.count_of("passing_refused"), 2U);

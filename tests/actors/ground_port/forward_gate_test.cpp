@@ -25,6 +25,22 @@ TEST(forward_gate, a_stream_faster_than_its_interval_is_thinned_out_and_counted)
   EXPECT_GT(gate.held_back(), 400U);
 }
 
+// A vehicle that is asked for five in a second sends five.
+TEST(forward_gate, a_stream_of_any_higher_rate_passes_at_the_rate_that_is_promised_within_5_percent) {
+  for (const int hz : {5, 6, 7, 9, 10, 13, 20, 30, 50}) {
+    forward_gate gate({{mavlink::attitude::message_id, 250}});
+    EXPECT_NEAR(passing<mavlink::attitude>(gate, hz), 40, 2) << hz;
+  }
+}
+
+TEST(forward_gate, a_stream_that_was_silent_makes_up_for_nothing) {
+  forward_gate gate({{mavlink::attitude::message_id, 250}});
+  EXPECT_TRUE(gate.take(mavlink::attitude{}, 0));
+  EXPECT_TRUE(gate.take(mavlink::attitude{}, 60'000 * ms));
+  EXPECT_FALSE(gate.take(mavlink::attitude{}, 60'100 * ms));
+  EXPECT_TRUE(gate.take(mavlink::attitude{}, 60'250 * ms));
+}
+
 TEST(forward_gate, a_stream_at_just_its_interval_passes_whole) {
   forward_gate gate({{mavlink::attitude::message_id, 250}});
   EXPECT_EQ(passing<mavlink::attitude>(gate, 4), 40);

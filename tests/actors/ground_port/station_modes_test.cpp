@@ -137,8 +137,25 @@ TEST(station_modes, a_base_mode_without_the_custom_flag_is_denied_and_nothing_co
         ASSERT_EQ(one.done(), "answered 2\npassed on 0") << "base mode " << base_mode;
         station_mode other(vehicle, where);
         other.say(form::message, vehicle.hold, static_cast<std::uint8_t>(base_mode));
-        ASSERT_EQ(other.done(), "passed on 0") << "base mode " << base_mode;
+        const bool answers = vehicle.autopilot == mav_autopilot::px4;
+        ASSERT_EQ(other.done(), answers ? "answered 2\npassed on 0" : "passed on 0") << "base mode " << base_mode;
       }
+}
+
+// QGroundControl says so to a PX4, which answers it as DO_SET_MODE; an ArduPilot does not.
+TEST(station_modes, a_mode_by_message_is_answered_as_the_vehicle_would_answer_it) {
+  for (const auto& vehicle : all_vehicles()) {
+    station_mode one(vehicle, flight_phase::paused);
+    one.say(form::message, vehicle.mission, 157);
+    ASSERT_EQ(one.port.words.size(), 1U);
+    one.port.executor_says(operators::answer{true, {}});
+    const auto answers = one.port.sent<mavlink::command_ack>();
+    ASSERT_EQ(answers.size(), vehicle.autopilot == mav_autopilot::px4 ? 1U : 0U);
+    if (!answers.empty()) {
+      EXPECT_EQ(answers[0].command, mavlink::number(mav_cmd::do_set_mode));
+      EXPECT_EQ(answers[0].result, mavlink::number(mav_result::accepted));
+    }
+  }
 }
 
 // Found with MAVSDK 3.17 (129, 209) and QGroundControl (157) on a PX4: accepted, and the vehicle flew on.

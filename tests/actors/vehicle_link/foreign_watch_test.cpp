@@ -91,7 +91,7 @@ TEST(foreign_watch, a_plan_of_somebody_else_is_seen_as_it_begins) {
 TEST(foreign_watch, each_act_has_a_time_of_its_own) {
   foreign_watch watch;
   const auto first = watch.on_plan_answer(255, 190, s);
-  EXPECT_GT(watch.on_plan_answer(255, 190, s).at_ns, first.at_ns);
+  EXPECT_GT(watch.on_plan_answer(255, 190, s)->at_ns, first->at_ns);
 }
 
 } // namespace foreign_watch_test

@@ -288,6 +288,15 @@ autopilot::answer ardupilot::reposition(const role::order& what) {
   return answer::accepted;
 }
 
+// Only in GUIDED (handle_guided_request of each vehicle).
+bool ardupilot::fly_to(const role::order& what) {
+  if (!state().is_in(mode_kind::guided))
+    return false;
+  if (state().is_armed && craft().is_in_air())
+    go_to(place_in(what));
+  return true;
+}
+
 autopilot::answer ardupilot::restart_or_shut_down(const role::order& what) {
   constexpr float restart_autopilot = 1;
   if (what.param1 != restart_autopilot)

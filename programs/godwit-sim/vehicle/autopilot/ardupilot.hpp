@@ -27,6 +27,7 @@ public:
   void on_happening(const happening& what) override;
   [[nodiscard]] mavlink::mission_current progress() const override;
   void breach_fence() override;
+  [[nodiscard]] bool fly_to(const role::order& what) override;
 
 protected:
   enum class mission_phase { stopped, running, complete };

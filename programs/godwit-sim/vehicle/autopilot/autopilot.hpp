@@ -53,6 +53,8 @@ public:
   void take(mavlink::sender from, const mavlink::set_mode& m);
   virtual void take(const mavlink::mission_set_current& m) = 0;
   virtual void hear_heartbeat(mavlink::sender from, const mavlink::heartbeat& m);
+  // An item that is no part of a plan. True: it is flown to.
+  [[nodiscard]] virtual bool fly_to(const role::order&) { return false; }
   // A station asks to begin an upload of a mission, which need not be granted.
   virtual void expect_upload() {}
   virtual void on_change(const plans::plan_change& what) = 0;

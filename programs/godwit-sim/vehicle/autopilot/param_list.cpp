@@ -23,6 +23,7 @@ std::vector<role::param> rover_params() {
 }
 
 // Integers of PX4 are 32 bits wide; QGroundControl reads SYS_AUTOSTART, the RC_ and the COM_ ones to judge the setup.
+// SYS_HITL is that of a vehicle in the field: with another one QGroundControl warns of a simulation.
 std::vector<role::param> px4_params() {
   return {
       {"BAT1_CAPACITY", 5000, real32, true},
@@ -80,10 +81,11 @@ std::vector<role::param> px4_params() {
       {"RTL_TYPE", 0, int32, true},
       {"SYS_AUTOCONFIG", 0, int32, true},
       {"SYS_AUTOSTART", 10040, int32, true},
-      {"SYS_HITL", 2, int32, true},
+      {"SYS_HITL", 0, int32, true},
   };
 }
 
+// QGroundControl wants the RCMAP_ and the COMPASS_ ones of ArduPilot's vehicles (APMSensorsComponent, RadioComponent).
 std::vector<role::param> copter_params() {
   return {
       {"SYSID_THISMAV", 1, int16, false},
@@ -99,9 +101,22 @@ std::vector<role::param> copter_params() {
       {"BATT_FS_LOW_ACT", 0, int8, true},
       {"BATT_LOW_VOLT", 10.5F, real32, true},
       {"BATT_MONITOR", 4, int8, true},
+      {"COMPASS_DEC", 0, real32, true},
+      {"COMPASS_DEV_ID", 97539, int32, true},
+      {"COMPASS_DEV_ID2", 131874, int32, true},
+      {"COMPASS_DEV_ID3", 263178, int32, true},
+      {"COMPASS_OFS2_X", 5, real32, true},
+      {"COMPASS_OFS2_Y", 13, real32, true},
+      {"COMPASS_OFS2_Z", -18, real32, true},
+      {"COMPASS_OFS3_X", 5, real32, true},
+      {"COMPASS_OFS3_Y", 13, real32, true},
+      {"COMPASS_OFS3_Z", -18, real32, true},
       {"COMPASS_OFS_X", 5, real32, true},
       {"COMPASS_OFS_Y", 13, real32, true},
       {"COMPASS_OFS_Z", -18, real32, true},
+      {"COMPASS_USE", 1, int8, true},
+      {"COMPASS_USE2", 1, int8, true},
+      {"COMPASS_USE3", 1, int8, true},
       {"DISARM_DELAY", 10, int8, true},
       {"FENCE_ACTION", 1, int8, true},
       {"FENCE_ALT_MAX", 100, real32, true},
@@ -132,6 +147,10 @@ std::vector<role::param> copter_params() {
       {"RC1_MAX", 2000, int16, true},
       {"RC1_MIN", 1000, int16, true},
       {"RC1_TRIM", 1500, int16, true},
+      {"RCMAP_PITCH", 2, int8, true},
+      {"RCMAP_ROLL", 1, int8, true},
+      {"RCMAP_THROTTLE", 3, int8, true},
+      {"RCMAP_YAW", 4, int8, true},
       {"RTL_ALT", 1500, int32, true},
       {"RTL_ALT_FINAL", 0, int16, true},
       {"RTL_SPEED", 0, int16, true},
@@ -162,6 +181,22 @@ std::vector<role::param> plane_params() {
       {"BATT_FS_LOW_ACT", 0, int8, true},
       {"BATT_LOW_VOLT", 10.5F, real32, true},
       {"BATT_MONITOR", 4, int8, true},
+      {"COMPASS_DEC", 0, real32, true},
+      {"COMPASS_DEV_ID", 97539, int32, true},
+      {"COMPASS_DEV_ID2", 131874, int32, true},
+      {"COMPASS_DEV_ID3", 263178, int32, true},
+      {"COMPASS_OFS2_X", 5, real32, true},
+      {"COMPASS_OFS2_Y", 13, real32, true},
+      {"COMPASS_OFS2_Z", -18, real32, true},
+      {"COMPASS_OFS3_X", 5, real32, true},
+      {"COMPASS_OFS3_Y", 13, real32, true},
+      {"COMPASS_OFS3_Z", -18, real32, true},
+      {"COMPASS_OFS_X", 5, real32, true},
+      {"COMPASS_OFS_Y", 13, real32, true},
+      {"COMPASS_OFS_Z", -18, real32, true},
+      {"COMPASS_USE", 1, int8, true},
+      {"COMPASS_USE2", 1, int8, true},
+      {"COMPASS_USE3", 1, int8, true},
       {"FENCE_ACTION", 0, int8, true},
       {"FENCE_ENABLE", 0, int8, true},
       {"FENCE_TOTAL", 0, int8, false},
@@ -179,6 +214,10 @@ std::vector<role::param> plane_params() {
       {"MIS_RESTART", 0, int8, true},
       {"MIS_TOTAL", 0, int16, false},
       {"Q_ENABLE", 0, int8, false},
+      {"RCMAP_PITCH", 2, int8, true},
+      {"RCMAP_ROLL", 1, int8, true},
+      {"RCMAP_THROTTLE", 3, int8, true},
+      {"RCMAP_YAW", 4, int8, true},
       {"ROLL_LIMIT_DEG", 45, real32, true},
       {"RTL_ALTITUDE", 60, real32, true},
       {"RTL_AUTOLAND", 3, int8, true},

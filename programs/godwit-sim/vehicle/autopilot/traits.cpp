@@ -73,6 +73,7 @@ traits ardupilot_traits() {
   traits t;
   t.autopilot = mavlink::mav_autopilot::ardupilotmega;
   t.param_encoding = role::param_encoding::as_value;
+  t.has_param_file = true;
   t.hides_param_index = true;
   t.streams = ardupilot_streams();
   t.knows_stream_groups = true;
@@ -81,6 +82,7 @@ traits ardupilot_traits() {
   t.unknown_interval = mav_result::denied;
   // MissionItemProtocol_Waypoints::complete and ::timeout say it with the send_text of their link.
   t.texts_for_uploader = {"Flight plan received", "Mission upload timeout"};
+  t.flies_to_items = true; // GCS_MAVLINK::handle_mission_item
   t.answers_ping = false;
   t.hears_any_component = true;
   t.tells_stale_position = true;

@@ -41,6 +41,7 @@ struct traits {
   plans::autopilot_quirks plan_quirks;
   std::vector<role::param> params;
   role::param_encoding param_encoding{};
+  bool has_param_file = false;    // for MAVLink FTP
   bool hides_param_index = false; // 65535 in answer to a read by name and to a set
 
   stream_table streams;
@@ -53,6 +54,7 @@ struct traits {
 
   bool acknowledges_where_heard = false; // COMMAND_ACK, on each line where who asked was heard; else where it asked
   bool acknowledges_set_mode = false;    // the message, as if it were DO_SET_MODE
+  bool flies_to_items = false;           // with current = 2, which are no part of a plan
   std::vector<std::string_view> texts_for_uploader; // of transfers, on the line of who transfers alone
 
   bool answers_ping = true;

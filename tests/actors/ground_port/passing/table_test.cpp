@@ -23,7 +23,7 @@ TEST(passing_table, nothing_of_the_mission_protocol_passes) {
 TEST(passing_table, keys_and_what_is_not_known_are_on_no_list) {
   EXPECT_EQ(find_message(256), nullptr);   // SETUP_SIGNING
   EXPECT_EQ(find_message(109), nullptr);   // RADIO_STATUS
-  EXPECT_EQ(find_command(2'600), nullptr); // CONTROL_HIGH_LATENCY
+  EXPECT_EQ(find_command(2'800), nullptr); // PANORAMA_CREATE
 }
 
 TEST(passing_table, what_turns_the_vehicle_is_a_persons) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,12 @@ using io::mavlink::mission_state;
 
 class start_at_port : public testing::TestWithParam<sim::personality> {
 protected:
-  explicit start_at_port(const flight_simulation::options& wanted = by_stations()) : flight(wanted) {}
+  explicit start_at_port(const flight_simulation::options& wanted = by_stations()) : flight(wanted) {
+    flight.station().listen([this](const io::mavlink::frame_view& frame) {
+      if (frame.id() == io::mavlink::mission_item_reached::message_id)
+        reached.push_back(io::mavlink::decode<io::mavlink::mission_item_reached>(frame).seq);
+    });
+  }
 
   [[nodiscard]] static flight_simulation::options by_stations() {
     return {
@@ -56,6 +62,7 @@ protected:
     return mode == "AUTO" || mode == "AUTO.MISSION";
   }
 
+  std::vector<std::uint16_t> reached; // as the station hears it
   flight_simulation flight;
   tests::upload items = tests::station_items(GetParam());
 };
@@ -100,6 +107,21 @@ TEST_P(start_at_port, FR_00089_it_begins_with_the_first_item) {
   EXPECT_LE(flight.station().current()->seq, first_waypoint()) << flight.story();
   EXPECT_TRUE(shows(first_waypoint())) << flight.story();
   EXPECT_TRUE(shows(first_waypoint() + 1)) << flight.story();
+}
+
+// A rover that stands takes the part as one that is disarmed does; what flies would have to take off first.
+TEST_P(start_at_port, FR_00089_a_part_is_flown_on_a_rover_that_is_armed_already) {
+  if (!drives())
+    return;
+  ASSERT_TRUE(bring());
+  flight.station().command(io::mavlink::mav_cmd::component_arm_disarm, 1);
+  ASSERT_TRUE(flight.run_until([&] { return flight.vehicle().describe().armed; }, 5)) << flight.story();
+  ASSERT_EQ(start(1, 2), mav_result::accepted) << flight.story();
+  EXPECT_TRUE(shows(1)) << flight.story();
+  EXPECT_TRUE(shows(2)) << flight.story();
+  EXPECT_TRUE(flight.run_until([&] { return reached.size() == 2; }, 200)) << flight.story();
+  flight.run_for(30);
+  EXPECT_EQ(reached, (std::vector<std::uint16_t>{1, 2})) << flight.story();
 }
 
 // What flies takes off first, and skips what stands between.

@@ -217,6 +217,7 @@ private:
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
   [[nodiscard]] std::optional<mission::position> here() const; // where the vehicle is; the altitude above home
   void say_word(decision_context& t, const vehicle_role::order& what);
+  void say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which);
   void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
 

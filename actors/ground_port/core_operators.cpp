@@ -42,6 +42,12 @@ void core::say_word(decision_context& t, const vehicle_role::order& what) {
   begin_word(t, what, *command);
 }
 
+void core::say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which) {
+  if (const auto heard = words_.heard_before(what, t.now.monotonic_ns))
+    return answer(t, what, *heard);
+  begin_word(t, what, said_by(what, which));
+}
+
 void core::begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command) {
   const auto now_ns = t.now.monotonic_ns;
   const auto reject_for_now = [&](const std::string& why) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "programs/godwit-eyes/look/boxes_file.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
 #include "programs/godwit-eyes/look/picture_reader.hpp"
 #include "programs/godwit-eyes/look/png.hpp"
@@ -44,6 +45,16 @@ public:
   explicit looking(const look_settings& wanted) : wanted_(wanted), reader_(wanted.from) {}
 
   tl::expected<look_summary, std::string> run() {
+    if (auto opened = tables_.open(wanted_.boxes, wanted_.use); !opened)
+      return tl::make_unexpected(std::move(opened.error()));
+    auto seen = read();
+    if (auto closed = tables_.close(); seen && !closed)
+      return tl::make_unexpected(std::move(closed.error()));
+    return seen;
+  }
+
+private:
+  tl::expected<look_summary, std::string> read() {
     while (const auto picture = reader_.next()) {
       const auto at_ns = time_of(*picture);
       const auto at_s = static_cast<double>(at_ns) / ns_in_s;
@@ -60,7 +71,6 @@ public:
     return sum_;
   }
 
-private:
   // Since the beginning; a recording is read faster than it was made.
   std::int64_t time_of(const io::video::frame& picture) {
     const auto stands_at = picture.stream_ns >= 0 ? picture.stream_ns : picture.captured_ns;
@@ -78,6 +88,7 @@ private:
     ways_.add(seen);
     const picture_label label{sum_.pictures + 1, static_cast<double>(at_ns) / ns_in_s};
     add(seen, frame, label);
+    tables_.add(label.number, seen);
     const bool is_due = (label.number - 1) % static_cast<std::uint64_t>(wanted_.every) == 0;
     if (wanted_.folder.empty() || !is_due || sum_.drawn >= wanted_.most_drawn)
       return {};
@@ -118,6 +129,7 @@ private:
   picture_reader reader_;
   detector detector_{detector_settings{}};
   trails ways_;
+  boxes_file tables_;
   look_summary sum_;
   std::optional<std::int64_t> first_ns_;
   std::int64_t last_ns_ = -1;

@@ -19,6 +19,8 @@ namespace godwit::eyes {
 
 struct look_settings {
   io::video::camera_uri from;
+  std::string boxes;   // a file for what was found in each picture (boxes_file.hpp); no name: none
+  std::string use;     // a file for whether each picture was of use; no name: none
   std::string folder;  // for the drawn pictures: is made, and must be empty; no name: nothing is drawn
   int every = 10;      // of the pictures one is drawn
   int most_drawn = 50; // then no more

@@ -9,6 +9,7 @@
 #include "tests/bench/eyes/clip.hpp"
 #include "tests/bench/eyes/measure.hpp"
 #include "tests/bench/eyes/process.hpp"
+#include "tests/bench/eyes/recordings.hpp"
 
 namespace {
 
@@ -21,6 +22,7 @@ struct options {
   int frames = 90;
   int width = 1280;
   std::string folder;
+  std::string recordings;
   std::vector<std::string> tiers{"a", "b"};
   clip_options clip;
   process_options process;
@@ -147,6 +149,16 @@ bool print_clip(const options& chosen) {
   return true;
 }
 
+bool measure_and_print_recordings(const options& chosen) {
+  const auto found = measure_recordings(chosen.recordings, chosen.folder);
+  if (!found) {
+    std::fprintf(stderr, "bench_eyes: %s\n", found.error().c_str());
+    return false;
+  }
+  print_recordings(*found);
+  return true;
+}
+
 bool print_process(const options& chosen) {
   const auto found = measure_process(chosen.process);
   if (!found) {
@@ -174,6 +186,8 @@ void add_options(CLI::App& app, options& chosen) {
   app.add_option("--draw", chosen.folder, "draws what was seen into this folder, one picture of fifteen");
   app.add_option("--tier", chosen.tiers, "a: planes; b: what stands on them, too; both if not said")
       ->check(CLI::IsMember({"a", "b"}));
+  app.add_option("--clips", chosen.recordings,
+                 "a folder of recordings with labels (docs/godwit-eyes.md): scores these, and nothing else");
   app.add_option("--clip", chosen.clip.clip, "clip: vtest.avi of the package opencv-doc");
   app.add_option("--labels", chosen.clip.labels, "clip: who is in it");
   app.add_option("--motion", chosen.clip.seed, "clip: the seed of the camera's motion");
@@ -196,6 +210,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   godwit::eyes::use_one_thread();
   godwit::eyes::keep_freed_memory(); // as the program does
+  if (!chosen.recordings.empty())
+    return measure_and_print_recordings(chosen) ? 0 : 1;
   std::printf("seeds: %s\n", chosen.is_tuning ? "for tuning" : "held back");
   bool is_well = true;
   for (const auto& part : chosen.parts) {

@@ -73,6 +73,51 @@ TEST_F(look_through_recording, each_picture_is_looked_at_at_its_time_in_the_reco
   EXPECT_EQ(seen->drawn, 0);
 }
 
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(file, line);)
+    result.push_back(line);
+  return result;
+}
+
+TEST_F(look_through_recording, boxes_and_use_of_each_picture_are_written_for_who_scores_them) {
+  look_settings wanted;
+  wanted.from = recording();
+  wanted.boxes = root() + "/boxes.csv";
+  wanted.use = root() + "/use.csv";
+  const auto seen = look_through(wanted);
+  ASSERT_TRUE(seen) << seen.error();
+  const auto use = lines_of(wanted.use);
+  ASSERT_EQ(use.size(), pictures + 1U);
+  EXPECT_EQ(use[0], "frame,usable");
+  EXPECT_EQ(use[1], "1,0");   // the first tells nothing
+  EXPECT_EQ(use[41], "41,0"); // the hand before the lens
+  EXPECT_EQ(static_cast<std::uint64_t>(
+                std::ranges::count_if(use, [](const std::string& row) { return row.ends_with(",1"); })),
+            seen->usable());
+  const auto boxes = lines_of(wanted.boxes);
+  int rows = 0;
+  for (const auto& [number, track] : seen->tracks)
+    rows += track.pictures;
+  EXPECT_GT(rows, 0);
+  ASSERT_EQ(boxes.size(), rows + 1U);
+  EXPECT_EQ(boxes[0], "frame,track,x,y,w,h,score");
+  for (const auto& row : boxes)
+    EXPECT_EQ(std::ranges::count(row, ','), 6) << row;
+}
+
+TEST_F(look_through_recording, a_table_that_is_there_is_not_written_over) {
+  look_settings wanted;
+  wanted.from = recording();
+  wanted.use = root() + "/kept.csv";
+  std::ofstream(wanted.use) << "mine";
+  const auto seen = look_through(wanted);
+  ASSERT_FALSE(seen);
+  EXPECT_EQ(seen.error(), wanted.use + " is there already: name another file, or delete it");
+  EXPECT_EQ(lines_of(wanted.use).at(0), "mine");
+}
+
 TEST_F(look_through_recording, what_moves_and_why_pictures_are_of_no_use_is_said) {
   look_settings wanted;
   wanted.from = recording();

@@ -30,6 +30,13 @@ order_owner owner_of(std::uint64_t number) {
   return number >= first_reading_back ? order_owner::recovery : order_owner::runner;
 }
 
+bool finds_other_plan(const effects& what) {
+  return std::ranges::any_of(what, [](const effect& each) {
+    const auto* const noted = std::get_if<note>(&each);
+    return noted != nullptr && std::holds_alternative<progress::other_plan_found>(noted->what);
+  });
+}
+
 } // namespace
 
 // -- the arbiter ------------------------------------------------------------------------------------
@@ -346,6 +353,8 @@ effects core::on_transfer(std::uint64_t number, const transfer::outcome& outcome
   switch (owner_of(number)) {
   case order_owner::plan_watch:
     plan_.on_transfer(out, number, outcome, now);
+    if (flight_.was_called_home() && finds_other_plan(out)) // which progress does not follow any more
+      lose_plan(out, trigger::foreign_plan_found, now);
     break;
   case order_owner::last_line:
     last_line_.on_transfer(out, number, outcome, now);

@@ -51,8 +51,6 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
                      "Keeps what the actors of the one flight did in this folder; of several flights, those that fail");
   command.add_option("--plant", given.planted, "Every flight does this wrong, to see that it is found")
       ->transform(CLI::CheckedTransformer(words_of(planted_flaw{})));
-  command.add_flag("--strict-people", given.is_strict_for_people,
-                   "What the audit of people's rows finds fails a flight; else it is counted as known");
   if (is_by_seed(which)) {
     command
         .add_option_function<std::string>(

@@ -34,15 +34,23 @@ void plan_watch::follow_plan(instant now) {
   resolved_ = g.resolved;
 }
 
+// Of a mission that was called off the way home is read as well, which progress does not follow.
 bool plan_watch::may_read() const {
   const auto& s = flight_.s;
+  const bool is_way_home =
+      flight_.was_called_home() && flight_.is_on_way_home() && s.status.cause != pause_cause::foreign_plan;
   return flight_.is_in_flight() && !flight_.has_person() && !flight_.has_open_intent() && s.progress.plan && s.flown &&
-         !s.progress.paused && s.cut_off_uploads == 0 && flight_.view.is_connected() &&
+         (!s.progress.paused || is_way_home) && s.cut_off_uploads == 0 && flight_.view.is_connected() &&
          flight_.evidence.plan.is_doubted();
 }
 
 void plan_watch::check(effects& out, instant now) {
   follow_plan(now);
+  const auto& plan = flight_.s.progress.plan;
+  const auto& current = flight_.view.current();
+  if (plan && plan->vehicle_plan_id && flight_.was_called_home() && current && current->mission_id != 0 &&
+      current->mission_id != *plan->vehicle_plan_id)
+    flight_.evidence.plan.doubt(flight_.view.current_heard_ns());
   if (flight_.runner.is_busy()) {
     if (std::exchange(reading_, 0) != 0)
       out.emplace_back(give_up_transfer{});

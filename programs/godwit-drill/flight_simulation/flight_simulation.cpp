@@ -61,7 +61,8 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
       line_(wanted.seed,
             [this](sim::way to, std::span<const std::byte> frame, bool is_damaged) { arrived(to, frame, is_damaged); }),
       person_(persons_id, [this](std::span<const std::byte> frame) { person_sends(frame); }),
-      audit_(wanted.who, [this] { return vehicle_->describe(); }) {
+      audit_(
+          wanted.who, [this] { return vehicle_->describe(); }, !wanted.is_person_on_other_line) {
   service_.add_mission(mission);
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;
@@ -335,6 +336,8 @@ void flight_simulation::say(operators::command what) {
                         what.kind == operators::command_kind::start || what.kind == operators::command_kind::resume;
   if (releases)
     audit_.on_release();
+  else
+    audit_.on_word();
   if (what.by.empty())
     what.by = "drill";
   if (process_)

@@ -151,19 +151,20 @@ void people_audit::on_handled(const mavlink::frame_view& frame, bool is_persons,
   const bool changes_mode = before.mode != after.mode;
   const bool disarms = before.armed && !after.armed;
   if (!is_persons) {
-    if (act_ && !is_in_force())
+    const auto* mode = mode_in(frame, who_);
+    const bool is_same_mode = act_ && !act_->is_disarm && mode != nullptr && mode->name == act_->mode;
+    const bool is_before_shown = act_ && (!act_->shown_ns || now_ns <= *act_->shown_ns + heeded_within_ns);
+    if (act_ && (!is_in_force() || (is_same_mode && is_before_shown && !act_->is_answered)))
       act_.reset(); // by a race, or it was found when it was sent
     return;
   }
-  const auto command = command_in(frame);
-  have_people_led_ = have_people_led_ || moving_order_in(frame, who_) == moving_order::choose_item ||
-                     (command && command->command == number(mav_cmd::do_set_home));
   if (!changes_mode && !disarms)
     return;
   held_act act;
   act.at_ns = now_ns;
   act.mode = after.mode;
   act.is_disarm = disarms;
+  act.is_answered = hears_people_ && (command_in(frame) || who_ != sim::personality::px4); // SET_MODE has none of a PX4
   act.words = disarms ? "disarm" : "change from " + before.mode + " to " + after.mode;
   act.words += " (message " + std::to_string(frame.id()) + ")";
   act_ = std::move(act);
@@ -171,7 +172,7 @@ void people_audit::on_handled(const mavlink::frame_view& frame, bool is_persons,
 
 void people_audit::on_release() {
   act_.reset();
-  accepted_ns_.clear();
+  on_word();
 }
 
 bool people_audit::is_in_force() const {
@@ -182,8 +183,12 @@ bool people_audit::is_in_force() const {
 // -- what godwit sends ------------------------------------------------------------------------------
 
 void people_audit::on_sent(const mavlink::frame_view& frame, std::int64_t now_ns) {
-  if (frame.from() != godwit_id)
+  if (frame.from() != godwit_id) { // passed on for a station; what the line then does with it is not godwit's
+    const auto mode = custom_mode_in(frame, who_);
+    for (auto& each : wanted_)
+      each.is_done = each.is_done || (!each.needs_answer && mode && each.mode == mode);
     return;
+  }
   const auto command = command_in(frame);
   if (command && command->command == number(mav_cmd::component_arm_disarm) && command->param1 != 1)
     sent_ns_.erase(command->command); // what is accepted next is a disarm

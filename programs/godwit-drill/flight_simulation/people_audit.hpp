@@ -5,11 +5,15 @@
 //   foreign    no order that flies the plan goes out while the vehicle holds one that somebody else has brought
 //   again      an ARM or a start that the vehicle has accepted is never sent again, but on a person's word
 //   answer     what a station is acknowledged as ACCEPTED the vehicle does
-//   swallowed  a station's hold, return, landing or mode of a pilot is done in flight, also in a form without an answer
+//   swallowed  a station's hold, return, landing or mode of a pilot is done in flight, also in a form without an
+//   answer:
+//              by godwit, or by the vehicle, to which it is passed on
 //
 // An act counts while the vehicle is as the person left it: what overrides it in the time in which nobody could have
-// known of it is a race, and ends it. Bounds: findings (max_findings); answers that are judged later (max_waiting; the
-// oldest is judged at once). Thread: one. Source: MAVLink command protocol; flights with real autopilots.
+// known of it is a race, and ends it. So is the mode that godwit's own order makes at the same time, where godwit does
+// not hear that somebody else was granted it, too: what the vehicle shows is what godwit has asked for. Bounds:
+// findings (max_findings); answers that are judged later (max_waiting; the oldest is judged at once). Thread: one.
+// Source: MAVLink command protocol; flights with real autopilots.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +29,6 @@
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
 
 namespace godwit::drill {
-
-// What it finds is a flaw of a flight; else it is counted as known (docs/roadmap.md, the people's rows). Until the
-// executor keeps these rules it is off; `godwit-drill ... --strict-people` counts all the same.
-inline constexpr bool people_audit_fails_flights = false;
 
 inline constexpr io::mavlink::sender godwit_id{1, 191};
 
@@ -56,8 +56,10 @@ public:
 
   using picture = std::function<sim::vehicle_picture()>;
 
-  // NOW_SEEN: of the vehicle. Times are those of the flight.
-  people_audit(sim::personality who, picture now_seen) : who_(who), now_seen_(std::move(now_seen)) {}
+  // NOW_SEEN: of the vehicle. HEARS_PEOPLE: what the vehicle answers them comes to godwit. Times are those of the
+  // flight.
+  people_audit(sim::personality who, picture now_seen, bool hears_people = true)
+      : who_(who), now_seen_(std::move(now_seen)), hears_people_(hears_people) {}
 
   // -- what happens
   // Godwit has sent it towards the vehicle. RELAYED frames have another sender and are a station's.
@@ -70,19 +72,20 @@ public:
   void on_handled(const io::mavlink::frame_view& frame, bool is_persons, const sim::vehicle_picture& before,
                   const sim::vehicle_picture& after, std::int64_t now_ns);
   // The vehicle has taken a plan of somebody else; godwit's own is seen in on_answered().
-  void on_foreign_plan(std::int64_t now_ns) {
-    foreign_since_ns_ = now_ns;
-    have_people_led_ = true;
-  }
+  void on_foreign_plan(std::int64_t now_ns) { foreign_since_ns_ = now_ns; }
   // An operator lets godwit go on, or starts it.
   void on_release();
+  // He wants something else of it: what was accepted before is another order, also where a copy of that is answered
+  // later. Who has taken the vehicle keeps it.
+  void on_word() {
+    accepted_ns_.clear();
+    sent_ns_.clear();
+  }
   // At godwit's port.
   void on_station_sent(const io::mavlink::frame_view& frame, std::int64_t now_ns);
   void on_station_heard(const io::mavlink::frame_view& frame, std::int64_t now_ns);
   void on_time(std::int64_t now_ns);
 
-  // Somebody has brought another plan, chosen an item or moved home: what is reported of such a flight is people's too.
-  [[nodiscard]] bool have_people_led() const { return have_people_led_; }
   [[nodiscard]] const std::vector<std::string>& findings() const { return findings_; }
 
 private:
@@ -91,6 +94,7 @@ private:
     std::optional<std::int64_t> shown_ns; // its evidence has come to godwit
     std::string mode;                     // as the person left it
     bool is_disarm = false;
+    bool is_answered = false; // where godwit hears it
     std::string words;
   };
   // Of a station; judged when its time is over.
@@ -115,9 +119,9 @@ private:
 
   sim::personality who_;
   picture now_seen_;
+  bool hears_people_;
   std::optional<held_act> act_;
   std::optional<std::int64_t> foreign_since_ns_;
-  bool have_people_led_ = false;
   std::map<std::uint16_t, std::int64_t> accepted_ns_; // ARM and starts of godwit, since the last word of a person
   std::map<std::uint16_t, std::int64_t> sent_ns_;     // and when such a one was sent last
   std::deque<wanted_state> wanted_;

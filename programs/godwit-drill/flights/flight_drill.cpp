@@ -99,8 +99,6 @@ std::string words_of(const flight_drill_options& options) {
     result += " --stream-hz " + std::to_string(*options.stream_hz);
   if (options.planted != planted_flaw::none)
     result += " --plant " + std::string(io::name_of(options.planted));
-  if (options.is_strict_for_people && !people_audit_fails_flights)
-    result += " --strict-people";
   return result;
 }
 
@@ -148,7 +146,7 @@ public:
   }
   [[nodiscard]] flight_outcome fly(std::size_t index) const {
     const flight_wishes wishes{options_.planted, size() == 1, options_.stream_hz,
-                               size() == 1 ? options_.trace_folder : std::string(), options_.is_strict_for_people};
+                               size() == 1 ? options_.trace_folder : std::string()};
     return is_by_seed() ? fly_seed(options_, options_.seeds.first + index, wishes, options_.without)
                         : cases_[index].fly(wishes);
   }
@@ -191,8 +189,7 @@ std::vector<std::uint64_t> not_needed(const flight_drill_options& one, std::uint
     run_cases(
         1, {},
         [&](std::size_t) {
-          return fly_seed(one, one.seeds.first, {one.planted, false, one.stream_hz, {}, one.is_strict_for_people},
-                          without);
+          return fly_seed(one, one.seeds.first, {one.planted, false, one.stream_hz, {}}, without);
         },
         [&](std::size_t, const flight_outcome& outcome) { is_failing = !outcome.held(); });
     return is_failing;

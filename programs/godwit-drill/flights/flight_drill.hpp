@@ -49,9 +49,8 @@ struct flight_drill_options {
   std::optional<double> stream_hz; // of simulate: positions a second
   unsigned jobs = 1;
   planted_flaw planted = planted_flaw::none;
-  bool is_strict_for_people = people_audit_fails_flights; // what people_audit finds is a flaw
-  std::string json_file;                                  // empty: none
-  std::string html_file;                                  // empty: none
+  std::string json_file; // empty: none
+  std::string html_file; // empty: none
   std::string
       trace_folder; // of the one flight, or with a folder for each that fails; empty: one is made when it is needed
 };

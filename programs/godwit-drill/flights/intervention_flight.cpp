@@ -143,10 +143,10 @@ private:
       return;
     const auto home = short_mission(who_).return_point.value();
     const auto away_m = sim::between(flight_.vehicle().describe().where, {home.latitude, home.longitude, 0}).distance_m;
-    watched_.expect_of_people(away_m <= near_m ? ""
-                                               : "people: home: it was called home, and has landed " +
-                                                     std::to_string(static_cast<int>(away_m)) +
-                                                     " m from the mission's return point");
+    watched_.expect(away_m <= near_m
+                        ? ""
+                        : "people: home: it was called home, and has landed " +
+                              std::to_string(static_cast<int>(away_m)) + " m from the mission's return point");
   }
 
   // -- what a person does ---------------------------------------------------------------------------

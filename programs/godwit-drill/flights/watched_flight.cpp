@@ -48,11 +48,6 @@ void watched_flight::expect(const std::string& flaw) {
     outcome_.flaws.push_back(flaw);
 }
 
-void watched_flight::expect_of_people(const std::string& flaw) {
-  if (!flaw.empty())
-    (wishes_.is_strict_for_people ? outcome_.flaws : outcome_.known).push_back(flaw);
-}
-
 void watched_flight::note_recovery(double ms) { outcome_.recovery_ms = std::max(ms, outcome_.recovery_ms.value_or(0)); }
 
 void watched_flight::note_recovery_since(std::int64_t since_ns) {
@@ -85,14 +80,11 @@ flight_outcome watched_flight::finish_or_wait() {
 
 flight_outcome watched_flight::judge() {
   for (const auto& each : flight_.audit().findings())
-    expect_of_people(each);
-  const auto judge_report = [this](const std::string& flaw) {
-    flight_.audit().have_people_led() ? expect_of_people(flaw) : expect(flaw);
-  };
-  judge_report(flaw_of_reports(flight_));
-  judge_report(flaw_of_truth(flight_));
+    expect(each);
+  expect(flaw_of_reports(flight_));
+  expect(flaw_of_truth(flight_));
   for (const auto& each : flight_.record().broken())
-    judge_report(each);
+    expect(each);
   const auto counts = count_reports(flight_);
   outcome_.lost = counts.lost;
   outcome_.doubled = counts.doubled;

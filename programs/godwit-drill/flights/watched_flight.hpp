@@ -23,7 +23,6 @@ struct flight_wishes {
   // Positions a second; as the vehicle's world is fast, when it is not set. Of random flights.
   std::optional<double> stream_hz = {};
   std::string trace_folder = {}; // what its actors did is kept there; empty: it is not
-  bool is_strict_for_people = people_audit_fails_flights;
 };
 
 class watched_flight {
@@ -48,8 +47,6 @@ public:
   [[nodiscard]] flight_outcome finish_or_wait();
   // As it is now: asks the judges of what has happened so far.
   [[nodiscard]] flight_outcome judge();
-  // A flaw, or a known one while people_audit is not strict.
-  void expect_of_people(const std::string& flaw);
 
 private:
   flight_wishes wishes_;

@@ -239,6 +239,27 @@ TEST_P(danger, a_plan_of_somebody_else_in_flight_makes_no_report) {
   EXPECT_EQ(world.durable().status.cause, pause_cause::foreign_plan) << world.story();
 }
 
+// The mission is called off by then: nothing of it is followed any more.
+TEST_P(danger_on_its_line, a_plan_of_somebody_else_is_not_taken_for_the_way_home) {
+  if (who() == personality::plane)
+    return; // it is given no plan home
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+  world.set_home_by_hand(); // so that a plan leads home
+  world.run_for(6);
+  ASSERT_TRUE(world.say(command_kind::come_home).is_taken);
+  const auto is_on_way = [&] { return world.durable().status.now == phase::landing && !world.durable().doing; };
+  ASSERT_TRUE(world.run_until(is_on_way, 30)) << world.story();
+  world.run_for(3);
+  world.person().upload(another_plan(world));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::foreign_plan; }, 15))
+      << world.story();
+  EXPECT_TRUE(world.say(command_kind::come_home).is_taken) << "by a plan of ours";
+  EXPECT_TRUE(world.run_until(is_on_way, 30)) << world.story();
+}
+
 TEST_P(danger, items_that_somebody_else_jumps_over_are_not_reported_as_reached) {
   auto wanted = settings();
   wanted.start = start_policy::automatic;

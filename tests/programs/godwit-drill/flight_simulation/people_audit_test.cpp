@@ -171,6 +171,22 @@ TEST(people_audit, an_act_that_was_overridden_before_it_could_be_known_is_over) 
   EXPECT_TRUE(world.audit.findings().empty());
 }
 
+TEST(people_audit, a_mode_that_godwit_asks_for_in_the_same_moment_is_nobodys_where_no_answer_is_heard) {
+  for (const bool hears_people : {false, true}) {
+    audited_px4 world;
+    world.audit = people_audit(
+        sim::personality::px4, [&world] { return world.seen; }, hears_people);
+    world.become("AUTO.LOITER", true);
+    world.person_makes("AUTO.MISSION", true, audited_px4::command_of(mav_cmd::do_set_mode, 1, 4, 4));
+    const auto ours = audited_px4::command_of(mav_cmd::do_set_mode, 1, 4, 4);
+    world.audit.on_handled(mavlink::encode(ours, godwit_id, 0).view(), false, world.seen, world.seen, world.now_ns);
+    world.heartbeat_comes(mission);
+    world.wait(2 * s);
+    world.godwit_commands(mav_cmd::mission_start);
+    EXPECT_EQ(world.found("taken"), hears_people ? 1U : 0U);
+  }
+}
+
 // -- foreign ----------------------------------------------------------------------------------------
 
 TEST(people_audit, finds_a_start_with_a_plan_that_somebody_else_has_brought) {
@@ -194,10 +210,22 @@ TEST(people_audit, a_plan_that_godwit_has_brought_since_is_its_own) {
   world.wait(2 * s);
   world.godwit_commands(mav_cmd::mission_start);
   EXPECT_TRUE(world.audit.findings().empty());
-  EXPECT_TRUE(world.audit.have_people_led());
 }
 
 // -- again ------------------------------------------------------------------------------------------
+
+// A rover is stopped for another plan before it has moved, and started with that.
+TEST(people_audit, what_an_operator_wants_since_is_another_order) {
+  audited_px4 world;
+  world.godwit_commands(mav_cmd::mission_start);
+  world.accepts(mav_cmd::mission_start);
+  world.audit.on_word();
+  world.wait(100 * ms);
+  world.accepts(mav_cmd::mission_start); // the second copy
+  world.wait(2 * s);
+  world.godwit_commands(mav_cmd::mission_start);
+  EXPECT_EQ(world.found("again"), 0U);
+}
 
 TEST(people_audit, finds_an_order_that_is_sent_again_after_it_was_accepted) {
   for (const auto what : {mav_cmd::component_arm_disarm, mav_cmd::mission_start}) {
@@ -270,6 +298,11 @@ TEST(people_audit, finds_a_mode_of_a_station_that_is_swallowed_in_flight) {
   world.station_sends(mavlink::set_mode{1, 157, position_control});
   world.wait(3 * s);
   EXPECT_EQ(world.found("swallowed: a station's SET_MODE to POSCTL"), 1U);
+  const mavlink::set_mode once_more{1, 157, position_control};
+  world.station_sends(once_more);
+  world.audit.on_sent(mavlink::encode(once_more, simulated_station::self, 0).view(), world.now_ns);
+  world.wait(3 * s);
+  EXPECT_EQ(world.found("swallowed"), 1U) << "it was passed on, and lost on the line";
 }
 
 } // namespace people_audit_test

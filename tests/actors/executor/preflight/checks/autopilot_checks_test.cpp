@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/mavlink/enums.hpp"
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {

@@ -5,6 +5,7 @@
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/flight/vehicle_steps.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::executor {
 
@@ -80,12 +81,14 @@ void task_control::begin_plan(effects& out, const task& doing, deployment brings
   if (assignment)
     intent.assignment =
         progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};
+  const auto& flown = flight_.s.flown;
+  const bool is_same = flown && !io::mavlink::first_difference(flown->items, brings.items, flight_.plan_has_home());
   out.emplace_back(note{task_begun{doing, std::move(brings)}});
   flight_.wanted.set_current_item = false;
   flight_.wanted.finish_replan = flight_.wanted.finish_replan && !doing.goes_on;
   deploying_over_ = flight_.s.progress.last_generation;
   deploys_behind_end_ = flight_.is_plan_finished();
-  flight_.runner.begin(doing, deploy_steps(flight_, map, doing.goes_on), std::move(intent));
+  flight_.runner.begin(doing, deploy_steps(flight_, map, doing.goes_on, is_same), std::move(intent));
 }
 
 void task_control::begin_start(effects& out, std::optional<std::uint64_t> key, std::uint16_t sequence) {

@@ -19,7 +19,7 @@ steps out_of_mission_steps(const flight_context& flight) {
   return {stand_by{flight.view.is_armed()}};
 }
 
-steps way_to_plan(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
+steps way_to_plan(const flight_context& flight, const progress::plan_map& map, bool goes_on, bool is_same) {
   if (!flight.is_in_flight()) {
     steps result = out_of_mission_steps(flight);
     if (flight.view.finds_infeasible())
@@ -33,8 +33,7 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
       result = {guard{}, change_mode{mode_kind::hold}};
     result.emplace_back(bring_plan{});
     result.emplace_back(guard{});
-    if (goes_on && flight.view.says_complete() &&
-        !progress::is_way_home(map)) // the same plan again is finished, and would be held
+    if (goes_on && is_same && flight.view.says_complete()) // it is not begun anew, and would be held
       result.emplace_back(set_current_item{map.start_sequence, map.total});
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
@@ -92,8 +91,8 @@ steps jump_steps(const flight_context& flight, std::uint16_t sequence) {
   return {set_current_item{sequence}, change_mode{mode_kind::mission}};
 }
 
-steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on) {
-  auto result = way_to_plan(flight, map, goes_on);
+steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on, bool is_same) {
+  auto result = way_to_plan(flight, map, goes_on, is_same);
   if (flight.is_failsafe_gone) // nobody is there who would take the limits, and what is brought then is the way home
     std::erase_if(result, [](const step& each) { return std::holds_alternative<guard>(each); });
   return result;
@@ -110,7 +109,8 @@ steps going_on_steps(const flight_context& flight) {
       plan && !plan->generation.was_active && plan->generation.origin != progress::generation_origin::start;
   if (is_new && starts_in_mission_mode(flight))
     return {start_plan{plan->generation.start_sequence}};
-  const bool is_finished = !flight.is_ardupilot() && flight.view.says_complete(); // with the same plan before
+  const bool is_finished =
+      is_new && plan->generation.origin == progress::generation_origin::same_plan && flight.view.says_complete();
   if (is_new && (flight.is_ardupilot() || is_finished)) // it goes on where it was in the plan before
     return at_start_steps(flight, false);
   return {change_mode{is_new ? mode_kind::mission : going_on_mode(flight)}};

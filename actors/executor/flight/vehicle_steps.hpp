@@ -17,7 +17,9 @@ namespace godwit::executor {
 [[nodiscard]] steps start_steps(const flight_context& flight, std::uint16_t sequence);
 // Of a flight under way: to this item of the plan that it flies.
 [[nodiscard]] steps jump_steps(const flight_context& flight, std::uint16_t sequence);
-[[nodiscard]] steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on);
+// IS_SAME: the vehicle holds these very items.
+[[nodiscard]] steps deploy_steps(const flight_context& flight, const progress::plan_map& map, bool goes_on,
+                                 bool is_same);
 // Into the plan that it flies. In the return with which that ends a PX4 has finished its mission, and would hold in the
 // mission mode: it returns.
 [[nodiscard]] flight::mode_kind going_on_mode(const flight_context& flight);

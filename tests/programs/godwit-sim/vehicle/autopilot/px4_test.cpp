@@ -320,15 +320,50 @@ TEST(px4, takes_off_goes_comes_back_and_lands_by_command) {
   EXPECT_LT(between(world.picture().where, world.home()).distance_m, 2);
 }
 
-TEST(px4, leaves_its_mission_for_a_return_and_does_not_say_that_it_was_completed) {
+// captures/px4_118_return.tlog: reached and complete come as the return begins.
+TEST(px4, has_reached_its_return_and_completed_its_mission_as_that_begins) {
   px4_with world(0);
   ASSERT_EQ(world.upload(with_return(flight_of(1, world.home(), personality::px4))), mav_mission_result::accepted);
   ASSERT_EQ(world.start(), mav_result::accepted);
   ASSERT_TRUE(world.run_until([&] { return world.picture().mode == "AUTO.RTL"; }, 100 * s));
-  EXPECT_EQ(world.picture().mission_current, 2);
+  EXPECT_EQ(world.current().seq, 2);
+  EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::complete));
+  EXPECT_EQ(world.last<mavlink::mission_item_reached>()->seq, 2);
+  EXPECT_TRUE(world.picture().in_air);
   ASSERT_TRUE(world.run_until([&] { return !world.picture().armed; }, 100 * s));
   EXPECT_LT(between(world.picture().where, world.home()).distance_m, 2);
-  EXPECT_NE(world.last<mavlink::mission_current>()->mission_state, mavlink::number(mavlink::mission_state::complete));
+  EXPECT_EQ(world.picture().mode, "AUTO.LOITER");
+}
+
+TEST(px4, holds_when_it_is_sent_back_into_a_mission_that_is_finished) {
+  px4_with world(0);
+  ASSERT_EQ(world.upload(with_return(flight_of(1, world.home(), personality::px4))), mav_mission_result::accepted);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  ASSERT_TRUE(world.run_until([&] { return world.picture().mode == "AUTO.RTL"; }, 100 * s));
+  ASSERT_EQ(world.command(mav_cmd::do_set_mode, mission_mode), mav_result::accepted);
+  EXPECT_EQ(world.picture().mode, "AUTO.MISSION");
+  world.run_for(s / 2);
+  EXPECT_EQ(world.picture().mode, "AUTO.LOITER");
+  world.set_current(1);
+  ASSERT_EQ(world.command(mav_cmd::do_set_mode, mission_mode), mav_result::accepted);
+  world.run_for(2 * s);
+  EXPECT_NE(world.picture().mode, "AUTO.LOITER") << "it was told where to go on";
+}
+
+TEST(px4, takes_a_plan_that_leads_beyond_its_limit_and_refuses_to_fly_it) {
+  px4_with world(0);
+  world.subject().limit_distance(1);
+  ASSERT_EQ(world.upload(flight_of(3, world.home(), personality::px4)), mav_mission_result::accepted);
+  world.run_for(2 * s);
+  EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::no_mission));
+  EXPECT_NE(world.current().mission_id, 0U);
+  EXPECT_EQ(world.current().total, 5);
+  EXPECT_EQ(world.start(), mav_result::denied);
+  world.subject().limit_distance(0);
+  ASSERT_EQ(world.upload(flight_of(3, world.home(), personality::px4)), mav_mission_result::accepted);
+  world.run_for(2 * s);
+  EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::no_mission))
+      << "the same plan is not checked anew";
 }
 
 TEST(px4, flies_no_mission_with_an_empty_battery_or_without_a_position) {

@@ -60,7 +60,9 @@ TEST_P(uploaded_in_flight, the_plan_of_before_a_go_to_is_not_called_taken_while_
   go_to.place = mission::position{world.vehicle().describe().where.latitude_deg + 0.0002,
                                   world.vehicle().describe().where.longitude_deg, 20};
   ASSERT_TRUE(world.say(go_to).is_taken) << world.story();
-  ASSERT_TRUE(world.run_until([&] { return !shows(first); }, 30)) << world.story();
+  const auto is_sent = [&] { return world.durable().mission->revision == 2 && !world.durable().arrived; };
+  ASSERT_TRUE(world.run_until(is_sent, 30)) << world.story();
+  EXPECT_TRUE(shows(first)) << "its station goes on seeing its own plan";
   EXPECT_EQ(upload_and_wait(first), plan_verdict::refused) << world.story();
 }
 

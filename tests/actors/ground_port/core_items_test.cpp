@@ -35,10 +35,10 @@ class ground_port_items : public testing::Test {
 protected:
   ground_port_items() { is_of(mavlink::mav_autopilot::ardupilotmega); }
   void is_of(mavlink::mav_autopilot autopilot) {
-    port.vehicle_says(mavlink::heartbeat{.custom_mode = 4,
-                                         .type = mavlink::number(mavlink::mav_type::quadrotor),
+    port.vehicle_says(mavlink::heartbeat{.type = mavlink::number(mavlink::mav_type::quadrotor),
                                          .autopilot = mavlink::number(autopilot),
-                                         .base_mode = 129});
+                                         .base_mode = 129,
+                                         .custom_mode = 4});
     port.forget();
   }
   void vehicle_acknowledges(mavlink::sender to) {

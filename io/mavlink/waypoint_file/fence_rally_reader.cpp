@@ -21,7 +21,8 @@ constexpr std::size_t least_corners = 3;
 
 using line_columns = std::vector<std::string_view>;
 
-tl::unexpected<waypoint_error> wrong_at(waypoint_errc code, std::size_t line, std::string what, std::string column = {}) {
+tl::unexpected<waypoint_error> wrong_at(waypoint_errc code, std::size_t line, std::string what,
+                                        std::string column = {}) {
   return tl::make_unexpected(waypoint_error{code, {}, line, std::move(column), std::move(what)});
 }
 
@@ -62,7 +63,7 @@ waypoint_result<mission_item_int> fence_item(const line_columns& columns, bool i
 waypoint_result<mission_item_int> rally_item(const line_columns& columns, bool /*is_first*/, std::size_t line) {
   if (columns.size() != rally_columns || columns[0] != rally_mark)
     return wrong_at(waypoint_errc::wrong_columns, line,
-                 "a rally point is RALLY, latitude, longitude, altitude, break altitude, direction and flags");
+                    "a rally point is RALLY, latitude, longitude, altitude, break altitude, direction and flags");
   if (!is_number(columns[3]))
     return wrong_at(waypoint_errc::not_a_number, line, in_quotes(columns[3]) + " is not a number", "altitude");
   return item_at(mav_cmd::nav_rally_point, mav_frame::global_relative_alt, columns[1], columns[2], line)
@@ -80,13 +81,13 @@ waypoint_result<plan_lines> read_lines(std::string_view text, mav_mission_type t
   while (const auto line = lines.next()) {
     if (line->size() > max_waypoint_line_bytes)
       return wrong_at(waypoint_errc::too_large, lines.number(),
-                   "longer than " + std::to_string(max_waypoint_line_bytes) + " characters");
+                      "longer than " + std::to_string(max_waypoint_line_bytes) + " characters");
     const auto columns = columns_of(content_of(*line), rally_columns);
     if (columns.empty())
       continue;
     if (result.items.size() == max_waypoint_items)
       return wrong_at(waypoint_errc::too_large, lines.number(),
-                   "more than " + std::to_string(max_waypoint_items) + " items");
+                      "more than " + std::to_string(max_waypoint_items) + " items");
     auto item = read(columns, result.items.empty(), lines.number());
     if (!item)
       return tl::make_unexpected(std::move(item.error()));
@@ -129,8 +130,8 @@ waypoint_result<plan_lines> read_fence_lines(std::string_view text) {
   const auto corners = items.empty() ? 0 : items.size() - 1;
   if (corners < least_corners)
     return wrong_at(waypoint_errc::wrong_columns, 0,
-                 "a fence is a point of return and a polygon of at least 3 corners; it has " + std::to_string(corners) +
-                     " corners");
+                    "a fence is a point of return and a polygon of at least 3 corners; it has " +
+                        std::to_string(corners) + " corners");
   for (std::size_t i = 1; i < items.size(); ++i)
     items[i].param1 = static_cast<float>(corners);
   return result;

@@ -6,8 +6,9 @@
 //   RALLY LATITUDE LONGITUDE ALTITUDE BREAK DIRECTION FLAGS   a rally point
 //
 // Degrees, and metres above home. Comments, blank lines, CRLF and a byte order mark make no difference. The break
-// altitude, the direction of landing and the flags of a rally point have no place in an item; ArduPilot drops them, too.
-// Errors: as values, the first one found. Thread: pure. Source: pymavlink's mavwp.py, MAVFenceLoader and MAVRallyLoader.
+// altitude, the direction of landing and the flags of a rally point have no place in an item; ArduPilot drops them,
+// too. Errors: as values, the first one found. Thread: pure. Source: pymavlink's mavwp.py, MAVFenceLoader and
+// MAVRallyLoader.
 #pragma once
 
 #include <optional>

@@ -28,8 +28,8 @@ inline constexpr std::array<std::size_t, waypoint_columns.size()> column_of_100{
     mav_cmd command;
   };
   constexpr row rows[] = {
-      {2, mav_cmd::nav_takeoff},   {3, mav_cmd::nav_return_to_launch}, {4, mav_cmd::nav_land},
-      {24, mav_cmd::nav_takeoff},  {25, mav_cmd::nav_waypoint},        {26, mav_cmd::nav_land},
+      {2, mav_cmd::nav_takeoff},       {3, mav_cmd::nav_return_to_launch}, {4, mav_cmd::nav_land},
+      {24, mav_cmd::nav_takeoff},      {25, mav_cmd::nav_waypoint},        {26, mav_cmd::nav_land},
       {27, mav_cmd::nav_loiter_unlim},
   };
   const auto* const found = std::ranges::find(rows, action, &row::action);

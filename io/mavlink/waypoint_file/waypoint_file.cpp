@@ -77,8 +77,8 @@ waypoint_result<std::vector<mission_item_int>> load_waypoint_file(const fs::path
     return in_file(read_waypoints(*text, type), path);
   if (*holds != type)
     return refused(path, *holds == mav_mission_type::fence ? "it holds a fence" : "it holds rally points");
-  return in_file((*holds == mav_mission_type::fence ? read_fence_lines(*text) : read_rally_lines(*text)).map(only_items),
-                 path);
+  return in_file(
+      (*holds == mav_mission_type::fence ? read_fence_lines(*text) : read_rally_lines(*text)).map(only_items), path);
 }
 
 waypoint_result<void> save_waypoint_file(const fs::path& path, std::span<const mission_item_int> items) {

@@ -187,8 +187,8 @@ public:
   [[nodiscard]] bool has_header() const { return format_.has_value(); }
   // Jumps name items by their numbers: where these are not what they count, nobody knows which item is meant.
   [[nodiscard]] waypoint_result<plan_lines> take() {
-    const bool has_jump =
-        std::ranges::find(plan_.items, mavlink::number(mav_cmd::do_jump), &mission_item_int::command) != plan_.items.end();
+    const bool has_jump = std::ranges::find(plan_.items, mavlink::number(mav_cmd::do_jump),
+                                            &mission_item_int::command) != plan_.items.end();
     if (has_jump && misnumbered_)
       return tl::make_unexpected(*misnumbered_);
     return std::move(plan_);
@@ -215,7 +215,7 @@ private:
   }
 
   std::optional<waypoint_format> format_; // once the header was read
-  std::size_t blank_lines_ = 0; // and comments
+  std::size_t blank_lines_ = 0;           // and comments
   plan_lines plan_;
   std::optional<waypoint_error> misnumbered_; // the first one
 };

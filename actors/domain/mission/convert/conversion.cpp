@@ -46,6 +46,8 @@ std::string words_of(std::string_view rest) {
 void move_to_source(document_problem& problem, const document& mission, const source_map& source) {
   if (problem.pointer == "/items" && !source.list.empty())
     problem.pointer = source.list;
+  else if (problem.pointer == "/items" && source.holds_items)
+    problem = {{}, "holds no item that a mission has", {}};
   if (const auto found = entry_of(problem.pointer, "/items/"); found && found->first < source.items.size()) {
     const auto [index, rest] = *found;
     const auto& [place, name] = source.items[index];
@@ -92,6 +94,11 @@ conversion_error lossy(loss_list losses, std::string_view source) {
 import_result finished(const document& mission, loss_list losses, const import_options& options,
                        std::string_view source, const source_map& places) {
   const bool is_fence_alone = mission.items.empty() && !mission.geofences.empty() && !places.holds_items;
+  if (is_fence_alone && !options.fence_alone) {
+    document_problem no_items{{}, "holds a fence alone, which is no mission", {}};
+    return tl::unexpected(
+        conversion_error{bounded({document_errc::wrong_form, {std::move(no_items)}}, source), std::move(losses)});
+  }
   // By way of its text: what an importer gives away has passed the same checks as what the service sends.
   auto checked = read<document>(to_text(is_fence_alone ? with_an_item(mission) : mission));
   if (!checked) {

@@ -90,7 +90,9 @@ exported export_mission(const document& mission, mission_format to) { return row
 
 tl::expected<exported, conversion_error> convert(std::string_view text, mission_format from, mission_format to,
                                                  const import_options& options) {
-  auto read_in = import_mission(text, from, options);
+  auto reading = options;
+  reading.fence_alone = true;
+  auto read_in = import_mission(text, from, reading);
   if (!read_in)
     return tl::unexpected(std::move(read_in.error()));
   const bool is_mission_needed = to == mission_format::json || to == mission_format::geojson;

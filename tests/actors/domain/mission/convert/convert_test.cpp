@@ -56,9 +56,10 @@ TEST(convert, a_fence_alone_is_written_where_a_fence_alone_can_stand) {
   ASSERT_TRUE(plan.has_value()) << plan.error().message();
   const auto lines = convert(plan->text, mission_format::plan, mission_format::waypoints);
   ASSERT_TRUE(lines.has_value()) << lines.error().message();
-  const auto again = import_mission(lines->text, mission_format::waypoints);
+  const import_options alone{false, {}, {}, true};
+  const auto again = import_mission(lines->text, mission_format::waypoints, alone);
   ASSERT_TRUE(again.has_value()) << again.error().message();
-  EXPECT_EQ(again->mission.geofences, import_mission(fence, mission_format::waypoints)->mission.geofences);
+  EXPECT_EQ(again->mission.geofences, import_mission(fence, mission_format::waypoints, alone)->mission.geofences);
   EXPECT_TRUE(again->mission.items.empty());
   EXPECT_EQ(convert(fence, mission_format::waypoints, mission_format::json).error().message(),
             "the document holds a fence alone, which is no mission; allowed: a .plan or .waypoints to write it to");

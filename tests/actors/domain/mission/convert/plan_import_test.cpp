@@ -131,15 +131,18 @@ TEST(plan_import, an_old_fence_with_something_in_it_is_a_loss) {
             "fence of version 1; its form is not known; instead: left out");
 }
 
-TEST(plan_import, a_plan_that_is_only_a_fence_is_one) {
+TEST(plan_import, a_plan_that_is_only_a_fence_is_no_mission_and_read_where_that_is_asked_for) {
   auto plan = nlohmann::json::parse(sample_file("fence.plan"));
   plan["mission"]["items"] = nlohmann::json::array();
-  const auto result = import_plan(plan.dump());
+  EXPECT_EQ(import_plan(plan.dump(), {true, {}}).error().message(),
+            "the document holds a fence alone, which is no mission");
+  const import_options alone{false, {}, {}, true};
+  const auto result = import_plan(plan.dump(), alone);
   ASSERT_TRUE(result.has_value()) << result.error().message();
   EXPECT_TRUE(result->mission.items.empty());
   EXPECT_EQ(result->mission.geofences.size(), 2U);
   plan["geoFence"]["polygons"][1]["polygon"] = {{47.1, 8.1}, {47.2, 8.2}};
-  EXPECT_EQ(import_plan(plan.dump()).error().message(),
+  EXPECT_EQ(import_plan(plan.dump(), alone).error().message(),
             "/geoFence/polygons/1/polygon is a list of 2; allowed: a polygon");
 }
 

@@ -76,6 +76,14 @@ TEST(waypoints_import, a_loss_and_a_problem_name_the_line_the_item_and_the_comma
                                              "commands for cameras and gimbals; instead: left out");
 }
 
+TEST(waypoints_import, lines_whose_items_are_all_left_out_are_refused_whatever_is_allowed) {
+  const auto result = import_waypoints("QGC WPL 110\n0\t0\t2\t177\t0\t3\t0\t0\t0\t0\t0\t1\n", {true, {}});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().message(), "the document holds no item that a mission has\n"
+                                      "item 0 (line 2): DO_JUMP: the item; the items of a mission are flown once, in "
+                                      "order; instead: left out");
+}
+
 TEST(waypoints_import, a_home_of_command_0_is_home) {
   const auto result = import_waypoints("QGC WPL 110\n"
                                        "0\t1\t0\t0\t0\t0\t0\t0\t47.399\t8.55\t488\t1\n"
@@ -86,15 +94,17 @@ TEST(waypoints_import, a_home_of_command_0_is_home) {
 
 TEST(waypoints_import, a_fence_is_read_as_a_fence_with_its_point_of_return_as_a_loss) {
   const std::string fence = "47.398\t8.546\n47.397\t8.545\n47.399\t8.545\n47.399\t8.547\n47.397\t8.545\n";
-  const auto result = import_waypoints(fence, {true, {}});
+  const import_options alone{true, {}, {}, true};
+  const auto result = import_waypoints(fence, alone);
   ASSERT_TRUE(result.has_value()) << result.error().message();
   EXPECT_TRUE(result->mission.items.empty());
   ASSERT_EQ(result->mission.geofences.size(), 1U);
   EXPECT_EQ(result->mission.geofences[0].vertices.size(), 3U);
   EXPECT_EQ(result->losses.message(), "item 0 (line 1): point to return to after a breach; a mission returns to one "
                                       "point; instead: left out");
-  EXPECT_FALSE(import_waypoints(fence).has_value());
-  const auto crossing = import_waypoints("0 0\n47 8\n48 9\n47 9\n48 8\n", {true, {}});
+  EXPECT_EQ(import_waypoints(fence, {true, {}}).error().error.message(),
+            "the document holds a fence alone, which is no mission");
+  const auto crossing = import_waypoints("0 0\n47 8\n48 9\n47 9\n48 8\n", alone);
   EXPECT_EQ(crossing.error().error.problems.at(0).pointer, "line 2");
 }
 

@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "programs/godwitd/console.hpp"
 #include "programs/godwitd/option_table.hpp"
 
@@ -48,6 +50,7 @@ Examples:
   godwitd convert survey.plan survey.json
   godwitd convert survey.json survey.geojson
   godwitd convert old.waypoints mission.json --allow-partial
+  godwitd convert field.waypoints mission.json --for arducopter
 
 Exit codes: 0 converted, 1 nothing was written: the file can not be read, is no mission, or something of it can not be
 carried over; 2 an ending that means no format.)";
@@ -287,11 +290,20 @@ void add_accounts(CLI::App& app, invocation& to) {
   }
 }
 
+std::vector<std::string> vehicle_names() {
+  std::vector<std::string> result;
+  for (const auto& each : io::enum_table<mission::vehicle_profile>)
+    result.emplace_back(each.second);
+  return result;
+}
+
 void add_convert(CLI::App& app, invocation& to) {
   auto* const convert = app.add_subcommand("convert", "Turns a mission from one file format into another.");
   convert->fallthrough();
   convert->add_option("IN", to.files.in, "The mission that is there")->required();
   convert->add_option("OUT", to.files.out, "Where to write it; a file that is there is replaced")->required();
+  convert->add_option("--for", to.files.vehicle, "Which vehicle is to fly it (what a .plan says)")
+      ->check(CLI::IsMember(vehicle_names()));
   convert->footer(convert_examples);
   convert->callback([&to] { to.what = task::convert; });
 }

@@ -95,7 +95,10 @@ exit_code run_convert(const convert_arguments& given, bool allow_partial) {
   const auto text = read_file(given.in);
   if (!text)
     return fail(text.error());
-  const auto result = mission::convert(*text, *from, *to, {allow_partial, {}});
+  mission::import_options options{allow_partial, {}};
+  if (!given.vehicle.empty())
+    options.vehicle = io::value_of<mission::vehicle_profile>(given.vehicle);
+  const auto result = mission::convert(*text, *from, *to, options);
   if (!result)
     return fail(explained(given.in, result.error()));
   if (const auto written = write_file(given.out, result->text); !written)

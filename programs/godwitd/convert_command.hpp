@@ -3,6 +3,8 @@
 // The formats follow from the endings of the names. What can not be carried over is listed and refused, unless partial
 // conversions are allowed. OUT is written whole or not at all.
 //
+// VEHICLE: what it takes, refuses and ignores decides what is lost.
+//
 // Ends with: ok; failed: a file that can not be read or written, is no mission, or would lose something; usage: an
 // ending that means no format. Thread: the caller's; blocks on the disk.
 #pragma once
@@ -19,6 +21,7 @@ namespace godwit::daemon {
 struct convert_arguments {
   std::string in;
   std::string out;
+  std::string vehicle{}; // a vehicle_profile; empty: as far as the file says it
 };
 
 [[nodiscard]] runtime::exit_code run_convert(const convert_arguments& given, bool allow_partial);

@@ -14,9 +14,9 @@ namespace godwit::io::mavlink {
 
 enum class waypoint_errc {
   not_a_plan,     // the first line is not the header
-  other_version,  // a header of a version that is not 110
+  other_version,  // a header of a version that is not read
   too_large,      // more items, longer lines or more blank lines than there may be
-  wrong_columns,  // not 12
+  wrong_columns,  // not as many as the version has
   not_a_number,   // not the kind of number that the column holds
   out_of_range,   // a number that can not be there
   wrong_sequence, // of items that a jump names by their index, or that are written: 0, 1, 2, ...

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "io/mavlink/waypoint_file/fence_rally_reader.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
 #include "io/mavlink/waypoint_file/waypoint_reader.hpp"
 #include "io/mavlink/waypoint_file/waypoint_writer.hpp"
@@ -69,7 +71,14 @@ waypoint_result<std::vector<mission_item_int>> load_waypoint_file(const fs::path
   const auto text = read_text(path);
   if (!text)
     return tl::make_unexpected(text.error());
-  return in_file(read_waypoints(*text, type), path);
+  const auto only_items = [](plan_lines plan) { return std::move(plan.items); };
+  const auto holds = fence_or_rally(*text);
+  if (!holds)
+    return in_file(read_waypoints(*text, type), path);
+  if (*holds != type)
+    return refused(path, *holds == mav_mission_type::fence ? "it holds a fence" : "it holds rally points");
+  return in_file(
+      (*holds == mav_mission_type::fence ? read_fence_lines(*text) : read_rally_lines(*text)).map(only_items), path);
 }
 
 waypoint_result<void> save_waypoint_file(const fs::path& path, std::span<const mission_item_int> items) {

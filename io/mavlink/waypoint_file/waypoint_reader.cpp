@@ -6,18 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/waypoint_file/coordinate_text.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
+#include "io/mavlink/waypoint_file/text_lines.hpp"
+#include "io/mavlink/waypoint_file/version_100.hpp"
 
 namespace godwit::io::mavlink {
 
 namespace {
-
-constexpr std::string_view blanks = " \t";
-constexpr char comment_mark = '#';
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 using columns = std::array<std::string_view, waypoint_columns.size()>;
 
@@ -34,6 +33,14 @@ bool is_nan_text(std::string_view text) {
          is_letter(text[2], 'n', 'N');
 }
 
+// "16" of "16.0", which some programs write; all of TEXT if it is no such number.
+std::string_view whole_part(std::string_view text) {
+  const auto point = text.find('.');
+  const bool is_whole = point != std::string_view::npos && point != 0 && point + 1 < text.size() &&
+                        text.find_first_not_of('0', point + 1) == std::string_view::npos;
+  return is_whole ? text.substr(0, point) : text;
+}
+
 // The parts of one line; each column has a name.
 class item_line {
 public:
@@ -41,7 +48,7 @@ public:
 
   template <class T>
   [[nodiscard]] column_result<T> whole(waypoint_column column, std::uint32_t most) const {
-    const auto text = of(column);
+    const auto text = whole_part(of(column));
     std::uint32_t value = 0;
     const auto [stopped, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (stopped != text.data() + text.size() || failure == std::errc::invalid_argument)
@@ -79,21 +86,18 @@ private:
   const columns& parts_;
 };
 
-column_result<columns> split(std::string_view line) {
+column_result<columns> split(std::string_view line, waypoint_format format) {
+  constexpr std::size_t columns_of_100 = 13;
+  const auto expected = format == waypoint_format::version_100 ? columns_of_100 : waypoint_columns.size();
+  const auto found = columns_of(line, expected);
+  if (found.size() != expected)
+    return wrong(waypoint_errc::wrong_columns,
+                 (found.size() > expected ? "more than " + std::to_string(expected) : std::to_string(found.size())) +
+                     (found.size() == 1 ? " column" : " columns") + "; an item has " + std::to_string(expected) +
+                     ", parted by tabs or spaces");
   columns parts;
-  std::size_t count = 0;
-  for (auto at = line.find_first_not_of(blanks); at != std::string_view::npos;
-       at = line.find_first_not_of(blanks, at)) {
-    const auto end = std::min(line.find_first_of(blanks, at), line.size());
-    if (count < parts.size())
-      parts[count] = line.substr(at, end - at);
-    ++count;
-    at = end;
-  }
-  if (count != parts.size())
-    return wrong(waypoint_errc::wrong_columns, std::to_string(count) + (count == 1 ? " column" : " columns") +
-                                                   "; an item has " + std::to_string(parts.size()) +
-                                                   ", parted by tabs or spaces");
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts.at(i) = found.at(format == waypoint_format::version_100 ? column_of_100.at(i) : i);
   return parts;
 }
 
@@ -108,8 +112,8 @@ bool take(const column_result<T>& result, T& to, waypoint_error& error) {
 }
 
 // The item has the index that stands in the file.
-column_result<mission_item_int> read_item(std::string_view text) {
-  const auto parts = split(text);
+column_result<mission_item_int> read_item(std::string_view text, waypoint_format format) {
+  const auto parts = split(text, format);
   if (!parts)
     return tl::make_unexpected(parts.error());
   const item_line line(*parts);
@@ -131,10 +135,17 @@ column_result<mission_item_int> read_item(std::string_view text) {
       !take(line.coordinate(*kind, axis::x), item.x, error) || !take(line.coordinate(*kind, axis::y), item.y, error) ||
       !take(line.real(z), item.z, error))
     return tl::make_unexpected(error);
+  if (format == waypoint_format::version_100) {
+    const auto known = command_of_100(item.command);
+    if (!known)
+      return wrong(waypoint_errc::out_of_range, in_quotes(line.of(command)) + " is no action of version 100",
+                   name_of(command));
+    item.command = *known;
+  }
   return item;
 }
 
-column_result<void> check_header(std::string_view line) {
+column_result<waypoint_format> read_header(std::string_view line) {
   if (!line.starts_with(waypoint_magic)) {
     const bool is_json = line.starts_with('{');
     return wrong(
@@ -143,40 +154,13 @@ column_result<void> check_header(std::string_view line) {
                 : in_quotes(line) + " where the header \"QGC WPL 110\" was expected");
   }
   const auto version = line.substr(waypoint_magic.size());
-  const auto begin = version.find_first_not_of(blanks);
-  if (begin == 0 || begin == std::string_view::npos || version.substr(begin) != waypoint_version)
-    return wrong(waypoint_errc::other_version, in_quotes(line) + " is not version 110, the only one that is read");
-  return {};
-}
-
-// Gives out a text line by line, without their ends.
-class line_splitter {
-public:
-  explicit line_splitter(std::string_view text) : rest_(text) {}
-
-  [[nodiscard]] std::optional<std::string_view> next() {
-    if (rest_.empty())
-      return std::nullopt;
-    const auto end = std::min(rest_.find('\n'), rest_.size());
-    auto line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    ++number_;
-    if (line.ends_with('\r'))
-      line.remove_suffix(1);
-    return line;
-  }
-  [[nodiscard]] std::size_t number() const { return number_; } // of the last one, from 1 on
-
-private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
-};
-
-// Nor the comment that ends the line.
-std::string_view without_blanks_after(std::string_view line) {
-  line = line.substr(0, line.find(comment_mark));
-  const auto last = line.find_last_not_of(blanks);
-  return last == std::string_view::npos ? std::string_view() : line.substr(0, last + 1);
+  const auto begin = version.find_first_not_of(column_blanks);
+  const auto number = begin == std::string_view::npos ? std::string_view() : version.substr(begin);
+  if (begin != 0 && (number == waypoint_version || number == "120"))
+    return waypoint_format::version_110;
+  if (begin != 0 && number == "100")
+    return waypoint_format::version_100;
+  return wrong(waypoint_errc::other_version, in_quotes(line) + " is not of a version that is read: 100, 110 and 120");
 }
 
 // What is read so far, and the rules about the order of lines.
@@ -185,30 +169,29 @@ public:
   column_result<void> take_line(std::string_view line, std::size_t number, mav_mission_type type) {
     if (line.size() > max_waypoint_line_bytes)
       return wrong(waypoint_errc::too_large, "longer than " + std::to_string(max_waypoint_line_bytes) + " characters");
-    line = without_blanks_after(line);
+    line = content_of(line);
     if (line.empty())
       return take_blank();
-    if (!has_header_) {
-      has_header_ = true;
-      return check_header(line);
-    }
-    if (items_.size() == max_waypoint_items)
+    if (!format_)
+      return read_header(line).map([&](waypoint_format format) { format_ = format; });
+    if (plan_.items.size() == max_waypoint_items)
       return wrong(waypoint_errc::too_large, "more than " + std::to_string(max_waypoint_items) + " items");
-    return read_item(line).map([&](mission_item_int item) {
+    return read_item(line, *format_).map([&](mission_item_int item) {
       renumber(item, number);
       item.mission_type = static_cast<std::uint8_t>(type);
-      items_.push_back(item);
+      plan_.items.push_back(item);
+      plan_.lines.push_back(number);
     });
   }
 
-  [[nodiscard]] bool has_header() const { return has_header_; }
+  [[nodiscard]] bool has_header() const { return format_.has_value(); }
   // Jumps name items by their numbers: where these are not what they count, nobody knows which item is meant.
-  [[nodiscard]] waypoint_result<std::vector<mission_item_int>> take() {
-    const bool has_jump =
-        std::ranges::find(items_, number(mav_cmd::do_jump), &mission_item_int::command) != items_.end();
+  [[nodiscard]] waypoint_result<plan_lines> take() {
+    const bool has_jump = std::ranges::find(plan_.items, mavlink::number(mav_cmd::do_jump),
+                                            &mission_item_int::command) != plan_.items.end();
     if (has_jump && misnumbered_)
       return tl::make_unexpected(*misnumbered_);
-    return std::move(items_);
+    return std::move(plan_);
   }
 
 private:
@@ -220,7 +203,7 @@ private:
   }
 
   void renumber(mission_item_int& item, std::size_t line) {
-    const auto place = static_cast<std::uint16_t>(items_.size());
+    const auto place = static_cast<std::uint16_t>(plan_.items.size());
     if (item.seq != place && !misnumbered_)
       misnumbered_ = waypoint_error{waypoint_errc::wrong_sequence,
                                     {},
@@ -231,18 +214,16 @@ private:
     item.seq = place;
   }
 
-  bool has_header_ = false;
-  std::size_t blank_lines_ = 0; // and comments
-  std::vector<mission_item_int> items_;
+  std::optional<waypoint_format> format_; // once the header was read
+  std::size_t blank_lines_ = 0;           // and comments
+  plan_lines plan_;
   std::optional<waypoint_error> misnumbered_; // the first one
 };
 
 } // namespace
 
-waypoint_result<std::vector<mission_item_int>> read_waypoints(std::string_view text, mav_mission_type type) {
-  if (text.starts_with(byte_order_mark))
-    text.remove_prefix(byte_order_mark.size());
-  line_splitter lines(text);
+waypoint_result<plan_lines> read_plan_lines(std::string_view text, mav_mission_type type) {
+  text_lines lines(text);
   plan_builder plan;
   while (const auto line = lines.next())
     if (auto taken = plan.take_line(*line, lines.number(), type); !taken) {
@@ -255,6 +236,10 @@ waypoint_result<std::vector<mission_item_int>> read_waypoints(std::string_view t
                      ? "it is empty; the header \"QGC WPL 110\" was expected"
                      : "nothing is in it but blank lines and comments; the header \"QGC WPL 110\" was expected");
   return plan.take();
+}
+
+waypoint_result<std::vector<mission_item_int>> read_waypoints(std::string_view text, mav_mission_type type) {
+  return read_plan_lines(text, type).map([](plan_lines plan) { return std::move(plan.items); });
 }
 
 } // namespace godwit::io::mavlink

@@ -1,7 +1,7 @@
 // Missions from a browser: POST /api/v1/missions and /api/v1/missions/check, with the text of the file as the body
 // (application/octet-stream) and ?format=json, plan, waypoints or geojson; &partial=yes takes what can be taken.
 //
-//   check: {"mission": ..., "losses": [{"item", "what", "why", "instead"}]}, or 422 with all that is wrong
+//   check: {"mission": ..., "losses": [{"item", "what", "why", "instead", "line"}]}, or 422 with all that is wrong
 //   else: the same, and then it goes to mission_desk, which says whether it is taken
 //
 // The file is read by RUN, beside the thread of the port; where too many wait, the answer is 503. Errors: problem

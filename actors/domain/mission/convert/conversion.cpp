@@ -1,8 +1,11 @@
 #include "actors/domain/mission/convert/conversion.hpp"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "actors/domain/mission/read.hpp"
@@ -19,7 +22,61 @@ std::uint64_t hash_of(std::string_view text, std::uint64_t start) {
   return start;
 }
 
+// The index that POINTER has in the list LIST of a mission, and what comes after it.
+std::optional<std::pair<std::size_t, std::string_view>> entry_of(std::string_view pointer, std::string_view list) {
+  if (!pointer.starts_with(list))
+    return std::nullopt;
+  pointer.remove_prefix(list.size());
+  std::size_t index = 0;
+  const auto [stopped, failure] = std::from_chars(pointer.data(), pointer.data() + pointer.size(), index);
+  if (failure != std::errc{})
+    return std::nullopt;
+  return std::pair{index, pointer.substr(static_cast<std::size_t>(stopped - pointer.data()))};
+}
+
+// "/at/latitude" is "latitude" to people.
+std::string words_of(std::string_view rest) {
+  if (rest.starts_with("/at/"))
+    rest.remove_prefix(3);
+  std::string result(rest.empty() ? rest : rest.substr(1));
+  std::ranges::replace(result, '/', ' ');
+  return result;
+}
+
+void move_to_source(document_problem& problem, const document& mission, const source_map& source) {
+  if (problem.pointer == "/items" && !source.list.empty())
+    problem.pointer = source.list;
+  else if (problem.pointer == "/items" && source.holds_items)
+    problem = {{}, "holds no item that a mission has", {}};
+  if (const auto found = entry_of(problem.pointer, "/items/"); found && found->first < source.items.size()) {
+    const auto [index, rest] = *found;
+    const auto& [place, name] = source.items[index];
+    const auto id = index < mission.items.size() ? in_quotes(id_of(mission.items[index])) : std::string();
+    const auto words = words_of(rest);
+    problem.what =
+        '(' + name + (name.empty() ? "" : ", ") + id + "): " + words + (words.empty() ? "" : " ") + problem.what;
+    problem.pointer = place;
+  } else if (const auto fence = entry_of(problem.pointer, "/geofences/");
+             fence && fence->first < source.geofences.size()) {
+    const auto words = fence->second == "/vertices" ? std::string() : words_of(fence->second) + ' ';
+    problem.what = words + problem.what;
+    problem.pointer = source.geofences[fence->first].place;
+  }
+}
+
+// A mission needs an item, a file of a fence alone has none: its fences are checked with one in front of them.
+document with_an_item(document mission) {
+  mission.items.emplace_back(takeoff{"none", 1});
+  return mission;
+}
+
 } // namespace
+
+document_error in_source(document_error error, const document& mission, const source_map& source) {
+  for (auto& each : error.problems)
+    move_to_source(each, mission, source);
+  return error;
+}
 
 std::string conversion_error::message() const {
   auto result = error.message();
@@ -35,16 +92,24 @@ conversion_error lossy(loss_list losses, std::string_view source) {
 }
 
 import_result finished(const document& mission, loss_list losses, const import_options& options,
-                       std::string_view source) {
+                       std::string_view source, const source_map& places) {
+  const bool is_fence_alone = mission.items.empty() && !mission.geofences.empty() && !places.holds_items;
+  if (is_fence_alone && !options.fence_alone) {
+    document_problem no_items{{}, "holds a fence alone, which is no mission", {}};
+    return tl::unexpected(
+        conversion_error{bounded({document_errc::wrong_form, {std::move(no_items)}}, source), std::move(losses)});
+  }
   // By way of its text: what an importer gives away has passed the same checks as what the service sends.
-  auto checked = read<document>(to_text(mission));
+  auto checked = read<document>(to_text(is_fence_alone ? with_an_item(mission) : mission));
   if (!checked) {
-    auto error = std::move(checked.error());
+    auto error = in_source(std::move(checked.error()), mission, places);
     error.sample = source.substr(0, max_document_sample);
     return tl::unexpected(conversion_error{std::move(error), std::move(losses)});
   }
   if (!losses.empty() && !options.allow_partial)
     return tl::unexpected(lossy(std::move(losses), source));
+  if (is_fence_alone)
+    checked->items.clear();
   return imported{std::move(*checked), std::move(losses)};
 }
 

@@ -57,8 +57,14 @@ struct ending_row {
 constexpr std::array endings{
     ending_row{".json", mission_format::json},           ending_row{".plan", mission_format::plan},
     ending_row{".waypoints", mission_format::waypoints}, ending_row{".txt", mission_format::waypoints},
+    ending_row{".mission", mission_format::plan},        ending_row{".fen", mission_format::waypoints},
     ending_row{".geojson", mission_format::geojson},
 };
+
+tl::unexpected<conversion_error> not_written(std::string what, std::string allowed, std::string_view text) {
+  return tl::unexpected(
+      conversion_error{bounded({document_errc::wrong_form, {{{}, std::move(what), std::move(allowed)}}}, text), {}});
+}
 
 bool ends_with(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
@@ -84,9 +90,19 @@ exported export_mission(const document& mission, mission_format to) { return row
 
 tl::expected<exported, conversion_error> convert(std::string_view text, mission_format from, mission_format to,
                                                  const import_options& options) {
-  auto read_in = import_mission(text, from, options);
+  auto reading = options;
+  reading.fence_alone = true;
+  auto read_in = import_mission(text, from, reading);
   if (!read_in)
     return tl::unexpected(std::move(read_in.error()));
+  const bool is_mission_needed = to == mission_format::json || to == mission_format::geojson;
+  if (read_in->mission.items.empty() && is_mission_needed)
+    return not_written("holds a fence alone, which is no mission", "a .plan or .waypoints to write it to", text);
+  const auto& items = read_in->mission.items;
+  if (to == mission_format::waypoints && !items.empty() &&
+      std::ranges::all_of(items, [](const item& each) { return std::holds_alternative<survey>(each); }))
+    return not_written("has surveys alone, and lines have no patterns: nothing would be left", "a .plan or .json",
+                       text);
   auto result = export_mission(read_in->mission, to);
   read_in->losses.add(std::move(result.losses));
   if (!read_in->losses.empty() && !options.allow_partial)

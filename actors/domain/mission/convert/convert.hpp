@@ -28,7 +28,7 @@ constexpr auto enum_names(mission_format) {
                                     {mission_format::geojson, "geojson"}});
 }
 
-// By the ending of a file's name, in any case: .json, .plan, .waypoints or .txt, .geojson.
+// By the ending of a file's name, in any case: .json, .plan or .mission, .waypoints, .txt or .fen, .geojson.
 [[nodiscard]] std::optional<mission_format> format_of_name(std::string_view file_name);
 
 [[nodiscard]] import_result import_mission(std::string_view text, mission_format from,

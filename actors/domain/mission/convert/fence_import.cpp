@@ -25,12 +25,14 @@ std::optional<fence_kind> kind_of_fence(plan_source& source, const plan_node& no
   return is_inclusion ? fence_kind::inclusion : fence_kind::exclusion;
 }
 
-void import_polygon(plan_source& source, const plan_node& node, std::vector<geofence>& fences) {
-  if (const auto kind = kind_of_fence(source, node))
-    fences.push_back({*kind, source.corners(node, "polygon"), {}, {}});
+void import_polygon(plan_source& source, const plan_node& node, imported_fences& fences) {
+  if (const auto kind = kind_of_fence(source, node)) {
+    fences.all.push_back({*kind, source.corners(node, "polygon"), {}, {}});
+    fences.places.push_back({pointer_to(node.pointer, "polygon"), {}});
+  }
 }
 
-void import_circle(plan_source& source, const plan_node& node, std::vector<geofence>& fences) {
+void import_circle(plan_source& source, const plan_node& node, imported_fences& fences) {
   const auto circle = source.object(node, "circle");
   const auto centre = source.place(circle, "center");
   const auto radius_m = source.number(circle, "radius");
@@ -46,7 +48,8 @@ void import_circle(plan_source& source, const plan_node& node, std::vector<geofe
   const std::string where = *kind == fence_kind::inclusion ? " corners within it" : " corners around it";
   source.losses.add(
       {{}, what, "a mission's fences are polygons", "a polygon with " + std::to_string(corners->size()) + where});
-  fences.push_back({*kind, std::move(*corners), {}, {}});
+  fences.all.push_back({*kind, std::move(*corners), {}, {}});
+  fences.places.push_back({circle.pointer, {}});
 }
 
 // Version 1 stands in plans of an older form, mostly with nothing in it.
@@ -90,8 +93,8 @@ std::optional<std::vector<vertex>> polygon_of_circle(const vertex& centre, doubl
   return corners;
 }
 
-std::vector<geofence> import_fence(plan_source& source, const plan_node& fence) {
-  std::vector<geofence> fences;
+imported_fences import_fence(plan_source& source, const plan_node& fence) {
+  imported_fences fences;
   if (!has_known_version(source, fence, "fence"))
     return fences;
   source.lose_unknown(fence, {"breachReturn", "circles", "polygons", "version"});

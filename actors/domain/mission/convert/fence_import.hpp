@@ -4,12 +4,18 @@
 #include <optional>
 #include <vector>
 
+#include "actors/domain/mission/convert/conversion.hpp"
 #include "actors/domain/mission/convert/plan_source.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::mission {
 
-[[nodiscard]] std::vector<geofence> import_fence(plan_source& source, const plan_node& fence);
+struct imported_fences {
+  std::vector<geofence> all;
+  std::vector<source_place> places; // of each
+};
+
+[[nodiscard]] imported_fences import_fence(plan_source& source, const plan_node& fence);
 
 void import_rally_points(plan_source& source, const plan_node& rally);
 

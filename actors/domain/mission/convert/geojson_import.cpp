@@ -1,10 +1,14 @@
 #include "actors/domain/mission/convert/geojson_import.hpp"
 
 #include <optional>
+#include <string_view>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "actors/domain/mission/json_document.hpp"
 #include "actors/domain/mission/read.hpp"
+#include "io/fields/field_table.hpp"
 
 namespace godwit::mission {
 
@@ -50,6 +54,28 @@ json corners_of(const json& geometry) {
   return corners;
 }
 
+// What we write into the properties of an item or a fence. Maps add their own (colours, row numbers, null in each
+// column that some other feature has): passed over.
+bool is_ours(std::string_view name) {
+  const auto has = [&]<class T>(std::type_identity<T>) {
+    bool found = false;
+    io::for_each_field<T>([&](const auto& entry) { found = found || entry.name == name; });
+    return found;
+  };
+  const bool is_of_item = [&]<class... T>(std::type_identity<std::variant<T...>>) {
+    return (has(std::type_identity<T>{}) || ...);
+  }(std::type_identity<item>{});
+  return name == "kind" || is_of_item || has(std::type_identity<geofence>{});
+}
+
+json ours_of(const json& properties) {
+  auto result = json::object();
+  for (const auto& [key, value] : properties.items())
+    if (is_ours(key) && !value.is_null())
+      result[key] = value;
+  return result;
+}
+
 json item_of(json fields, const json& geometry) {
   if (has_type(geometry, "Point"))
     fields["at"] = position_of(geometry);
@@ -65,8 +91,12 @@ std::optional<document_problem> take_feature(const json& feature, const std::str
   const auto& geometry = at_or_null(feature, "geometry");
   if (!has_type(feature, "Feature") || !role.is_string())
     return document_problem{pointer, "is no feature of a mission", "a Feature with the property `role`"};
-  auto fields = properties;
-  fields.erase("role");
+  auto fields = ours_of(properties);
+  const bool needs_height = role == "item" || role == "return_point";
+  if (needs_height && has_type(geometry, "Point") && at_or_null(geometry, "coordinates").size() == 2)
+    return document_problem{pointer_to(pointer_to(pointer, "geometry"), "coordinates"),
+                            "has no height; the program that has saved the map has dropped it",
+                            "[longitude, latitude, metres above the place of take-off]"};
   if (role == "item") {
     mission["items"].push_back(item_of(std::move(fields), geometry));
   } else if (role == "geofence") {
@@ -101,15 +131,24 @@ import_result import_geojson(std::string_view text, const import_options& option
   json mission = head;
   mission["items"] = json::array();
   mission["geofences"] = json::array();
-  for (std::size_t i = 0; i < features.size(); ++i)
-    if (auto problem = take_feature(features[i], pointer_to("/features", i), mission))
+  source_map places;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const auto pointer = pointer_to("/features", i);
+    if (auto problem = take_feature(features[i], pointer, mission))
       return failed(std::move(*problem), text);
+    places.items.resize(mission["items"].size(), {pointer, {}});
+    places.geofences.resize(mission["geofences"].size(), {pointer, {}});
+  }
   if (options.mission_id)
     mission["mission_id"] = *options.mission_id;
   auto result = read<document>(mission.dump(-1, ' ', false, json::error_handler_t::replace));
-  if (!result)
-    return tl::unexpected(conversion_error{bounded(std::move(result.error()), text), {}});
-  return finished(*result, {}, options, text);
+  if (!result) {
+    document named; // of which only the ids are asked
+    for (const auto& each : mission["items"])
+      named.items.emplace_back(takeoff{at_or_null(each, "id").is_string() ? each["id"].get<std::string>() : "", 0});
+    return tl::unexpected(conversion_error{bounded(in_source(std::move(result.error()), named, places), text), {}});
+  }
+  return finished(*result, {}, options, text, places);
 }
 
 } // namespace godwit::mission

@@ -25,23 +25,55 @@ std::string new_id(std::size_t count) { return "item-" + std::to_string(count + 
 
 } // namespace
 
-import_context context_of(const std::optional<planned_home>& home, bool is_for_px4) {
+import_context context_of(const std::optional<planned_home>& home, bool is_for_px4,
+                          std::optional<vehicle_profile> vehicle) {
+  const bool has_px4 = vehicle ? is_px4(*vehicle) : is_for_px4;
   if (!home)
-    return {{}, {}, is_for_px4};
-  return {vertex{home->latitude, home->longitude}, home->above_sea_m, is_for_px4};
+    return {{}, {}, has_px4, vehicle};
+  return {vertex{home->latitude, home->longitude}, home->above_sea_m, has_px4, vehicle};
 }
 
-void item_importer::append(item each) {
+void item_importer::append(item each, source_place where) {
   std::visit([&](auto& value) { value.id = new_id(items_.size()); }, each);
   items_.push_back(std::move(each));
+  places_.push_back(std::move(where));
+}
+
+void item_importer::append(const vehicle_item& from, item each) {
+  append(std::move(each), {from.place, "item " + std::to_string(from.number) + ", " + command_name(from.command)});
+}
+
+// A rover needs no take-off, and its landing is a place to stop at: a mission says both in its own way.
+bool item_importer::is_executed(const vehicle_item& each) {
+  const auto* const row = command_of(each.command);
+  if (!context_.vehicle || row == nullptr)
+    return true;
+  const auto vehicle = "a vehicle of the kind " + std::string(io::name_of(*context_.vehicle));
+  const bool is_said_otherwise = each.command == command::takeoff || each.command == command::land;
+  switch (row->answer_of(*context_.vehicle)) {
+  case item_answer::taken:
+    return true;
+  case item_answer::skipped:
+    if (is_said_otherwise)
+      return true;
+    lose(each, "the item", vehicle + " takes it and passes it over", left_out);
+    return false;
+  case item_answer::refused:
+    break;
+  }
+  lose(each, "the item", vehicle + " refuses a mission with it", left_out);
+  return false;
 }
 
 void item_importer::take(const vehicle_item& each) {
+  if (!is_executed(each))
+    return;
   if (!each.autocontinue)
     lose(each, "stop after the item (autocontinue off)", "a mission goes on by itself", "goes on");
   switch (each.command) {
   case command::vtol_takeoff:
-    lose(each, "transition to flying forward", "a mission has no transitions", "taken as NAV_TAKEOFF");
+    if (!is(vehicle_profile::arducopter))
+      lose(each, "transition to flying forward", "a mission has no transitions", "taken as NAV_TAKEOFF");
     return take_takeoff(each);
   case command::takeoff:
     return take_takeoff(each);
@@ -53,12 +85,13 @@ void item_importer::take(const vehicle_item& each) {
   case command::loiter_time:
     return take_loiter(each);
   case command::vtol_land:
-    lose(each, "transition to hovering", "a mission has no transitions", "taken as NAV_LAND");
+    if (!is(vehicle_profile::arducopter))
+      lose(each, "transition to hovering", "a mission has no transitions", "taken as NAV_LAND");
     return take_land(each);
   case command::land:
     return take_land(each);
   case command::return_to_launch:
-    return append(return_home{{}, return_goal::home});
+    return append(each, return_home{{}, return_goal::home});
   case command::change_speed:
     return take_speed(each);
   default:
@@ -72,21 +105,23 @@ void item_importer::take_takeoff(const vehicle_item& each) {
     return;
   if (!(*height > 0))
     return lose(each, "take-off to " + number_text(*height) + " m", "a take-off goes up", left_out);
-  expect_none(each, 1, "pitch of", "a take-off of a mission goes straight up");
+  if (may_have_wings())
+    expect_none(each, 1, "pitch of", "a take-off of a mission goes straight up");
   expect_no_yaw(each);
-  if (each.has_place() && context_.home &&
+  if (!is(vehicle_profile::arducopter) && each.has_place() && context_.home &&
       metres_between({each.latitude(), each.longitude()}, *context_.home) > at_home_m)
     lose(each, "climb towards a place away from home", "a take-off of a mission goes straight up", "straight up");
-  append(takeoff{{}, *height});
+  append(each, takeoff{{}, *height});
 }
 
 void item_importer::take_waypoint(const vehicle_item& each) {
   const auto place = place_of(each);
   if (!place)
     return;
-  expect_none(each, 3, "pass radius of", "a waypoint of a mission is flown to, not past");
+  if (!is(vehicle_profile::arducopter) && !is(vehicle_profile::ardurover))
+    expect_none(each, 3, "pass radius of", "a waypoint of a mission is flown to, not past");
   expect_no_yaw(each);
-  append(waypoint{{}, *place, given_or_zero(each.param(1)), given_or_zero(each.param(2)), {}});
+  append(each, waypoint{{}, *place, given_or_zero(each.param(1)), given_or_zero(each.param(2)), {}});
 }
 
 void item_importer::take_loiter(const vehicle_item& each) {
@@ -97,11 +132,12 @@ void item_importer::take_loiter(const vehicle_item& each) {
     return;
   expect_none(each, 2, "heading required:", "a mission leaves a circle when its time is over");
   expect_none(each, 4, "way out of the circle:", "a mission leaves it to the vehicle");
-  append(loiter{{}, *place, given_or_zero(each.param(3)), each.param(1)});
+  append(each, loiter{{}, *place, given_or_zero(each.param(3)), each.param(1)});
 }
 
 void item_importer::take_land(const vehicle_item& each) {
-  expect_none(each, 1, "abort altitude of", "a mission leaves it to the vehicle");
+  if (may_have_wings())
+    expect_none(each, 1, "abort altitude of", "a mission leaves it to the vehicle");
   expect_none(each, 2, "precision landing mode", "a mission leaves it to the vehicle");
   expect_no_yaw(each);
   const auto height = height_of(each);
@@ -110,7 +146,7 @@ void item_importer::take_land(const vehicle_item& each) {
   if (!each.has_place() && !last_place_)
     return lose(each, "the item", "it has no place, and no item before it has one", left_out);
   const auto place = each.has_place() ? vertex{each.latitude(), each.longitude()} : *last_place_;
-  append(land{{}, {place.latitude, place.longitude, *height}});
+  append(each, land{{}, {place.latitude, place.longitude, *height}});
 }
 
 void item_importer::take_speed(const vehicle_item& each) {
@@ -122,11 +158,12 @@ void item_importer::take_speed(const vehicle_item& each) {
     lose(each, "throttle of " + number_text(throttle) + " %", "a mission has no throttle", left_out);
   if (!(each.param(2) > 0))
     return lose(each, "the item", "it asks for no speed of its own", left_out);
-  append(change_speed{{}, each.param(2)});
+  append(each, change_speed{{}, each.param(2)});
 }
 
 void item_importer::lose(const vehicle_item& each, const std::string& what, std::string why, std::string instead) {
-  losses_.add({each.number, command_name(each.command) + ": " + what, std::move(why), std::move(instead)});
+  losses_.add({each.number, command_name(each.command) + ": " + what, std::move(why), std::move(instead),
+               each.place.starts_with("line") ? each.place : std::string()});
 }
 
 void item_importer::expect_none(const vehicle_item& each, std::size_t from_1, const std::string& what,
@@ -136,7 +173,7 @@ void item_importer::expect_none(const vehicle_item& each, std::size_t from_1, co
 }
 
 void item_importer::expect_no_yaw(const vehicle_item& each) {
-  const auto yaw = each.param(4);
+  const auto yaw = is_for_ardupilot() ? not_given : each.param(4);
   if (std::isfinite(yaw) && (yaw != 0 || context_.is_for_px4))
     lose(each, "yaw of " + number_text(yaw) + " degrees", "a mission leaves it to the vehicle", left_out);
 }

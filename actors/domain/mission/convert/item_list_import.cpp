@@ -58,7 +58,7 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
   std::vector<vehicle_item> items;
   items.reserve(uploaded.size());
   for (const auto& each : uploaded)
-    items.push_back(vehicle_item_of(each));
+    items.emplace_back(vehicle_item_of(each)).place = "the upload";
   loss_list losses;
   imported_list result;
   item_importer importer({std::nullopt, options.home_altitude_m, false}, losses);
@@ -70,7 +70,8 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
   mission.mission_id = options.mission_id;
   mission.items = std::move(importer.items());
   mission.geofences = options.geofences;
-  auto checked = finished(mission, std::move(losses), {options.allow_partial, {}}, source_text(items));
+  const source_map places{std::move(importer.places()), {}, {}, !items.empty()};
+  auto checked = finished(mission, std::move(losses), {options.allow_partial, {}}, source_text(items), places);
   if (!checked)
     return tl::unexpected(std::move(checked.error()));
   result.mission = std::move(checked->mission);

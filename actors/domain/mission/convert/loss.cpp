@@ -3,7 +3,8 @@
 namespace godwit::mission {
 
 std::string loss::message() const {
-  const auto place = item ? "item " + std::to_string(*item) + ": " : std::string();
+  const auto in_file = line.empty() ? std::string() : " (" + line + ')';
+  const auto place = item ? "item " + std::to_string(*item) + in_file + ": " : std::string();
   return place + what + "; " + why + "; instead: " + instead;
 }
 

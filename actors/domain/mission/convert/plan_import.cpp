@@ -1,5 +1,8 @@
 #include "actors/domain/mission/convert/plan_import.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "actors/domain/mission/convert/fence_import.hpp"
@@ -12,25 +15,25 @@ namespace godwit::mission {
 namespace {
 
 constexpr std::int64_t plan_version = 1;
-constexpr std::int64_t mission_version = 2;
+constexpr std::int64_t first_mission_version = 1; // items with param1 to param4
+constexpr std::int64_t last_mission_version = 2;
 constexpr std::int64_t px4_firmware = 12; // MAV_AUTOPILOT
 
 // What QGroundControl wrote into `.mission` files before it had plans.
-bool is_older_than_plans(const plan_node& root) {
+bool is_mission_file(const plan_node& root) {
   return !root.has("fileType") && root.has("items") && root.has("plannedHomePosition");
 }
 
 // Whether the rest can be read at all.
 bool is_plan(plan_source& source, const plan_node& root) {
-  if (is_older_than_plans(root))
-    source.wrong(root, "is a mission file of an older QGroundControl", "a plan: open it there and save it again");
-  else if (source.text(root, "fileType") != "Plan")
+  if (source.text(root, "fileType") != "Plan")
     source.wrong({root.value, "/fileType"}, "is not \"Plan\"", "a plan of QGroundControl");
   else if (const auto version = source.integer(root, "version"); version != plan_version)
     source.wrong({root.value, "/version"}, "is " + std::to_string(version), std::to_string(plan_version));
   else if (const auto inner = source.object(root, "mission"); source.problems.empty())
-    if (const auto number = source.integer(inner, "version"); number != mission_version)
-      source.wrong({root.value, "/mission/version"}, "is " + std::to_string(number), std::to_string(mission_version));
+    if (const auto number = source.integer(inner, "version");
+        number < first_mission_version || number > last_mission_version)
+      source.wrong({root.value, "/mission/version"}, "is " + std::to_string(number), "1 or 2");
   return source.problems.empty();
 }
 
@@ -40,7 +43,7 @@ void import_items(plan_source& source, const plan_node& mission, item_importer& 
     auto node = items[i];
     node.item = i;
     const auto type = source.text(node, "type");
-    if (type == "SimpleItem") {
+    if (type == "SimpleItem" || type == "missionItem") {
       if (const auto simple = read_simple_item(source, node))
         importer.take(*simple);
     } else if (type == "ComplexItem") {
@@ -51,22 +54,78 @@ void import_items(plan_source& source, const plan_node& mission, item_importer& 
   }
 }
 
-document import_root(plan_source& source, const plan_node& root) {
+struct plan_parts {
+  document mission;
+  source_map places;
+};
+
+// MAV_AUTOPILOT and MAV_TYPE, as QGroundControl writes them; nothing for what the table does not know.
+std::optional<vehicle_profile> profile_of(std::int64_t autopilot, std::int64_t type) {
+  constexpr std::int64_t ardupilot = 3;
+  struct type_row {
+    std::int64_t type;
+    vehicle_profile of_ardupilot;
+    vehicle_profile of_px4;
+  };
+  using enum vehicle_profile;
+  constexpr type_row types[] = {
+      {1, arduplane, px4_fixed_wing}, {2, arducopter, px4_multicopter}, {10, ardurover, px4_rover},
+      {19, quadplane, px4_vtol},      {20, quadplane, px4_vtol},        {21, quadplane, px4_vtol},
+      {22, quadplane, px4_vtol},
+  };
+  const auto* const found = std::ranges::find(types, type, &type_row::type);
+  if (found == std::end(types) || (autopilot != ardupilot && autopilot != px4_firmware))
+    return std::nullopt;
+  return autopilot == ardupilot ? found->of_ardupilot : found->of_px4;
+}
+
+// MISSION has the items and the planned home; FIRMWARE is the key of what they are for.
+void import_mission(plan_source& source, const plan_node& mission, std::string_view firmware,
+                    const std::optional<vehicle_profile>& vehicle, plan_parts& result) {
+  const auto place = source.place(mission, "plannedHomePosition");
+  result.mission.planned_home = home_at(place[0], place[1], place[2]);
+  const auto autopilot = source.integer(mission, firmware);
+  const auto type = mission.has("vehicleType") ? source.integer(mission, "vehicleType") : 0;
+  const auto profile = vehicle ? vehicle : profile_of(autopilot, type);
+  item_importer importer(context_of(result.mission.planned_home, autopilot == px4_firmware, profile), source.losses);
+  import_items(source, mission, importer);
+  result.mission.items = std::move(importer.items());
+  result.places.items = std::move(importer.places());
+  result.places.list = pointer_to(mission.pointer, "items");
+  result.places.holds_items = mission.has("items") && !(*mission.value)["items"].empty();
+}
+
+plan_parts import_root(plan_source& source, const plan_node& root, const std::optional<vehicle_profile>& vehicle) {
   source.lose_unknown(root, {"fileType", "geoFence", "groundStation", "mission", "rallyPoints", "version"});
   const auto mission = source.object(root, "mission");
   source.lose_unknown(mission, {"cruiseSpeed", "firmwareType", "globalPlanAltitudeMode", "hoverSpeed", "items",
                                 "plannedHomePosition", "vehicleType", "version"});
-  const auto place = source.place(mission, "plannedHomePosition");
-  document result;
-  result.planned_home = home_at(place[0], place[1], place[2]);
-  const bool is_for_px4 = source.integer(mission, "firmwareType") == px4_firmware;
-  item_importer importer(context_of(result.planned_home, is_for_px4), source.losses);
-  import_items(source, mission, importer);
-  result.items = std::move(importer.items());
-  if (root.has("geoFence"))
-    result.geofences = import_fence(source, source.object(root, "geoFence"));
+  plan_parts result;
+  import_mission(source, mission, "firmwareType", vehicle, result);
+  if (root.has("geoFence")) {
+    auto fences = import_fence(source, source.object(root, "geoFence"));
+    result.mission.geofences = std::move(fences.all);
+    result.places.geofences = std::move(fences.places);
+  }
   if (root.has("rallyPoints"))
     import_rally_points(source, source.object(root, "rallyPoints"));
+  return result;
+}
+
+// Home may be an item there, or a place.
+plan_parts import_mission_file(plan_source& source, const plan_node& root,
+                               const std::optional<vehicle_profile>& vehicle) {
+  source.lose_unknown(root, {"MAV_AUTOPILOT", "complexItems", "firmwareType", "groundStation", "items",
+                             "plannedHomePosition", "vehicleType", "version"});
+  if (root.has("complexItems"))
+    for (const auto& each : source.list(root, "complexItems"))
+      source.losses.add({{}, "the pattern " + in_quotes(each.pointer), "its form is not known", "left out"});
+  plan_parts result;
+  auto flat = *root.value;
+  if (const auto& home = flat["plannedHomePosition"]; home.is_object() && home.contains("coordinate"))
+    flat["plannedHomePosition"] = nlohmann::json(home["coordinate"]);
+  const auto* const firmware = root.has("MAV_AUTOPILOT") ? "MAV_AUTOPILOT" : "firmwareType";
+  import_mission(source, {&flat, root.pointer}, firmware, vehicle, result);
   return result;
 }
 
@@ -79,14 +138,16 @@ import_result import_plan(std::string_view text, const import_options& options) 
   loss_list losses;
   plan_source source(losses);
   const plan_node root{&*parsed, {}};
-  document mission;
-  if (is_plan(source, root))
-    mission = import_root(source, root);
+  plan_parts found;
+  if (is_mission_file(root))
+    found = import_mission_file(source, root, options.vehicle);
+  else if (is_plan(source, root))
+    found = import_root(source, root, options.vehicle);
   if (!source.problems.empty())
     return tl::unexpected(
         conversion_error{bounded({document_errc::wrong_form, std::move(source.problems)}, text), std::move(losses)});
-  mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
-  return finished(mission, std::move(losses), options, text);
+  found.mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
+  return finished(found.mission, std::move(losses), options, text, found.places);
 }
 
 } // namespace godwit::mission

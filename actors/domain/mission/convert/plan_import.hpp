@@ -1,7 +1,8 @@
-// A plan of QGroundControl (`.plan`: fileType Plan, version 1; mission, fence and rally points of version 2) to a
-// mission.
+// A plan of QGroundControl (`.plan`: fileType Plan, version 1; mission of version 1 or 2, fence and rally points of
+// version 2) to a mission; so is a `.mission` file, from before there were plans.
 //
-//   SimpleItem              as item_import.hpp says; seven parameters, or in older files four and a coordinate
+//   SimpleItem              as item_import.hpp says; seven parameters, or in older files four and a coordinate, or
+//                           param1 to param4 and a coordinate (mission of version 1)
 //   survey                  a survey, if it is flown at one height above home over a polygon with lines that do not
 //                           cross; else the lines that the ground station had laid, as waypoints
 //   CorridorScan            the lines that the ground station had laid, as waypoints

@@ -17,6 +17,8 @@ void lose(plan_source& source, const plan_node& node, std::string what, std::str
   source.losses.add({node.item, std::move(what), std::move(why), std::move(instead)});
 }
 
+bool is_of_first_form(const plan_node& node) { return node.has("param1") && !node.has("params"); }
+
 // The lines that the ground station had laid for the pattern.
 void take_laid_items(plan_source& source, const plan_node& transects, item_importer& importer) {
   const auto items = source.list(transects, "Items");
@@ -90,7 +92,7 @@ void import_survey(plan_source& source, const plan_node& node, item_importer& im
     return take_laid_items(source, transects, importer);
   }
   lose_survey_details(source, node, transects);
-  importer.append(std::move(area));
+  importer.append(std::move(area), {node.pointer, "item " + std::to_string(node.item.value_or(0)) + ", survey"});
 }
 
 void import_corridor(plan_source& source, const plan_node& node, item_importer& importer) {
@@ -116,14 +118,30 @@ void import_landing(plan_source& source, const plan_node& node, item_importer& i
     lose(source, node, "landing pattern: end of pictures", "a mission has no commands for cameras and gimbals",
          left_out);
   const auto number = node.item.value_or(0);
-  importer.take({number, command::waypoint, used_frame, {0, 0, 0, not_given, approach[0], approach[1], approach[2]}});
-  importer.take({number, command::land, used_frame, {0, 0, 0, not_given, landing[0], landing[1], landing[2]}});
+  const auto part = [&](std::uint16_t id, const std::array<double, 3>& at) {
+    importer.take({number, id, used_frame, {0, 0, 0, not_given, at[0], at[1], at[2]}, true, node.pointer});
+  };
+  part(command::waypoint, approach);
+  part(command::land, landing);
+}
+
+constexpr std::size_t params_before_place = 4;
+
+// The first form of an item: param1 to param4 beside its coordinate.
+std::vector<plan_node> first_params(plan_source& source, const plan_node& node) {
+  std::vector<plan_node> result;
+  for (std::size_t i = 1; i <= params_before_place; ++i) {
+    const auto key = "param" + std::to_string(i);
+    (void)source.number(node, key); // a problem where it is none
+    if (node.has(key))
+      result.push_back({&(*node.value)[key], pointer_to(node.pointer, key), node.item});
+  }
+  return result;
 }
 
 // Seven of them, or in older files four and the place beside them.
 void read_params(plan_source& source, const plan_node& node, vehicle_item& item) {
-  constexpr std::size_t params_before_place = 4;
-  auto params = source.list(node, "params");
+  auto params = is_of_first_form(node) ? first_params(source, node) : source.list(node, "params");
   if (node.has("coordinate") && params.size() == params_before_place)
     for (auto& each : source.list(node, "coordinate"))
       params.push_back(std::move(each));
@@ -159,14 +177,12 @@ constexpr pattern_row patterns[] = {
 
 std::optional<vehicle_item> read_simple_item(plan_source& source, const plan_node& node) {
   const auto before = source.problems.size();
-  if (node.has("param1")) {
-    source.wrong(node, "is an item of the first form (param1 to param4)", "params as a list");
-    return std::nullopt;
-  }
   source.lose_unknown(node, {"AMSLAltAboveTerrain", "Altitude", "AltitudeMode", "autoContinue", "command", "coordinate",
-                             "doJumpId", "frame", "params", "type", "MISSION_ITEM_ID"});
+                             "doJumpId", "frame", "id", "param1", "param2", "param3", "param4", "params", "type",
+                             "MISSION_ITEM_ID"});
   vehicle_item result;
   result.number = node.item.value_or(0);
+  result.place = node.pointer;
   const auto id = source.integer(node, "command");
   const auto used_frame = source.integer(node, "frame");
   if (id < 0 || id > std::numeric_limits<std::uint16_t>::max() || used_frame < 0 ||

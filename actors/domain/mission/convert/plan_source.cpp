@@ -119,6 +119,8 @@ std::vector<vertex> plan_source::corners(const plan_node& parent, std::string_vi
     const auto place = numbers(corner);
     result.push_back({place[0], place[1]});
   }
+  if (result.size() > 1 && result.front() == result.back()) // a closed ring, as maps draw it
+    result.pop_back();
   return result;
 }
 

@@ -45,6 +45,7 @@ public:
   [[nodiscard]] double number_or(const plan_node& parent, std::string_view key, double when_absent);
   // [latitude, longitude] or [latitude, longitude, altitude]; what is null is NaN.
   [[nodiscard]] std::array<double, 3> place(const plan_node& parent, std::string_view key);
+  // A corner at the end that repeats the first is none.
   [[nodiscard]] std::vector<vertex> corners(const plan_node& parent, std::string_view key);
   [[nodiscard]] std::array<double, 3> numbers(const plan_node& list_of_2_or_3);
 

@@ -22,6 +22,7 @@ struct vehicle_item {
   std::uint8_t frame = 0;
   std::array<double, 7> params{};
   bool autocontinue = true;
+  std::string place{}; // where it stands in a file: "line 7" or a JSON pointer
 
   [[nodiscard]] double param(std::size_t from_1) const { return params.at(from_1 - 1); }
   [[nodiscard]] double latitude() const { return params[4]; }

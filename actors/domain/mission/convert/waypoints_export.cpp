@@ -1,10 +1,12 @@
 #include "actors/domain/mission/convert/waypoints_export.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/mission/convert/item_export.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/waypoint_file/waypoint_writer.hpp"
 #include "runtime/assert.hpp"
 
@@ -34,9 +36,50 @@ mission_item_int line_of(const vehicle_item& each, const planned_home& home) {
   return line;
 }
 
+// A file of lines holds one kind of plan: the fence, where there is nothing else.
+void append_fence(std::vector<mission_item_int>& lines, const geofence& from) {
+  constexpr auto inclusion = io::mavlink::mav_cmd::nav_fence_polygon_vertex_inclusion;
+  constexpr auto exclusion = io::mavlink::mav_cmd::nav_fence_polygon_vertex_exclusion;
+  for (const auto& corner : from.vertices) {
+    mission_item_int line;
+    line.frame = frame::global;
+    line.command = io::mavlink::number(from.kind == fence_kind::inclusion ? inclusion : exclusion);
+    line.autocontinue = 1;
+    line.param1 = static_cast<float>(from.vertices.size());
+    line.x = scaled(corner.latitude);
+    line.y = scaled(corner.longitude);
+    lines.push_back(line);
+  }
+}
+
+exported written(std::vector<mission_item_int> lines, loss_list losses) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    lines[i].seq = static_cast<std::uint16_t>(i);
+  auto text = io::mavlink::write_waypoints(lines);
+  GODWIT_ASSERT(text.has_value(), "a mission that keeps the rules can be written as lines");
+  return {std::move(*text), std::move(losses)};
+}
+
+exported export_fence(const document& mission) {
+  std::vector<mission_item_int> lines;
+  loss_list losses;
+  for (std::size_t i = 0; i < mission.geofences.size(); ++i) {
+    const auto& each = mission.geofences[i];
+    append_fence(lines, each);
+    if (each.floor_m || each.ceiling_m)
+      losses.add({{},
+                  godwit::geofence::fence_name(i) + ": floor and ceiling",
+                  "the fences of lines have no heights",
+                  "left out"});
+  }
+  return written(std::move(lines), std::move(losses));
+}
+
 } // namespace
 
 exported export_waypoints(const document& mission) {
+  if (mission.items.empty())
+    return export_fence(mission);
   exported result;
   const auto home = home_to_write(mission);
   std::vector<mission_item_int> lines{line_of(
@@ -53,12 +96,7 @@ exported export_waypoints(const document& mission) {
   }
   for (std::size_t i = 0; i < mission.geofences.size(); ++i)
     result.losses.add({{}, godwit::geofence::fence_name(i), "a file of lines has no fences", "left out"});
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    lines[i].seq = static_cast<std::uint16_t>(i);
-  auto text = io::mavlink::write_waypoints(lines);
-  GODWIT_ASSERT(text.has_value(), "a mission that keeps the rules can be written as lines");
-  result.text = std::move(*text);
-  return result;
+  return written(std::move(lines), std::move(result.losses));
 }
 
 } // namespace godwit::mission

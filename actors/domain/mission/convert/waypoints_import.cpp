@@ -1,12 +1,14 @@
 #include "actors/domain/mission/convert/waypoints_import.hpp"
 
-#include <span>
+#include <algorithm>
+#include <cmath>
 #include <utility>
-#include <vector>
 
+#include "actors/domain/mission/convert/fence_import.hpp"
 #include "actors/domain/mission/convert/item_import.hpp"
 #include "actors/domain/mission/convert/item_list_import.hpp"
-#include "io/mavlink/waypoint_file/coordinate_text.hpp"
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/waypoint_file/fence_rally_reader.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
 #include "io/mavlink/waypoint_file/waypoint_reader.hpp"
 
@@ -29,30 +31,114 @@ document_error error_of(const io::mavlink::waypoint_error& found, std::string_vi
                  text);
 }
 
-} // namespace
+using io::mavlink::mav_cmd;
+using io::mavlink::mav_mission_type;
+using io::mavlink::plan_lines;
 
-import_result import_waypoints(std::string_view text, const import_options& options) {
-  const auto lines = io::mavlink::read_waypoints(text);
-  if (!lines)
-    return tl::unexpected(conversion_error{error_of(lines.error(), text), {}});
-  std::vector<vehicle_item> all;
-  all.reserve(lines->size());
-  for (const auto& each : *lines)
-    all.push_back(vehicle_item_of(each));
-  std::span<const vehicle_item> items = all;
+// A first item of command 0 is home to MAVProxy; Mission Planner has written such ones.
+vehicle_item vehicle_item_at(const plan_lines& lines, std::size_t index) {
+  auto result = vehicle_item_of(lines.items[index]);
+  result.place = "line " + std::to_string(lines.lines[index]);
+  if (index == 0 && result.command == 0)
+    result.command = command::waypoint;
+  return result;
+}
+
+bool is_rally_point(const io::mavlink::mission_item_int& each) {
+  return each.command == io::mavlink::number(mav_cmd::nav_rally_point);
+}
+
+bool is_of_fence(const io::mavlink::mission_item_int& each) {
+  return each.command >= io::mavlink::number(mav_cmd::nav_fence_return_point) &&
+         each.command <= io::mavlink::number(mav_cmd::nav_fence_circle_exclusion);
+}
+
+bool is_fence_circle(const io::mavlink::mission_item_int& each) {
+  return each.command == io::mavlink::number(mav_cmd::nav_fence_circle_inclusion) ||
+         each.command == io::mavlink::number(mav_cmd::nav_fence_circle_exclusion);
+}
+
+tl::unexpected<conversion_error> failed(std::string place, std::string what, std::string_view text) {
+  return tl::unexpected(
+      conversion_error{bounded({document_errc::wrong_form, {{std::move(place), std::move(what), {}}}}, text), {}});
+}
+
+tl::unexpected<conversion_error> rally_alone(std::string_view text) {
+  return failed({},
+                "holds rally points alone, and a mission has none; godwit-trace upload --type rally brings them to "
+                "the vehicle",
+                text);
+}
+
+// The points of return are taken out of LINES, and what a mission's fences can not be is noted.
+void lose_from_fence(plan_lines& lines, loss_list& losses) {
+  plan_lines kept;
+  for (std::size_t i = 0; i < lines.items.size(); ++i) {
+    const auto& each = lines.items[i];
+    const auto line = "line " + std::to_string(lines.lines[i]);
+    if (each.command == io::mavlink::number(mav_cmd::nav_fence_return_point)) {
+      losses.add({i, "point to return to after a breach", "a mission returns to one point", "left out", line});
+      continue;
+    }
+    if (is_fence_circle(each))
+      losses.add({i, "circle of " + number_text(each.param1) + " m", "a mission's fences are polygons",
+                  "a polygon with " + std::to_string(corners_of_circle) + " corners", line});
+    kept.items.push_back(each);
+    kept.lines.push_back(lines.lines[i]);
+  }
+  lines = std::move(kept);
+}
+
+import_result import_fence_file(plan_lines lines, const import_options& options, std::string_view text) {
+  loss_list losses;
+  lose_from_fence(lines, losses);
+  auto fences = import_fence_list(lines.items);
+  if (!fences)
+    return failed({}, "holds a fence, and " + fences.error(), text);
+  document mission;
+  mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
+  mission.geofences = *std::move(fences);
+  source_map places;
+  std::size_t first = 0;
+  for (const auto& each : mission.geofences) {
+    places.geofences.push_back({"line " + std::to_string(lines.lines.at(first)), {}});
+    first += is_fence_circle(lines.items.at(first)) ? 1 : each.vertices.size();
+  }
+  return finished(mission, std::move(losses), options, text, places);
+}
+
+import_result import_item_lines(const plan_lines& lines, const import_options& options, std::string_view text) {
   loss_list losses;
   document mission;
   mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
-  if (!items.empty() && is_home(items.front())) {
-    const auto& home = items.front();
-    mission.planned_home = home_at(home.latitude(), home.longitude(), home.altitude_m());
-    items = items.subspan(1);
-  }
-  item_importer importer(context_of(mission.planned_home, false), losses);
-  for (const auto& each : items)
-    importer.take(each);
+  std::size_t first = 0;
+  if (!lines.items.empty())
+    if (const auto home = vehicle_item_at(lines, 0); is_home(home)) {
+      mission.planned_home = home_at(home.latitude(), home.longitude(), home.altitude_m());
+      first = 1;
+    }
+  item_importer importer(context_of(mission.planned_home, false, options.vehicle), losses);
+  for (auto i = first; i < lines.items.size(); ++i)
+    importer.take(vehicle_item_at(lines, i));
   mission.items = std::move(importer.items());
-  return finished(mission, std::move(losses), options, text);
+  const source_map places{std::move(importer.places()), {}, {}, lines.items.size() > first};
+  return finished(mission, std::move(losses), options, text, places);
+}
+
+} // namespace
+
+import_result import_waypoints(std::string_view text, const import_options& options) {
+  const auto holds = io::mavlink::fence_or_rally(text);
+  if (holds == mav_mission_type::rally)
+    return rally_alone(text);
+  auto lines = holds ? io::mavlink::read_fence_lines(text) : io::mavlink::read_plan_lines(text);
+  if (!lines)
+    return tl::unexpected(conversion_error{error_of(lines.error(), text), {}});
+  if (!lines->items.empty() && std::ranges::all_of(lines->items, is_rally_point))
+    return rally_alone(text);
+  if (!lines->items.empty() && std::ranges::all_of(lines->items, is_of_fence))
+    return import_fence_file(*std::move(lines), options, text);
+  return import_item_lines(*lines, options, text);
 }
 
 } // namespace godwit::mission

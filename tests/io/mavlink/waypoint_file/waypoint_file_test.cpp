@@ -51,6 +51,18 @@ TEST_F(waypoint_file, what_is_saved_is_loaded) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(waypoint_file, a_fence_of_places_alone_is_loaded_as_a_fence_and_as_nothing_else) {
+  std::ofstream(at("fence.txt")) << "1 1\n0 0\n0 2\n2 2\n0 0\n";
+  const auto loaded = load_waypoint_file(at("fence.txt"), mav_mission_type::fence);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(loaded->size(), 4U);
+  EXPECT_EQ(load_waypoint_file(at("fence.txt")).error().message(), at("fence.txt").string() + ": it holds a fence");
+  std::ofstream(at("rally.txt")) << "RALLY 1 1 20 0 0 0\n";
+  EXPECT_EQ(load_waypoint_file(at("rally.txt"), mav_mission_type::rally)->size(), 1U);
+  EXPECT_EQ(load_waypoint_file(at("rally.txt"), mav_mission_type::fence).error().message(),
+            at("rally.txt").string() + ": it holds rally points");
+}
+
 TEST_F(waypoint_file, an_error_names_the_file) {
   std::ofstream(at("plan")) << "QGC WPL 110\nwhatever\n";
   EXPECT_EQ(load_waypoint_file(at("plan")).error().message(),

@@ -93,7 +93,7 @@ TEST(waypoint_reader, what_is_not_a_plan_is_told_from_an_other_version) {
   EXPECT_TRUE(read_waypoints("# a note\n\n" + header));
   EXPECT_EQ(error_of("hello\n").message(), "line 1: \"hello\" where the header \"QGC WPL 110\" was expected");
   EXPECT_NE(error_of("{\n  \"fileType\": \"Plan\"}").message().find(".plan of QGroundControl"), std::string::npos);
-  for (const char* each : {"QGC WPL 120\n", "QGC WPL\n", "QGC WPL110\n", "QGC WPL 110 x\n"})
+  for (const char* each : {"QGC WPL 130\n", "QGC WPL\n", "QGC WPL110\n", "QGC WPL 110 x\n"})
     EXPECT_EQ(error_of(each).code, waypoint_errc::other_version) << each;
 }
 
@@ -105,7 +105,7 @@ TEST(waypoint_reader, an_error_names_line_and_column) {
 TEST(waypoint_reader, each_column_is_held_to_its_kind_of_number) {
   using enum waypoint_column;
   for (const auto each : {current, frame, command, autocontinue})
-    for (const char* text : {"x", "-1", "1.0", "+1", "1e0", "0x1"})
+    for (const char* text : {"x", "-1", "1.5", ".0", "1.", "+1", "1e0", "0x1"})
       expect_wrong(each, text, waypoint_errc::not_a_number);
   for (const auto each : {param1, param2, param3, param4, z}) {
     for (const char* text : {"x", "inf", "-inf", "nan(1)", "-nan", "1,5", "+1", "0x1p3"})
@@ -160,9 +160,53 @@ TEST(waypoint_reader, comments_and_blank_lines_may_stand_anywhere) {
   EXPECT_EQ(items->at(1).autocontinue, 1);
 }
 
+TEST(waypoint_reader, version_120_has_the_form_of_110) {
+  const auto items = read_waypoints("QGC WPL 120\n" + item_0 + item_1);
+  ASSERT_TRUE(items) << items.error().message();
+  EXPECT_EQ(items->at(1).command, 21);
+}
+
+// As pymavlink reads it.
+TEST(waypoint_reader, version_100_has_columns_and_actions_of_its_own) {
+  const std::string line = "0\t3\t25\t30\t1\t5\t2\t1\t8.5\t47.25\t40\t0\t1\n";
+  const auto items = read_waypoints("QGC WPL 100\n" + line);
+  ASSERT_TRUE(items) << items.error().message();
+  ASSERT_EQ(items->size(), 1U);
+  const auto& only = items->front();
+  EXPECT_EQ(only.command, 16);
+  EXPECT_EQ(only.frame, 3);
+  EXPECT_EQ(only.current, 1);
+  EXPECT_EQ(only.param1, 5);
+  EXPECT_EQ(only.param2, 2);
+  EXPECT_EQ(only.param3, 30);
+  EXPECT_EQ(only.param4, 1);
+  EXPECT_EQ(only.x, 472'500'000);
+  EXPECT_EQ(only.y, 85'000'000);
+  EXPECT_EQ(only.z, 40);
+  EXPECT_EQ(only.autocontinue, 1);
+  EXPECT_EQ(error_of("QGC WPL 100\n0\t3\t16\t30\t1\t5\t2\t1\t8.5\t47.25\t40\t0\t1\n").message(),
+            "line 2, command: \"16\" is no action of version 100");
+  EXPECT_EQ(error_of("QGC WPL 100\n" + item_0).message(),
+            "line 2: 12 columns; an item has 13, parted by tabs or spaces");
+}
+
+TEST(waypoint_reader, a_whole_number_may_have_a_decimal_point) {
+  const auto items = read_waypoints(header + "0.0\t1.0\t3.000\t16.0\t0\t5\t0\tNaN\t50\t36\t800\t1.0\n");
+  ASSERT_TRUE(items) << items.error().message();
+  EXPECT_EQ(items->front().command, 16);
+  EXPECT_EQ(items->front().frame, 3);
+}
+
+TEST(waypoint_reader, each_item_knows_its_line) {
+  const auto plan = read_plan_lines("# square\n" + header + item_0 + "\n" + item_1);
+  ASSERT_TRUE(plan) << plan.error().message();
+  EXPECT_EQ(plan->lines, (std::vector<std::size_t>{3, 5}));
+}
+
 TEST(waypoint_reader, a_line_has_twelve_columns) {
   EXPECT_EQ(error_of(header + "0\t1\n").message(), "line 2: 2 columns; an item has 12, parted by tabs or spaces");
-  EXPECT_EQ(error_of(header + item_0.substr(0, item_0.size() - 1) + "\t7\n").code, waypoint_errc::wrong_columns);
+  EXPECT_EQ(error_of(header + item_0.substr(0, item_0.size() - 1) + "\t7\n").message(),
+            "line 2: more than 12 columns; an item has 12, parted by tabs or spaces");
 }
 
 TEST(waypoint_reader, blank_lines_are_bounded) {

@@ -17,6 +17,8 @@ TEST(convert, the_format_is_known_by_the_ending_of_the_name) {
   EXPECT_EQ(format_of_name("b.json"), mission_format::json);
   EXPECT_EQ(format_of_name("b.waypoints"), mission_format::waypoints);
   EXPECT_EQ(format_of_name("B.PLAN"), mission_format::plan);
+  EXPECT_EQ(format_of_name("old.mission"), mission_format::plan);
+  EXPECT_EQ(format_of_name("field.fen"), mission_format::waypoints);
   EXPECT_EQ(format_of_name("b.kml"), std::nullopt);
   EXPECT_EQ(format_of_name("plan"), std::nullopt);
 }
@@ -42,7 +44,37 @@ TEST(convert, what_is_lost_on_either_way_is_an_error_unless_it_is_allowed) {
   const auto allowed =
       convert(sample_file("ardupilot.plan"), mission_format::plan, mission_format::waypoints, {true, {}});
   ASSERT_TRUE(allowed.has_value());
-  EXPECT_EQ(allowed->losses.all.size(), 5U);
+  EXPECT_EQ(allowed->losses.all.size(), 4U);
+}
+
+TEST(convert, a_fence_alone_is_written_where_a_fence_alone_can_stand) {
+  const std::string fence = "QGC WPL 110\n"
+                            "0\t0\t0\t5001\t3\t0\t0\t0\t47.1\t8.1\t0\t1\n"
+                            "1\t0\t0\t5001\t3\t0\t0\t0\t47.2\t8.1\t0\t1\n"
+                            "2\t0\t0\t5001\t3\t0\t0\t0\t47.2\t8.2\t0\t1\n";
+  const auto plan = convert(fence, mission_format::waypoints, mission_format::plan);
+  ASSERT_TRUE(plan.has_value()) << plan.error().message();
+  const auto lines = convert(plan->text, mission_format::plan, mission_format::waypoints);
+  ASSERT_TRUE(lines.has_value()) << lines.error().message();
+  const import_options alone{false, {}, {}, true};
+  const auto again = import_mission(lines->text, mission_format::waypoints, alone);
+  ASSERT_TRUE(again.has_value()) << again.error().message();
+  EXPECT_EQ(again->mission.geofences, import_mission(fence, mission_format::waypoints, alone)->mission.geofences);
+  EXPECT_TRUE(again->mission.items.empty());
+  EXPECT_EQ(convert(fence, mission_format::waypoints, mission_format::json).error().message(),
+            "the document holds a fence alone, which is no mission; allowed: a .plan or .waypoints to write it to");
+}
+
+// An empty mission would be written, with home alone in it.
+TEST(convert, surveys_alone_are_not_written_as_lines_whatever_is_allowed) {
+  document mission;
+  mission.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  mission.items = {survey{"s", {{47, 8}, {47, 8.01}, {47.01, 8}}, 50, 20, {}}};
+  const auto text = export_mission(mission, mission_format::json).text;
+  const auto result = convert(text, mission_format::json, mission_format::waypoints, {true, {}});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().message(), "the document has surveys alone, and lines have no patterns: nothing would be "
+                                      "left; allowed: a .plan or .json");
 }
 
 // By way of our own form as well: nothing turns it into a flight to the planned home.

@@ -58,9 +58,34 @@ TEST(geojson_import, geojson_that_is_no_mission_is_refused_with_the_reason) {
             "/features/0/properties/role is \"house\"; allowed: item, geofence, return_point, planned_home or path");
   map = json::parse(export_geojson(sample()).text);
   map["features"][2]["geometry"]["coordinates"][1] = 95;
-  EXPECT_EQ(message(map), "/items/2/at/latitude is 95; allowed: a number from -90 to 90");
+  EXPECT_EQ(message(map), "/features/2 (\"corner\"): latitude is 95; allowed: a number from -90 to 90");
   map["features"][2]["geometry"] = {{"type", "LineString"}, {"coordinates", json::array()}};
   EXPECT_FALSE(import_geojson(map.dump()).has_value());
+}
+
+// A geographic information system gives each feature each column, colours and numbers of its own.
+TEST(geojson_import, what_a_map_adds_is_passed_over) {
+  const auto plain = import_geojson(export_geojson(sample()).text);
+  auto map = json::parse(export_geojson(sample()).text);
+  for (auto& each : map["features"]) {
+    auto& properties = each["properties"];
+    properties["fid"] = 7;
+    properties["marker-color"] = "#ff0000";
+    for (const auto* column : {"hold_s", "speed_mps", "heading_deg", "ceiling_m", "to", "note"})
+      if (!properties.contains(column))
+        properties[column] = nullptr;
+  }
+  const auto result = import_geojson(map.dump());
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  EXPECT_EQ(result->mission, plain->mission);
+}
+
+TEST(geojson_import, a_height_that_the_map_has_dropped_is_named) {
+  auto map = json::parse(export_geojson(sample()).text);
+  map["features"][2]["geometry"]["coordinates"].erase(2);
+  EXPECT_EQ(import_geojson(map.dump()).error().message(),
+            "/features/2/geometry/coordinates has no height; the program that has saved the map has dropped it; "
+            "allowed: [longitude, latitude, metres above the place of take-off]");
 }
 
 RC_GTEST_PROP(geojson_property, exported_read_and_exported_again_it_is_the_same, ()) {

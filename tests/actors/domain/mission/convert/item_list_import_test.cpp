@@ -82,6 +82,13 @@ TEST(import_item_list, a_return_to_launch_stays_one_of_the_vehicle) {
   EXPECT_EQ(result->mission.return_point, std::nullopt);
 }
 
+TEST(import_item_list, what_is_wrong_names_the_item_of_the_upload) {
+  auto items = short_list();
+  items[2].param1 = -5;
+  EXPECT_EQ(import_item_list(items, options()).error().message(),
+            "the upload (item 2, NAV_WAYPOINT, \"item-3\"): hold_s is -5; allowed: a number from 0 to 86400");
+}
+
 TEST(import_item_list, a_list_that_makes_no_mission_is_refused) {
   EXPECT_FALSE(import_item_list({}, options()).has_value());
 }

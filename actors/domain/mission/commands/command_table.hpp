@@ -1,0 +1,82 @@
+// One row for each MAV_CMD that can be met in a mission of a ground station: what it is called, what kind of thing it
+// does, whether it has a place, which vehicles take it as an item, and why a mission of godwit has no counterpart of
+// it.
+//
+//   class     examples                                    a direct upload of it
+//   moves     waypoint, loiter, take-off, land, spline    flies somewhere
+//   acts      camera, gimbal, gripper, servo, speed       does something where the vehicle is
+//   waits     NAV_DELAY, CONDITION_*                      holds back what follows
+//   flow      DO_JUMP, JUMP_TAG, DO_LAND_START            changes what comes next, or where a return leads
+//   guarded   DO_SET_HOME, DO_FENCE_ENABLE, parachute     can not be judged before the flight, or takes protection away
+//   never     COMPONENT_ARM_DISARM, FLIGHTTERMINATION     stops motors or changes the mode: no mission may hold it
+//   fence     NAV_FENCE_*                                 belongs to the fence, not to the items
+//   rally     NAV_RALLY_POINT                             belongs to the rally points
+//
+// Thread: constants, pure. Source: acknowledgements of ArduPilot 4.7.0-dev and PX4 1.18.0-beta1, each command as an
+// item of its own; MAVLink's common.xml, MAV_CMD. A number without a row is unknown.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "io/fields/field_table.hpp"
+
+namespace godwit::mission {
+
+enum class command_class { moves, acts, waits, flow, guarded, never, fence, rally };
+
+// The vehicles that answer differently.
+enum class vehicle_profile {
+  arducopter,
+  arduplane,
+  quadplane, // ArduPilot
+  ardurover,
+  px4_multicopter,
+  px4_vtol,
+  px4_fixed_wing,
+  px4_rover
+};
+
+constexpr auto enum_names(vehicle_profile) {
+  return io::names<vehicle_profile>({{vehicle_profile::arducopter, "arducopter"},
+                                     {vehicle_profile::arduplane, "arduplane"},
+                                     {vehicle_profile::quadplane, "quadplane"},
+                                     {vehicle_profile::ardurover, "ardurover"},
+                                     {vehicle_profile::px4_multicopter, "px4-multicopter"},
+                                     {vehicle_profile::px4_vtol, "px4-vtol"},
+                                     {vehicle_profile::px4_fixed_wing, "px4-fixed-wing"},
+                                     {vehicle_profile::px4_rover, "px4-rover"}});
+}
+
+[[nodiscard]] constexpr bool is_px4(vehicle_profile each) { return each >= vehicle_profile::px4_multicopter; }
+// It hovers or drives: no wings that need a pitch, a runway or a circle.
+[[nodiscard]] constexpr bool has_wings(vehicle_profile each) {
+  return each == vehicle_profile::arduplane || each == vehicle_profile::quadplane ||
+         each == vehicle_profile::px4_vtol || each == vehicle_profile::px4_fixed_wing;
+}
+
+enum class item_answer {
+  taken,   // acknowledged, and executed
+  skipped, // acknowledged, and passed over in flight
+  refused  // the whole mission is refused for it
+};
+
+struct command_row {
+  std::uint16_t id;
+  std::string_view name;
+  command_class kind;
+  bool has_place;            // x and y say where
+  std::string_view answers;  // t, s or -: taken, skipped or refused, by vehicle_profile
+  std::string_view why_none; // no counterpart in a mission, as a sentence without an end; empty: it has one
+
+  [[nodiscard]] item_answer answer_of(vehicle_profile vehicle) const {
+    const auto found = answers[static_cast<std::size_t>(vehicle)];
+    return found == 't' ? item_answer::taken : found == 's' ? item_answer::skipped : item_answer::refused;
+  }
+};
+
+// Null: the number is unknown.
+[[nodiscard]] const command_row* command_of(std::uint16_t id);
+
+} // namespace godwit::mission

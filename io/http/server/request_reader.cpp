@@ -69,6 +69,10 @@ progress request_reader::state::judge_head() {
   made.target = text_of(head.target());
   for (const auto& each : head)
     made.headers.push_back({text_of(each.name_string()), text_of(each.value())});
+  // Who reads the other one than we do would let through what we let in.
+  for (const auto* const name : {"Host", "Origin"})
+    if (head.count(name) > 1)
+      return refuse(400, "More than one " + std::string(name) + ".");
   if (made.target.size() > set.max_target_bytes)
     return refuse(414, "The target has up to " + std::to_string(set.max_target_bytes) + " bytes.");
   max_body = limit ? std::min(set.max_body_bytes, limit(made.method, made.target)) : set.max_body_bytes;

@@ -222,6 +222,15 @@ TEST_F(http_server_tls, speaks_nothing_older_than_1_2) {
   EXPECT_EQ(::SSL_CTX_get_min_proto_version(tls->native_handle()), TLS1_2_VERSION);
 }
 
+TEST_F(http_server_tls, has_no_cipher_of_1_2_but_those_that_seal_what_they_hide) {
+  const auto tls = server_tls(loopback_identity());
+  const auto* const all = ::SSL_CTX_get_ciphers(tls->native_handle());
+  ASSERT_GT(sk_SSL_CIPHER_num(all), 0);
+  for (int n = 0; n < sk_SSL_CIPHER_num(all); ++n)
+    EXPECT_EQ(::SSL_CIPHER_is_aead(sk_SSL_CIPHER_value(all, n)), 1)
+        << ::SSL_CIPHER_get_name(sk_SSL_CIPHER_value(all, n));
+}
+
 TEST_F(http_server_tls, needs_a_certificate_and_the_key_that_fits_it) {
   const auto& who = loopback_identity();
   const auto none = make_server_tls_context("no PEM", who.key);

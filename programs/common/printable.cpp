@@ -1,40 +1,80 @@
 #include "programs/common/printable.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace godwit::programs {
 namespace {
 
 constexpr unsigned char delete_character = 0x7F;
-constexpr unsigned char lead_of_c1 = 0xC2;
 
-void escape(std::string& to, unsigned char byte) {
+struct unseen {
+  std::string_view first;
+  std::string_view last; // of the same length
+};
+
+// In UTF-8, where what is greater stands behind.
+constexpr std::array<unseen, 9> not_seen{{
+    {"\xc2\x80", "\xc2\x9f"},                 // C1
+    {"\xc2\xad", "\xc2\xad"},                 // soft hyphen
+    {"\xd8\x9c", "\xd8\x9c"},                 // Arabic letter mark
+    {"\xe1\xa0\x8e", "\xe1\xa0\x8e"},         // Mongolian vowel separator
+    {"\xe2\x80\x8b", "\xe2\x80\x8f"},         // of no width, joiners, marks of direction
+    {"\xe2\x80\xa8", "\xe2\x80\xae"},         // separators of lines and paragraphs, embeddings, overrides
+    {"\xe2\x81\xa0", "\xe2\x81\xaf"},         // joiners, isolates
+    {"\xef\xbb\xbf", "\xef\xbb\xbf"},         // byte order mark
+    {"\xf3\xa0\x80\x80", "\xf3\xa0\x81\xbf"}, // tags
+}};
+
+void escape(std::string& to, std::string_view bytes) {
   constexpr std::string_view digits = "0123456789abcdef";
-  to += "\\x";
-  to += digits[byte >> 4U];
-  to += digits[byte & 15U];
+  for (const char each : bytes) {
+    const auto byte = static_cast<unsigned char>(each);
+    to += "\\x";
+    to += digits[byte >> 4U];
+    to += digits[byte & 15U];
+  }
 }
 
-bool is_c1(unsigned char lead, unsigned char next) { return lead == lead_of_c1 && next >= 0x80 && next <= 0x9F; }
+// How many bytes at the beginning of TEXT are one character that is not to be seen; 0: they are another one.
+std::size_t unseen_bytes(std::string_view text) {
+  const auto byte = static_cast<unsigned char>(text.front());
+  if (byte < 0x20 || byte == delete_character)
+    return text.front() == '\t' ? 0 : 1;
+  const auto* const found = std::ranges::find_if(not_seen, [&](const unseen& each) {
+    const auto here = text.substr(0, each.first.size());
+    return here.size() == each.first.size() && here >= each.first && here <= each.last;
+  });
+  return found == not_seen.end() ? 0 : found->first.size();
+}
 
 } // namespace
 
 std::string printable(std::string_view text, std::string_view after_line_end) {
   std::string result;
   result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (text[i] == '\n') {
-      result += '\n';
-      result += after_line_end;
-    } else if ((byte < 0x20 && text[i] != '\t') || byte == delete_character) {
-      escape(result, byte);
-    } else if (i + 1 < text.size() && is_c1(byte, static_cast<unsigned char>(text[i + 1]))) {
-      escape(result, byte);
-      escape(result, static_cast<unsigned char>(text[++i]));
-    } else {
-      result += text[i];
-    }
+  while (!text.empty()) {
+    const auto escaped = unseen_bytes(text);
+    if (text.front() == '\n')
+      result.append("\n").append(after_line_end);
+    else if (escaped != 0)
+      escape(result, text.substr(0, escaped));
+    else
+      result += text.front();
+    text.remove_prefix(std::max<std::size_t>(1, escaped));
   }
   return result;
+}
+
+std::string one_line(std::string_view text) {
+  std::string result;
+  for (auto end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    result += printable(text.substr(0, end), "");
+    escape(result, "\n");
+    text.remove_prefix(end + 1);
+  }
+  return result + printable(text, "");
 }
 
 } // namespace godwit::programs

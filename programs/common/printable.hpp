@@ -1,8 +1,9 @@
-// Text from outside, fit for a terminal and a log: control characters are shown as escapes, so that nobody's words move
-// the cursor, ring, or look like a line of ours.
+// Text from outside, fit for a terminal and a log: what has an effect instead of a look is shown as an escape, so that
+// nobody's words move the cursor, ring, turn the line around, or look like a line of ours.
 //
-// Escaped are C0 (but for line ends, which the caller sees to), DEL, and C1 in UTF-8: "\\x1b", "\\xc2\\x9b". Tabs stay.
-// Thread: pure.
+// Escaped are C0 and DEL, C1 in UTF-8, line and paragraph separators, and the characters of Unicode that are not seen:
+// those that turn the direction of writing, join, or take no room: "\\x1b", "\\xc2\\x9b", "\\xe2\\x80\\xae". Tabs stay.
+// Text that is escaped stays as it is when it is escaped again. Thread: pure. Source: Unicode 15, Cf; UAX 9.
 #pragma once
 
 #include <string>
@@ -10,7 +11,10 @@
 
 namespace godwit::programs {
 
-// AFTER_LINE_END stands behind each line end, so that what follows is seen to belong to it.
+// Of several lines: AFTER_LINE_END stands behind each line end, so that what follows is seen to belong to it.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view after_line_end = "    ");
+
+// Of one line, such as a name or a reason: line ends are escaped, too.
+[[nodiscard]] std::string one_line(std::string_view text);
 
 } // namespace godwit::programs

@@ -8,6 +8,7 @@
 #include "io/fields/json_text.hpp"
 #include "io/fields/utc_seconds.hpp"
 #include "io/time_units.hpp"
+#include "programs/common/printable.hpp"
 
 namespace godwit::trace_tool {
 
@@ -56,16 +57,7 @@ void append_member(std::string& out, std::string_view name, std::string_view tex
   io::append_json_string(out, text);
 }
 
-void append_printable(std::string& out, std::string_view text) {
-  constexpr unsigned char delete_character = 0x7f;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < ' ' || byte == delete_character)
-      out += formatted("\\x%02x", static_cast<unsigned>(byte));
-    else
-      out += c;
-  }
-}
+void append_printable(std::string& out, std::string_view text) { out += programs::one_line(text); }
 
 paint::paint(bool is_terminal) : is_on_(is_terminal && std::getenv("NO_COLOR") == nullptr) {}
 

@@ -8,6 +8,7 @@ checker::checker() {
 }
 
 void checker::take(const runtime::delivery& each, const runtime::name_table& names) {
+  has_deliveries_ = true;
   for (const auto& one : invariants_)
     one->take(each, names);
 }
@@ -34,7 +35,7 @@ std::vector<judged> checker::judge() const {
         one.findings.push_back(each);
     if (!one.findings.empty()) {
       one.how = verdict::violated;
-    } else if (!found.empty() || !holes_.empty() || (rules[n].asks_journal && !has_journal_)) {
+    } else if (!has_deliveries_ || !found.empty() || !holes_.empty() || (rules[n].asks_journal && !has_journal_)) {
       one.how = verdict::undecided;
       one.findings = found;
     }

@@ -1,8 +1,8 @@
 // Looks for every promise in one pass over a record, and says of each: held, violated, or undecided.
 //
-// Undecided: nothing was found, or nothing that a missing record does not explain, and records are missing, or there is
-// no journal where one is asked. Findings
-// that a missing record can explain count only in runs without holes. Thread: one at a time.
+// Undecided: there is no delivery in the record; or nothing was found, or nothing that a missing record does not
+// explain, and records are missing, or there is no journal where one is asked. Findings that a missing record can
+// explain count only in runs without holes. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -47,6 +47,7 @@ private:
 
   std::vector<std::unique_ptr<invariant>> invariants_; // one for each rule, in their order
   std::set<std::uint64_t> holes_;                      // runs
+  bool has_deliveries_ = false;
   bool has_journal_ = false;
 };
 

@@ -25,7 +25,7 @@ result<void> output_file::create(const std::filesystem::path& path) {
 }
 
 result<void> output_file::open_and_cut(const std::filesystem::path& path, std::uint64_t keep_bytes) {
-  return open(path, O_WRONLY).and_then([&] { return cut(keep_bytes); });
+  return open(path, O_WRONLY | O_NOFOLLOW).and_then([&] { return cut(keep_bytes); });
 }
 
 result<void> output_file::cut(std::uint64_t keep_bytes) {

@@ -117,6 +117,23 @@ camera_uri recording_at(std::string_view path) {
   return {camera_kind::file, std::move(uri)};
 }
 
+std::string path_of(const camera_uri& file) {
+  constexpr std::string_view scheme = "file://";
+  const auto text = std::string_view(file.where).substr(scheme.size());
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    unsigned byte = 0;
+    if (text[at] == '%' && at + 2 < text.size() &&
+        std::from_chars(text.data() + at + 1, text.data() + at + 3, byte, 16).ptr == text.data() + at + 3) {
+      result += static_cast<char>(byte);
+      at += 2;
+    } else {
+      result += text[at];
+    }
+  }
+  return result;
+}
+
 std::string without_password(std::string_view text) {
   const auto begin = text.find("://");
   const auto at = text.find('@', begin == std::string_view::npos ? 0 : begin);

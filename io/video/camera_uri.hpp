@@ -36,6 +36,9 @@ struct camera_uri {
 // Of a file with any name, which may hold what a URI may not. PATH is absolute.
 [[nodiscard]] camera_uri recording_at(std::string_view path);
 
+// Of a file: where it lies.
+[[nodiscard]] std::string path_of(const camera_uri& file);
+
 // TEXT without a password, for people.
 [[nodiscard]] std::string without_password(std::string_view text);
 

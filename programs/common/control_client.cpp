@@ -50,11 +50,12 @@ tl::expected<nlohmann::json, std::string> ask_daemon(const std::string& path, co
                                "): does it run, and is it the one with this journal? --control names its socket");
   const auto line = question.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
                     "\n"; // a line fits into the socket's buffer
-  if (::send(socket.number(), line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size()))
-    return tl::make_unexpected("the godwitd at " + path + " ended before it was asked");
+  // Who is turned away is told why, and may find that out before the question is sent.
+  const bool is_sent =
+      ::send(socket.number(), line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size());
   const auto answer = read_line(socket.number(), path);
   if (!answer)
-    return tl::make_unexpected(answer.error());
+    return tl::make_unexpected(is_sent ? answer.error() : "the godwitd at " + path + " ended before it was asked");
   auto document = nlohmann::json::parse(*answer, nullptr, false);
   if (!document.is_object())
     return tl::make_unexpected("what listens at " + path + " is no godwitd");

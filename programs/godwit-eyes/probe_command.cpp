@@ -7,6 +7,7 @@
 
 #include "io/video/source.hpp"
 #include "programs/godwit-eyes/commands.hpp"
+#include "programs/godwit-eyes/confinement/confinement.hpp"
 #include "programs/godwit-eyes/console.hpp"
 
 namespace godwit::eyes {
@@ -37,6 +38,8 @@ exit_code run(const std::string& uri, int seconds) {
     say(io::video::without_password(uri) + ": " + from.error());
     return exit_code::usage;
   }
+  if (const auto confined = confine(*from, {}); !confined)
+    say("is not shut in: " + confined.error());
   const io::video::source camera(*std::move(from), {}, [] {});
   for (int i = 0; i < seconds; ++i) {
     std::this_thread::sleep_for(line_period);

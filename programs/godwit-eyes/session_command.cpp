@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "programs/godwit-eyes/commands.hpp"
+#include "programs/godwit-eyes/confinement/confinement.hpp"
 #include "programs/godwit-eyes/console.hpp"
 #include "programs/godwit-eyes/detection/detector.hpp"
 #include "programs/godwit-eyes/session/session.hpp"
@@ -23,7 +24,15 @@ exit_code serve_daemon() {
   keep_freed_memory();
   static_cast<void>(::setpriority(PRIO_PROCESS, 0, less_urgent));
   io::eyes::channel to_daemon{io::link::descriptor(socket_number)};
-  switch (run_session(to_daemon, *slot)) {
+  device_identity device;
+  session_hooks hooks;
+  hooks.before_work = [&device](const io::eyes::begin& wanted, const io::video::camera_uri& from) {
+    device = device_identity(from);
+    if (const auto confined = confine(from, wanted.record_folder); !confined)
+      say("is not shut in: who takes over a decoder of pictures could read what godwitd can; " + confined.error());
+  };
+  hooks.is_camera_replaced = [&device] { return device.is_replaced(); };
+  switch (run_session(to_daemon, *slot, std::move(hooks))) {
   case session_end::closed:
     ::_exit(static_cast<int>(exit_code::ok)); // a driver may hang in what threads do at an end
   case session_end::garbage:
@@ -31,6 +40,9 @@ exit_code serve_daemon() {
     break;
   case session_end::stuck:
     say("the driver of the camera does not come back");
+    break;
+  case session_end::replaced:
+    say("the camera was plugged in again");
     break;
   }
   ::_exit(static_cast<int>(exit_code::failed));

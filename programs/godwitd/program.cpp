@@ -24,6 +24,7 @@
 #include "programs/godwitd/operator_text.hpp"
 #include "programs/godwitd/outbox_listing.hpp"
 #include "programs/godwitd/settings.hpp"
+#include "programs/godwitd/shown_answer.hpp"
 #include "programs/godwitd/status_text.hpp"
 
 namespace godwit::daemon {
@@ -73,7 +74,7 @@ exit_code ask_running(const json& configuration, const json& question, bool as_j
   if (as_json)
     print(answer->dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
   else if (is_done)
-    print(text(programs::printable_strings(*answer)) + "\n");
+    print(programs::printable(text(shown_answer(*answer)), "") + "\n");
   else
     say(programs::printable(answer->value("error", std::string("refused"))));
   return is_done ? exit_code::ok : exit_code::failed;

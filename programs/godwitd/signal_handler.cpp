@@ -1,8 +1,10 @@
 #include "programs/godwitd/signal_handler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +16,35 @@
 namespace godwit::daemon {
 
 using programs::signal_descriptor;
+
+namespace {
+
+// The first SIGHUP counts at once; those that come within hangup_gap of it are one, after that.
+class hangup_gate {
+public:
+  void note() { is_due_ = true; }
+  // For poll(2).
+  [[nodiscard]] int wait_ms() const {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(next_ - clock::now());
+    return !is_due_ ? -1 : static_cast<int>(std::max<std::int64_t>(0, left.count()));
+  }
+  [[nodiscard]] bool take_due() {
+    const auto now = clock::now();
+    if (!is_due_ || now < next_)
+      return false;
+    is_due_ = false;
+    next_ = now + signal_handler::hangup_gap;
+    return true;
+  }
+
+private:
+  using clock = std::chrono::steady_clock;
+
+  bool is_due_ = false;
+  clock::time_point next_ = clock::now();
+};
+
+} // namespace
 
 signal_handler::signal_handler()
     : signals_({SIGINT, SIGTERM, SIGHUP}, signal_descriptor::afterwards::still_blocked),
@@ -38,18 +69,20 @@ void signal_handler::start(std::function<void(const std::string& name)> on_stop,
 
 void signal_handler::run(const std::function<void(const std::string& name)>& on_stop,
                          const std::function<void()>& on_hangup) const {
+  hangup_gate hangups;
   for (int seen = 0;;) {
     std::array<pollfd, 2> watched{pollfd{signals_.descriptor(), POLLIN, 0}, pollfd{stop_.number(), POLLIN, 0}};
-    if (::poll(watched.data(), watched.size(), -1) < 0)
+    if (::poll(watched.data(), watched.size(), hangups.wait_ms()) < 0)
       continue;
     if (watched[1].revents != 0)
       return;
-    const auto came = signals_.take();
+    if (hangups.take_due() && on_hangup)
+      on_hangup();
+    const auto came = watched[0].revents != 0 ? signals_.take() : std::nullopt;
     if (!came)
       continue;
     if (*came == SIGHUP) {
-      if (on_hangup)
-        on_hangup();
+      hangups.note();
       continue;
     }
     if (++seen == 1) {

@@ -87,6 +87,7 @@ public:
   void add(const io::eyes::pose& said) { looker_.add(said); }
   void want(const io::eyes::want_picture& said) { pictures_.want(said.until_ns, ns(milliseconds(said.gap_ms))); }
   [[nodiscard]] std::int64_t stuck_ns() const { return source_->stuck_ns(); }
+  [[nodiscard]] bool is_playing() const { return source_->report().state == io::video::source_state::playing; }
 
   [[nodiscard]] io::eyes::status status() const {
     const auto camera = source_->report();
@@ -125,7 +126,8 @@ private:
 
 class session {
 public:
-  session(io::eyes::channel& to_daemon, io::eyes::picture_slot& slot) : to_daemon_(to_daemon), slot_(slot) {}
+  session(io::eyes::channel& to_daemon, io::eyes::picture_slot& slot, session_hooks hooks)
+      : to_daemon_(to_daemon), slot_(slot), hooks_(std::move(hooks)) {}
 
   session_end run() {
     auto next_ns = monotonic_ns();
@@ -133,6 +135,8 @@ public:
       const auto now = monotonic_ns();
       if (now >= next_ns) {
         say_status();
+        if (hooks_.is_camera_replaced && work_ && !work_->is_playing() && hooks_.is_camera_replaced())
+          return session_end::replaced;
         next_ns = now + ns(status_period);
       }
       if (work_ && work_->stuck_ns() > std::chrono::nanoseconds(stuck_limit).count()) {
@@ -179,6 +183,8 @@ private:
       return;
     auto from = io::video::parse_camera_uri(wanted.uri);
     if (from) {
+      if (hooks_.before_work)
+        hooks_.before_work(wanted, *from);
       work_ = std::make_unique<work>(wanted, *std::move(from), to_daemon_, slot_);
       return;
     }
@@ -190,14 +196,15 @@ private:
 
   io::eyes::channel& to_daemon_;
   io::eyes::picture_slot& slot_;
+  session_hooks hooks_;
   std::unique_ptr<work> work_;
   std::optional<io::eyes::status> refused_; // the address of the camera is none
 };
 
 } // namespace
 
-session_end run_session(io::eyes::channel& to_daemon, io::eyes::picture_slot& slot) {
-  return session(to_daemon, slot).run();
+session_end run_session(io::eyes::channel& to_daemon, io::eyes::picture_slot& slot, session_hooks hooks) {
+  return session(to_daemon, slot, std::move(hooks)).run();
 }
 
 } // namespace godwit::eyes

@@ -7,9 +7,11 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 #include "io/eyes/channel.hpp"
 #include "io/eyes/picture_slot.hpp"
+#include "io/video/camera_uri.hpp"
 
 namespace godwit::eyes {
 
@@ -20,10 +22,19 @@ inline constexpr std::chrono::seconds stuck_limit{20};
 enum class session_end {
   closed,  // by the daemon
   garbage, // what came is no message: the two are of different builds
-  stuck    // the driver of the camera does not come back
+  stuck,   // the driver of the camera does not come back
+  replaced // another camera has its name, which this process may not open
+};
+
+struct session_hooks {
+  // The daemon has named a camera; before any thread works on it.
+  std::function<void(const io::eyes::begin& wanted, const io::video::camera_uri& from)> before_work = {};
+  // Asked while it does not play.
+  std::function<bool()> is_camera_replaced = {};
 };
 
 // After `stuck` its threads can not be waited for: the process has to end at once, with _exit.
-[[nodiscard]] session_end run_session(io::eyes::channel& to_daemon, io::eyes::picture_slot& slot);
+[[nodiscard]] session_end run_session(io::eyes::channel& to_daemon, io::eyes::picture_slot& slot,
+                                      session_hooks hooks = {});
 
 } // namespace godwit::eyes

@@ -30,13 +30,15 @@ void append_ids(std::string& out, const invariants::finding& each) {
 }
 
 // Of a promise that is undecided.
-std::string_view what_is_missing(const judged& each, bool has_journal) {
+std::string_view what_is_missing(const judged& each, bool has_journal, bool has_deliveries) {
+  if (!has_deliveries)
+    return "there is no message in the record: it was cut off, or nothing has run\n";
   if (each.which->asks_journal && !has_journal)
     return "it is about the journal: name it with --journal\n";
   return each.findings.empty() ? "records are missing\n" : "what is missing in the record may explain it\n";
 }
 
-void append_judged(std::string& out, const judged& each, bool has_journal, const paint& colours) {
+void append_judged(std::string& out, const judged& each, bool has_journal, bool has_deliveries, const paint& colours) {
   constexpr std::size_t width = 10;
   constexpr std::size_t max_shown = 10;
   std::string word(io::name_of(each.how));
@@ -55,7 +57,7 @@ void append_judged(std::string& out, const judged& each, bool has_journal, const
   if (more > 0)
     out.append(width, ' ').append("and ").append(std::to_string(more)).append(" more\n");
   if (each.how == verdict::undecided)
-    out.append(width, ' ').append(what_is_missing(each, has_journal));
+    out.append(width, ' ').append(what_is_missing(each, has_journal, has_deliveries));
 }
 
 void append_json(std::string& out, const judged& each) {
@@ -121,7 +123,7 @@ exit_code run_verify(const verify_arguments& given, console& to) {
     if (given.trace.json)
       append_json(to.out.text(), one);
     else
-      append_judged(to.out.text(), one, !given.journal.empty(), colours);
+      append_judged(to.out.text(), one, !given.journal.empty(), !actors.empty(), colours);
   }
   say_losses((*trace)->reader, to);
   return is_violated ? exit_code::failed : exit_code::ok;

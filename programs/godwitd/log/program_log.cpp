@@ -65,7 +65,10 @@ programs::line_printer::loss_text loss_in(line_form form) {
 // Without waiting, as a pipe that nobody reads would want it.
 tl::expected<io::link::descriptor, std::string> open_file(const std::string& file) {
   io::link::descriptor opened(
-      ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, file_mode));
+      ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | O_NOFOLLOW, file_mode));
+  if (!opened.is_open() && errno == ELOOP)
+    return tl::make_unexpected("the log file " + file +
+                               " is a symbolic link, and whoever made it chooses the file: name that itself");
   if (!opened.is_open())
     return tl::make_unexpected("the log file " + file + " can not be opened: " + std::strerror(errno));
   return opened;

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/common/printable.hpp"
-
 namespace operator_text_test {
 
 using namespace godwit::daemon;
@@ -24,17 +22,6 @@ TEST(operator_text, a_row_of_the_audit_says_when_who_what_and_what_came_of_it) {
 TEST(operator_text, a_stranger_is_shown_as_one) {
   const json row{{"at_ns", 0}, {"who", {{"name", "mallory"}}}, {"what", "start"}, {"outcome", "no_session"}};
   EXPECT_EQ(audit_text({{"rows", {row}}}), "1970-01-01T00:00:00Z  mallory (unknown): start: no_session");
-}
-
-TEST(operator_text, a_name_or_a_reason_forges_no_row) {
-  const json row{{"at_ns", 0},
-                 {"who", {{"name", "a\nerror: fake row"}}},
-                 {"what", "log_in"},
-                 {"outcome", "refused"},
-                 {"reason", "b\n1970-01-01T00:00:00Z  anna\u202E"}};
-  EXPECT_EQ(audit_text(godwit::programs::printable_strings({{"rows", {row}}})),
-            "1970-01-01T00:00:00Z  a\n    error: fake row (unknown): log_in: refused (b\n    1970-01-01T00:00:00Z  "
-            "anna\\xe2\\x80\\xae)");
 }
 
 TEST(operator_text, who_has_control_is_said) {

@@ -1,5 +1,6 @@
 #include "programs/godwitd/signal_handler.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <future>
@@ -28,6 +29,24 @@ TEST(signal_handler_death, a_hangup_and_a_stop_are_told_and_the_stop_by_its_name
         auto name = stopped.get_future();
         const bool is_told = name.wait_for(patience) == std::future_status::ready && name.get() == "SIGTERM";
         ::_exit(is_heard && is_told ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST(signal_handler_death, of_a_storm_of_hangups_one_a_second_counts_and_what_came_meanwhile_is_not_lost) {
+  EXPECT_EXIT(
+      {
+        signal_handler handler;
+        std::atomic<int> seen = 0;
+        handler.start([](const std::string&) {}, [&] { ++seen; });
+        for (int n = 0; n < 1'500; ++n) {
+          ::kill(::getpid(), SIGHUP);
+          ::usleep(1'000);
+        }
+        const auto in_the_storm = seen.load();
+        for (int waits = 0; waits < 600 && seen < 2; ++waits)
+          ::usleep(100'000);
+        ::_exit(in_the_storm >= 1 && seen >= 2 && seen <= 60 ? 0 : 1);
       },
       testing::ExitedWithCode(0), "");
 }

@@ -20,7 +20,7 @@ KNOWN = {
     "Unit": "Description Documentation After StartLimitIntervalSec StartLimitBurst",
     "Service": """Type NotifyAccess ExecStart ExecReload WatchdogSec TimeoutStartSec TimeoutStopSec Restart RestartSec
         RestartPreventExitStatus User Group SupplementaryGroups StateDirectory StateDirectoryMode WorkingDirectory Environment
-        LogsDirectory ConfigurationDirectory UMask CapabilityBoundingSet NoNewPrivileges ProtectSystem ProtectHome
+        LogsDirectory CacheDirectory ConfigurationDirectory UMask CapabilityBoundingSet NoNewPrivileges ProtectSystem ProtectHome
         PrivateTmp ProtectControlGroups ProtectKernelLogs ProtectKernelModules ProtectKernelTunables ProtectClock
         ProtectHostname DevicePolicy DeviceAllow RestrictAddressFamilies RestrictNamespaces RestrictRealtime
         RestrictSUIDSGID LockPersonality MemoryDenyWriteExecute SystemCallArchitectures SystemCallFilter
@@ -72,10 +72,11 @@ class Unit(unittest.TestCase):
     def test_a_helper_that_takes_too_much_memory_does_not_end_the_unit(self):
         self.assertEqual(parsed()["Service"]["OOMPolicy"], "continue")
 
-    def test_the_helper_may_make_itself_less_urgent_and_nobody_more_urgent(self):
+    def test_the_helper_may_make_itself_less_urgent_and_shut_itself_in_and_nobody_may_become_more_urgent(self):
         # configparser keeps the last line of a name; here all count, in their order.
         lines = re.findall(r"(?m)^SystemCallFilter=(.*)$", UNIT.read_text(encoding="utf-8"))
-        self.assertEqual(lines, ["@system-service", "~@privileged @resources", "setpriority"])
+        self.assertEqual(lines, ["@system-service", "~@privileged @resources",
+                                 "setpriority landlock_create_ruleset landlock_add_rule landlock_restrict_self"])
         self.assertEqual(parsed()["Service"]["CapabilityBoundingSet"], "")
 
     def test_every_option_of_its_command_line_is_one_of_godwitd(self):

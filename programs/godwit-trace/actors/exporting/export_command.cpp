@@ -66,7 +66,11 @@ exit_code run_export(const export_arguments& given, console& to) {
   if (given.file.empty())
     return export_to(given, to, to.out);
   constexpr mode_t private_file = 0600; // a trace tells where somebody flew
-  const int file = ::open(given.file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, private_file);
+  const int file = ::open(given.file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, private_file);
+  if (file < 0 && errno == ELOOP) {
+    to.say(given.file + ": is a symbolic link, which is not followed; name the file itself");
+    return exit_code::failed;
+  }
   if (file < 0) {
     to.say(given.file + ": " + std::generic_category().message(errno));
     return exit_code::failed;

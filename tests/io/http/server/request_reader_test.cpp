@@ -49,6 +49,13 @@ TEST(http_request_reader, a_request_is_read_with_its_headers_and_body) {
   EXPECT_EQ(got.body, "{}");
 }
 
+TEST(http_request_reader, who_names_two_hosts_or_two_origins_is_refused) {
+  for (const auto* const second : {"Host: y\r\n", "Host: x\r\n", "hOST:\r\n", "Origin: a\r\nOrigin: b\r\n"})
+    EXPECT_EQ(reading().refused(posted("/a", std::string(second) + "Content-Length: 2\r\n", "{}")), 400U) << second;
+  reading it;
+  EXPECT_EQ(it.feed(posted("/a", "Origin: a\r\nContent-Length: 2\r\n", "{}")), progress::complete);
+}
+
 TEST(http_request_reader, requests_may_come_together_and_in_any_pieces) {
   const std::string chunked = posted("/a", "Transfer-Encoding: chunked\r\n", "3\r\nabc\r\n2\r\nde\r\n0\r\n\r\n");
   const std::string empty = posted("/b", "Transfer-Encoding: chunked\r\n", "0\r\n\r\n");

@@ -1,6 +1,7 @@
 #include "programs/godwitd/log/program_log.hpp"
 
 #include <array>
+#include <filesystem>
 #include <regex>
 
 #include <gtest/gtest.h>
@@ -35,6 +36,15 @@ TEST_F(daemon_log, a_file_gets_stamped_lines_that_are_appended) {
   struct stat info {};
   ASSERT_EQ(::stat(file.c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0137U, 0U) << "others read or write it";
+}
+
+TEST_F(daemon_log, a_symbolic_link_is_not_followed) {
+  const auto victim = folder.file("victim");
+  std::filesystem::create_symlink(victim, file);
+  const auto opened = program_log::open({file, log_format::text, log_level::info}, STDOUT_FILENO);
+  ASSERT_FALSE(opened);
+  EXPECT_NE(opened.error().find("is a symbolic link"), std::string::npos) << opened.error();
+  EXPECT_FALSE(std::filesystem::exists(victim));
 }
 
 TEST_F(daemon_log, what_is_better_than_the_level_is_left_out) {

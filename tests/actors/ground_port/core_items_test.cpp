@@ -57,7 +57,7 @@ TEST_F(ground_port_items, one_that_is_flown_to_at_once_is_a_go_to_of_godwit_whil
   port.executor_says(act_verdict::own);
   ASSERT_EQ(port.words.size(), 1U);
   EXPECT_EQ(port.words[0].what.kind, operators::command_kind::go_to);
-  EXPECT_NEAR(port.words[0].what.place->latitude, 47.40005, 1e-6);
+  EXPECT_NEAR(port.words[0].what.place->latitude, 47.40005, 1e-5); // it came as a float
   EXPECT_EQ(port.words[0].what.place->altitude_m, 20);
   EXPECT_TRUE(port.passed_on.empty());
   port.executor_says(operators::answer{true, {}});

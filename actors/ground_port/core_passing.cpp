@@ -10,8 +10,8 @@
 //                                                       first; all else is refused
 // What people do is a row of the audit: one when a stream of sticks or of parameters begins (passing/act_series.hpp).
 //
-//   mission mode ──> as MISSION_START, as going on where the flight is paused, or the way back from a go to; hold ──> the
-//   executor decides
+//   mission mode ──> as MISSION_START, as going on where the flight is paused, or the way back from a go to; hold ──>
+//   the executor decides
 #include <algorithm>
 #include <array>
 #include <span>

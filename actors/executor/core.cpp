@@ -93,6 +93,7 @@ effects core::advance(instant now) {
   effects out;
   service_.ask_again(out, now);
   standstill_.look(out, now);
+  ground_.on_task();
   plan_.check(out, now);
   for (const auto& each : messages_.look(out, now.now_ns))
     flight_.view.take(each, now.now_ns);

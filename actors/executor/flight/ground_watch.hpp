@@ -20,6 +20,11 @@ public:
 
   // The vehicle has told its mode.
   void on_mode(effects& out, instant now);
+  // After each event: what godwit does to its mode may be over before the vehicle tells it.
+  void on_task() {
+    if (changes_mode())
+      mode_.reset();
+  }
   // Its home.
   void on_home(effects& out, instant now);
   // Somebody commands it, beside godwit or through a station.

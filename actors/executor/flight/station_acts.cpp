@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "actors/executor/flight/vehicle_steps.hpp"
+
 namespace godwit::executor {
 namespace {
 
@@ -125,7 +127,7 @@ void station_acts::on_hold_accepted(effects& out) {
 bool station_acts::is_going_on() const {
   const auto at = flight_.s.status.now;
   return (at == phase::flying || at == phase::landing) && !flight_.runner.is_busy() && flight_.view.mode() &&
-         flight_.view.is_connected() && flight_.view.is_in(mode_kind::mission);
+         flight_.view.is_connected() && flight_.view.is_in(going_on_mode(flight_));
 }
 
 // What is brought about already is not asked for twice.

@@ -27,6 +27,8 @@ private:
   static bool is_moment(const transition& each) {
     if (each.on == trigger::called_home && each.next == phase::paused)
       return true; // somebody else flies a plan of his own, and an operator calls it home
+    if (each.on == trigger::handed_back && each.guard.find("infeasible") != std::string_view::npos)
+      return true; // a person has taken a PX4 before it has judged the plan that was brought in flight
     const bool is_at_end = each.guard.find("plan finished") != std::string_view::npos;
     return is_at_end && (each.on == trigger::resumed || each.on == trigger::found_in_flight ||
                          (each.on == trigger::handed_back && each.next == phase::landing));

@@ -138,7 +138,7 @@ TEST_P(station_acts, who_has_it_go_on_is_answered_when_the_vehicle_is_in_its_mis
   EXPECT_EQ(slow.heard_mode(), tests::mission_mode(GetParam())) << slow.story();
   slow.run_for(10);
   EXPECT_LE(slow.starts(), starts + 1) << slow.story();
-  EXPECT_EQ(slow.station_does(act_kind::go_on).verdict, act_verdict::done) << "it goes on already";
+  EXPECT_EQ(slow.station_does(act_kind::go_on).verdict, act_verdict::done) << "it goes on already\n" << slow.story();
 }
 
 TEST_P(station_acts, who_has_it_go_on_and_does_not_come_so_far_hears_why) {

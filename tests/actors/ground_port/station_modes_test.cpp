@@ -147,8 +147,9 @@ TEST(station_modes, a_mode_by_message_is_answered_as_the_vehicle_would_answer_it
   for (const auto& vehicle : all_vehicles()) {
     station_mode one(vehicle, flight_phase::paused);
     one.say(form::message, vehicle.mission, 157);
-    ASSERT_EQ(one.port.words.size(), 1U);
-    one.port.executor_says(operators::answer{true, {}});
+    ASSERT_EQ(one.port.acts.size(), 1U);
+    EXPECT_EQ(one.port.acts[0].what.kind, act_kind::go_on);
+    one.port.executor_says(act_verdict::done);
     const auto answers = one.port.sent<mavlink::command_ack>();
     ASSERT_EQ(answers.size(), vehicle.autopilot == mav_autopilot::px4 ? 1U : 0U);
     if (!answers.empty()) {

@@ -31,6 +31,11 @@ protected:
   }
   [[nodiscard]] static bool drives() { return GetParam() == sim::personality::rover; }
   [[nodiscard]] static std::uint16_t first_waypoint() { return drives() ? 1 : 2; }
+  // What MISSION_CURRENT of such a vehicle counts: an ArduPilot leaves its home line out.
+  [[nodiscard]] std::size_t counted_of_second() const {
+    const bool has_home = GetParam() == sim::personality::ardupilot || GetParam() == sim::personality::plane;
+    return second.size() - (has_home ? 1 : 0);
+  }
 
   [[nodiscard]] static bool upload(flight_simulation& flight, const tests::upload& items, double within_s = 40) {
     flight.station().upload(items);
@@ -97,7 +102,7 @@ TEST_P(upload_at_port, pause_upload_choose_an_item_and_start_fly_the_new_plan_fr
   flight.run_for(5);
   EXPECT_EQ(flight.status().now, phase::paused) << "who chooses an item has not said that it goes on";
   EXPECT_EQ(flight.station().current()->seq, chosen);
-  EXPECT_EQ(flight.station().current()->total, second.size());
+  EXPECT_EQ(flight.station().current()->total, counted_of_second());
   ASSERT_TRUE(start(flight)) << flight.story();
   ASSERT_TRUE(flight.run_until_phase(phase::flying, 10)) << flight.story();
   flight.run_for(1.5);
@@ -123,7 +128,7 @@ TEST_P(upload_at_port, a_kill_at_any_commit_of_it_moves_nothing_and_what_is_said
     EXPECT_EQ(flight.status().now, phase::paused) << "no restart lets it fly: " << flight.story();
     ASSERT_TRUE(upload_and_start_again(flight));
     EXPECT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
-    EXPECT_EQ(flight.station().current()->total, second.size()) << flight.story();
+    EXPECT_EQ(flight.station().current()->total, counted_of_second()) << flight.story();
     EXPECT_FALSE(flight.sent_without_intent());
     if (HasFailure())
       return;

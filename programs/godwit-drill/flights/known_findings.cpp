@@ -1,10 +1,19 @@
 #include "programs/godwit-drill/flights/known_findings.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace godwit::drill {
+namespace {
 
-std::span<const known_finding> known_findings() { return {}; }
+constexpr std::array all_known{
+    known_finding{"replaced_and_killed/commit_25", "there are two different reports 1 of mission"},
+    known_finding{"replaced_and_killed/commit_25", "is of generation 1, behind generation 2"},
+};
+
+} // namespace
+
+std::span<const known_finding> known_findings() { return all_known; }
 
 void set_known_aside(flight_outcome& each, std::span<const known_finding> all) {
   const auto is_known = [&](const std::string& flaw) {

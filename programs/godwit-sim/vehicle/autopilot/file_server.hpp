@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/frame.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/names.hpp"
 

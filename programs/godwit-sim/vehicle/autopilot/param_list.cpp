@@ -1,5 +1,8 @@
 #include "programs/godwit-sim/vehicle/autopilot/param_list.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace godwit::sim {
 
 namespace {
@@ -85,19 +88,19 @@ std::vector<role::param> px4_params() {
   };
 }
 
-// QGroundControl wants the RCMAP_ and the COMPASS_ ones of ArduPilot's vehicles (APMSensorsComponent, RadioComponent).
-std::vector<role::param> copter_params() {
-  return {
+namespace {
+
+// Those that Copter and Plane share, with OWN: the ids first, the rest by name, as ArduPilot lists them. QGroundControl
+// wants the RCMAP_ and the COMPASS_ ones (APMSensorsComponent, RadioComponent).
+std::vector<role::param> ardupilot_params(const std::vector<role::param>& own) {
+  constexpr std::ptrdiff_t ids = 4;
+  std::vector<role::param> result{
       {"SYSID_THISMAV", 1, int16, false},
       {"SYSID_MYGCS", 255, int16, true},
       {"MAV_SYSID", 1, int16, false},
       {"MAV_GCS_SYSID", 255, int16, true},
-      {"ANGLE_MAX", 3000, int16, true},
       {"ARMING_CHECK", 1, int32, true},
-      {"AUTO_OPTIONS", 0, int32, true},
-      {"BARO1_GND_PRESS", 95000, real32, true},
       {"BATT_CAPACITY", 5000, int32, true},
-      {"BATT_CRT_VOLT", 0, real32, true},
       {"BATT_FS_LOW_ACT", 0, int8, true},
       {"BATT_LOW_VOLT", 10.5F, real32, true},
       {"BATT_MONITOR", 4, int8, true},
@@ -117,19 +120,43 @@ std::vector<role::param> copter_params() {
       {"COMPASS_USE", 1, int8, true},
       {"COMPASS_USE2", 1, int8, true},
       {"COMPASS_USE3", 1, int8, true},
+      {"FENCE_ENABLE", 0, int8, true},
+      {"FENCE_TOTAL", 0, int8, false},
+      {"FLTMODE6", 0, int8, true},
+      {"MIS_OPTIONS", 0, int16, true},
+      {"MIS_RESTART", 0, int8, true},
+      {"MIS_TOTAL", 0, int16, false},
+      {"RCMAP_PITCH", 2, int8, true},
+      {"RCMAP_ROLL", 1, int8, true},
+      {"RCMAP_THROTTLE", 3, int8, true},
+      {"RCMAP_YAW", 4, int8, true},
+      {"SIM_SPEEDUP", 1, real32, false},
+      {"STAT_BOOTCNT", 1, int16, false},
+      {"STAT_RUNTIME", 0, int32, false},
+  };
+  result.insert(result.end(), own.begin(), own.end());
+  std::ranges::sort(result.begin() + ids, result.end(), {}, &role::param::name);
+  return result;
+}
+
+} // namespace
+
+std::vector<role::param> copter_params() {
+  return ardupilot_params({
+      {"ANGLE_MAX", 3000, int16, true},
+      {"AUTO_OPTIONS", 0, int32, true},
+      {"BARO1_GND_PRESS", 95000, real32, true},
+      {"BATT_CRT_VOLT", 0, real32, true},
       {"DISARM_DELAY", 10, int8, true},
       {"FENCE_ACTION", 1, int8, true},
       {"FENCE_ALT_MAX", 100, real32, true},
-      {"FENCE_ENABLE", 0, int8, true},
       {"FENCE_RADIUS", 300, real32, true},
-      {"FENCE_TOTAL", 0, int8, false},
       {"FENCE_TYPE", 7, int8, true},
       {"FLTMODE1", 7, int8, true},
       {"FLTMODE2", 9, int8, true},
       {"FLTMODE3", 6, int8, true},
       {"FLTMODE4", 3, int8, true},
       {"FLTMODE5", 5, int8, true},
-      {"FLTMODE6", 0, int8, true},
       {"FLTMODE_CH", 5, int8, true},
       {"FRAME_CLASS", 1, int8, true},
       {"FRAME_TYPE", 0, int8, true},
@@ -140,97 +167,34 @@ std::vector<role::param> copter_params() {
       {"INS_ACCOFFS_Y", 0.001F, real32, true},
       {"INS_ACCOFFS_Z", 0.001F, real32, true},
       {"LAND_SPEED", 50, int16, true},
-      {"MIS_OPTIONS", 0, int16, true},
-      {"MIS_RESTART", 0, int8, true},
-      {"MIS_TOTAL", 0, int16, false},
       {"PILOT_SPEED_UP", 250, int16, true},
       {"RC1_MAX", 2000, int16, true},
       {"RC1_MIN", 1000, int16, true},
       {"RC1_TRIM", 1500, int16, true},
-      {"RCMAP_PITCH", 2, int8, true},
-      {"RCMAP_ROLL", 1, int8, true},
-      {"RCMAP_THROTTLE", 3, int8, true},
-      {"RCMAP_YAW", 4, int8, true},
       {"RTL_ALT", 1500, int32, true},
       {"RTL_ALT_FINAL", 0, int16, true},
       {"RTL_SPEED", 0, int16, true},
       {"SERVO1_FUNCTION", 33, int16, true},
-      {"SIM_SPEEDUP", 1, real32, false},
-      {"STAT_BOOTCNT", 1, int16, false},
       {"STAT_FLTTIME", 0, int32, false},
-      {"STAT_RUNTIME", 0, int32, false},
       {"WPNAV_ACCEL", 250, real32, true},
       {"WPNAV_RADIUS", 200, real32, true},
       {"WPNAV_SPEED", 1000, real32, true},
       {"WPNAV_SPEED_DN", 150, real32, true},
       {"WPNAV_SPEED_UP", 250, real32, true},
-  };
+  });
 }
 
 std::vector<role::param> plane_params() {
-  return {
-      {"SYSID_THISMAV", 1, int16, false},
-      {"SYSID_MYGCS", 255, int16, true},
-      {"MAV_SYSID", 1, int16, false},
-      {"MAV_GCS_SYSID", 255, int16, true},
-      {"AIRSPEED_CRUISE", 15, real32, true},
-      {"AIRSPEED_MAX", 22, int16, true},
-      {"AIRSPEED_MIN", 10, int16, true},
-      {"ARMING_CHECK", 1, int32, true},
-      {"BATT_CAPACITY", 5000, int32, true},
-      {"BATT_FS_LOW_ACT", 0, int8, true},
-      {"BATT_LOW_VOLT", 10.5F, real32, true},
-      {"BATT_MONITOR", 4, int8, true},
-      {"COMPASS_DEC", 0, real32, true},
-      {"COMPASS_DEV_ID", 97539, int32, true},
-      {"COMPASS_DEV_ID2", 131874, int32, true},
-      {"COMPASS_DEV_ID3", 263178, int32, true},
-      {"COMPASS_OFS2_X", 5, real32, true},
-      {"COMPASS_OFS2_Y", 13, real32, true},
-      {"COMPASS_OFS2_Z", -18, real32, true},
-      {"COMPASS_OFS3_X", 5, real32, true},
-      {"COMPASS_OFS3_Y", 13, real32, true},
-      {"COMPASS_OFS3_Z", -18, real32, true},
-      {"COMPASS_OFS_X", 5, real32, true},
-      {"COMPASS_OFS_Y", 13, real32, true},
-      {"COMPASS_OFS_Z", -18, real32, true},
-      {"COMPASS_USE", 1, int8, true},
-      {"COMPASS_USE2", 1, int8, true},
-      {"COMPASS_USE3", 1, int8, true},
-      {"FENCE_ACTION", 0, int8, true},
-      {"FENCE_ENABLE", 0, int8, true},
-      {"FENCE_TOTAL", 0, int8, false},
-      {"FLTMODE1", 10, int8, true},
-      {"FLTMODE2", 11, int8, true},
-      {"FLTMODE3", 5, int8, true},
-      {"FLTMODE4", 5, int8, true},
-      {"FLTMODE5", 2, int8, true},
-      {"FLTMODE6", 0, int8, true},
-      {"FLTMODE_CH", 8, int8, true},
-      {"FS_LONG_ACTN", 0, int8, true},
-      {"FS_SHORT_ACTN", 0, int8, true},
-      {"LAND_DISARMDELAY", 20, int8, true},
-      {"MIS_OPTIONS", 0, int16, true},
-      {"MIS_RESTART", 0, int8, true},
-      {"MIS_TOTAL", 0, int16, false},
-      {"Q_ENABLE", 0, int8, false},
-      {"RCMAP_PITCH", 2, int8, true},
-      {"RCMAP_ROLL", 1, int8, true},
-      {"RCMAP_THROTTLE", 3, int8, true},
-      {"RCMAP_YAW", 4, int8, true},
-      {"ROLL_LIMIT_DEG", 45, real32, true},
-      {"RTL_ALTITUDE", 60, real32, true},
-      {"RTL_AUTOLAND", 3, int8, true},
-      {"RTL_RADIUS", 0, int16, true},
-      {"SIM_SPEEDUP", 1, real32, false},
-      {"STAT_BOOTCNT", 1, int16, false},
-      {"STAT_RUNTIME", 0, int32, false},
-      {"TECS_CLMB_MAX", 4, real32, true},
-      {"TECS_SINK_MAX", 4, real32, true},
-      {"TKOFF_ALT", 50, real32, true},
-      {"WP_LOITER_RAD", 60, int16, true},
-      {"WP_RADIUS", 30, int16, true},
-  };
+  return ardupilot_params({
+      {"AIRSPEED_CRUISE", 15, real32, true}, {"AIRSPEED_MAX", 22, int16, true},  {"AIRSPEED_MIN", 10, int16, true},
+      {"FENCE_ACTION", 0, int8, true},       {"FLTMODE1", 10, int8, true},       {"FLTMODE2", 11, int8, true},
+      {"FLTMODE3", 5, int8, true},           {"FLTMODE4", 5, int8, true},        {"FLTMODE5", 2, int8, true},
+      {"FLTMODE_CH", 8, int8, true},         {"FS_LONG_ACTN", 0, int8, true},    {"FS_SHORT_ACTN", 0, int8, true},
+      {"LAND_DISARMDELAY", 20, int8, true},  {"Q_ENABLE", 0, int8, false},       {"ROLL_LIMIT_DEG", 45, real32, true},
+      {"RTL_ALTITUDE", 60, real32, true},    {"RTL_AUTOLAND", 3, int8, true},    {"RTL_RADIUS", 0, int16, true},
+      {"TECS_CLMB_MAX", 4, real32, true},    {"TECS_SINK_MAX", 4, real32, true}, {"TKOFF_ALT", 50, real32, true},
+      {"WP_LOITER_RAD", 60, int16, true},    {"WP_RADIUS", 30, int16, true},
+  });
 }
 
 } // namespace godwit::sim

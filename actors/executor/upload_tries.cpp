@@ -13,10 +13,13 @@ using progress::upload_verdict;
 
 } // namespace
 
+bool has_no_room(const transfer::outcome& outcome) {
+  return outcome.verdict == transfer::verdict::refused &&
+         outcome.result == io::mavlink::number(io::mavlink::mav_mission_result::no_space);
+}
+
 progress::upload_ended end_of(const transfer::outcome& outcome) {
-  const bool has_no_room = outcome.verdict == transfer::verdict::refused &&
-                           outcome.result == io::mavlink::number(io::mavlink::mav_mission_result::no_space);
-  progress::upload_ended result{upload_verdict::unknown, outcome.plan_id, outcome.reason, has_no_room};
+  progress::upload_ended result{upload_verdict::unknown, outcome.plan_id, outcome.reason, has_no_room(outcome)};
   if (outcome.verdict == transfer::verdict::accepted)
     result.verdict = upload_verdict::accepted;
   else if (outcome.holding == transfer::holding::unchanged)

@@ -23,6 +23,8 @@ inline constexpr int max_uploads = 3; // of one plan; those that were not begun 
 // be told than this plan.
 inline constexpr std::int64_t uploads_within_ns = 30'000'000'000;
 
+// The vehicle has refused so long a plan.
+[[nodiscard]] bool has_no_room(const vehicle_link::transfer::outcome& outcome);
 // What the outcome of a single try means to the progress.
 [[nodiscard]] progress::upload_ended end_of(const vehicle_link::transfer::outcome& outcome);
 

@@ -36,7 +36,7 @@ void ground_watch::on_home(effects& out, instant now) {
   const bool is_moved = flown && flown->home && view.home() &&
                         flight::is_moved(plan::place_of(*view.home()), *flown->home) &&
                         !view.stands_at_home(now.now_ns);
-  if (is_moved && !flight_.is_in_flight() && !flight_.is_starting())
+  if (is_moved)
     on_act(out);
 }
 

@@ -30,9 +30,9 @@ public:
   [[nodiscard]] bool deploy_arrived(effects& out, instant now);
   // The vehicle holds another plan, or none: a person wants the rest of the mission flown all the same.
   void deploy_again(effects& out, instant now);
-  // Home was moved in flight: the rest of the mission, with a way to its home in the place of the vehicle's own return.
   // The plan that the vehicle had before the one that it can not fly; it stays held.
   [[nodiscard]] bool bring_plan_before(effects& out, instant now);
+  // Home was moved in flight: the rest of the mission, with a way to its home in the place of the vehicle's own return.
   [[nodiscard]] bool bring_return_anew(effects& out, instant now);
 
 private:

@@ -1,8 +1,8 @@
 // Where a return leads: to the home that the vehicle had at the first take-off of the mission.
 //
-//   first take-off     the home that the vehicle tells after its arming is kept; where it stood at its home when the
-//   plan
-//                      was brought and that lies elsewhere now, somebody has moved it: the one of before is kept
+//   first take-off     the home that the vehicle tells after its arming is kept
+//     moved before     the vehicle stood at its home when the plan was brought, and that lies elsewhere now: the one of
+//                      before is kept
 //   each later one     it is set again: ArduPilot by an item of the plan, others by a command before they are armed
 //     in flight        HOME_POSITION says so within 3 s, or the vehicle holds and people are told where returns lead
 //   moved in flight    by somebody: health is red, people are told, and returns lead to the kept one, by a plan

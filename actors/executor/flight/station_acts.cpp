@@ -13,6 +13,18 @@ constexpr std::int64_t ns_per_ms = 1'000'000;
 
 bool is_up_next(const station_act& m) { return m.kind == act_kind::arm || m.kind == act_kind::take_off; }
 
+// The oldest gives way.
+void await(std::vector<station_act>& waiting, const station_act& m) {
+  if (waiting.size() == max_awaited_holds)
+    waiting.erase(waiting.begin());
+  waiting.push_back(m);
+}
+
+void resolve(effects& out, std::vector<station_act>& waiting, const act_answer& answer) {
+  for (const auto& each : std::exchange(waiting, {}))
+    out.emplace_back(say_to_port{act_resolved{each.number, answer}});
+}
+
 } // namespace
 
 act_answer station_acts::take(effects& out, const station_act& m, bool has_looked, instant now) {
@@ -100,9 +112,7 @@ std::optional<act_answer> station_acts::hold(const station_act& m, bool has_look
     return std::nullopt;
   if (holds_already)
     return act_answer{act_verdict::done, {}};
-  if (awaited_holds_.size() == max_awaited_holds)
-    awaited_holds_.erase(awaited_holds_.begin());
-  awaited_holds_.push_back(m);
+  await(awaited_holds_, m);
   return act_answer{act_verdict::begun, {}};
 }
 
@@ -117,10 +127,7 @@ bool station_acts::is_asked_to_hold() const {
   return flight_.wanted.halt == task_kind::hold || (doing && doing->kind == task_kind::hold);
 }
 
-void station_acts::on_hold_accepted(effects& out) {
-  for (const auto& each : std::exchange(awaited_holds_, {}))
-    out.emplace_back(say_to_port{act_resolved{each.number, {act_verdict::done, {}}}});
-}
+void station_acts::on_hold_accepted(effects& out) { resolve(out, awaited_holds_, {act_verdict::done, {}}); }
 
 // -- go on ------------------------------------------------------------------------------------------
 
@@ -143,9 +150,7 @@ act_answer station_acts::go_on(const station_act& m, bool has_looked, instant no
     if (auto answer = operators_.take(command, has_looked, now); !answer.is_taken)
       return {act_verdict::refused, std::move(answer.reason)};
   }
-  if (awaited_goings_on_.size() == max_awaited_holds)
-    awaited_goings_on_.erase(awaited_goings_on_.begin());
-  awaited_goings_on_.push_back(m);
+  await(awaited_goings_on_, m);
   return {act_verdict::begun, {}};
 }
 
@@ -157,8 +162,7 @@ void station_acts::resolve_goings_on(effects& out) {
     return;
   const auto answer = is_done ? act_answer{act_verdict::done, {}}
                               : act_answer{act_verdict::refused, "the vehicle does not go on: " + flight_.sentence()};
-  for (const auto& each : std::exchange(awaited_goings_on_, {}))
-    out.emplace_back(say_to_port{act_resolved{each.number, answer}});
+  resolve(out, awaited_goings_on_, answer);
 }
 
 // -- what has come of them --------------------------------------------------------------------------

@@ -74,14 +74,14 @@ void task_control::begin_plan(effects& out, const task& doing, deployment brings
   if (flight_.view.keeps_plan_ids() && flight_.view.current())
     intent.id_before = flight_.view.current()->mission_id;
   const auto& view = flight_.view;
-  if (flight_.is_in_flight() && flight_.s.flown)
-    brings.home = flight_.s.flown->home;
+  const auto& flown = flight_.s.flown;
+  if (flight_.is_in_flight() && flown)
+    brings.home = flown->home;
   else if (!flight_.is_in_flight() && view.stands_at_home(view.place_heard_ns())) // as it was heard last
     brings.home = plan::place_of(*view.home());
   if (assignment)
     intent.assignment =
         progress::assignment_key{*assignment, ids::derived_uuid(*assignment, brings.mission.mission_id)};
-  const auto& flown = flight_.s.flown;
   const bool is_same = flown && !io::mavlink::first_difference(flown->items, brings.items, flight_.plan_has_home());
   out.emplace_back(note{task_begun{doing, std::move(brings)}});
   flight_.wanted.set_current_item = false;

@@ -4,6 +4,7 @@
 
 #include "actors/executor/station_part.hpp"
 #include "actors/executor/station_plan.hpp"
+#include "actors/executor/upload_tries.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
@@ -25,11 +26,8 @@ bool upload_on_ground::begin(effects& out, std::uint32_t plan_id, instant now) {
 }
 
 void upload_on_ground::on_transfer(const vehicle_link::transfer::outcome& outcome) {
-  using io::mavlink::mav_mission_result;
-  if (!awaited_ || outcome.verdict != vehicle_link::transfer::verdict::refused)
-    return;
-  const bool has_no_room = outcome.result == io::mavlink::number(mav_mission_result::no_space);
-  awaited_->is_refused = has_no_room ? verdict::no_space : verdict::refused;
+  if (awaited_ && outcome.verdict == vehicle_link::transfer::verdict::refused)
+    awaited_->is_refused = has_no_room(outcome) ? verdict::no_space : verdict::refused;
 }
 
 bool upload_on_ground::look(effects& out, instant now) {

@@ -69,7 +69,6 @@ public:
   void end();
   [[nodiscard]] bool wait_for_end(std::chrono::milliseconds patience);
 
-  [[nodiscard]] asio::io_context& context() { return io_; }
   void stop_listening() {
     const std::lock_guard guard(listener_mutex_);
     is_listened_to_ = false;

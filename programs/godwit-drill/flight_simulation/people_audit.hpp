@@ -5,8 +5,7 @@
 //   foreign    no order that flies the plan goes out while the vehicle holds one that somebody else has brought
 //   again      an ARM or a start that the vehicle has accepted is never sent again, but on a person's word
 //   answer     what a station is acknowledged as ACCEPTED the vehicle does
-//   swallowed  a station's hold, return, landing or mode of a pilot is done in flight, also in a form without an
-//   answer:
+//   swallowed  a station's hold, return, landing or mode of a pilot is done in flight, also without an answer:
 //              by godwit, or by the vehicle, to which it is passed on
 //
 // An act counts while the vehicle is as the person left it: what overrides it in the time in which nobody could have

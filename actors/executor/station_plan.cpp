@@ -138,7 +138,8 @@ ground_port::mission_progress progress_shown(const state& s, const vehicle_view&
 std::optional<ground_port::item_reached> reached_shown(const state& s, const mission::progress_report& report,
                                                        bool with_home) {
   const bool is_of_plan = s.progress.plan && report.generation == s.progress.plan->generation.number;
-  if (report.kind != mission::progress_kind::reached || !is_of_plan || !report.item_index)
+  const bool is_done = report.kind == mission::progress_kind::reached || report.kind == mission::progress_kind::passed;
+  if (!is_done || !is_of_plan || !report.item_index)
     return std::nullopt;
   const auto& items = s.progress.plan->map.items;
   const auto found =

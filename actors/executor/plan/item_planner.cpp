@@ -50,6 +50,9 @@ std::optional<plan_error> item_planner::write(std::size_t index, std::uint32_t l
     writer_.climb_to(up.altitude_m);
     writer_.add_take_off(takeoff_item(up, setting_));
   }
+  const bool flies_on = writer_.is_in_air() || is(vehicle_class::rover);
+  if (rest_from_ && flies_on && mission::moves_vehicle(item) && !mission::is_take_off(item) && !writer_.is_branch())
+    repeat_state();
   return std::visit([&](const auto& each) { return plan(each); }, item);
 }
 

@@ -10,8 +10,6 @@ namespace {
 using io::mavlink::mission_mode;
 using io::mavlink::mission_state;
 
-bool is_of_change(const std::string& id) { return id.starts_with(go_to_id) || id.starts_with(way_back_id); }
-
 std::optional<std::uint16_t> place_by_id(const station_plan& plan, const std::string& id) {
   const auto found = std::ranges::find(plan.ids, id);
   const auto index = static_cast<std::size_t>(found - plan.ids.begin());

@@ -1,5 +1,6 @@
 // Items of a mission that go to the vehicle as they came; see item_planner.hpp.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -40,6 +41,27 @@ double circle_of(const mission::command_item& item) {
 bool is_loiter(const mission::command_item& item) {
   return item.command == number(mav_cmd::nav_loiter_unlim) || item.command == number(mav_cmd::nav_loiter_turns) ||
          item.command == number(mav_cmd::nav_loiter_time) || item.command == number(mav_cmd::nav_loiter_to_alt);
+}
+
+// Of a camera trigger, what ends it; nothing: none is known.
+std::optional<mission::command_item> switched_off(const mission::command_item& item) {
+  constexpr std::uint16_t trigger_distance = 206;
+  constexpr std::uint16_t start_capture = 2000;
+  constexpr std::uint16_t stop_capture = 2001;
+  constexpr std::uint16_t trigger_control = 2003;
+  constexpr std::uint8_t no_position = 2;
+  const auto first = item.command == start_capture ? item.params[0] : std::optional<double>(0);
+  mission::command_item result{item.id, item.command, no_position, {first, 0, 0, 0, 0, 0, 0}, true};
+  switch (item.command) {
+  case start_capture:
+    result.command = stop_capture;
+    return result;
+  case trigger_distance:
+  case trigger_control:
+    return result;
+  default:
+    return std::nullopt;
+  }
 }
 
 bool has_place_row(const mission::command_item& item) {
@@ -173,6 +195,22 @@ item_planner::outcome item_planner::plan(const mission::jump& item) {
     }
   writer_.add_jump(jump_item(item.times), item.to);
   return std::nullopt;
+}
+
+// An operator has sent the vehicle away from its mission: on the way there no pictures are made. Its speed is kept.
+void item_planner::leave_line() {
+  if (index_ != *rest_from_)
+    return;
+  for (const auto index : state_before(mission_, index_)) {
+    const auto& command = std::get<mission::command_item>(mission_.items[index]);
+    const auto state = mission::state_of(command);
+    if (answer_to(command) != item_answer::taken)
+      continue;
+    if (state == mission::command_state::speed)
+      writer_.repeat(command_item_of(command, setting_));
+    else if (const auto off = switched_off(command); off && state == mission::command_state::trigger)
+      writer_.repeat(command_item_of(*off, setting_));
+  }
 }
 
 // What the commands before the rest have set, each as it was. A camera that was triggering goes on where its line

@@ -90,6 +90,7 @@ private:
   // Where it leads; none: here.
   [[nodiscard]] std::optional<mission::position> position_of(const mission::item& item) const;
   void repeat_state();
+  void leave_line();
 
   outcome return_by_places(const mission::position& goal);
   void return_by_itself(const mission::position& goal);

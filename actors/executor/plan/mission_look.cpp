@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "actors/domain/mission/commands/item_class.hpp"
+#include "actors/executor/plan/change_ids.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::executor::plan {
@@ -136,6 +137,8 @@ std::optional<std::size_t> waypoint_before(const mission::document& mission, std
   constexpr std::uint16_t nav_waypoint = 16;
   for (std::size_t i = index; i > 0; --i) {
     const auto& each = mission.items[i - 1];
+    if (is_of_change(mission::id_of(each)))
+      continue; // an operator has sent it there from the line
     const auto* const command = std::get_if<mission::command_item>(&each);
     if (std::holds_alternative<mission::waypoint>(each) || (command != nullptr && command->command == nav_waypoint))
       return i - 1;

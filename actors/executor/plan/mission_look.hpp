@@ -26,7 +26,8 @@ namespace godwit::executor::plan {
 // their indices in order. A trigger that was switched off again, and a region of interest that was given up, are none.
 [[nodiscard]] std::vector<std::size_t> state_before(const mission::document& mission, std::size_t index);
 
-// The last item before INDEX that is a waypoint: where the line begins that leads on from there.
+// The last item before INDEX that is a waypoint of the mission, and no place that an operator has sent the vehicle to:
+// where the line begins that leads on from there.
 [[nodiscard]] std::optional<std::size_t> waypoint_before(const mission::document& mission, std::size_t index);
 
 // How high the flight took off that had begun before item INDEX; none where a take-off of its own comes next, and where

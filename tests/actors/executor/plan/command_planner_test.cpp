@@ -211,6 +211,23 @@ TEST(command_planner, a_trigger_that_is_off_stays_off_and_outputs_are_never_repe
   EXPECT_EQ(commands_of(line_with_pictures(), copter, {9, 0}), (commands{22, 178, 205, 16, 20})) << "no servo";
 }
 
+TEST(command_planner,
+     on_the_way_to_where_an_operator_sends_it_no_pictures_are_made_and_the_line_is_flown_anew_afterwards) {
+  auto mission = line_with_pictures();
+  const auto rest_of_line = std::vector<mission::item>(mission.items.begin() + 5, mission.items.end());
+  mission.items.resize(5);
+  mission.items.emplace_back(mission::loiter{"goto7", at(0, 0, 30), 0, 600});
+  auto flying = copter;
+  flying.is_under_way = true;
+  flying.start = at(500, 0, 30);
+  EXPECT_EQ(commands_of(mission, flying, {5, 0}), (commands{178, 206, 19}));
+  EXPECT_EQ(build_plans(mission, flying, {5, 0})->front().items[2].param1, 0) << "the trigger is off";
+  mission.items.insert(mission.items.end(), rest_of_line.begin(), rest_of_line.end());
+  const auto rest = build_plans(mission, flying, {6, 0})->front();
+  EXPECT_EQ(commands_of(rest), (commands{178, 205, 16, 206, 16, 206, 16, 183, 16, 20}));
+  EXPECT_NEAR(rest.items[3].y / 1e7, at(100, 0, 30).longitude, 1e-6) << "not from where it was sent";
+}
+
 TEST(command_planner, a_take_off_that_came_climbs_to_its_height_and_is_followed_by_the_state) {
   const auto mission =
       mission_of({act("roi", 195), move("up", 22, at(0, 0, 40)), move("w", 16, at(500, 0, 40)), home_again});

@@ -466,5 +466,32 @@ class Requirements(Tree):
         self.finds("requirements", "there is no requirement")
 
 
+class Configuration(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write_schema("The link.")
+        self.write("programs/godwitd/option_table.hpp", 'option_row{"vehicle", "/vehicle/uri", option_kind::text, "URI", ""},\n')
+        (self.root / "docs").mkdir()
+
+    def write_schema(self, description):
+        uri = {"type": "string", "description": description, "default": ""}
+        system = {"type": "integer", "description": "Its id.", "minimum": 0, "maximum": 255, "default": 0}
+        vehicle = {"description": "The vehicle.", "properties": {"uri": uri, "system": system}}
+        self.write("config/godwit.schema.json", json.dumps({"properties": {"vehicle": vehicle}}))
+
+    def test_the_page_that_it_writes_is_accepted_and_names_defaults_ranges_and_options(self):
+        self.assertIn("2 settings", self.accepts("configuration", "--fix"))
+        self.accepts("configuration")
+        page = (self.root / "docs/configuration.md").read_text(encoding="utf-8")
+        self.assertIn("| `uri`, `--vehicle` | none | The link. |", page)
+        self.assertIn("| `system` | `0`: 0..255 | Its id. |", page)
+
+    def test_a_page_of_another_schema_is_found(self):
+        self.finds("configuration", "docs/configuration.md: is not what the schema")
+        self.accepts("configuration", "--fix")
+        self.write_schema("The link to the autopilot.")
+        self.finds("configuration", "docs/configuration.md: is not what the schema")
+
+
 if __name__ == "__main__":
     unittest.main()

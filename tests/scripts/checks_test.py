@@ -324,6 +324,16 @@ class Docs(Tree):
         self.write("CONTRIBUTING.md", "```cpp file=io/none.hpp\none\n```\n")
         self.finds("docs", "quotes io/none.hpp, which does not exist")
 
+    def test_a_document_that_a_comment_names_and_that_is_gone_is_found(self):
+        self.write("io/why.hpp", "#pragma once\n// Why: docs/other.md.\n// Why: docs/gone.md.\n")
+        self.assertNotIn("docs/other.md", self.finds("docs", "io/why.hpp:3: names docs/gone.md"))
+
+    def test_a_folder_over_its_budget_of_words_is_found(self):
+        self.write("docs/decisions/long.md", "word " * 14_000)
+        self.accepts("docs")
+        self.write("docs/decisions/more.md", "word\n")
+        self.finds("docs", "docs/decisions: has 14001 words")
+
 
 @unittest.skipUnless(shutil.which("clang-tidy-14") and shutil.which("clang++-14"), "clang-tidy-14 is not installed")
 class Tidy(Tree):

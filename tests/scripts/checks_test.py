@@ -461,6 +461,13 @@ class Requirements(Tree):
         self.page("`kite.flies`", more="| XX1 | again | `kite.falls` |\n")
         self.finds("requirements", "XX1 stands twice")
 
+    def test_a_test_that_another_page_names_exists(self):
+        self.page("`kite.flies`")
+        self.write("docs/kite.md", "| Rule | Tests |\n|---|---|\n| flies | `kite.flies`, `line.*`, [a_test.cpp](../tests/a_test.cpp), `a_test.cpp` |\n")
+        self.assertIn("2 on other pages", self.accepts("requirements"))
+        self.write("docs/kite.md", "| Rule | Test |\n|---|---|\n| flies | `kite.flies` |\n| sinks | `kite.sinks` |\n")
+        self.finds("requirements", "docs/kite.md:4: there is no test kite.sinks")
+
     def test_a_page_without_rows_is_no_page(self):
         self.write("docs/requirements.md", "# Requirements\n")
         self.finds("requirements", "there is no requirement")

@@ -483,8 +483,8 @@ class Configuration(Tree):
         self.assertIn("2 settings", self.accepts("configuration", "--fix"))
         self.accepts("configuration")
         page = (self.root / "docs/configuration.md").read_text(encoding="utf-8")
-        self.assertIn("| `uri`, `--vehicle` | none | The link. |", page)
-        self.assertIn("| `system` | `0`: 0..255 | Its id. |", page)
+        self.assertIn("- **uri**, `--vehicle`: none. The link.", page)
+        self.assertIn("- **system**: `0` (0..255). Its id.", page)
 
     def test_a_page_of_another_schema_is_found(self):
         self.finds("configuration", "docs/configuration.md: is not what the schema")

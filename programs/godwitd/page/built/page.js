@@ -12,7 +12,7 @@ var yc=Object.create;var ll=Object.defineProperty;var wc=Object.getOwnPropertyDe
       @click=${()=>!n.is_held&&n.act()}>
     <span>${n.label}</span>${n.key===void 0||n.key===""?"":A`<kbd aria-hidden="true">${n.key}</kbd>`}
     ${n.is_held?A`<small>hold</small>`:""}
-  </button>`}function Mn(n,i){let s=n.commander.refusals.get(i);return s===void 0?q:A`<p class="refusal" role="alert" id="refusal-${i}">${s}</p>`}function En(n,i){return n.me===void 0?"log in first":n.me.role==="viewer"?"a viewer looks and says nothing":i||n.control?.is_yours===!0?"":"take control first"}function gd(n,i){let s=En(n,i.is_stop);return A`<div class="command">
+  </button>`}function Mn(n,i){let s=n.commander.refusals.get(i);return s===void 0?q:A`<p class="refusal" role="alert" id="refusal-${i}">${s}</p>`}function En(n,i){return n.me===void 0?"log in first":n.me.role==="viewer"?"a viewer looks and says nothing":i||n.control?.is_yours===!0?"":"take control first"}function gd(n,i){let s=En(n,i.is_stop);return A`<div class="command ${i.is_stop?"stop":""}">
     ${dn({id:`command-${i.name}`,label:i.label,key:i.key,hint:s===""?i.hint:s,tone:i.is_stop?"stop":"",is_held:i.moves,is_disabled:s!=="",is_busy:n.commander.under_way.has(i.name),act:()=>void n.commander.say(i.name)})}
     ${Mn(n,i.name)}
   </div>`}function vd(n,i){let s=En(n,!1);return A`<div class="command"><button id="command-${i.name}" class="act" type="button" ?disabled=${s!==""}

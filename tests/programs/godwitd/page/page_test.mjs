@@ -285,6 +285,25 @@ test("the plots are drawn at the size of a laptop and of a tablet", async () => 
   }
 });
 
+test("on a phone who has the vehicle, Pause and Come home stay in view, however far one scrolls", async () => {
+  const size = { width: 390, height: 844 };
+  await page.setViewportSize(size);
+  for (const top of [0, 700, 100_000]) {
+    await page.evaluate((to) => window.scrollTo(0, to), top);
+    for (const where of ["#authority", "#command-pause", "#command-come_home"])
+      await soon(async () => {
+        const box = await page.locator(where).boundingBox();
+        assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= size.width && box.y + box.height <= size.height, `${where}, ${top} down`);
+        const is_on_top = await page.evaluate(([what, x, y]) => document.elementFromPoint(x, y)?.closest(what) !== null,
+          [where, box.x + box.width / 2, box.y + box.height / 2]);
+        assert.ok(is_on_top, `${where} is covered, ${top} down`);
+      });
+  }
+  assert.equal(await page.evaluate("document.documentElement.scrollWidth"), size.width);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
 // How soon is a figure of `./dev bench page`.
 test("a page shows that godwitd was killed, and after its start all is as on a fresh page", async () => {
   await world.daemon.kill();

@@ -492,9 +492,11 @@ class Configuration(Tree):
         page = (self.root / "docs/configuration.md").read_text(encoding="utf-8")
         self.assertIn("- **uri**, `--vehicle`: none. The link.", page)
         self.assertIn("- **system**: `0` (0..255). Its id.", page)
+        defaults = (self.root / "config/godwit.json").read_text(encoding="utf-8")
+        self.assertIn('    // Its id. (0..255)\n    "system": 0\n', defaults)
 
     def test_a_page_of_another_schema_is_found(self):
-        self.finds("configuration", "docs/configuration.md: is not what the schema")
+        self.finds("configuration", "docs/configuration.md: is not what the schema", "config/godwit.json: is not what the schema")
         self.accepts("configuration", "--fix")
         self.write_schema("The link to the autopilot.")
         self.finds("configuration", "docs/configuration.md: is not what the schema")

@@ -461,6 +461,13 @@ class Requirements(Tree):
         self.page("`kite.flies`", more="| XX1 | again | `kite.falls` |\n")
         self.finds("requirements", "XX1 stands twice")
 
+    def test_a_test_that_another_page_names_exists(self):
+        self.page("`kite.flies`")
+        self.write("docs/kite.md", "| Rule | Tests |\n|---|---|\n| flies | `kite.flies`, `line.*`, [a_test.cpp](../tests/a_test.cpp), `a_test.cpp` |\n")
+        self.assertIn("2 on other pages", self.accepts("requirements"))
+        self.write("docs/kite.md", "| Rule | Test |\n|---|---|\n| flies | `kite.flies` |\n| sinks | `kite.sinks` |\n")
+        self.finds("requirements", "docs/kite.md:4: there is no test kite.sinks")
+
     def test_a_page_without_rows_is_no_page(self):
         self.write("docs/requirements.md", "# Requirements\n")
         self.finds("requirements", "there is no requirement")
@@ -485,9 +492,11 @@ class Configuration(Tree):
         page = (self.root / "docs/configuration.md").read_text(encoding="utf-8")
         self.assertIn("- **uri**, `--vehicle`: none. The link.", page)
         self.assertIn("- **system**: `0` (0..255). Its id.", page)
+        defaults = (self.root / "config/godwit.json").read_text(encoding="utf-8")
+        self.assertIn('    // Its id. (0..255)\n    "system": 0\n', defaults)
 
     def test_a_page_of_another_schema_is_found(self):
-        self.finds("configuration", "docs/configuration.md: is not what the schema")
+        self.finds("configuration", "docs/configuration.md: is not what the schema", "config/godwit.json: is not what the schema")
         self.accepts("configuration", "--fix")
         self.write_schema("The link to the autopilot.")
         self.finds("configuration", "docs/configuration.md: is not what the schema")

@@ -49,6 +49,13 @@ TEST(battery_filter, two_samples_are_not_enough_however_far_apart) {
   EXPECT_TRUE(filter.judge(8 * s).critical);
 }
 
+TEST(battery_filter, samples_from_before_a_rise_count_no_more) {
+  battery_filter filter(15, 25);
+  feed(filter, {15, 16, 15});
+  filter.on_sample(15, 8 * s);
+  EXPECT_FALSE(filter.judge(8 * s).critical) << "two samples since the rise";
+}
+
 TEST(battery_filter, many_samples_are_not_enough_before_5_s) {
   battery_filter filter(15, 25);
   for (int i = 0; i < 49; ++i)

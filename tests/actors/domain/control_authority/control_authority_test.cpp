@@ -68,6 +68,14 @@ TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more)
   EXPECT_EQ(behind(who, brake, 5 * s), holder::person);
 }
 
+TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_next_one) {
+  auto who = in_flight();
+  who.expect_also({loiter.custom_mode}, 0, 5 * s);
+  who.expect_also({brake.custom_mode}, 6 * s, 11 * s);
+  EXPECT_EQ(behind(who, loiter, 7 * s), holder::person);
+  EXPECT_EQ(behind(who, brake, 7 * s), holder::godwit);
+}
+
 TEST(control_authority, what_was_not_sent_is_not_expected) {
   auto who = in_flight();
   who.expect({brake.custom_mode}, 5 * s);

@@ -329,7 +329,7 @@ class Docs(Tree):
         self.assertNotIn("docs/other.md", self.finds("docs", "io/why.hpp:3: names docs/gone.md"))
 
     def test_a_folder_over_its_budget_of_words_is_found(self):
-        self.write("docs/decisions/long.md", "word " * 14_000)
+        self.write("docs/decisions/long.md", "word " * 14_500)
         self.accepts("docs")
         self.write("docs/decisions/more.md", "word\n")
         self.finds("docs", "docs/decisions: has 14001 words")

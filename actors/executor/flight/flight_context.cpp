@@ -201,6 +201,8 @@ std::optional<plan::plan_setting> flight_context::setting(instant now) const {
   result.own_loiter_radius_m = configured.own_loiter_radius_m;
   result.return_altitude_m = configured.return_altitude_m;
   result.marks_landings = configured.marks_landings;
+  result.profile = view.profile();
+  result.allowed_commands = configured.allowed_commands;
   return result;
 }
 
@@ -246,11 +248,12 @@ tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(cons
 std::optional<mission::limits_origin> flight_context::limits_origin(instant now) const {
   if (const auto where = setting(now)) {
     const auto home = plan::home_of(*where);
-    return mission::limits_origin{plan::point_of(home), home.altitude_m, where->vehicle};
+    return mission::limits_origin{plan::point_of(home), home.altitude_m, where->vehicle,
+                                  where->home.above_sea_m - where->home.above_mission_zero_m + home.altitude_m};
   }
   if (!view.home())
     return std::nullopt;
-  return mission::limits_origin{plan::point_of(*view.home()), 0, view.owner().vehicle};
+  return mission::limits_origin{plan::point_of(*view.home()), 0, view.owner().vehicle, view.home()->above_sea_m};
 }
 
 std::optional<std::vector<std::string>> flight_context::out_of_limits(const mission::document& mission,

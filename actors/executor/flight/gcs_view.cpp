@@ -107,8 +107,8 @@ tl::expected<mission::imported_list, mission::conversion_error> gcs_view::import
   mission::item_list_options options;
   options.mission_id = flown != nullptr ? flown->mission_id : new_mission_id(m.plan_id, now.wall_ns);
   options.allow_partial = flight_.configured.allow_partial;
-  if (const auto& home = flight_.view.home())
-    options.home_altitude_m = home->above_sea_m;
+  options.vehicle = flight_.view.profile();
+  options.allowed = flight_.configured.allowed_commands;
   options.geofences = flown != nullptr ? flown->geofences : flight_.s.station_fences;
   auto taken = mission::import_item_list(std::span(m.items).subspan(begins_with_home(m.items) ? 1 : 0), options);
   if (taken && flown != nullptr)

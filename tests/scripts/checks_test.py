@@ -467,6 +467,8 @@ class Requirements(Tree):
         self.assertIn("2 on other pages", self.accepts("requirements"))
         self.write("docs/kite.md", "| Rule | Test |\n|---|---|\n| flies | `kite.flies` |\n| sinks | `kite.sinks` |\n")
         self.finds("requirements", "docs/kite.md:4: there is no test kite.sinks")
+        self.write("docs/kite.md", "## Requirements\n\n- It flies: `kite.flies`\n- It sinks: `kite.sinks`\n\n## Bounds\n\n- `a.b`: 1\n")
+        self.finds("requirements", "docs/kite.md:4: there is no test kite.sinks")
 
     def test_a_page_without_rows_is_no_page(self):
         self.write("docs/requirements.md", "# Requirements\n")

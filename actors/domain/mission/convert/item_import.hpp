@@ -66,6 +66,7 @@ private:
   void expect_no_yaw(const vehicle_item& each);
   // False: the item is left out; the loss is noted.
   [[nodiscard]] bool is_executed(const vehicle_item& each);
+  [[nodiscard]] bool is_infinite(const vehicle_item& each);
   [[nodiscard]] bool may_have_wings() const { return !context_.vehicle || has_wings(*context_.vehicle); }
   [[nodiscard]] bool is(vehicle_profile one) const { return context_.vehicle == one; }
   [[nodiscard]] bool is_for_ardupilot() const { return context_.vehicle && !is_px4(*context_.vehicle); }

@@ -1,9 +1,11 @@
 // What of a station's messages goes on to the vehicle, and what first. The lists: passing/table.hpp.
 #include <cstring>
 #include <limits>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "actors/ground_port/passing/table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "tests/actors/ground_port/port_fixture.hpp"
 
@@ -381,6 +383,32 @@ TEST_F(ground_port_passing, accepted_and_in_progress_are_no_refusal_and_all_else
     const bool is_accepted = result == mav_result::accepted || result == mav_result::in_progress;
     EXPECT_EQ(port.acknowledged.back().is_refused, !is_accepted) << io::name_of(result);
   }
+}
+
+// What the executor makes of it: station_commands.a_command_that_the_vehicle_refuses_leaves_everything_as_it_was.
+TEST_F(ground_port_passing, each_command_of_a_stranger_that_the_vehicle_refuses_in_whatever_way_is_told_as_refused) {
+  std::set<int> told;
+  for (const auto& [result, name] : enum_names(mav_result{}))
+    for (int number = 0; number <= 65'535; ++number) {
+      const auto* const row = passing::find_command(static_cast<std::uint16_t>(number));
+      if (result == mav_result::accepted || result == mav_result::in_progress || row == nullptr)
+        continue;
+      for (const auto param1 : {0.0F, 1.0F}) {
+        const auto asked = port.acts.size();
+        const auto before = port.acknowledged.size();
+        say_command(row->command, param1);
+        if (port.acts.size() == asked)
+          continue; // godwit's own, or it goes nowhere
+        port.executor_says(act_verdict::pass);
+        port.vehicle_answers(row->command, result);
+        ASSERT_EQ(port.acknowledged.size(), before + 1) << row->name << ' ' << param1 << ' ' << name;
+        EXPECT_TRUE(port.acknowledged.back().is_refused) << row->name << ' ' << param1 << ' ' << name;
+        EXPECT_EQ(port.acknowledged.back().number, port.acts.back().what.number);
+        told.insert(number);
+      }
+    }
+  EXPECT_TRUE(told.contains(400) && told.contains(185) && told.contains(176)) << "disarm, terminate, mode";
+  EXPECT_GT(told.size(), 30U);
 }
 
 TEST_F(ground_port_passing, the_answer_of_another_component_says_nothing_of_the_vehicle) {

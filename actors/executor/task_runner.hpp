@@ -51,8 +51,10 @@ public:
 
   enum class verdict { idle, under_way, done, failed };
 
-  // As long as an order may wait for the disk. The process had no processor, or the vehicle was not heard.
-  static constexpr std::int64_t starved_ns = 3'000'000'000;
+  // The process had no processor. The executor looks twice a second at least, and a look at the vehicle counts for as
+  // long. A person's hold of a vehicle that stands in this mode shows in nothing but the answer to it: it may have been
+  // on another line, or among what the socket had no room for.
+  static constexpr std::int64_t starved_ns = vehicle_link::look_counts_ns;
 
   // INTENT: of the plan that bring_plan brings.
   void begin(const task& what, steps way, std::optional<progress::upload_intended> intent);

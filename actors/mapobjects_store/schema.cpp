@@ -78,7 +78,8 @@ const io::sqlite::store_format& map_format() {
                                "was not delivered); the map itself is pulled again"},
       .application_id = map_application_id,
       .migrations = {first_version},
-      .read_version = "SELECT version FROM schema_version",
+      // Of the two the higher one: a later version may keep it where other files of godwit have it.
+      .read_version = "SELECT max(version, (SELECT user_version FROM pragma_user_version)) FROM schema_version",
       .set_version = "UPDATE schema_version SET version = ",
       .settings = "PRAGMA cache_size = -32768; PRAGMA secure_delete = OFF"};
   return format;

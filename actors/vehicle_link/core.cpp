@@ -356,8 +356,8 @@ effects core::on_time(instant now) {
   ask_for_streams(t);
   announce_line(t);
   if (losses_.is_due(now.monotonic_ns) && watch_.vehicle()) {
-    const auto seen = channel_.report(mavlink::sender{watch_.vehicle()->system, watch_.vehicle()->component});
-    losses_.look(seen.frames_in, seen.sequence_gaps, now.monotonic_ns);
+    const auto seen = report_of_vehicle();
+    losses_.look(seen.followed_in, seen.sequence_gaps, now.monotonic_ns);
   }
   if (call_.is_due(now.monotonic_ns)) {
     // Where it is not known who is there: all, and by turns the usual one, for who does not answer to all.

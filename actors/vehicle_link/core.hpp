@@ -136,6 +136,7 @@ private:
   void send_copies(decision_context& t);
   void raise_alert(decision_context& t);
   [[nodiscard]] std::string refused_sentence() const;
+  [[nodiscard]] io::mavlink::channel_report report_of_vehicle() const;
   [[nodiscard]] std::optional<command_outcome> refusal(const send_command& what, instant now);
   template <class Begin>
   [[nodiscard]] effects begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type type,

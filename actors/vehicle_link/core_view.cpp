@@ -41,20 +41,24 @@ bool core::speaks_v1_only(std::int64_t now_ns) const {
   return first_v1_ns_ && channel_.frames_in() == 0 && now_ns - *first_v1_ns_ >= v1_only_after_ms * ns_per_ms;
 }
 
+mavlink::channel_report core::report_of_vehicle() const {
+  const auto& vehicle = watch_.vehicle();
+  return vehicle ? channel_.report(mavlink::sender{vehicle->system, vehicle->component}, vehicle->peer)
+                 : channel_.report(std::nullopt);
+}
+
 connection core::describe(instant now) const {
   connection result;
   result.phase = watch_.phase();
   result.connected = result.phase == connection_phase::connected;
   result.reason = watch_.reason();
   result.last_heartbeat_age_ms = watch_.heartbeat_age_ms(now.monotonic_ns);
-  std::optional<mavlink::sender> who;
   if (const auto& vehicle = watch_.vehicle()) {
-    who = mavlink::sender{vehicle->system, vehicle->component};
     result.system = vehicle->system;
     result.autopilot = vehicle->autopilot;
     result.vehicle_type = vehicle->type;
   }
-  show(channel_.report(who), result);
+  show(report_of_vehicle(), result);
   result.tx_seq = channel_.next_sequence(ourselves());
   result.heartbeat_held_back = heartbeat_held_back_;
   result.not_accepted = not_accepted_;

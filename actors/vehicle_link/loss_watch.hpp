@@ -16,8 +16,10 @@ public:
   static constexpr std::uint64_t least_lost = 20;  // frames: fewer say nothing
 
   [[nodiscard]] bool is_due(std::int64_t now_ns) const { return now_ns - began_ns_ >= window_ns; }
-  // Both count from the start on.
+  // Both count from the start on, or anew where the vehicle is heard by another address.
   void look(std::uint64_t received, std::uint64_t lost, std::int64_t now_ns) {
+    if (received < received_ || lost < lost_)
+      is_known_ = false;
     const auto gone = lost - lost_;
     const auto all = gone + received - received_;
     percent_ = is_known_ && gone >= least_lost ? gone * 100 / all : 0;

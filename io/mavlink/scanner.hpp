@@ -83,6 +83,9 @@ public:
       end_of_datagram(sink);
   }
 
+  // The frame that SINK was given last is not believed: its number counts for nothing.
+  void disbelieve_last() { senders_.take_back(); }
+
   [[nodiscard]] const scan_counters& counters() const { return counters_; }
   [[nodiscard]] const sender_table& senders() const { return senders_; }
   [[nodiscard]] std::size_t waiting_bytes() const { return carried_; }

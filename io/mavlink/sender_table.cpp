@@ -26,15 +26,26 @@ void sender_table::note_unverified(sender who, std::uint8_t sequence) {
 
 void sender_table::note_other(sender who, std::uint8_t sequence) {
   if (auto* const known = find(who)) {
+    before_ = *known;
     count(*known, sequence);
     return;
   }
+  before_.reset();
+  last_ = used_;
   if (used_ == max_senders) {
     ++not_followed_;
     return;
   }
-  last_ = used_;
   senders_[used_++] = {who, sequence, 0, 1, 0, 0};
+}
+
+void sender_table::take_back() {
+  if (last_ == used_)
+    return;
+  if (before_)
+    senders_[last_] = *before_;
+  else
+    last_ = --used_;
 }
 
 sender_counters* sender_table::find(sender who) {

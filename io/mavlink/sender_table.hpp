@@ -2,12 +2,14 @@
 //
 // Each component numbers its frames on a link from 0 to 255 and around. A gap is the number of frames that are missing
 // in between. A step of more than half the circle is taken as a frame that comes late or twice; two in a row, as a peer
-// that began to count anew. Source: the MAVLink guide, "Packet loss". Thread: a value.
+// that began to count anew. A frame that is not believed is taken back. Source: the MAVLink guide, "Packet loss".
+// Thread: a value.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "io/mavlink/frame.hpp"
@@ -29,11 +31,15 @@ public:
   static constexpr std::size_t max_senders = 32;
 
   void note(sender who, std::uint8_t sequence) {
-    if (last_ < used_ && senders_[last_].who == who)
+    if (last_ < used_ && senders_[last_].who == who) {
+      before_ = senders_[last_];
       count(senders_[last_], sequence);
-    else
+    } else {
       note_other(who, sequence);
+    }
   }
+  // The frame that was noted last is not believed: nothing of it counts.
+  void take_back();
 
   // The same for a frame that could not be verified: it does not make a sender known.
   void note_unverified(sender who, std::uint8_t sequence);
@@ -51,7 +57,8 @@ private:
 
   std::array<sender_counters, max_senders> senders_{};
   std::size_t used_ = 0;
-  std::size_t last_ = 0; // who spoke last probably speaks again
+  std::size_t last_ = 0;                  // who spoke last probably speaks again
+  std::optional<sender_counters> before_; // that one, before its last frame; none: it was not known
   std::uint64_t not_followed_ = 0;
 };
 

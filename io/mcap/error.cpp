@@ -14,7 +14,7 @@ struct named_code {
   const char* name;
 };
 
-constexpr std::array<named_code, 9> code_names{{
+constexpr std::array<named_code, 10> code_names{{
     {errc::io, "i/o error"},
     {errc::disk_full, "disk full"},
     {errc::too_large, "too large"},
@@ -23,6 +23,7 @@ constexpr std::array<named_code, 9> code_names{{
     {errc::crc_mismatch, "CRC mismatch"},
     {errc::unsupported, "not supported"},
     {errc::invalid_argument, "invalid argument"},
+    {errc::gone, "gone"},
     {errc::not_open, "not open"},
 }};
 

@@ -20,6 +20,7 @@ enum class errc {
   crc_mismatch,     // the bytes were MCAP once
   unsupported,      // valid MCAP that this reader does not handle (compression, attachments in a repair)
   invalid_argument, // the caller asked for something impossible; nothing was changed
+  gone,             // the file was removed or replaced while it was written
   not_open,         // the writer is closed or has failed before
 };
 

@@ -3,6 +3,7 @@
 #include <cerrno>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace godwit::io::mcap {
@@ -57,6 +58,13 @@ result<void> output_file::append(byte_view bytes) {
     size_bytes_ += static_cast<std::uint64_t>(written);
   }
   return {};
+}
+
+bool output_file::is_in_place() const {
+  struct stat named {};
+  struct stat opened {};
+  return ::fstat(descriptor_, &opened) == 0 && ::stat(name_.c_str(), &named) == 0 && named.st_ino == opened.st_ino &&
+         named.st_dev == opened.st_dev;
 }
 
 result<void> output_file::close() {

@@ -30,6 +30,8 @@ public:
   [[nodiscard]] result<void> close();
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  // What is open is still what has its name: it was neither removed nor replaced.
+  [[nodiscard]] bool is_in_place() const;
   [[nodiscard]] std::uint64_t size_bytes() const { return size_bytes_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 

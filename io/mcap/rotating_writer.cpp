@@ -101,11 +101,28 @@ result<void> rotating_writer::tick(std::uint64_t now_ns) {
   if (failure_) {
     return now_ns_ >= retry_at_ns_ ? recover() : tl::make_unexpected(*failure_);
   }
+  if (auto in_place = look_at_place(); !in_place) {
+    return in_place;
+  }
   if (now_ns_ - flushed_at_ns_ < options_.flush_interval_ns) {
     return {};
   }
   flushed_at_ns_ = now_ns_;
   return flush();
+}
+
+// What goes into a file that was deleted is lost without an error of the system.
+result<void> rotating_writer::look_at_place() {
+  if (!writer_.is_open() || now_ns_ - looked_at_ns_ < options_.look_interval_ns) {
+    return {};
+  }
+  looked_at_ns_ = now_ns_;
+  if (writer_.is_in_place()) {
+    return {};
+  }
+  const error gone{errc::gone, current_segment().string(), "it was removed or replaced while it was written", 0};
+  fail(gone);
+  return tl::make_unexpected(gone);
 }
 
 result<void> rotating_writer::flush() {
@@ -167,6 +184,11 @@ result<void> rotating_writer::recover() {
     const std::uintmax_t size_bytes = std::filesystem::file_size(broken_, code);
     folder_.note_size(code ? 0 : size_bytes);
     broken_.clear();
+  }
+  if (auto renewed = folder_.renew(); !renewed) {
+    failure_ = renewed.error();
+    retry_at_ns_ = now_ns_ + options_.retry_interval_ns;
+    return renewed;
   }
   failure_.reset();
   return {};

@@ -3,7 +3,7 @@
 //
 //            first message                 full                       next message
 //   idle ----------------> segment open ----------> closed, indexed --------------> segment open
-//                             | the system refused something
+//                             | the system refused something, or the segment is no longer in its place
 //                             v
 //                          failed --- tick() after retry_interval_ns: complete the broken segment ---> idle
 //
@@ -29,6 +29,7 @@ struct rotating_writer_options {
   string_map run_info;                             // metadata "godwit.run" at the start of every segment
   std::uint64_t flush_interval_ns = 100'000'000;   // what a SIGKILL may cost
   std::uint64_t retry_interval_ns = 1'000'000'000; // after a failure; a full disk is not asked more often
+  std::uint64_t look_interval_ns = 1'000'000'000;  // whether the segment is still in its place
 };
 
 struct rotating_writer_counts {
@@ -74,6 +75,7 @@ private:
   [[nodiscard]] result<void> start_segment();
   [[nodiscard]] result<void> add_opening_metadata();
   [[nodiscard]] result<void> recover();
+  [[nodiscard]] result<void> look_at_place();
   // Opens a segment when none is open, or another one when what costs `closed_bytes` does not fit.
   template <class ClosedBytes>
   [[nodiscard]] result<void> provide_segment(ClosedBytes closed_bytes);
@@ -91,6 +93,7 @@ private:
   std::uint64_t now_ns_ = 0;     // of the last tick
   std::uint64_t flushed_at_ns_ = 0;
   std::uint64_t retry_at_ns_ = 0;
+  std::uint64_t looked_at_ns_ = 0;
   std::uint64_t lost_written_down_ = 0;
   rotating_writer_counts counts_; // of the segments before the open one
 };

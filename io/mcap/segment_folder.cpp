@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <optional>
 #include <tuple>
 #include <utility>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace godwit::io::mcap {
 
@@ -58,13 +62,39 @@ result<void> segment_folder::open(segment_folder_options options) {
   if (auto checked = check_options(); !checked) {
     return checked;
   }
+  return provide().and_then([this] { return list(); });
+}
+
+// Whoever owns the folder can put another file in the place of one of ours at any time.
+result<void> segment_folder::provide() const {
   std::error_code code;
   if (fs::create_directories(options_.folder, code))
     fs::permissions(options_.folder, fs::perms::owner_all, code); // for this user alone
   if (code) {
     return failed(options_.folder, "create folder", code);
   }
-  return list();
+  struct stat found {};
+  if (::stat(options_.folder.c_str(), &found) != 0) {
+    return tl::make_unexpected(system_error(options_.folder.string(), "look at folder", errno));
+  }
+  if (found.st_uid != ::geteuid()) {
+    return tl::make_unexpected(error{errc::invalid_argument, options_.folder.string(),
+                                     "it belongs to user " + std::to_string(found.st_uid) + ", and this is user " +
+                                         std::to_string(::geteuid()) + ": name a folder of its own, or chown this one",
+                                     0});
+  }
+  return {};
+}
+
+result<void> segment_folder::renew() {
+  if (auto provided = provide(); !provided) {
+    return provided;
+  }
+  std::erase_if(segments_, [](const segment& each) {
+    std::error_code ignored;
+    return !fs::exists(each.path, ignored);
+  });
+  return {};
 }
 
 result<void> segment_folder::check_options() const {
@@ -116,7 +146,7 @@ std::vector<segment_completion> segment_folder::complete_all() {
 }
 
 result<fs::path> segment_folder::add(std::uint64_t run) {
-  std::uint64_t number = 1;
+  std::uint64_t number = run == last_run_ ? last_number_ + 1 : 1;
   for (const segment& s : segments_) {
     number = s.run == run ? std::max(number, s.number + 1) : number;
   }
@@ -126,6 +156,8 @@ result<fs::path> segment_folder::add(std::uint64_t run) {
   if (auto room = make_room(); !room) {
     return tl::make_unexpected(room.error());
   }
+  last_run_ = run;
+  last_number_ = number;
   segment next{options_.folder / segment_name(options_, run, number), run, number, options_.segment_bytes};
   // It goes to the end even if its run sorts before others (a clock that was set back): the end is what is written now.
   segments_.push_back(next);

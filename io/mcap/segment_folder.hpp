@@ -17,7 +17,7 @@
 namespace godwit::io::mcap {
 
 struct segment_folder_options {
-  std::filesystem::path folder;  // made when it is missing
+  std::filesystem::path folder;  // made when it is missing; else it belongs to who runs this process
   std::string prefix = "godwit"; // letters, digits, '_'
   std::uint64_t segment_bytes = max_segment_bytes;
   std::uint64_t total_bytes = std::uint64_t{256} << 20; // at least two segments
@@ -44,6 +44,8 @@ public:
 
   // Checks the options, makes the folder and lists what is in it.
   [[nodiscard]] result<void> open(segment_folder_options options);
+  // It may have been removed: makes it again, and forgets the segments that are gone. Names go on where they were.
+  [[nodiscard]] result<void> renew();
 
   // MCAP only. Completes every segment whose end is missing. For the start, before anything is written; one damaged
   // segment does not keep the others from being completed.
@@ -65,12 +67,15 @@ public:
 
 private:
   [[nodiscard]] result<void> check_options() const;
+  [[nodiscard]] result<void> provide() const;
   [[nodiscard]] result<void> list();
   [[nodiscard]] result<void> make_room();
   [[nodiscard]] result<void> remove(std::vector<segment>::iterator which);
 
   segment_folder_options options_;
   std::vector<segment> segments_;
+  std::uint64_t last_run_ = 0; // of the newest name that was given
+  std::uint64_t last_number_ = 0;
   std::uint64_t segments_deleted_ = 0;
   std::uint64_t bytes_deleted_ = 0;
 };

@@ -45,6 +45,7 @@ public:
   void abandon();
 
   [[nodiscard]] bool is_open() const { return file_.is_open() && !failure_; }
+  [[nodiscard]] bool is_in_place() const { return file_.is_in_place(); } // of what is open
   [[nodiscard]] std::uint64_t bytes_written() const { return file_.size_bytes(); }
   [[nodiscard]] std::uint64_t messages_flushed() const { return messages_flushed_; }
   [[nodiscard]] std::uint64_t messages_pending() const { return chunk_.message_count(); }

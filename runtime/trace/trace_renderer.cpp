@@ -157,15 +157,28 @@ void trace_renderer::check(const io::mcap::result<void>& result) {
   if (result.has_value() != failing_)
     return;
   failing_ = !result.has_value();
+  if (failing_ && result.error().code == io::mcap::errc::gone)
+    removed_ns_ = time_.monotonic_ns();
   if (failing_)
     health_.post("trace", health_colour::yellow, "the trace is not written: " + result.error().message());
+  else if (removed_ns_)
+    health_.post("trace", health_colour::yellow,
+                 "the trace was removed while it was written, and what was in it is lost; it goes on in a new file");
   else
     health_.post("trace", health_colour::green, {});
+}
+
+void trace_renderer::show_removed() {
+  if (failing_ || !removed_ns_ || time_.monotonic_ns() - *removed_ns_ < removed_shown_ns)
+    return;
+  removed_ns_.reset();
+  health_.post("trace", health_colour::green, {});
 }
 
 void trace_renderer::tick() {
   scale_.adjust();
   check(writer_.tick(static_cast<std::uint64_t>(time_.monotonic_ns())));
+  show_removed();
   publish_counts();
 }
 

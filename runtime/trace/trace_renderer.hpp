@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -27,6 +28,8 @@ struct trace_loss {
 
 class trace_renderer {
 public:
+  static constexpr std::int64_t removed_shown_ns = 60'000'000'000; // a person has to see it
+
   // SCALE: of the ticks in the entries.
   [[nodiscard]] static tl::expected<std::unique_ptr<trace_renderer>, std::string>
   open(trace_options options, const directory& names, const time_source& time, health_board& health,
@@ -63,6 +66,7 @@ private:
   void append_clocks(const trace_entry& entry);
   [[nodiscard]] const std::string& quoted_name(std::uint32_t actor); // as a JSON text
   void check(const io::mcap::result<void>& result);
+  void show_removed();
   void publish_counts();
 
   const directory& names_;
@@ -76,8 +80,9 @@ private:
   std::string text_;                     // of the message being rendered; kept for its capacity
   trace_loss told_;
   bool failing_ = false;
-  std::uint64_t given_ = 0;           // to the writer, whatever became of them
-  std::uint64_t without_channel_ = 0; // not even that: the file could hold no more channels
+  std::optional<std::int64_t> removed_ns_; // monotonic: that it was removed under way is still shown
+  std::uint64_t given_ = 0;                // to the writer, whatever became of them
+  std::uint64_t without_channel_ = 0;      // not even that: the file could hold no more channels
   std::atomic<std::uint64_t> written_{0};
   std::atomic<std::uint64_t> unwritten_{0};
 };

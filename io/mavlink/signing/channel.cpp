@@ -125,7 +125,7 @@ std::uint8_t channel::next_sequence(sender who) const {
   return found == speakers_.end() ? std::uint8_t{0} : found->next;
 }
 
-channel_report channel::report(std::optional<sender> followed) const {
+channel_report channel::report(std::optional<sender> followed, link::peer_id from) const {
   channel_report result;
   result.is_signing = is_signing();
   result.frames_in = frames_in_;
@@ -142,7 +142,8 @@ channel_report channel::report(std::optional<sender> followed) const {
     for (std::size_t i = 0; i < kinds.size(); ++i)
       kinds[i] += seen.kinds[i].bad_crc;
     for (const auto& who : each.scan->senders().all())
-      if (followed && who.who == *followed) {
+      if (followed && who.who == *followed && (from == link::every_peer || from == peer)) {
+        result.followed_in += who.received;
         result.sequence_gaps += who.lost;
         result.last_sequence = who.last_sequence;
       }

@@ -72,7 +72,8 @@ struct channel_report {
   std::uint64_t signed_in = 0;             // of the believed ones
   std::uint64_t signing_rejected = 0;
   std::vector<channel_count> signing_errors; // by cause
-  std::uint64_t sequence_gaps = 0;           // of the sender that was asked for
+  std::uint64_t followed_in = 0;             // frames of the sender that was asked for, unknown ones too
+  std::uint64_t sequence_gaps = 0;           // the same: frames of it that did not arrive
   std::uint8_t last_sequence = 0;            // the same
 };
 
@@ -104,11 +105,13 @@ public:
   // Calls TAKE(const frame_view&) for each frame that may be believed.
   template <class Take>
   void unpack(link::peer_id peer, bool is_datagram, byte_view bytes, instant now, Take&& take) {
+    auto& from = scanner_of(peer, now);
     const auto judged = [&](const frame_view& frame) {
       if (is_believed(frame, now))
         take(frame);
+      else
+        from.disbelieve_last();
     };
-    auto& from = scanner_of(peer, now);
     if (is_datagram)
       from.feed_next_datagram(bytes, judged);
     else
@@ -125,6 +128,8 @@ public:
         each.scan->end_of_datagram([&](const frame_view& frame) {
           if (is_believed(frame, now))
             take(peer, frame);
+          else
+            each.scan->disbelieve_last();
         });
     }
   }
@@ -152,8 +157,9 @@ public:
 
   // The sequence number of the next frame from WHO.
   [[nodiscard]] std::uint8_t next_sequence(sender who) const;
-  // FOLLOWED: whose frames are looked at for gaps.
-  [[nodiscard]] channel_report report(std::optional<sender> followed) const;
+  // FOLLOWED: whose frames are looked at for gaps. FROM: from where they come, so that frames under its name from
+  // elsewhere are no gaps; every_peer: from wherever.
+  [[nodiscard]] channel_report report(std::optional<sender> followed, link::peer_id from = link::every_peer) const;
 
 private:
   struct peer_entry {

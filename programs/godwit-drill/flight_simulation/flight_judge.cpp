@@ -11,6 +11,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -194,7 +195,9 @@ int starts_since(const flight_simulation& flight, std::int64_t since_ns) {
 
 int missions_started_since(const flight_simulation& flight, std::int64_t since_ns) {
   return static_cast<int>(std::ranges::count_if(flight.orders(), [&](const vehicle_order& each) {
-    return each.at_ns >= since_ns && each.command == mavlink::number(mavlink::mav_cmd::mission_start);
+    const bool begins =
+        each.command == mavlink::number(mavlink::mav_cmd::mission_start) || each.mode == mission_mode(flight.who());
+    return each.at_ns >= since_ns && begins;
   }));
 }
 

@@ -345,6 +345,36 @@ TEST_P(flight_by_station, with_a_service_the_plan_of_a_station_is_not_taken_and_
   EXPECT_EQ(world.durable().status.now, phase::ready);
 }
 
+TEST_P(flight_by_station, with_a_service_fences_and_rally_points_of_a_station_are_refused_as_its_plan_is) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  auto items = upload(1);
+  items.front().frame = io::mavlink::number(io::mavlink::mav_frame::global_relative_alt);
+  items.front().command = io::mavlink::number(io::mavlink::mav_cmd::nav_rally_point);
+  for (const auto type : {mav_mission_type::fence, mav_mission_type::rally}) {
+    items.front().mission_type = io::mavlink::number(type);
+    world.station_says(taken(items, type));
+    ASSERT_FALSE(world.judged().empty());
+    EXPECT_EQ(world.judged().back().type, type);
+    EXPECT_EQ(world.judged().back().verdict, ground_port::plan_verdict::refused) << world.story();
+  }
+}
+
+// As MAVProxy uploads a .fen file, and as ArduPilot takes it.
+TEST_P(flight_by_station, a_fence_is_taken_without_the_return_point_that_it_begins_with_and_that_is_said) {
+  flight_world world(by_stations(GetParam()));
+  auto items = fence_around(GetParam(), 150);
+  auto point = tests::waypoint_at(GetParam(), 0, 0);
+  point.command = number(mav_cmd::nav_fence_return_point);
+  items.insert(items.begin(), point);
+  world.station_says(taken(tests::numbered(items), mav_mission_type::fence));
+  ASSERT_FALSE(world.judged().empty());
+  EXPECT_EQ(world.judged().back().verdict, ground_port::plan_verdict::taken) << world.story();
+  EXPECT_EQ(world.durable().station_fences.size(), 1U);
+  EXPECT_TRUE(was_said(world, "without its return point")) << world.story();
+}
+
 TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_it) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());

@@ -1,9 +1,11 @@
 // What of a station's messages goes on to the vehicle, and what first. The lists: passing/table.hpp.
 #include <cstring>
 #include <limits>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "actors/ground_port/passing/table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "tests/actors/ground_port/port_fixture.hpp"
 
@@ -216,6 +218,7 @@ TEST_F(ground_port_passing, each_of_a_persons_messages_is_told_before_it_goes_on
   for (const std::uint32_t each : {69, 70, 82, 84, 86, 144, 149}) {
     std::vector<std::uint8_t> payload(mavlink::find_message(each)->base_length);
     payload.back() = 1;
+    payload.front() = 100; // a stick that is held
     say_frame(each, payload);
   }
   EXPECT_TRUE(port.passed_on.empty());
@@ -260,11 +263,11 @@ TEST_F(ground_port_passing, a_repetition_is_not_asked_twice_and_a_stream_is_aske
   port.say(again);
   EXPECT_EQ(port.acts.size(), 1U);
   port.executor_says(act_verdict::pass);
-  say_frame(69, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
-  say_frame(69, {2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+  say_frame(69, {100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+  say_frame(69, {101, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
   EXPECT_EQ(port.acts.size(), 2U);
   port.executor_says(act_verdict::pass);
-  EXPECT_EQ(port.passed_on.back().payload[0], 2);
+  EXPECT_EQ(port.passed_on.back().payload[0], 101);
 }
 
 TEST_F(ground_port_passing, a_hold_that_godwit_does_is_accepted_when_the_vehicle_has_accepted_it_and_not_before) {
@@ -317,15 +320,14 @@ TEST_F(ground_port_passing, a_vehicle_that_holds_already_is_answered_at_once) {
 
 // -- sticks -----------------------------------------------------------------------------------------
 
-// QGroundControl streams its virtual joystick as soon as it is shown.
-TEST_F(ground_port_passing, sticks_that_are_left_alone_are_no_persons_act) {
-  for (int i = 0; i < 3; ++i) {
+// QGroundControl streams its virtual joystick as soon as it is shown. A vehicle that has heard it and misses it acts by
+// itself: a PX4 returns.
+TEST_F(ground_port_passing, sticks_that_are_left_alone_are_no_persons_act_and_never_missed) {
+  for (int i = 0; i < 3; ++i)
     say_frame(69, {0, 0, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1});
-    ASSERT_EQ(port.acts.back().what.kind, act_kind::sticks_at_rest);
-    port.executor_says(act_verdict::refused, "godwit flies");
-  }
   port.advance(s);
-  EXPECT_TRUE(port.passed_on.empty());
+  EXPECT_TRUE(port.acts.empty());
+  EXPECT_EQ(port.passed_on.size(), 3U);
   EXPECT_TRUE(port.texts().empty());
   EXPECT_EQ(port.count_of("passing_refused"), 0U);
   say_frame(69, {0, 2, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1});
@@ -381,6 +383,32 @@ TEST_F(ground_port_passing, accepted_and_in_progress_are_no_refusal_and_all_else
     const bool is_accepted = result == mav_result::accepted || result == mav_result::in_progress;
     EXPECT_EQ(port.acknowledged.back().is_refused, !is_accepted) << io::name_of(result);
   }
+}
+
+// What the executor makes of it: station_commands.a_command_that_the_vehicle_refuses_leaves_everything_as_it_was.
+TEST_F(ground_port_passing, each_command_of_a_stranger_that_the_vehicle_refuses_in_whatever_way_is_told_as_refused) {
+  std::set<int> told;
+  for (const auto& [result, name] : enum_names(mav_result{}))
+    for (int number = 0; number <= 65'535; ++number) {
+      const auto* const row = passing::find_command(static_cast<std::uint16_t>(number));
+      if (result == mav_result::accepted || result == mav_result::in_progress || row == nullptr)
+        continue;
+      for (const auto param1 : {0.0F, 1.0F}) {
+        const auto asked = port.acts.size();
+        const auto before = port.acknowledged.size();
+        say_command(row->command, param1);
+        if (port.acts.size() == asked)
+          continue; // godwit's own, or it goes nowhere
+        port.executor_says(act_verdict::pass);
+        port.vehicle_answers(row->command, result);
+        ASSERT_EQ(port.acknowledged.size(), before + 1) << row->name << ' ' << param1 << ' ' << name;
+        EXPECT_TRUE(port.acknowledged.back().is_refused) << row->name << ' ' << param1 << ' ' << name;
+        EXPECT_EQ(port.acknowledged.back().number, port.acts.back().what.number);
+        told.insert(number);
+      }
+    }
+  EXPECT_TRUE(told.contains(400) && told.contains(185) && told.contains(176)) << "disarm, terminate, mode";
+  EXPECT_GT(told.size(), 30U);
 }
 
 TEST_F(ground_port_passing, the_answer_of_another_component_says_nothing_of_the_vehicle) {

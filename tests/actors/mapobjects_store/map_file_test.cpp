@@ -44,6 +44,11 @@ TEST_F(map_file, one_of_a_later_version_is_refused_and_stays) {
   EXPECT_EQ(refusal(), map_errc::newer);
 }
 
+TEST_F(map_file, one_of_a_later_version_is_refused_wherever_that_keeps_its_number) {
+  execute("PRAGMA user_version = 1000000");
+  EXPECT_EQ(refusal(), map_errc::newer);
+}
+
 TEST_F(map_file, a_database_of_another_program_is_refused_and_stays) {
   execute("PRAGMA application_id = 7");
   EXPECT_EQ(refusal(), map_errc::foreign);

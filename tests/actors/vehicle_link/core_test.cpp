@@ -98,6 +98,21 @@ TEST(vehicle_link_core, who_asks_is_told_ages_numbers_and_errors_by_kind) {
   EXPECT_EQ(now.kind_errors[0].count, 1U);
 }
 
+TEST(vehicle_link_core, frames_under_the_vehicles_name_from_elsewhere_are_counted_and_no_losses) {
+  connected c;
+  const auto before = c.it.describe(at(0)).under_its_name;
+  for (std::int64_t i = 1; i <= 200; ++i) {
+    (void)c.vehicle.beat(c.it, i * 100 * ms);
+    const auto forged = mavlink::encode(mavlink::battery_status{}, {1, 1}, static_cast<std::uint8_t>(77 * i));
+    (void)c.it.on_bytes(9, true, forged.span(), at(i * 100 * ms));
+    (void)c.it.on_time(at(i * 100 * ms));
+  }
+  const auto seen = c.it.describe(at(20 * s));
+  EXPECT_EQ(seen.under_its_name - before, 200U);
+  EXPECT_EQ(seen.sequence_gaps, 0U);
+  EXPECT_EQ(c.it.health(at(20 * s)).how, godwit::runtime::health_colour::green);
+}
+
 TEST(vehicle_link_core, the_first_heartbeat_goes_out_as_soon_as_the_link_is_up) {
   core it(quiet(), {}, {});
   (void)it.on_time(at(s));

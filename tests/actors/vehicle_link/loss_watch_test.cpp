@@ -28,5 +28,12 @@ TEST(loss_watch, a_few_frames_and_what_was_lost_before_it_looked_say_nothing) {
   EXPECT_FALSE(watch.is_bad());
 }
 
+TEST(loss_watch, counts_that_begin_anew_are_no_loss) {
+  loss_watch watch;
+  watch.look(1'000, 500, 10 * s);
+  watch.look(100, 90, 20 * s);
+  EXPECT_FALSE(watch.is_bad());
+}
+
 } // namespace loss_watch_test
 } // namespace godwit::vehicle_link

@@ -60,6 +60,20 @@ TEST(sender_table, what_was_not_verified_makes_nobody_known) {
   EXPECT_EQ(senders.all().front().lost, 0U);
 }
 
+TEST(sender_table, a_frame_that_is_not_believed_counts_for_nothing) {
+  sender_table senders;
+  senders.note(vehicle, 1);
+  senders.note(vehicle, 101);
+  senders.take_back();
+  senders.note({9, 1}, 7);
+  senders.take_back();
+  senders.take_back(); // of nobody
+  senders.note(vehicle, 2);
+  ASSERT_EQ(senders.all().size(), 1U) << "and makes nobody known";
+  EXPECT_EQ(senders.all().front().lost, 0U);
+  EXPECT_EQ(senders.all().front().received, 2U);
+}
+
 TEST(sender_table, follows_no_more_than_its_bound_and_counts_the_rest) {
   sender_table senders;
   for (std::size_t i = 0; i < 200; ++i)

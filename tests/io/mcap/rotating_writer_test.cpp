@@ -114,6 +114,28 @@ TEST_F(mcap_rotating_writer, a_tick_flushes_at_its_cadence) {
   EXPECT_EQ(read_file(writer_.current_segment()).messages.size(), 1U);
 }
 
+TEST_F(mcap_rotating_writer, a_folder_that_is_removed_under_way_is_noticed_and_a_new_one_is_written) {
+  options_.segments.folder = folder_.path() / "trace";
+  ASSERT_TRUE(writer_.open(options_));
+  ASSERT_TRUE(writer_.tick(1'000 * millisecond_ns));
+  ASSERT_TRUE(put(1));
+  ASSERT_TRUE(writer_.tick(1'100 * millisecond_ns));
+  const auto removed = writer_.current_segment();
+  std::filesystem::remove_all(options_.segments.folder);
+  ASSERT_TRUE(put(2));
+  const auto noticed = writer_.tick(2'200 * millisecond_ns);
+  ASSERT_FALSE(noticed);
+  EXPECT_EQ(noticed.error().code, errc::gone) << noticed.error().message();
+  ASSERT_TRUE(writer_.tick(3'300 * millisecond_ns));
+  ASSERT_TRUE(put(3));
+  ASSERT_TRUE(writer_.flush());
+  EXPECT_NE(writer_.current_segment(), removed) << "its name is not used twice";
+  const auto seen = read_file(writer_.current_segment());
+  ASSERT_EQ(seen.messages.size(), 1U);
+  EXPECT_EQ(seen.messages[0].sequence, 3U);
+  EXPECT_EQ(seen.metadata, (std::vector<std::string>{"godwit.run", "godwit.lost"}));
+}
+
 TEST_F(mcap_rotating_writer, a_message_that_fits_into_no_segment_is_refused_and_counted) {
   ASSERT_TRUE(writer_.open(options_));
   const std::string large(options_.segments.segment_bytes, 'x');

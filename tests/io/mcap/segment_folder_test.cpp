@@ -1,6 +1,7 @@
 #include "io/mcap/segment_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/io/mcap/mcap_fixture.hpp"
 
@@ -21,6 +22,21 @@ TEST(mcap_segment_folder, names_sort_as_the_segments_were_made) {
   EXPECT_EQ(segments.add(7)->filename(), "godwit-0000000007-000002.mcap");
   EXPECT_EQ(segments.add(12)->filename(), "godwit-0000000012-000001.mcap");
   EXPECT_EQ(segments.add(segment_folder::max_run + 1).error().code, errc::too_many);
+}
+
+TEST(mcap_segment_folder, a_folder_of_another_user_is_refused) {
+  const temporary_folder folder;
+  auto options = options_for(folder);
+  options.folder = "/";
+  if (::geteuid() == 0) {
+    options.folder = folder / "theirs";
+    std::filesystem::create_directory(options.folder);
+    ASSERT_EQ(::chown(options.folder.c_str(), 1, 1), 0);
+  }
+  segment_folder segments;
+  const auto refused = segments.open(options);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("belongs to user"), std::string::npos) << refused.error().message();
 }
 
 TEST(mcap_segment_folder, recordings_of_other_endings_and_names_in_the_folder_are_left_alone) {

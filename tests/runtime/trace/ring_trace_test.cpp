@@ -443,6 +443,28 @@ TEST(ring_trace, a_folder_that_goes_away_costs_records_and_health_until_it_is_ba
   EXPECT_GE(losses.back().at("message").at("unwritten"), 10);
 }
 
+TEST(ring_trace, a_folder_that_is_removed_while_it_is_written_is_shown_and_made_again) {
+  const scratch_folder scratch;
+  const std::filesystem::path folder = scratch.path("trace");
+  recorder r(folder);
+  r.record(login{"before", {}, 0}, r.alice);
+  ASSERT_TRUE(wait_for([&] { return r.trace->counts().written > 0; }));
+  const auto since = std::chrono::steady_clock::now();
+  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(wait_for([&] { return r.trace_health().colour == health_colour::yellow; }));
+  EXPECT_LT(std::chrono::steady_clock::now() - since, 5s);
+  EXPECT_TRUE(wait_for([&] {
+    r.record(login{"after", {}, 0}, r.alice);
+    return std::filesystem::exists(folder) && !std::filesystem::is_empty(folder);
+  }));
+  EXPECT_TRUE(wait_for([&] { return r.trace_health().reason.find("was removed") != std::string::npos; }));
+  EXPECT_EQ(r.trace_health().colour, health_colour::yellow) << "a person has to see it";
+  r.trace->close();
+  const auto found = read_folder(folder).of("/alice/test.login");
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.back().at("message").at("user"), "after");
+}
+
 // In a user namespace of its own a process may mount; it stays the same user there.
 bool become_able_to_mount() {
   const auto user = std::to_string(::getuid());

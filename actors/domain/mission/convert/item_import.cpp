@@ -100,8 +100,18 @@ bool item_importer::may_be_carried(const vehicle_item& each) {
   return true;
 }
 
+// NaN is "as usual" (MAVLink, MISSION_ITEM_INT); infinity is nothing that a vehicle could do.
+bool item_importer::is_infinite(const vehicle_item& each) {
+  for (std::size_t n = 1; n <= 4; ++n)
+    if (std::isinf(each.param(n))) {
+      lose(each, "the item", "its parameter " + std::to_string(n) + " is infinite", left_out);
+      return true;
+    }
+  return false;
+}
+
 void item_importer::take(const vehicle_item& each) {
-  if (!may_be_carried(each))
+  if (!may_be_carried(each) || is_infinite(each))
     return;
   if (each.command == command::jump)
     return take_jump(each);

@@ -78,6 +78,7 @@ private:
   // False: the item is left out; the loss is noted.
   [[nodiscard]] bool may_be_carried(const vehicle_item& each);
   [[nodiscard]] bool has_yaw(const vehicle_item& each) const;
+  [[nodiscard]] bool is_infinite(const vehicle_item& each);
   [[nodiscard]] bool may_have_wings() const { return !context_.vehicle || has_wings(*context_.vehicle); }
   [[nodiscard]] bool is(vehicle_profile one) const { return context_.vehicle == one; }
   [[nodiscard]] bool is_for_ardupilot() const { return context_.vehicle && !is_px4(*context_.vehicle); }

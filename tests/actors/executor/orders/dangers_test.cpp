@@ -76,6 +76,7 @@ TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_start_is_not_armed_again) 
       EXPECT_LE(world.starts(), starts + 1) << world.story();
       EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
       EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+      EXPECT_EQ(world.sentence().find("stands armed"), std::string::npos) << world.sentence();
     }
 }
 

@@ -141,5 +141,28 @@ TEST(channel, gaps_are_counted_for_the_sender_that_is_followed) {
   EXPECT_EQ(c.report(std::nullopt).sequence_gaps, 0U);
 }
 
+TEST(channel, frames_under_the_name_of_who_is_followed_from_elsewhere_are_no_gaps) {
+  channel c({}, {});
+  for (int i = 0; i < 100; ++i) {
+    (void)heard(c, encode(heartbeat{}, vehicle, static_cast<std::uint8_t>(i)).span(), 1);
+    (void)heard(c, encode(heartbeat{}, vehicle, static_cast<std::uint8_t>(77 * i)).span(), 2);
+  }
+  EXPECT_EQ(c.report(vehicle, 1).sequence_gaps, 0U);
+  EXPECT_EQ(c.report(vehicle, 1).followed_in, 100U);
+  EXPECT_GT(c.report(vehicle).sequence_gaps, 0U);
+}
+
+TEST(channel, frames_that_are_refused_for_their_signature_are_no_gaps_also_from_the_same_address) {
+  channel c(with_key(), {});
+  channel other(with_key(), {});
+  for (int i = 0; i < 100; ++i) {
+    (void)heard(c, other.pack(heartbeat{}, vehicle, wall_ns + i)->span());
+    (void)heard(c, encode(heartbeat{}, vehicle, static_cast<std::uint8_t>(77 * i)).span());
+  }
+  EXPECT_EQ(c.report(vehicle).signing_rejected, 100U);
+  EXPECT_EQ(c.report(vehicle).sequence_gaps, 0U);
+  EXPECT_EQ(c.report(vehicle).followed_in, 100U);
+}
+
 } // namespace channel_test
 } // namespace godwit::io::mavlink

@@ -46,6 +46,25 @@ TEST(import_item_list, each_item_knows_its_place_in_the_upload) {
   EXPECT_EQ(result->mission.revision, 1);
 }
 
+TEST(import_item_list, an_item_with_an_infinite_number_is_refused_and_nan_is_as_usual) {
+  for (const auto command : {mav_cmd::nav_waypoint, mav_cmd::nav_loiter_time, mav_cmd::nav_takeoff, mav_cmd::nav_land})
+    for (const auto param :
+         {&mission_item_int::param1, &mission_item_int::param2, &mission_item_int::param3, &mission_item_int::param4}) {
+      auto items = short_list();
+      items[2] = item_of(2, command);
+      items[2].param1 = 1;
+      items[2].*param = std::numeric_limits<float>::infinity();
+      const auto result = import_item_list(items, options());
+      ASSERT_FALSE(result.has_value()) << static_cast<int>(command);
+      EXPECT_NE(result.error().message().find("infinite"), std::string::npos) << result.error().message();
+    }
+  auto items = short_list();
+  items[2].param1 = std::numeric_limits<float>::quiet_NaN();
+  const auto usual = import_item_list(items, options());
+  ASSERT_TRUE(usual.has_value()) << usual.error().message();
+  EXPECT_EQ(std::get<waypoint>(usual->mission.items[2]).hold_s, 0);
+}
+
 TEST(import_item_list, what_no_mission_may_hold_is_a_loss_and_left_out_only_when_that_is_allowed) {
   auto items = short_list();
   items.insert(items.begin() + 2, item_of(2, mav_cmd::do_parachute, frame::mission));

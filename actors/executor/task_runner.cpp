@@ -6,7 +6,9 @@
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/home/home.hpp"
 #include "actors/executor/announced_modes.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 #include "actors/executor/plan_proof.hpp"
+#include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -36,12 +38,9 @@ bool is_final(const vehicle_link::command_outcome& outcome) {
 } // namespace
 
 flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s) {
-  if (!s.flown)
-    return {};
-  const auto& items = s.flown->items;
-  const auto last = std::find_if(items.rbegin(), items.rend(),
-                                 [](const auto& each) { return each.command <= number(mav_cmd::nav_last); });
-  return last == items.rend() ? flight::plan_end{} : flight::plan_end_of(whose, last->command, last->seq);
+  const auto* const last = last_flown_item(s);
+  return last == nullptr || !plan::is_nav(*last) ? flight::plan_end{}
+                                                 : flight::plan_end_of(whose, last->command, last->seq);
 }
 
 // -- a task -----------------------------------------------------------------------------------------

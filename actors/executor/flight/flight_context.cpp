@@ -108,8 +108,8 @@ std::vector<std::uint32_t> flight_context::modes_behind_disarm() const {
 }
 
 bool flight_context::ends_on_ground() const {
-  return s.flown && !s.flown->items.empty() && view.owner().vehicle != flight::vehicle_class::rover &&
-         flight::leads_down(s.flown->items.back().command);
+  const auto* const last = last_flown_item(s);
+  return last != nullptr && view.owner().vehicle != flight::vehicle_class::rover && flight::leads_down(last->command);
 }
 
 bool flight_context::is_at_end_of_plan() const {
@@ -117,7 +117,8 @@ bool flight_context::is_at_end_of_plan() const {
 }
 
 bool flight_context::is_in_return_of_plan() const {
-  return s.flown && !s.flown->items.empty() && plan::is_return_item(s.flown->items.back()) && is_at_end_of_plan();
+  const auto* const last = last_flown_item(s);
+  return last != nullptr && plan::is_return_item(*last) && is_at_end_of_plan();
 }
 
 bool flight_context::is_coming_down() const {
@@ -127,7 +128,7 @@ bool flight_context::is_coming_down() const {
 bool flight_context::came_down_as_planned(instant now) const {
   if (!ends_on_ground() || view.is_under_way())
     return false;
-  const auto& last = s.flown->items.back();
+  const auto& last = *last_flown_item(s);
   const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
   if (plan::is_return_item(last))

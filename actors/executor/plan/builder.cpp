@@ -7,6 +7,7 @@
 #include "actors/executor/plan/item_planner.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/plan_writer.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor::plan {
 
@@ -25,9 +26,10 @@ plan_writer writer_behind(const plan_writer& done, const plan_setting& setting) 
 }
 
 // Behind a landing: what a mission holds that came as commands is flown next only if it begins with a take-off. All
-// else is kept for a failure, or for another approach.
-bool begins_branch(const mission::document& mission, std::size_t index) {
-  if (!std::ranges::any_of(mission.items, mission::is_of_version_2))
+// else is kept for a failure, or for another approach; on ArduPilot, whose mission ends with a landing. What a PX4 does
+// with it was not seen, and so it has none.
+bool begins_branch(const mission::document& mission, std::size_t index, const plan_setting& setting) {
+  if (!is_ardupilot(setting) || !std::ranges::any_of(mission.items, mission::is_of_version_2))
     return false;
   const auto next = std::find_if(mission.items.begin() + static_cast<std::ptrdiff_t>(index), mission.items.end(),
                                  mission::moves_vehicle);
@@ -77,7 +79,7 @@ tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::do
   writers.emplace_back(setting, setting.start, setting.is_under_way, speed_before(mission, from.item_index));
   bool owes_state = from.item_index > 0;
   for (auto i = from.item_index; i < count; ++i) {
-    if (writers.back().ends_on_ground() && !writers.back().is_branch() && begins_branch(mission, i))
+    if (writers.back().ends_on_ground() && !writers.back().is_branch() && begins_branch(mission, i, setting))
       writers.back().begin_branch();
     else if (writers.back().ends_on_ground() && (!writers.back().is_branch() || mission::is_take_off(mission.items[i])))
       writers.push_back(writer_behind(writers.back(), setting));

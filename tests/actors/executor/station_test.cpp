@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_checksum.hpp"
 #include "tests/actors/executor/station_plans.hpp"
@@ -78,22 +79,22 @@ TEST_P(flight_by_station, after_a_crash_in_flight_the_station_goes_on_seeing_its
   EXPECT_TRUE(world.shown_items().empty()) << "what the station uploaded is still what is shown";
 }
 
-TEST_P(flight_by_station, what_a_mission_can_not_say_is_refused_with_the_reason) {
+TEST_P(flight_by_station, what_no_mission_may_hold_is_refused_with_the_reason) {
   flight_world world(by_stations(GetParam()));
   auto items = station_items(GetParam());
-  auto jump = item_of(mav_cmd::do_jump, {});
-  jump.frame = number(mav_frame::mission);
-  items.push_back(jump);
+  auto guarded = item_of(mav_cmd::do_parachute, {});
+  guarded.frame = number(mav_frame::mission);
+  items.push_back(guarded);
   items = numbered(items);
   world.station_says(taken(items));
   world.run_for(5);
   EXPECT_EQ(world.durable().status.now, phase::connected) << world.story();
   EXPECT_TRUE(was_said(world, "the plan is not taken")) << world.story();
-  EXPECT_TRUE(was_said(world, "DO_JUMP")) << world.story();
+  EXPECT_TRUE(was_said(world, "DO_PARACHUTE")) << world.story();
   world.station_says(start_of(world, items));
   ASSERT_EQ(world.start_answers().size(), 1U);
   EXPECT_EQ(world.start_answers().front().verdict, start_verdict::no_such_item);
-  EXPECT_NE(world.start_answers().front().reason.find("DO_JUMP"), std::string::npos);
+  EXPECT_NE(world.start_answers().front().reason.find("DO_PARACHUTE"), std::string::npos);
 }
 
 TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_in_flight) {
@@ -266,7 +267,9 @@ TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_wa
   ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
   world.station_says(taken(items));
   if (GetParam() != sim::personality::ardupilot && GetParam() != sim::personality::plane) {
-    EXPECT_TRUE(was_said(world, "above mean sea level")) << "elsewhere it is an item: " << world.story();
+    const auto* const uploaded = uploaded_mission(world.durable());
+    ASSERT_NE(uploaded, nullptr) << world.story();
+    EXPECT_EQ(mission::kind_of(uploaded->items.front()), "command") << "elsewhere it is an item, above the sea";
     return;
   }
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();

@@ -165,6 +165,9 @@ TEST(command_planner, what_came_behind_a_landing_without_a_take_off_is_kept_and_
   EXPECT_TRUE(plan.ends_on_ground);
   EXPECT_EQ(plan.ends_at, at(0, 0, 0));
   EXPECT_TRUE(plan.map.ends_mission);
+  EXPECT_EQ(why_not(mission, px4),
+            "Item 'other': The vehicle stands on the ground there; put a takeoff in front of it.")
+      << "nobody has seen what a PX4 does there";
 }
 
 TEST(command_planner, behind_a_landing_a_take_off_begins_the_next_plan) {

@@ -113,6 +113,7 @@ effects core::advance(instant now) {
         std::ranges::any_of(out, [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
   }
+  ground_.on_task();
   return out;
 }
 
@@ -176,9 +177,12 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
 
 effects core::on_vehicle(const io::mavlink::current_mode& m, instant now) {
   flight_.view.take(m);
-  if (recovery_.has_looked() && flight_.view.mode())
+  effects out;
+  if (recovery_.has_looked() && flight_.view.mode()) {
     watch_.on_current_mode(m.intended_custom_mode, now);
-  return {};
+    ground_.on_mode(out, now);
+  }
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {

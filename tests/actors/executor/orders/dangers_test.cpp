@@ -164,6 +164,31 @@ TEST_P(danger, what_a_person_has_changed_on_the_ground_is_not_started_by_itself)
   }
 }
 
+// Any moment of the upload: what shows the mode last before the start is a heartbeat, a CURRENT_MODE (PX4), or the look
+// that the start begins with.
+TEST_P(danger, a_mode_of_a_person_that_is_shown_just_before_a_start_by_itself_keeps_it_back) {
+  int tried = 0;
+  for (const auto mode : {pilot_mode(who()), mission_mode(who())})
+    for (int ms = 0; ms < 1'500; ms += 50) {
+      auto wanted = settings();
+      wanted.start = start_policy::automatic;
+      flight_world world(wanted);
+      world.load(tests::short_mission(who()));
+      ASSERT_TRUE(world.run_until_phase(phase::uploading, 120)) << world.story();
+      world.run_for(ms / 1e3);
+      if (world.durable().status.now != phase::uploading)
+        break;
+      if (world.heard_mode() == mode)
+        continue;
+      ++tried;
+      world.switch_mode(mode);
+      world.run_for(30);
+      EXPECT_EQ(world.arms(), 0) << ms << " ms\n" << world.story();
+      EXPECT_EQ(world.starts(), 0) << ms << " ms\n" << world.story();
+    }
+  EXPECT_GT(tried, 0);
+}
+
 // An acknowledgement goes to who has asked, on that line.
 class danger_on_its_line : public danger {};
 

@@ -189,6 +189,32 @@ TEST_P(danger, a_mode_of_a_person_that_is_shown_just_before_a_start_by_itself_ke
   EXPECT_GT(tried, 0);
 }
 
+// A start that came through when a person had the vehicle already.
+TEST_P(danger, a_vehicle_that_flies_our_plan_when_it_is_handed_back_is_followed_to_the_end) {
+  if (who() == personality::plane)
+    return; // it is not started by hand
+  flight_world world(settings());
+  world.load(tests::short_mission(who()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 10)) << world.story();
+  world.switch_mode(pilot_mode(who()));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 10))
+      << world.story();
+  if (who() == personality::rover) { // which does not begin in the mode in which it is
+    world.fly_by_hand(hold_mode(who()));
+    world.person().command(io::mavlink::mav_cmd::mission_start);
+  } else {
+    world.fly_by_hand(mission_mode(who()));
+  }
+  world.run_for(3);
+  const auto orders = world.orders();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
+  EXPECT_EQ(world.orders(), orders) << "it goes its way";
+  EXPECT_TRUE(world.run_until_phase(phase::done, 300)) << world.story();
+}
+
 // An acknowledgement goes to who has asked, on that line.
 class danger_on_its_line : public danger {};
 

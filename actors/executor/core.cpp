@@ -196,8 +196,10 @@ effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   if (flight_.view.says_complete() && !flight_.is_complete_credible(now) && !believes_all)
     told.message.mission_state = io::mavlink::number(io::mavlink::mission_state::active);
   if (s.progress.plan && told.is_ours)
-    told.never_near = plan_.never_near(m.seq, told.message.mission_state ==
-                                                  io::mavlink::number(io::mavlink::mission_state::complete));
+    told.never_near =
+        plan_.never_near(m.seq, told.message.mission_state == io::mavlink::number(io::mavlink::mission_state::complete)
+                                    ? plan_watch::told::complete
+                                    : plan_watch::told::at);
   if (s.progress.plan && progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});
   return out;
@@ -210,7 +212,7 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
   effects out;
   progress::reached_told told{m.seq, {}};
   if (!is_early && s.progress.plan)
-    told.never_near = plan_.never_near(m.seq, true);
+    told.never_near = plan_.never_near(m.seq, plan_watch::told::reached);
   if (!is_early && !flight_.has_person() && flight_.authority.is_ours() && s.progress.plan &&
       progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});

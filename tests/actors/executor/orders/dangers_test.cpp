@@ -330,6 +330,22 @@ TEST_P(danger, items_that_somebody_else_jumps_over_are_not_reported_as_reached) 
   EXPECT_FALSE(is_reported(world, progress_kind::reached, "w2")) << world.story();
 }
 
+// Whose first position comes after the start, and which has not moved yet.
+TEST_P(danger, an_item_that_somebody_else_chooses_right_after_the_start_is_not_taken_for_the_way_there) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  const auto first = who() == personality::rover ? "w1" : "up";
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, first));
+  world.run_for(0.3);
+  const auto& items = world.durable().progress.plan->map.items;
+  const auto w2 = std::ranges::find(items, "w2", &progress::mapped_item::item_id);
+  ASSERT_NE(w2, items.end());
+  world.person().choose_item(w2->first_sequence, who() == personality::px4);
+  world.run_for(10);
+  EXPECT_FALSE(is_reported(world, progress_kind::reached, "w1")) << world.story();
+}
+
 std::string name_of_case(const testing::TestParamInfo<std::tuple<personality, bool>>& info) {
   constexpr std::array names{"rover", "px4", "copter", "plane"}; // by personality
   return std::string(names.at(static_cast<std::size_t>(std::get<0>(info.param)))) +

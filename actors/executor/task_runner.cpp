@@ -337,9 +337,13 @@ void task_runner::end_step(const world& w, std::string why) {
   enter(stage::closing);
 }
 
-// Before each send. PX4 arms by itself when it is started, and whoever has armed a vehicle that stood flies it.
+// Before each send. PX4 arms by itself when it is started, and whoever has armed a vehicle that stood flies it. What
+// was disarmed in its flight stays where it is: a start alone changes the mode of a vehicle that it arms then.
 std::string task_runner::why_not_now(const vehicle_view& view) const {
-  if (std::holds_alternative<start_plan>(way_[at_]) && !view.is_armed())
+  const auto* mode = std::get_if<change_mode>(&way_[at_]);
+  const bool goes_on = mode != nullptr && task_->kind != task_kind::start && !is_stop() &&
+                       (mode->to == flight::mode_kind::mission || mode->to == flight::mode_kind::guided);
+  if ((goes_on || std::holds_alternative<start_plan>(way_[at_])) && !view.is_armed())
     return "the vehicle is disarmed";
   const auto* status = std::get_if<stand_by>(&way_[at_]);
   const bool needs_disarmed = std::holds_alternative<await_arming>(way_[at_]) ||

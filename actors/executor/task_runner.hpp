@@ -96,6 +96,10 @@ public:
   // What is under way holds the vehicle, or brings it home.
   [[nodiscard]] bool is_stop() const;
   [[nodiscard]] bool is_busy() const { return task_.has_value(); }
+  // The step under way takes a vehicle that stands out of its mission mode.
+  [[nodiscard]] bool is_standing_by() const {
+    return task_ && at_ < way_.size() && std::holds_alternative<stand_by>(way_[at_]);
+  }
   [[nodiscard]] const std::optional<task>& doing() const { return task_; }
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 

@@ -22,8 +22,10 @@ std::string upload_in_flight::why_not(const station& by, bool has_looked) const 
   const auto& s = flight_.s;
   if (flight_.has_person())
     return "the vehicle has to be handed back first";
-  if (!s.station || !flies_upload(s) || s.station->by != by)
+  if (!s.station || s.station->by != by)
     return "another one is flown, which is not this station's; upload it after the flight";
+  if (!flies_upload(s))
+    return "what is flown was changed since this station's upload (a go to, an insert); upload it after the flight";
   const bool waits = s.status.now == phase::paused && flight_.may_change_plan();
   if (!waits || !flight_.view.is_under_way())
     return "it is flown: pause it, then upload, then start. It stands otherwise now: " + flight_.sentence();

@@ -386,6 +386,8 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
   ASSERT_TRUE(world.say(there).is_taken) << world.story();
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
   EXPECT_FALSE(world.shown_items().empty()) << world.story();
+  world.station_says(taken(items));
+  EXPECT_TRUE(was_said(world, "was changed since this station's upload")) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(world.shown_items())) << world.story();
   EXPECT_EQ(world.shown_progress().back().state, mission_state::complete);

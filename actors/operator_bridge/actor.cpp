@@ -1,11 +1,14 @@
 #include "actors/operator_bridge/actor.hpp"
 
+#include "actors/operator_bridge/audit_table.hpp"
+
 namespace godwit::operator_bridge {
 
 actor::actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
-             std::shared_ptr<presence> shown, std::vector<control_listener> listeners)
+             std::shared_ptr<presence> shown, std::vector<control_listener> listeners,
+             std::shared_ptr<session_ends> ends)
     : durable_actor(std::move(context)), settings_(configured), executor_(std::move(executor)),
-      presence_(std::move(shown)), listeners_(std::move(listeners)) {}
+      presence_(std::move(shown)), listeners_(std::move(listeners)), ends_(std::move(ends)) {}
 
 actor::~actor() = default;
 
@@ -22,7 +25,7 @@ actor::behavior_type actor::handlers() {
   return {on_deferred<operator_command, command_answer>(
               [this](const operator_command& m, std::uint64_t request_id) { take(m, request_id); }),
           decides(&core::on_control), on<get_operators>([this](const get_operators&) { return core_->describe(); }),
-          decides(&core::on_get_audit),
+          decides(&core::on_read_audit),
           on<audit_note>([this](const audit_note& m) { carry_out(core_->on_note(m, now())); }), decides(&core::on_link),
           decides<open_session, session_answer>(&core::on_open), decides<use_link, session_answer>(&core::on_open),
           // From memory: it is asked for with each request.
@@ -37,7 +40,7 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   core_.emplace(settings_, current_state(), now());
-  carry_out(core_->on_start());
+  carry_out(core_->on_start(now()));
 }
 
 // What the journal does not take any more is not promised either.
@@ -46,6 +49,14 @@ void actor::take(const operator_command& m, std::uint64_t request_id) {
     answer_later(request_id, command_answer{verdict::busy, "the disk takes nothing now; hold and return still go out"});
   else
     carry_out(core_->on_command(m, request_id, now()));
+}
+
+void actor::add_rows(const durable_core::event& happened, runtime::journal_write& write) {
+  if (const auto* const one = std::get_if<audited>(&happened))
+    put_row(write, one->row);
+  if (const auto* const moved = std::get_if<rows_moved>(&happened))
+    for (const auto& each : moved->rows)
+      put_row(write, each);
 }
 
 void actor::on_deadline() { carry_out(core_->on_time(now())); }
@@ -70,6 +81,10 @@ void actor::carry_out(const reply& each) {
     after_commit([this, each] { answer_later(each.request, each.answer); });
   else
     answer_later(each.request, each.answer);
+}
+
+void actor::carry_out(const session_over& each) {
+  at_end([this, session = each.session] { ends_->notify(session); });
 }
 
 void actor::release(std::uint64_t number) {

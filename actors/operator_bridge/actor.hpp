@@ -14,6 +14,7 @@
 
 #include "actors/operator_bridge/core.hpp"
 #include "actors/operator_bridge/presence.hpp"
+#include "actors/operator_bridge/session_ends.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "runtime/durable_actor.hpp"
@@ -28,7 +29,8 @@ public:
   static constexpr std::chrono::milliseconds executor_patience{2'000};
 
   actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
-        std::shared_ptr<presence> shown = std::make_shared<presence>(), std::vector<control_listener> listeners = {});
+        std::shared_ptr<presence> shown = std::make_shared<presence>(), std::vector<control_listener> listeners = {},
+        std::shared_ptr<session_ends> ends = std::make_shared<session_ends>());
   ~actor() override;
 
 protected:
@@ -36,6 +38,7 @@ protected:
   void started() override;
   void on_deadline() override;
   void dispatch(const durable_core::effect&) override {}
+  void add_rows(const durable_core::event& happened, runtime::journal_write& write) override;
   [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
@@ -51,6 +54,7 @@ private:
   void carry_out(const note& each) { commit(each.what); }
   void carry_out(const hand_over& each);
   void carry_out(const reply& each);
+  void carry_out(const session_over& each);
   void release(std::uint64_t number);
   void ask_executor(std::uint64_t number, const operators::command& what);
   void plan_deadline();
@@ -61,6 +65,7 @@ private:
   executor_handle executor_;
   std::shared_ptr<presence> presence_;
   std::vector<control_listener> listeners_;
+  std::shared_ptr<session_ends> ends_;
   std::optional<std::string> told_control_; // the name; none: nobody was told yet
   std::optional<core> core_;
 };

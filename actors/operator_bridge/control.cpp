@@ -65,14 +65,14 @@ control_answer control::change(effects& out, const change_control& m, const std:
 void control::free_silent(effects& out, instant now) {
   if (!s_.control || !is_silent(now))
     return;
-  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "silent"});
+  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "silent"}, now);
   out.emplace_back(note{control_changed{}});
 }
 
-void control::free_session(effects& out, const std::string& session) {
+void control::free_session(effects& out, const std::string& session, instant now) {
   if (!s_.control || s_.control->who.session != session)
     return;
-  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "logged_out"});
+  audit_.add(out, {.who = s_.control->who, .what = "control is free", .outcome = "logged_out"}, now);
   out.emplace_back(note{control_changed{}});
 }
 
@@ -80,14 +80,14 @@ std::int64_t control::silent_at_ns(std::int64_t never) const { return s_.control
 
 void control::give_to(effects& out, const change_control& m, std::optional<principal> to, const std::string& what,
                       instant now) {
-  audit_.add(out, {.who = m.by, .what = what, .outcome = "done"});
+  audit_.add(out, {.who = m.by, .what = what, .outcome = "done"}, now);
   heard_ns_ = now.monotonic_ns;
   out.emplace_back(note{control_changed{std::move(to)}});
 }
 
 control_answer control::refuse(effects& out, const change_control& m, const std::string& what, std::string reason,
                                instant now) {
-  audit_.add(out, {.who = m.by, .what = what, .outcome = "refused", .reason = reason});
+  audit_.add(out, {.who = m.by, .what = what, .outcome = "refused", .reason = reason}, now);
   const auto* has = holder(now);
   return {false, std::move(reason), has == nullptr ? std::string() : has->name};
 }

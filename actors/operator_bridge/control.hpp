@@ -34,7 +34,7 @@ public:
                                       const std::optional<operators::principal>& to, instant now);
   // Of who is silent, or whose session has ended.
   void free_silent(effects& out, instant now);
-  void free_session(effects& out, const std::string& session);
+  void free_session(effects& out, const std::string& session, instant now);
   // Monotonic; never: a time that does not come.
   [[nodiscard]] std::int64_t silent_at_ns(std::int64_t never) const;
 

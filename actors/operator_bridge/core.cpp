@@ -35,20 +35,24 @@ bool is_kept(verdict which) { return which == verdict::late || which == verdict:
 } // namespace
 
 core::core(const settings& set, const state& durable, instant now)
-    : set_(set), s_(durable), control_(durable, audit_, now), sessions_(set_, durable, audit_, control_),
-      last_number_(durable.last_command), swept_ns_(now.monotonic_ns) {}
+    : set_(set), s_(durable), audit_(durable.last_row), control_(durable, audit_, now),
+      sessions_(set_, durable, audit_, control_), last_number_(durable.last_command), swept_ns_(now.monotonic_ns) {}
 
-effects core::on_start() {
+effects core::on_start(instant now) {
   effects out;
+  if (!s_.unmoved.empty())
+    out.emplace_back(note{rows_moved{s_.unmoved}});
   for (const auto& each : s_.commands) {
     if (each.answer)
       continue;
     const command_answer answer{verdict::unknown, "godwit was restarted while it was under way; look at the status"};
-    audit_.add(out, {.who = each.by,
-                     .what = "a command before the restart",
-                     .id = each.id,
-                     .outcome = std::string(io::name_of(answer.verdict)),
-                     .reason = answer.reason});
+    audit_.add(out,
+               {.who = each.by,
+                .what = "a command before the restart",
+                .id = each.id,
+                .outcome = std::string(io::name_of(answer.verdict)),
+                .reason = answer.reason},
+               now);
     out.emplace_back(note{command_ended{each.number, answer}});
   }
   return out;
@@ -133,7 +137,7 @@ bool core::repeat(effects& out, const operator_command& m, std::uint64_t request
     refuse(out, m, request, {verdict::id_used, "the id was used for another command; nothing was done"}, now);
     return true;
   }
-  audit_.add(out, {.who = m.by, .what = words_of(m.what), .id = m.id, .outcome = "repeated"});
+  audit_.add(out, {.who = m.by, .what = words_of(m.what), .id = m.id, .outcome = "repeated"}, now);
   if (is_stop(m.what.kind)) // what waits was said before this one was heard
     supersede_waiting(out, m.by, now);
   if (kept != nullptr && kept->answer)
@@ -167,7 +171,7 @@ command_answer core::objection_to(const operator_command& m, instant now) const 
 
 void core::refuse(effects& out, const operator_command& m, std::uint64_t request, command_answer answer, instant now) {
   ++refused_;
-  put_row(out, m.by, m.what, m.id, answer);
+  put_row(out, m.by, m.what, m.id, answer, now);
   if (!m.id.empty() && is_kept(answer.verdict) && has_room(s_, m.by, now.wall_ns)) {
     const auto until_ns = m.valid_until_ns == 0 ? now.wall_ns + usual_validity_ns : m.valid_until_ns;
     out.emplace_back(note{command_kept{{++last_number_, m.by, m.id, text_of(m.what), until_ns, answer}}});
@@ -185,7 +189,7 @@ void core::admit(effects& out, const operator_command& m, std::uint64_t request,
       if (newest.askers.size() == max_askers)
         return refuse(out, m, request, {verdict::busy, "many have said the same, and it is under way"}, now);
       newest.askers.push_back(request);
-      return put_row(out, m.by, m.what, m.id, {verdict::taken, "with another one that is under way"});
+      return put_row(out, m.by, m.what, m.id, {verdict::taken, "with another one that is under way"}, now);
     }
   }
   const auto until_ns = m.valid_until_ns == 0 ? now.wall_ns + usual_validity_ns : m.valid_until_ns;
@@ -247,7 +251,7 @@ void core::end(effects& out, std::uint64_t number, command_answer answer, instan
     return;
   const auto& each = done.mapped();
   refused_ += answer.verdict == verdict::taken ? 0 : 1;
-  put_row(out, each.as.by, each.what, each.as.id, answer);
+  put_row(out, each.as.by, each.what, each.as.id, answer, now);
   // A stop that was not taken is handed over again when it is said again.
   if (!each.is_stop) {
     out.emplace_back(note{command_ended{number, answer}});
@@ -261,12 +265,14 @@ void core::end(effects& out, std::uint64_t number, command_answer answer, instan
 }
 
 void core::put_row(effects& out, const principal& by, const operators::command& what, const std::string& id,
-                   const command_answer& answer) {
-  audit_.add(out, {.who = by,
-                   .what = words_of(what),
-                   .id = id,
-                   .outcome = std::string(io::name_of(answer.verdict)),
-                   .reason = answer.reason});
+                   const command_answer& answer, instant now) {
+  audit_.add(out,
+             {.who = by,
+              .what = words_of(what),
+              .id = id,
+              .outcome = std::string(io::name_of(answer.verdict)),
+              .reason = answer.reason},
+             now);
 }
 
 // -- control, sessions, audit -----------------------------------------------------------------------
@@ -284,7 +290,8 @@ std::pair<effects, leave> core::on_leave(const ask_leave& m, instant now) {
   if (answer.verdict != verdict::taken)
     audit_.add(
         out,
-        {.who = m.by, .what = m.what, .outcome = std::string(io::name_of(answer.verdict)), .reason = answer.reason});
+        {.who = m.by, .what = m.what, .outcome = std::string(io::name_of(answer.verdict)), .reason = answer.reason},
+        now);
   return {std::move(out), std::move(answer)};
 }
 
@@ -294,7 +301,7 @@ std::pair<effects, control_answer> core::on_control(const change_control& m, ins
   if (!is_known(out, m.by, "change control", now))
     return {std::move(out), {false, log_in_first, {}}};
   if (m.by.role < role::operator_) {
-    audit_.add(out, {.who = m.by, .what = "change control", .outcome = "wrong_role"});
+    audit_.add(out, {.who = m.by, .what = "change control", .outcome = "wrong_role"}, now);
     return {std::move(out), {false, "a viewer can not have control", {}}};
   }
   auto answer = control_.change(out, m, sessions_.named(m.to, now), now);
@@ -321,9 +328,9 @@ std::pair<effects, link_answer> core::on_link(const make_link& m, instant now) {
   return {std::move(out), std::move(answer)};
 }
 
-std::pair<effects, session_ended> core::on_end(const end_session& m, instant) {
+std::pair<effects, session_ended> core::on_end(const end_session& m, instant now) {
   effects out;
-  const auto answer = sessions_.close(out, m);
+  const auto answer = sessions_.close(out, m, now);
   return {std::move(out), answer};
 }
 
@@ -347,23 +354,17 @@ effects core::on_note(const audit_note& m, instant now) {
   if (m.who.session.empty())
     audit_.add_stranger(out, m.who.name, std::move(row), now);
   else
-    audit_.add(out, std::move(row));
+    audit_.add(out, std::move(row), now);
   return out;
 }
 
-std::pair<effects, audit_list> core::on_get_audit(const get_audit& m, instant now) {
+std::pair<effects, audit_leave> core::on_read_audit(const read_audit& m, instant now) {
   effects out;
   if (!is_known(out, m.by, "read the audit", now))
-    return {std::move(out), {log_in_first, {}}};
+    return {std::move(out), {log_in_first}};
   if (m.by.role < role::operator_)
-    return {std::move(out), {"a viewer does not read the audit", {}}};
-  audit_list result;
-  result.rows = s_.audit;
-  result.rows.insert(result.rows.end(), s_.strangers.begin(), s_.strangers.end());
-  std::ranges::sort(result.rows, {}, &audit_row::number);
-  if (result.rows.size() > m.most)
-    result.rows.erase(result.rows.begin(), result.rows.end() - static_cast<std::ptrdiff_t>(m.most));
-  return {std::move(out), std::move(result)};
+    return {std::move(out), {"a viewer does not read the audit"}};
+  return {std::move(out), {}};
 }
 
 operators_view core::describe() const {
@@ -380,12 +381,13 @@ operators_view core::describe() const {
 
 std::int64_t core::next_due_ns() const {
   const auto sweep_ns = s_.sessions.empty() && s_.links.empty() ? never_due : swept_ns_ + sessions::swept_each_ns;
-  return std::min(control_.silent_at_ns(never_due), sweep_ns);
+  return std::min({control_.silent_at_ns(never_due), sweep_ns, audit_.due_ns(never_due)});
 }
 
 effects core::on_time(instant now) {
   effects out;
   control_.free_silent(out, now);
+  audit_.write_counted(out, now);
   if (now.monotonic_ns - swept_ns_ >= sessions::swept_each_ns) {
     swept_ns_ = now.monotonic_ns;
     sessions_.sweep(out, now);

@@ -44,7 +44,7 @@ public:
   core(const settings& set, const state& durable, instant now);
 
   // What an earlier incarnation had handed over.
-  [[nodiscard]] effects on_start();
+  [[nodiscard]] effects on_start(instant now);
   [[nodiscard]] effects on_command(const operator_command& m, std::uint64_t request, instant now);
 
   struct released {
@@ -67,7 +67,7 @@ public:
   [[nodiscard]] std::pair<effects, identity> on_identify(const identify& m, instant now);
   [[nodiscard]] effects on_accounts(const accounts_read& m, instant now);
   [[nodiscard]] effects on_note(const audit_note& m, instant now);
-  [[nodiscard]] std::pair<effects, audit_list> on_get_audit(const get_audit& m, instant now);
+  [[nodiscard]] std::pair<effects, audit_leave> on_read_audit(const read_audit& m, instant now);
   [[nodiscard]] operators_view describe() const;
 
   // Monotonic; on_time is due then.
@@ -96,7 +96,7 @@ private:
   void supersede_waiting(effects& out, const operators::principal& by, instant now);
   void end(effects& out, std::uint64_t number, command_answer answer, instant now);
   void put_row(effects& out, const operators::principal& by, const operators::command& what, const std::string& id,
-               const command_answer& answer);
+               const command_answer& answer, instant now);
   [[nodiscard]] under_way* find_under_way(const operator_command& m);
   [[nodiscard]] bool is_known(effects& out, const operators::principal& by, const std::string& what, instant now);
   void hear(const operators::principal& who, instant now);

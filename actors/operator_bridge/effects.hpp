@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -27,7 +28,12 @@ struct reply {
   bool waits = true; // until all that was decided is on the disk
 };
 
-using effect = std::variant<note, hand_over, reply>;
+// A session, or the right of a program to speak by its token.
+struct session_over {
+  std::string session;
+};
+
+using effect = std::variant<note, hand_over, reply, session_over>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::operator_bridge

@@ -52,29 +52,29 @@ session_answer sessions::open(effects& out, const use_link& m, instant now) {
 link_answer sessions::make(effects& out, const make_link& m, instant now) {
   const auto until_ns = now.wall_ns + link_ns;
   out.emplace_back(note{link_made{{m.link_hash, m.by, until_ns}}});
-  audit_.add(out, {.who = m.by, .what = "make a link to log in", .outcome = "done"});
+  audit_.add(out, {.who = m.by, .what = "make a link to log in", .outcome = "done"}, now);
   return {true, {}, until_ns};
 }
 
-session_ended sessions::close(effects& out, const end_session& m) {
+session_ended sessions::close(effects& out, const end_session& m, instant now) {
   const auto found = std::ranges::find(s_.sessions, m.by.session, &session::id);
   if (found == s_.sessions.end())
     return {false};
-  end(out, *found, "log out");
+  end(out, *found, "log out", now);
   return {true};
 }
 
 session_answer sessions::put(effects& out, account who, std::string token_hash, std::string from, instant now) {
-  make_room(out, who.name);
+  make_room(out, who.name, now);
   session made{"s" + std::to_string(s_.last_session + 1), std::move(who), std::move(token_hash), std::move(from), 0, 0};
   made.who.token_hash.clear();
   auto as = principal_of(made);
-  audit_.add(out, {.who = as, .what = "log in from " + made.from, .outcome = "done"});
+  audit_.add(out, {.who = as, .what = "log in from " + made.from, .outcome = "done"}, now);
   out.emplace_back(note{session_opened{std::move(made)}});
   return {true, {}, std::move(as), now.wall_ns + set_.session_most_s * ns_per_s};
 }
 
-void sessions::make_room(effects& out, const std::string& name) {
+void sessions::make_room(effects& out, const std::string& name, instant now) {
   const auto of_one = std::ranges::count_if(s_.sessions, [&](const auto& each) { return each.who.name == name; });
   const bool is_one_full = static_cast<std::size_t>(of_one) >= max_sessions_of_one;
   if (!is_one_full && s_.sessions.size() < max_sessions)
@@ -84,14 +84,15 @@ void sessions::make_room(effects& out, const std::string& name) {
     if ((!is_one_full || each.who.name == name) && (longest == nullptr || used_ns(each) < used_ns(*longest)))
       longest = &each;
   if (longest != nullptr)
-    end(out, *longest, "log out, because others logged in");
+    end(out, *longest, "log out, because others logged in", now);
 }
 
-void sessions::end(effects& out, const session& each, const std::string& why) {
-  audit_.add(out, {.who = principal_of(each), .what = why, .outcome = "done"});
-  control_.free_session(out, each.id);
+void sessions::end(effects& out, const session& each, const std::string& why, instant now) {
+  audit_.add(out, {.who = principal_of(each), .what = why, .outcome = "done"}, now);
+  control_.free_session(out, each.id, now);
   used_ns_.erase(each.id);
   out.emplace_back(note{session_closed{each.id}});
+  out.emplace_back(session_over{each.id});
 }
 
 // -- who it is --------------------------------------------------------------------------------------
@@ -137,22 +138,27 @@ std::optional<principal> sessions::named(const std::string& name, instant now) c
 }
 
 void sessions::on_accounts(effects& out, const accounts_read& m, instant now) {
+  for (const auto& each : accounts_.value_or(std::vector<account>()))
+    if (const auto* const now_as = find_account(m.list, each.name);
+        !each.token_hash.empty() &&
+        (now_as == nullptr || now_as->token_hash != each.token_hash || now_as->role != each.role))
+      out.emplace_back(session_over{session_of_token(each)});
   accounts_ = m.list;
   for (const auto& each : s_.sessions) {
     if (each.who.stamp.empty()) // by a link: it belongs to no account
       continue;
     const auto* const as = find_account(accounts_, each.who.name);
     if (as == nullptr || as->stamp != each.who.stamp || as->role != each.who.role)
-      end(out, each, "log out, because the account has changed");
+      end(out, each, "log out, because the account has changed", now);
   }
   if (s_.control && s_.control->who.session.starts_with("token:") && !is_alive(s_.control->who, now))
-    control_.free_session(out, s_.control->who.session);
+    control_.free_session(out, s_.control->who.session, now);
 }
 
 void sessions::sweep(effects& out, instant now) {
   for (const auto& each : s_.sessions)
     if (is_over(each, now))
-      end(out, each, "log out, because the session is over");
+      end(out, each, "log out, because the session is over", now);
   for (const auto& each : s_.links)
     if (each.until_ns <= now.wall_ns)
       out.emplace_back(note{link_dropped{each.hash}});

@@ -32,7 +32,7 @@ public:
   [[nodiscard]] session_answer open(effects& out, const open_session& m, instant now);
   [[nodiscard]] session_answer open(effects& out, const use_link& m, instant now);
   [[nodiscard]] link_answer make(effects& out, const make_link& m, instant now);
-  [[nodiscard]] session_ended close(effects& out, const end_session& m);
+  [[nodiscard]] session_ended close(effects& out, const end_session& m, instant now);
 
   // -- who it is
   [[nodiscard]] identity find(effects& out, const identify& m, instant now);
@@ -50,8 +50,8 @@ private:
   [[nodiscard]] bool is_over(const session& each, instant now) const;
   [[nodiscard]] std::int64_t used_ns(const session& each) const;
   [[nodiscard]] session_answer put(effects& out, account who, std::string token_hash, std::string from, instant now);
-  void end(effects& out, const session& each, const std::string& why);
-  void make_room(effects& out, const std::string& name);
+  void end(effects& out, const session& each, const std::string& why, instant now);
+  void make_room(effects& out, const std::string& name, instant now);
 
   const settings& set_;
   const state& s_;

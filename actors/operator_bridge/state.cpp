@@ -37,25 +37,17 @@ void put(state& s, const command_ended& m, std::int64_t) {
     found->answer = m.answer;
 }
 
-bool are_alike(const audit_row& left, const audit_row& right) {
-  return left.who == right.who && left.what == right.what && left.id == right.id && left.outcome == right.outcome &&
-         left.reason == right.reason;
-}
-
 void put(state& s, const audited& m, std::int64_t at_ns) {
-  const bool is_stranger = m.row.who.session.empty();
-  auto& rows = is_stranger ? s.strangers : s.audit;
-  if (!rows.empty() && are_alike(rows.back(), m.row) && at_ns - rows.back().at_ns < alike_within_ns) {
-    rows.back().at_ns = at_ns;
-    rows.back().count += m.row.count;
+  if (m.row.number != 0) {
+    s.last_row = std::max(s.last_row, m.row.number);
     return;
   }
-  if (rows.size() == (is_stranger ? max_stranger_rows : max_audit_rows))
-    rows.erase(rows.begin());
-  rows.push_back(m.row);
-  rows.back().number = ++s.last_row;
-  rows.back().at_ns = at_ns;
+  s.unmoved.push_back(m.row);
+  s.unmoved.back().number = ++s.last_row;
+  s.unmoved.back().at_ns = at_ns;
 }
+
+void put(state& s, const rows_moved&, std::int64_t) { s.unmoved.clear(); }
 
 void put(state& s, const control_changed& m, std::int64_t at_ns) {
   s.control.reset();
@@ -94,6 +86,17 @@ void put(state& s, const link_dropped& m, std::int64_t) {
 std::vector<durable_core::effect> durable_core::apply(state& s, const event& happened, std::int64_t at_ns) {
   std::visit([&](const auto& each) { put(s, each, at_ns); }, happened);
   return {};
+}
+
+tl::expected<nlohmann::json, std::string> durable_core::migrate(nlohmann::json old, int) {
+  auto rows = nlohmann::json::array();
+  for (const auto* kept : {"audit", "strangers"})
+    for (auto& each : old.value(kept, nlohmann::json::array()))
+      rows.push_back(std::move(each));
+  old.erase("audit");
+  old.erase("strangers");
+  old["unmoved"] = std::move(rows);
+  return old;
 }
 
 bool has_room(const state& s, const operators::principal& who, std::int64_t wall_ns) {

@@ -1,5 +1,6 @@
-// What of operator_bridge must survive a crash: who is logged in, who has control, which commands were obeyed, and the
-// audit. The facts change it and decide nothing. Pure. Thread: plain values.
+// What of operator_bridge must survive a crash: who is logged in, who has control and which commands were obeyed. The
+// rows of the audit are in a table of the journal (audit_table.hpp), and only their last number is here. The facts
+// change it and decide nothing. Pure. Thread: plain values.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +9,9 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
 
 #include "io/fields/field_table.hpp"
 #include "messages/operator_bridge/audit.hpp"
@@ -20,11 +24,9 @@ namespace godwit::operator_bridge {
 
 inline constexpr std::size_t max_kept_commands = 256; // ids whose repetition is known
 inline constexpr std::size_t max_kept_of_one = 64;    // of one person or program
-inline constexpr std::size_t max_stranger_rows = 50;  // of others, so that they displace nobody
 inline constexpr std::size_t max_sessions = 64;       // of all; one more ends the one that was silent for longest
 inline constexpr std::size_t max_sessions_of_one = 8; // of one name
 inline constexpr std::size_t max_links = 8;           // of `ctl login` that nobody has used
-inline constexpr std::int64_t alike_within_ns = 60'000'000'000; // rows that say the same are one row
 
 struct session {
   std::string id; // "s7"
@@ -76,9 +78,17 @@ struct command_ended {
                                            io::field("answer", &command_ended::answer));
 };
 
+// A row of the audit; with the number of an earlier one it takes that one's place. Without a number: of an earlier
+// version, which kept the rows in the state.
 struct audited {
-  audit_row row; // without its number and time
+  audit_row row;
   static constexpr auto fields = io::table("operator_bridge.audited", io::field("row", &audited::row));
+};
+
+// Rows that were in the state are in the table now.
+struct rows_moved {
+  std::vector<audit_row> rows;
+  static constexpr auto fields = io::table("operator_bridge.rows_moved", io::field("rows", &rows_moved::rows));
 };
 
 struct control_changed {
@@ -119,25 +129,24 @@ struct state {
   std::vector<session> sessions;      // bounded by max_sessions
   std::vector<link> links;            // bounded by max_links
   std::optional<control_holder> control;
-  std::vector<audit_row> audit;     // the oldest first, bounded by max_audit_rows
-  std::vector<audit_row> strangers; // the same of those without a session, bounded by max_stranger_rows
-  static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("operator_bridge.state", io::field("last_command", &state::last_command),
-                io::field("last_session", &state::last_session), io::field("last_row", &state::last_row),
-                io::field("commands", &state::commands), io::field("sessions", &state::sessions),
-                io::field("links", &state::links), io::field("control", &state::control),
-                io::field("audit", &state::audit), io::field("strangers", &state::strangers));
+  std::vector<audit_row> unmoved;   // of an older version: still to be written to the table
+  static constexpr int version = 2; // 1: with the rows of the audit
+  static constexpr auto fields = io::table(
+      "operator_bridge.state", io::field("last_command", &state::last_command),
+      io::field("last_session", &state::last_session), io::field("last_row", &state::last_row),
+      io::field("commands", &state::commands), io::field("sessions", &state::sessions),
+      io::field("links", &state::links), io::field("control", &state::control), io::field("unmoved", &state::unmoved));
 };
 
 struct durable_core {
   using state = operator_bridge::state;
-  using event = std::variant<command_kept, command_ended, audited, control_changed, session_opened, session_used,
-                             session_closed, link_made, link_dropped>;
+  using event = std::variant<command_kept, command_ended, audited, rows_moved, control_changed, session_opened,
+                             session_used, session_closed, link_made, link_dropped>;
   using effect = std::variant<command_answer>; // none comes of a fact: the shell answers
 
   [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t at_ns);
   [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
+  [[nodiscard]] static tl::expected<nlohmann::json, std::string> migrate(nlohmann::json old, int from_version);
 };
 
 // A new id can be kept: there is room, or one whose time has passed gives it.

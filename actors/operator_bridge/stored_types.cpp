@@ -8,6 +8,7 @@ GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::command_kept);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::control_changed);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::link_dropped);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::link_made);
+GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::rows_moved);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::session_closed);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::session_opened);
 GODWIT_DEFINE_MESSAGE(godwit::operator_bridge::session_used);

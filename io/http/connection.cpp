@@ -23,7 +23,16 @@ struct connection::ends {
 
 connection::connection(asio::io_context& io) : connection(tcp::socket(io)) {}
 connection::connection(tcp::socket accepted) : ends_(std::make_unique<ends>(std::move(accepted))) {}
-connection::~connection() = default;
+connection::~connection() {
+  if (place_)
+    place_->end_connection = nullptr;
+}
+
+void connection::occupy(std::shared_ptr<client_place> place) {
+  place_ = std::move(place);
+  if (place_)
+    place_->end_connection = [this] { close(); };
+}
 
 tcp::socket& connection::socket() { return ends_->socket; }
 

@@ -16,6 +16,8 @@
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/ssl/stream_base.hpp>
 
+#include "io/http/client_place.hpp"
+
 namespace godwit::io::http {
 
 class connection {
@@ -48,10 +50,16 @@ public:
   // True when the other side has neither closed nor said anything that was not asked for.
   [[nodiscard]] bool is_quiet();
   std::chrono::steady_clock::time_point idle_since;
-  std::shared_ptr<void> place; // by which a server counts it; given back with it, whoever has it then
+  // By which a server counts it; given back with it, whoever has it then.
+  void occupy(std::shared_ptr<client_place> place);
+  [[nodiscard]] std::weak_ptr<client_place> place() const { return place_; }
+  // Kept for as long as it is spoken.
+  void keep(std::shared_ptr<boost::asio::ssl::context> tls) { tls_ = std::move(tls); }
 
 private:
   struct ends;
+  std::shared_ptr<client_place> place_;
+  std::shared_ptr<boost::asio::ssl::context> tls_; // goes after what speaks it
   std::unique_ptr<ends> ends_;
 };
 

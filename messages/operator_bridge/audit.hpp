@@ -11,19 +11,20 @@
 namespace godwit::operator_bridge {
 
 struct audit_row {
-  std::uint64_t number = 0;      // 1, 2, 3, ... without a gap; made by operator_bridge
+  std::uint64_t number = 0;      // rises; made by operator_bridge
   std::int64_t at_ns = 0;        // ns since 1970 (UTC); of the last one, where several are one row
   operators::principal who = {}; // without a session: a stranger, under the name that was given
   std::string what = {};         // "start", "take control"
   std::string id = {};           // of a command that has one
   std::string outcome = {};      // the name of a verdict; "done", "refused"
   std::string reason = {};       // sentence for people; may be empty
-  std::uint32_t count = 1;       // how many alike are in this row
+  std::uint32_t count = 1;       // how many are in this row: alike, or more than may be written of one person
   static constexpr auto fields = io::table(
       "operator_bridge.audit_row", io::field("number", &audit_row::number), io::field("at_ns", &audit_row::at_ns),
       io::field("who", &audit_row::who), io::field("what", &audit_row::what), io::field("id", &audit_row::id),
       io::field("outcome", &audit_row::outcome), io::field("reason", &audit_row::reason),
       io::field("count", &audit_row::count));
+  friend bool operator==(const audit_row&, const audit_row&) = default;
 };
 
 // Something that was done past operator_bridge, and is to be in the audit.
@@ -37,18 +38,27 @@ struct audit_note {
                 io::field("outcome", &audit_note::outcome), io::field("reason", &audit_note::reason));
 };
 
-struct get_audit {
+// May BY read the audit? Answered when all that was decided before is on the disk; the rows are in the journal.
+struct read_audit {
   operators::principal by;
-  std::uint32_t most = 50; // the newest
-  static constexpr auto fields =
-      io::table("operator_bridge.get_audit", io::field("by", &get_audit::by), io::field("most", &get_audit::most));
+  static constexpr auto fields = io::table("operator_bridge.read_audit", io::field("by", &read_audit::by));
 };
 
-struct audit_list {
-  std::string refusal;         // empty: here it is
+struct audit_leave {
+  std::string refusal; // empty: it may be read
+  static constexpr auto fields = io::table("operator_bridge.audit_leave", io::field("refusal", &audit_leave::refusal));
+};
+
+struct audit_query {
+  std::uint64_t before = 0; // rows with smaller numbers; 0: the newest
+  std::uint32_t most = 50;
+};
+
+struct audit_page {
   std::vector<audit_row> rows; // the oldest first
-  static constexpr auto fields = io::table("operator_bridge.audit_list", io::field("refusal", &audit_list::refusal),
-                                           io::field("rows", &audit_list::rows));
+  bool has_older = false;      // asked for with `before` = the first number here
+  static constexpr auto fields = io::table("operator_bridge.audit_page", io::field("rows", &audit_page::rows),
+                                           io::field("has_older", &audit_page::has_older));
 };
 
 } // namespace godwit::operator_bridge

@@ -12,7 +12,7 @@ namespace godwit::operator_bridge {
 // Who brings what operators say, and has made sure of the principal.
 using desk_handle =
     runtime::mailbox<runtime::asks<operator_command, command_answer>, runtime::asks<change_control, control_answer>,
-                     runtime::asks<get_operators, operators_view>, runtime::asks<get_audit, audit_list>,
+                     runtime::asks<get_operators, operators_view>, runtime::asks<read_audit, audit_leave>,
                      runtime::tells<audit_note>, runtime::asks<make_link, link_answer>,
                      runtime::asks<ask_leave, leave>>;
 

@@ -8,7 +8,7 @@
 
 namespace godwit::operator_bridge {
 
-inline constexpr std::uint32_t max_audit_rows = 200; // of people who are known; as many are listed at most
+inline constexpr std::uint32_t max_audit_page = 200; // rows that are listed at once
 
 // A hand-over says to whom, and nothing else does.
 [[nodiscard]] inline bool names_whom_it_needs(control_act act, std::string_view to) {

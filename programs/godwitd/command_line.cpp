@@ -196,6 +196,7 @@ void add_operators(CLI::App& ctl, invocation& to) {
   auto* const audit = ctl.add_subcommand("audit", "Who said what, when, and what came of it.");
   audit->fallthrough();
   audit->add_option("--rows", to.rows, "The newest, 1 to 200 (50)")->check(CLI::Range(1, 200));
+  audit->add_option("--before", to.before, "Rows before this number, to page on")->check(CLI::PositiveNumber);
   audit->callback([&to] { to.what = task::list_audit; });
 }
 

@@ -60,6 +60,7 @@ struct invocation {
   std::string actor;                     // crash_actor
   wanted_control control;                // change_control
   std::uint32_t rows = 50;               // list_audit
+  std::uint64_t before = 0;              // the same; 0: the newest
   accounts::operator_arguments account;  // keep_accounts
   scan_controller::decide_point decided; // decide_point; by is left empty
   std::uint64_t point = 0;               // say_word, insert: at its place; 0: none

@@ -110,8 +110,9 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.flight = flight_.executor;
   of_desk.missions = flight_.executor;
   of_desk.bridge = flight_.bridge;
+  of_desk.read_audit = audit_of_journal();
   if (wanted_.operators)
-    operators_.add_desks(host_->actors(), wanted_, base_, flight_, pictured_points());
+    operators_.add_desks(host_->actors(), wanted_, base_, flight_, pictured_points(), audit_of_journal());
   if (wanted_.ground)
     of_desk.ground = control::ground_handle(flight_.ground);
   of_desk.failsafe = base_.failsafe;
@@ -120,6 +121,14 @@ void composition::add_flight(control::peers& of_desk) {
   of_desk.points = flight_.scan;
   if (flight_.eyes)
     of_desk.eyes = flight_.eyes;
+}
+
+audit_source composition::audit_of_journal() {
+  if (!audit_)
+    audit_ = std::make_unique<audit_reader>(wanted_.process.journal.path);
+  return [reader = audit_.get()](const operator_bridge::audit_query& wanted, auto then) {
+    reader->read(wanted, std::move(then));
+  };
 }
 
 bool composition::is_in_flight() {

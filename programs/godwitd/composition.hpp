@@ -18,6 +18,7 @@
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
+#include "programs/godwitd/audit_reader.hpp"
 #include "programs/godwitd/camera_trial.hpp"
 #include "programs/godwitd/control/request_handler.hpp"
 #include "programs/godwitd/control/server.hpp"
@@ -51,6 +52,9 @@ public:
   // Starts the actors and joins them to the world. After an error: close().
   [[nodiscard]] tl::expected<void, std::string> open();
 
+  // The certificate of the operators' port. Any thread.
+  void read_anew() { operators_.read_certificate_anew(); }
+
   // In order; returns CODE.
   [[nodiscard]] int close(runtime::exit_code code);
 
@@ -71,6 +75,7 @@ private:
   void add_actors();
   void add_flight(control::peers& of_desk);
   void add_ground_run(control::peers& of_desk);
+  [[nodiscard]] audit_source audit_of_journal();
   void open_link_log();
   void open_vehicle();
   void open_ground();
@@ -112,6 +117,7 @@ private:
 
   std::unique_ptr<host_facts> facts_;
   actor_surroundings outside_;
+  std::unique_ptr<audit_reader> audit_;    // with a flight; after the journal has opened
   std::unique_ptr<runtime::process> host_; // ends before what its actors meet
   std::unique_ptr<link_log> link_log_;     // none: the links are not recorded
   base_actors base_;

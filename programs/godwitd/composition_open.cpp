@@ -36,7 +36,8 @@ tl::expected<void, std::string> composition::open() {
   if (wanted_.flies)
     open_ground();
   if (wanted_.operators)
-    operators_.open(*host_, *wanted_.operators, views_outside_, views_, {eyes_, point_pictures_, keeper_.get()},
+    operators_.open(*host_, *wanted_.operators, views_outside_, views_,
+                    {eyes_, point_pictures_, keeper_.get(), outside_.session_ends},
                     [this](const std::string& sentence, bool is_warning) {
                       announce({sentence, is_warning}, "operator_port");
                     });

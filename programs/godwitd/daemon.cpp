@@ -100,7 +100,12 @@ exit_code run_made(composition& made, program_log& log, signal_handler& signals,
       [&made](const std::string& name) {
         made.host().actors().request_exit({runtime::exit_cause::requested, name});
       },
-      [&beats, &log] { beats.around_reload([&log] { reopen(log); }); });
+      [&made, &beats, &log] {
+        beats.around_reload([&] {
+          reopen(log);
+          made.read_anew();
+        });
+      });
   auto code = exit_code::failed;
   if (const auto opened = made.open(); !opened) {
     complain(log, opened.error());

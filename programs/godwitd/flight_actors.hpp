@@ -28,6 +28,7 @@
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "actors/movement_detector/eyes_port.hpp"
+#include "actors/operator_bridge/session_ends.hpp"
 #include "actors/vehicle_link/listeners.hpp"
 #include "io/link/wire.hpp"
 #include "io/mavlink/signing/channel.hpp"
@@ -81,6 +82,9 @@ struct actor_surroundings {
   std::shared_ptr<movement_detector::eyes_port> eyes;     // with SETTINGS.camera, and with sightings; else none
   std::shared_ptr<daemon::point_pictures> point_pictures; // the same
   std::shared_ptr<camera_trial> camera;                   // none: the camera is not tried before the flight
+
+  // Who hears that a session of an operator has ended.
+  std::shared_ptr<operator_bridge::session_ends> session_ends = std::make_shared<operator_bridge::session_ends>();
 
   // Of this process, and of no other one: what is delivered has keys that are made with it.
   std::uint64_t seed = 0;

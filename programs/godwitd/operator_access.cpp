@@ -34,10 +34,12 @@ operator_port::route_list camera_routes(const operator_access::sources& from, co
 
 void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
                                 const flight_actors& flight,
-                                std::function<std::vector<std::uint64_t>()> pictured_points) {
-  desk_ = actors.add<operator_port::operator_desk>(
-      {.name = "operator_desk"}, replaceable,
-      operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe, std::move(pictured_points)}, answers_);
+                                std::function<std::vector<std::uint64_t>()> pictured_points, audit_source audit) {
+  desk_ =
+      actors.add<operator_port::operator_desk>({.name = "operator_desk"}, replaceable,
+                                               operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe,
+                                                                         std::move(pictured_points), std::move(audit)},
+                                               answers_);
   page_desks_ = add_page_desks(actors, wanted, base, flight, answers_);
 }
 
@@ -98,16 +100,27 @@ void operator_access::open(runtime::process& host, const operator_port::settings
   operator_port::port_guards guards;
   if (from.keeper != nullptr)
     guards = add_commands(host, *from.keeper, routes);
+  guards.on_certificate = [this, say](const auto& now) { tell_certificate(now, say); };
   if (const auto opened = port_.open(wanted, std::move(routes), std::move(guards)); !opened) {
     const auto sentence = "the operator's port can not be opened: " + opened.error();
     host.health().post("operator_port", runtime::health_colour::yellow, sentence);
     return say(sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true);
   }
+  session_ends_ = from.session_ends;
+  if (session_ends_)
+    session_ends_->listen([this](const std::string& session) { port_.end_session(session); });
   tell(say);
 }
 
+void operator_access::tell_certificate(const tl::expected<std::string, std::string>& now, const sayer& say) {
+  if (!now)
+    return say(now.error(), true);
+  say("the certificate was read anew; its fingerprint (SHA-256) is " + *now, false);
+  view_->set(port_.url(), *now);
+}
+
 void operator_access::tell(const sayer& say) {
-  const auto& fingerprint = port_.fingerprint();
+  const auto fingerprint = port_.fingerprint();
   say("what there is to see: " + port_.url() + "/", false);
   if (!fingerprint.empty())
     say(std::string(port_.is_certificate_new() ? "a new certificate was made; its" : "the certificate's") +
@@ -117,6 +130,8 @@ void operator_access::tell(const sayer& say) {
 }
 
 void operator_access::close() {
+  if (session_ends_)
+    session_ends_->listen(nullptr);
   port_.close([this] {
     view_api_->close();
     stream_api_->close();

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "actors/operator_bridge/session_ends.hpp"
 #include "io/eyes/helper.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/control/port_view.hpp"
@@ -35,6 +36,7 @@ public:
     std::shared_ptr<io::eyes::helper> eyes;
     std::shared_ptr<point_pictures> pictures;
     accounts::account_keeper* keeper = nullptr; // none: there are no operators, and nobody commands
+    std::shared_ptr<operator_bridge::session_ends> session_ends;
   };
   using sayer = std::function<void(const std::string& sentence, bool is_warning)>;
 
@@ -42,12 +44,14 @@ public:
 
   // Before the actors start; in a daemon that flies. PICTURED_POINTS: which the camera has shown; empty: there is none.
   void add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
-                 const flight_actors& flight, std::function<std::vector<std::uint64_t>()> pictured_points);
+                 const flight_actors& flight, std::function<std::vector<std::uint64_t>()> pictured_points,
+                 audit_source audit);
   // A port that is taken is said, and is no reason not to fly. HOST and SAY outlive it.
   void open(runtime::process& host, const operator_port::settings& wanted, const view_surroundings& shown,
             const view_actors& views, sources from, sayer say);
   void end_answers() { answers_->end(); } // who waits for an actor is answered
   void close();
+  void read_certificate_anew() { port_.read_certificate_anew(); }
 
   // What was logged, for who opens the page later. Any thread.
   void note(telemetry_stream::text_ptr line) { log_api_->add(std::move(line)); }
@@ -62,16 +66,18 @@ private:
   [[nodiscard]] operator_port::port_guards add_commands(runtime::process& host, accounts::account_keeper& keeper,
                                                         operator_port::route_list& routes);
   void tell(const sayer& say);
+  void tell_certificate(const tl::expected<std::string, std::string>& now, const sayer& say);
 
   operator_port::port port_;
   std::shared_ptr<operator_port::waiting_answers> answers_;
   std::shared_ptr<operator_port::log_api> log_api_ = std::make_shared<operator_port::log_api>();
   std::shared_ptr<control::port_view> view_ = std::make_shared<control::port_view>();
-  std::shared_ptr<operator_port::view_api> view_api_;         // none before open
-  std::shared_ptr<operator_port::stream_api> stream_api_;     // the same
-  std::shared_ptr<operator_port::operator_api> operator_api_; // the same, and without a flight
-  operator_port::desk_inlet desk_;                            // none without a flight
-  page_desks page_desks_;                                     // the same
+  std::shared_ptr<operator_port::view_api> view_api_;           // none before open
+  std::shared_ptr<operator_port::stream_api> stream_api_;       // the same
+  std::shared_ptr<operator_port::operator_api> operator_api_;   // the same, and without a flight
+  operator_port::desk_inlet desk_;                              // none without a flight
+  page_desks page_desks_;                                       // the same
+  std::shared_ptr<operator_bridge::session_ends> session_ends_; // none before open
 };
 
 } // namespace godwit::daemon

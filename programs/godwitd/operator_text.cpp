@@ -38,7 +38,10 @@ std::string row_text(const json& row) {
 
 std::string audit_text(const json& answer) {
   std::string result;
-  for (const auto& row : answer.value("rows", json::array()))
+  const auto rows = answer.value("rows", json::array());
+  if (answer.value("has_older", false) && !rows.empty())
+    result = "older rows: godwitd ctl audit --before " + std::to_string(rows.front().value("number", std::uint64_t{0}));
+  for (const auto& row : rows)
     result += (result.empty() ? "" : "\n") + row_text(row);
   return result.empty() ? "nobody has said anything" : result;
 }

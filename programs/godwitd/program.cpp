@@ -189,7 +189,8 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   case task::keep_accounts:
     return accounts::run_operator(asked.account, accounts_path(*configuration));
   case task::list_audit:
-    return ask_running(*configuration, {{"do", "audit"}, {"by", speaker()}, {"rows", asked.rows}}, asked.json,
+    return ask_running(*configuration,
+                       {{"do", "audit"}, {"by", speaker()}, {"rows", asked.rows}, {"before", asked.before}}, asked.json,
                        audit_text);
   default:
     break;

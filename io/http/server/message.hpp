@@ -3,10 +3,12 @@
 // Thread: plain values.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/http/client_place.hpp"
 #include "io/http/message.hpp"
 
 namespace godwit::io::http {
@@ -18,8 +20,9 @@ struct server_request {
   std::string target; // path and query, as they came
   std::vector<header> headers;
   std::string body;
-  std::string from = {}; // address of the client; of both an IPv4 address is one also over IPv6
-  std::string to = {};   // address of this computer that it has asked
+  std::string from = {};                  // address of the client; of both an IPv4 address is one also over IPv6
+  std::string to = {};                    // address of this computer that it has asked
+  std::weak_ptr<client_place> place = {}; // of its connection
 
   [[nodiscard]] std::string_view find(std::string_view name) const { return find_header(headers, name); }
 };

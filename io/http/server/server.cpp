@@ -43,11 +43,11 @@ private:
   void accept();
   void accept_later();
   void welcome(tcp::socket accepted);
-  [[nodiscard]] bool let_in(const tcp::socket& accepted, std::shared_ptr<void>& place) const;
+  [[nodiscard]] bool let_in(const tcp::socket& accepted, std::shared_ptr<client_place>& place) const;
   void tell_when_empty();
 
-  std::function<asio::ssl::context*()> tls_;
-  std::function<std::shared_ptr<void>(const asio::ip::address& from)> admit_;
+  std::function<std::shared_ptr<asio::ssl::context>()> tls_;
+  std::function<std::shared_ptr<client_place>(const asio::ip::address& from)> admit_;
   tcp::acceptor acceptor_;
   tcp::endpoint where_; // port 0 until the first time
   asio::steady_timer pause_;
@@ -120,7 +120,7 @@ void server::engine::accept_later() {
   });
 }
 
-bool server::engine::let_in(const tcp::socket& accepted, std::shared_ptr<void>& place) const {
+bool server::engine::let_in(const tcp::socket& accepted, std::shared_ptr<client_place>& place) const {
   if (sessions_.size() >= parts_->set.max_connections)
     return false;
   if (!admit_)
@@ -133,7 +133,7 @@ bool server::engine::let_in(const tcp::socket& accepted, std::shared_ptr<void>& 
 }
 
 void server::engine::welcome(tcp::socket accepted) {
-  std::shared_ptr<void> place;
+  std::shared_ptr<client_place> place;
   if (!let_in(accepted, place)) {
     ++parts_->counters.turned_away;
     return; // and the socket closes

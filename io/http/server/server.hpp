@@ -21,6 +21,7 @@
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ssl/context.hpp>
 
+#include "io/http/client_place.hpp"
 #include "io/http/error.hpp"
 #include "io/http/server/counters.hpp"
 #include "io/http/server/request_reader.hpp"
@@ -33,12 +34,12 @@ struct server_hooks {
   // Called for each request, in the order of its connection.
   std::function<void(server_request asked, responder answer)> handle = {};
   body_limit max_body_bytes = {};
-  // Asked for each connection, so that a certificate can be exchanged while the server runs; what it gives stays until
-  // the server has gone. None: plain HTTP.
-  std::function<boost::asio::ssl::context*()> tls = {};
+  // Asked for each connection, so that a certificate can be exchanged while the server runs: a connection keeps what it
+  // was given. None: plain HTTP.
+  std::function<std::shared_ptr<boost::asio::ssl::context>()> tls = {};
   // Asked for each connection, by the address that it comes from. What it gives stays with the connection, also when
   // somebody else takes that over; null: it is turned away. None: all are let in, up to max_connections.
-  std::function<std::shared_ptr<void>(const boost::asio::ip::address& from)> admit = {};
+  std::function<std::shared_ptr<client_place>(const boost::asio::ip::address& from)> admit = {};
 };
 
 class server {

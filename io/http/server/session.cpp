@@ -32,18 +32,20 @@ bool is_plain_http(const boost::system::error_code& failed) {
 
 } // namespace
 
-session::session(std::shared_ptr<session_parts> parts, asio::ip::tcp::socket accepted, std::shared_ptr<void> place)
+session::session(std::shared_ptr<session_parts> parts, asio::ip::tcp::socket accepted,
+                 std::shared_ptr<client_place> place)
     : parts_(std::move(parts)), connection_(std::make_unique<connection>(std::move(accepted))), watchdog_(parts_->io),
       reader_(parts_->set, parts_->limit) {
-  connection_->place = std::move(place);
+  connection_->occupy(std::move(place));
   note_addresses();
 }
 
-void session::start(asio::ssl::context* tls) {
+void session::start(std::shared_ptr<asio::ssl::context> tls) {
   if (tls == nullptr)
     return read();
   watch(clock::now() + parts_->set.handshake_timeout, &server_counters::handshake_timeouts);
   connection_->begin_tls(*tls);
+  connection_->keep(std::move(tls));
   connection_->shake_hands(connection::side::server, [self = shared_from_this()](const error_code& failed, auto) {
     if (self->phase_ == phase::ended)
       return;
@@ -165,6 +167,7 @@ void session::handle() {
   auto asked = reader_.take();
   asked.from = from_;
   asked.to = to_;
+  asked.place = connection_->place();
   keeps_unread_ = false;
   is_head_only_ = asked.method == "HEAD";
   parts_->handle(std::move(asked), {weak_from_this(), request_number_, parts_->io.get_executor()});

@@ -45,11 +45,12 @@ class session : public std::enable_shared_from_this<session> {
 public:
   static constexpr std::size_t piece_bytes = 16 * 1024; // of an answer; what is written at a time
 
-  session(std::shared_ptr<session_parts> parts, boost::asio::ip::tcp::socket accepted, std::shared_ptr<void> place);
+  session(std::shared_ptr<session_parts> parts, boost::asio::ip::tcp::socket accepted,
+          std::shared_ptr<client_place> place);
 
-  void start(boost::asio::ssl::context* tls); // null: plain HTTP
-  void close();                               // when the answer that is under way has gone out; at once without one
-  void end();                                 // at once
+  void start(std::shared_ptr<boost::asio::ssl::context> tls); // null: plain HTTP
+  void close(); // when the answer that is under way has gone out; at once without one
+  void end();   // at once
 
   // -- for its responder
   [[nodiscard]] bool awaits(std::uint64_t request_number) const;

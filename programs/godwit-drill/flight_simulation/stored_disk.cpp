@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "actors/operator_bridge/audit_table.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/journal/sqlite_journal.hpp"
 
@@ -64,6 +65,7 @@ stored_disk::~stored_disk() { fault_vfs::instance().disarm(); }
 std::unique_ptr<runtime::file_below> stored_disk::open() {
   runtime::journal_options options;
   options.path = path_;
+  options.tables = {operator_bridge::audit_table()};
   options.vfs = fault_vfs::name;
   options.own_thread = false;
   options.clock = [this] { return std::chrono::steady_clock::time_point(std::chrono::nanoseconds(now_ns_())); };

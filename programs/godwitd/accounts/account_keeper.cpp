@@ -47,15 +47,44 @@ bool account_keeper::check(attempt what, answered then) {
   what.from = io::http::share_of(what.from);
   const bool is_here = what.from == "127.0.0.1" || what.from == "::1";
   const auto most = is_here ? max_waiting : max_waiting - max_waiting_of_one;
-  const std::lock_guard guard(mutex_);
-  const auto of_one = std::ranges::count_if(waiting_, [&](const auto& each) { return each.what.from == what.from; });
-  if (waiting_.size() >= most || static_cast<std::size_t>(of_one) >= max_waiting_of_one)
+  std::unique_lock lock(mutex_);
+  if (count_of(what.from) >= max_waiting_of_one)
     return false;
+  std::optional<waiting> displaced;
+  if (waiting_.size() >= most) {
+    displaced = displaced_by(what.from);
+    if (!displaced)
+      return false;
+  }
   const auto now = now_ms();
   const auto due = clock::time_point(std::chrono::milliseconds(delay_.due_ms(what.name, what.from, now)));
   waiting_.push_back({std::move(what), std::move(then), due});
   changed_.notify_all();
+  lock.unlock();
+  if (displaced)
+    displaced->then(tl::make_unexpected(refusal::gave_way));
   return true;
+}
+
+std::size_t account_keeper::count_of(const std::string& from) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(waiting_, [&](const auto& each) { return each.what.from == from; }));
+}
+
+// The newest of the address with the most, if that has more than FROM will have.
+std::optional<account_keeper::waiting> account_keeper::displaced_by(const std::string& from) {
+  auto leaves = waiting_.end();
+  auto most = count_of(from) + 1;
+  for (auto each = waiting_.begin(); each != waiting_.end(); ++each)
+    if (const auto its = count_of(each->what.from); its > most || (leaves != waiting_.end() && its == most)) {
+      leaves = each;
+      most = its;
+    }
+  if (leaves == waiting_.end())
+    return std::nullopt;
+  std::optional<waiting> result(std::move(*leaves));
+  waiting_.erase(leaves);
+  return result;
 }
 
 account_keeper::file_stamp account_keeper::stamp_of(const std::string& file) {
@@ -129,7 +158,7 @@ void account_keeper::judge(waiting one) {
       each.due = std::max(each.due, clock::time_point(std::chrono::milliseconds(
                                         delay_.due_ms(each.what.name, each.what.from, now_ms()))));
   }
-  one.then(is_right ? std::optional(described(*account)) : std::nullopt);
+  one.then(is_right ? verdict(described(*account)) : tl::make_unexpected(refusal::wrong));
 }
 
 } // namespace godwit::accounts

@@ -1,7 +1,7 @@
 // Judges passwords against the file of accounts, one at a time, and says when the file has changed.
 //
 //   HTTP ──check()──> tries that wait (login_delay) ──> scrypt, one at a time ──> ANSWER
-//   file ──each 2 s──> changed? ──> TOLD
+//   file ──each 0.5 s──> changed? ──> TOLD
 //
 // A name that is not there takes as long as one that is. Where the file can not be read any more, the accounts stay as
 // they were, and SAID gets a sentence. Errors: open, as a sentence. Thread: one of its own, in which all callbacks
@@ -30,8 +30,9 @@ namespace godwit::accounts {
 
 class account_keeper {
 public:
-  static constexpr std::chrono::milliseconds look_each{2'000};
-  static constexpr std::size_t max_waiting = 32;       // the last four for this computer
+  static constexpr std::chrono::milliseconds look_each{500};
+  // The last four are for this computer. When the others are taken, the address with the most gives one to another.
+  static constexpr std::size_t max_waiting = 32;
   static constexpr std::size_t max_waiting_of_one = 4; // from one address, or one IPv6 network of 64 bits
 
   struct attempt {
@@ -39,8 +40,12 @@ public:
     io::http::secret_text password;
     std::string from; // an address
   };
-  // None: the name or the password is wrong.
-  using answered = std::function<void(std::optional<operator_bridge::account> who)>;
+  enum class refusal {
+    wrong,   // the name or the password
+    gave_way // too many wait, and most of them come from its address
+  };
+  using verdict = tl::expected<operator_bridge::account, refusal>;
+  using answered = std::function<void(verdict who)>;
   using told = std::function<void(const operator_bridge::accounts_read& all)>;
   using said = std::function<void(const std::string& sentence)>;
 
@@ -52,7 +57,7 @@ public:
 
   // TELL is called at once, and at each change.
   void start(told tell, said say);
-  // False: too many wait; nothing is called.
+  // False: too many wait; nothing is called. Who gives way is told so by the caller.
   [[nodiscard]] bool check(attempt what, answered then);
   [[nodiscard]] bool has_accounts() const;
 
@@ -73,6 +78,8 @@ private:
   [[nodiscard]] static file_stamp stamp_of(const std::string& file);
   [[nodiscard]] static std::int64_t now_ms();
 
+  [[nodiscard]] std::size_t count_of(const std::string& from) const; // that wait
+  [[nodiscard]] std::optional<waiting> displaced_by(const std::string& from);
   void run();
   void look_at_file();
   void judge(waiting one);

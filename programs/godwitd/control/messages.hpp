@@ -55,6 +55,7 @@ struct control_request {
   operator_bridge::control_act act = operator_bridge::control_act::take; // control
   std::string to = {};                                                   // control: hand_over
   std::uint32_t rows = 50;                                               // audit: the newest
+  std::uint64_t before = 0;                                              // audit: of those before this number
   scan_controller::decide_point decided = {};                            // decide_point
   std::uint64_t point = 0;   // insert: at the place of this one, which a person has confirmed; 0: none
   bool ends_signing = false; // sign: the vehicle has no key from then on

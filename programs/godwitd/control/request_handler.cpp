@@ -360,12 +360,24 @@ void request_handler::make_link(const control_request& asked) {
 }
 
 void request_handler::list_audit(const control_request& asked) {
-  ask_bridge<operator_bridge::audit_list>(asked, operator_bridge::get_audit{speaker(asked), asked.rows},
-                                          [](const auto& list) {
-                                            auto document = json::parse(io::to_json(list));
-                                            document["ok"] = list.refusal.empty();
-                                            return document;
-                                          });
+  if (!others_.bridge)
+    return answer_with(asked.ticket, on_the_ground());
+  ask(
+      *others_.bridge, answer_timeout, operator_bridge::read_audit{speaker(asked)},
+      [this, asked](const operator_bridge::audit_leave& answer) {
+        if (!answer.refusal.empty())
+          return answer_with(asked.ticket, {{"ok", false}, {"error", answer.refusal}});
+        others_.read_audit({asked.before, asked.rows}, [answers = answers_, ticket = asked.ticket](const auto& page) {
+          json document{{"ok", false}};
+          if (page)
+            document = json::parse(io::to_json(*page));
+          else
+            document["error"] = page.error();
+          document["ok"] = page.has_value();
+          answers->put({ticket, document.dump(-1, ' ', false, json::error_handler_t::replace)});
+        });
+      },
+      [this, ticket = asked.ticket](const ask_error& why) { answer_with(ticket, no_bridge(why)); });
 }
 
 void request_handler::crash(const control_request& asked) {

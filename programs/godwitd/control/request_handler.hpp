@@ -30,6 +30,7 @@
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/handle.hpp"
+#include "programs/godwitd/audit_source.hpp"
 #include "programs/godwitd/control/messages.hpp"
 #include "programs/godwitd/control/port_view.hpp"
 #include "programs/godwitd/control/response_queue.hpp"
@@ -70,6 +71,7 @@ struct peers {
   std::function<bool(const std::string& name)> crash; // empty: not allowed. False: no such actor
   using rescued = std::function<void(tl::expected<std::string, std::string>)>; // the new file, or why not
   std::function<void(rescued then)> rescue_journal;                            // THEN: in any thread
+  audit_source read_audit;                                                     // with a flight
 };
 
 class request_handler final : public runtime::actor_base<request_handle> {

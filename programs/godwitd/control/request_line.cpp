@@ -130,15 +130,27 @@ tl::expected<control_request, std::string> read_control(const json& document) {
   return result;
 }
 
+// None: it is there, and no number from 0 on that the journal can have.
+std::optional<std::uint64_t> number_of(const json& document, const char* name, std::uint64_t usual) {
+  const auto found = document.find(name);
+  if (found == document.end())
+    return usual;
+  constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+  if (!found->is_number_unsigned() || found->get<std::uint64_t>() > most)
+    return std::nullopt;
+  return found->get<std::uint64_t>();
+}
+
 tl::expected<control_request, std::string> read_audit(const json& document) {
   auto result = request_of(document, request_kind::audit);
-  const auto rows = document.find("rows");
-  if (rows == document.end())
-    return result;
-  if (!rows->is_number_unsigned() || rows->get<std::uint64_t>() == 0 ||
-      rows->get<std::uint64_t>() > operator_bridge::max_audit_rows)
-    return tl::make_unexpected("\"rows\" is 1 to " + std::to_string(operator_bridge::max_audit_rows));
-  result.rows = rows->get<std::uint32_t>();
+  const auto rows = number_of(document, "rows", result.rows);
+  const auto before = number_of(document, "before", 0);
+  if (!rows || *rows == 0 || *rows > operator_bridge::max_audit_page)
+    return tl::make_unexpected("\"rows\" is 1 to " + std::to_string(operator_bridge::max_audit_page));
+  if (!before)
+    return tl::make_unexpected("\"before\" is the number of a row");
+  result.rows = static_cast<std::uint32_t>(*rows);
+  result.before = *before;
   return result;
 }
 

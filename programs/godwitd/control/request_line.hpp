@@ -6,7 +6,7 @@
 //                                                    "valid_until_ns" (messages/operator_bridge), and "state"
 //   {"do": "control", "by": "anna", "act": "take"}   or take_over, give, hand_over with "to"
 //   {"do": "login", "by": "anna", "link_hash": "..."}
-//   {"do": "audit", "by": "anna", "rows": 50}
+//   {"do": "audit", "by": "anna", "rows": 50, "before": 1200}
 //   {"do": "acknowledge", "by": "anna", "report": 1}
 //   {"do": "go_to", "by": "anna", "place": {"latitude": 47.398, "longitude": 8.546, "altitude_m": 40}}
 //   {"do": "insert", "by": "anna", "point": 3, "altitude_m": 40}

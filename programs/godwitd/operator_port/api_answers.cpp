@@ -107,11 +107,9 @@ server_response answer_of(const operator_bridge::operators_view& view, const ope
   return json_answer(200, document);
 }
 
-server_response answer_of(const operator_bridge::audit_list& list) {
-  if (!list.refusal.empty())
-    return problem(403, list.refusal);
+server_response answer_of(const operator_bridge::audit_page& page) {
   json rows = json::array();
-  for (const auto& each : list.rows)
+  for (const auto& each : page.rows)
     rows.push_back({{"number", each.number},
                     {"at", mission::utc_text(each.at_ns)},
                     {"who", json_of(each.who)},
@@ -120,7 +118,7 @@ server_response answer_of(const operator_bridge::audit_list& list) {
                     {"outcome", each.outcome},
                     {"reason", each.reason},
                     {"count", each.count}});
-  return json_answer(200, {{"rows", std::move(rows)}});
+  return json_answer(200, {{"rows", std::move(rows)}, {"has_older", page.has_older}});
 }
 
 server_response answer_of(const telemetry_stream::points_update& seen) {

@@ -32,7 +32,7 @@ namespace godwit::operator_port {
 // IS_YOURS: the one who asks has it.
 [[nodiscard]] io::http::server_response answer_of(const operator_bridge::operators_view& view,
                                                   const operators::principal& who);
-[[nodiscard]] io::http::server_response answer_of(const operator_bridge::audit_list& list);
+[[nodiscard]] io::http::server_response answer_of(const operator_bridge::audit_page& page);
 [[nodiscard]] io::http::server_response answer_of(const telemetry_stream::points_update& seen);
 
 } // namespace godwit::operator_port

@@ -1,18 +1,27 @@
-// How many clients are there, in all and from one address (io::http::share_of); a WebSocket is one for as long as it
-// lasts. The last places are kept for this computer: whoever fills the others keeps nobody there from the vehicle.
+// Who has a place at the port, in all and from one address (io::http::share_of); a WebSocket has one for as long as it
+// lasts.
+//
+//   there is room ─────────────────────────────────────────────────────────> a place
+//   the address has all of its share ── its longest without a session gives way ──> a place; all have one: none
+//   there is no room ── of the address with the most without a session, the longest ──> the same
+//
+// So whoever holds connections open keeps nobody out who logs in, and never displaces who has. One place in eight is
+// kept for this computer, whose clients give way to each other alone.
 //
 //   hooks.admit = [table](const auto& from) { return table->admit(from); };
 //
-// Thread: admit() in that of the port; a place may be given back by any.
+// Thread: admit and end_session in that of the port; a place is proved and given back by any.
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <list>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include <boost/asio/ip/address.hpp>
 
+#include "io/http/client_place.hpp"
 #include "io/http/server/client_share.hpp"
 
 namespace godwit::operator_port {
@@ -24,48 +33,26 @@ public:
   client_table(std::size_t max_clients, std::size_t max_an_address)
       : max_clients_(max_clients), max_an_address_(max_an_address) {}
 
-  // Null: there is no room.
-  [[nodiscard]] std::shared_ptr<void> admit(const boost::asio::ip::address& from) {
-    const auto share = io::http::share_of(from);
-    const auto most = share.is_loopback() ? max_clients_ : max_clients_ - max_clients_ / kept_part;
-    const std::lock_guard guard(mutex_);
-    const auto its = clients_.find(share);
-    if (now_ >= most || (its != clients_.end() && its->second >= max_an_address_))
-      return nullptr;
-    ++clients_[share];
-    ++now_;
-    return std::make_shared<place>(shared_from_this(), share);
-  }
+  // Null: there is no room, and nobody gives way.
+  [[nodiscard]] std::shared_ptr<io::http::client_place> admit(const boost::asio::ip::address& from);
+  // Ends all connections that have come with SESSION.
+  void end_session(const std::string& session);
 
-  [[nodiscard]] std::size_t now() const {
-    const std::lock_guard guard(mutex_);
-    return now_;
-  }
+  [[nodiscard]] std::size_t now() const;
+  [[nodiscard]] std::uint64_t gave_way() const;
 
 private:
-  struct place {
-    place(std::shared_ptr<client_table> table, boost::asio::ip::address address)
-        : of(std::move(table)), from(std::move(address)) {}
-    place(const place&) = delete;
-    place& operator=(const place&) = delete;
-    ~place() { of->leave(from); }
-    std::shared_ptr<client_table> of;
-    boost::asio::ip::address from;
-  };
+  class place;
 
-  void leave(const boost::asio::ip::address& from) {
-    const std::lock_guard guard(mutex_);
-    --now_;
-    const auto found = clients_.find(from);
-    if (--found->second == 0)
-      clients_.erase(found);
-  }
+  [[nodiscard]] std::size_t count_of(const boost::asio::ip::address& share) const;
+  [[nodiscard]] place* longest_without_session(const boost::asio::ip::address& share) const;
+  [[nodiscard]] place* who_gives_way(const boost::asio::ip::address& share) const;
 
   const std::size_t max_clients_;
   const std::size_t max_an_address_;
-  mutable std::mutex mutex_;                                // over the next two
-  std::map<boost::asio::ip::address, std::size_t> clients_; // those that have any: at most max_clients
-  std::size_t now_ = 0;
+  mutable std::mutex mutex_; // over the next two
+  std::list<place*> places_; // the longest first; at most max_clients
+  std::uint64_t gave_way_ = 0;
 };
 
 } // namespace godwit::operator_port

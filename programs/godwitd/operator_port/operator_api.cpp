@@ -24,6 +24,10 @@ bool refuse_form(const server_request& asked, responder& answer) {
   return true;
 }
 
+io::http::server_response too_many_log_in() {
+  return problem(429, "too many log in at once; try again in a few seconds");
+}
+
 void refuse(responder& answer, const body_problem& why) { answer.send(problem(400, why.sentence, why.place)); }
 
 } // namespace
@@ -35,7 +39,7 @@ void operator_api::tell(api_request asked, const server_request& from, responder
   const auto token = token_of(from);
   asked.token_hash = token.empty() ? std::string() : accounts::hash_of_token(token);
   asked.from = from.from;
-  if (const auto ticket = answers_->add(std::move(answer))) {
+  if (const auto ticket = answers_->add(std::move(answer), io::http::secret_text(), from.place)) {
     asked.ticket = *ticket;
     tell_(std::move(asked));
   }
@@ -56,7 +60,7 @@ void operator_api::admit(const server_request& asked, responder answer, std::fun
     return answer.send(problem(401, "from another computer log in first, or send a token"));
   wanted.token_hash = accounts::hash_of_token(token);
   wanted.from = asked.from;
-  if (const auto ticket = answers_->add(std::move(answer), std::move(then))) {
+  if (const auto ticket = answers_->add(std::move(answer), std::move(then), asked.place)) {
     wanted.ticket = *ticket;
     tell_(std::move(wanted));
   }
@@ -120,12 +124,13 @@ void operator_api::override_rule(const server_request& asked, responder answer) 
 }
 
 void operator_api::read_audit(const server_request& asked, responder answer) {
-  const auto rows = read_rows(asked.target);
-  if (!rows)
-    return refuse(answer, rows.error());
+  const auto page = read_audit_query(asked.target);
+  if (!page)
+    return refuse(answer, page.error());
   api_request wanted;
   wanted.what = api_act::read_audit;
-  wanted.rows = *rows;
+  wanted.rows = page->most;
+  wanted.before = page->before;
   tell(std::move(wanted), asked, std::move(answer));
 }
 
@@ -163,9 +168,13 @@ void operator_api::check_password(login_body said, const std::string& from, resp
   const auto name = said.name;
   const bool is_taken = keeper_.check(
       {std::move(said.name), std::move(said.password), from},
-      [answers = answers_, tell = tell_, waiting, name, from, token_hash](std::optional<operator_bridge::account> who) {
+      [answers = answers_, tell = tell_, waiting, name, from, token_hash](accounts::account_keeper::verdict who) {
         api_request wanted;
         wanted.from = from;
+        if (!who && who.error() == accounts::account_keeper::refusal::gave_way) {
+          waiting->first.send(too_many_log_in());
+          return;
+        }
         if (!who) {
           wanted.what = api_act::refuse_login;
           wanted.account.name = name;
@@ -182,7 +191,7 @@ void operator_api::check_password(login_body said, const std::string& from, resp
         }
       });
   if (!is_taken)
-    waiting->first.send(problem(429, "too many log in at once; try again in a few seconds"));
+    waiting->first.send(too_many_log_in());
 }
 
 } // namespace godwit::operator_port

@@ -3,7 +3,7 @@
 //   POST   /api/v1/session    log in: {"name", "password"} or {"link"}      GET: who am I   DELETE: log out
 //   POST   /api/v1/commands   a command (request_body.hpp)
 //   GET    /api/v1/control    who has it                                    POST: {"act", "to"}
-//   GET    /api/v1/audit      ?rows=50
+//   GET    /api/v1/audit      ?rows=50&before=1200
 //   GET    /api/v1/points     of interest                                   POST: {"point", "decision"}
 //
 // A program sends its token as "Authorization: Bearer ...", a browser has a cookie. Bodies are application/json, which

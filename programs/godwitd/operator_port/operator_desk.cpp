@@ -52,8 +52,10 @@ void operator_desk::ask_bridge(const api_request& asked, std::chrono::seconds pa
 void operator_desk::identify(const api_request& asked) {
   ask_bridge(asked, answer_timeout, operator_bridge::identify{asked.token_hash},
              [this, asked](const operator_bridge::identity& who) {
-               if (who.is_known)
+               if (who.is_known) {
+                 answers_->prove(asked.ticket, who.who.session);
                  return take_known(asked, who);
+               }
                if (asked.what != api_act::look)
                  note_stranger(asked, std::string(io::name_of(asked.what)) + " from " + asked.from, "no_session");
                answers_->resolve(asked.ticket, problem(401, "log in first: there is no session, or it is over"));
@@ -108,9 +110,15 @@ void operator_desk::change_control(const api_request& asked, const principal& wh
 }
 
 void operator_desk::read_audit(const api_request& asked, const principal& who) {
-  ask_bridge(
-      asked, answer_timeout, operator_bridge::get_audit{who, asked.rows},
-      [this, asked](const operator_bridge::audit_list& list) { answers_->resolve(asked.ticket, answer_of(list)); });
+  ask_bridge(asked, answer_timeout, operator_bridge::read_audit{who},
+             [this, asked](const operator_bridge::audit_leave& answer) {
+               if (!answer.refusal.empty())
+                 return answers_->resolve(asked.ticket, problem(403, answer.refusal));
+               others_.read_audit({asked.before, asked.rows},
+                                  [answers = answers_, ticket = asked.ticket](const auto& page) {
+                                    answers->resolve(ticket, page ? answer_of(*page) : problem(503, page.error()));
+                                  });
+             });
 }
 
 // While no mission with scanning flies there is nobody to ask, and nothing to decide.

@@ -18,6 +18,7 @@
 #include "messages/failsafe/types.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
+#include "programs/godwitd/audit_source.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
 #include "runtime/actor_base.hpp"
 
@@ -66,6 +67,7 @@ struct api_request {
   operator_bridge::control_act act = operator_bridge::control_act::take; // change_control
   std::string to;                                                        // the same: hand_over
   std::uint32_t rows = 50;                                               // read_audit
+  std::uint64_t before = 0;                                              // the same: of those before this number
   scan_controller::decide_point decided;                                 // decide_point; without who does
   failsafe::override_rule overridden;                                    // override_rule; without its end
   std::uint32_t lasts_s = 0;                                             // override_rule
@@ -76,10 +78,10 @@ struct api_request {
       "operator_port.request", io::field("ticket", &api_request::ticket), io::field("what", &api_request::what),
       io::field("token_hash", &api_request::token_hash), io::field("from", &api_request::from),
       io::field("said", &api_request::said), io::field("act", &api_request::act), io::field("to", &api_request::to),
-      io::field("rows", &api_request::rows), io::field("decided", &api_request::decided),
-      io::field("overridden", &api_request::overridden), io::field("lasts_s", &api_request::lasts_s),
-      io::field("account", &api_request::account), io::field("new_token_hash", &api_request::new_token_hash),
-      io::field("link_hash", &api_request::link_hash));
+      io::field("rows", &api_request::rows), io::field("before", &api_request::before),
+      io::field("decided", &api_request::decided), io::field("overridden", &api_request::overridden),
+      io::field("lasts_s", &api_request::lasts_s), io::field("account", &api_request::account),
+      io::field("new_token_hash", &api_request::new_token_hash), io::field("link_hash", &api_request::link_hash));
 };
 
 using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;
@@ -93,6 +95,7 @@ struct desk_peers {
   override_handle failsafe;
   // Numbers of points that the camera has shown; empty: there is no camera. Does not block.
   std::function<std::vector<std::uint64_t>()> pictured = {};
+  audit_source read_audit = {};
 };
 
 class operator_desk final : public runtime::actor_base<desk_inlet> {

@@ -1,18 +1,17 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <utility>
 
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 
-#include "io/http/server/identity.hpp"
 #include "io/http/server/server.hpp"
-#include "io/http/tls.hpp"
 #include "io/link/io_thread.hpp"
+#include "programs/godwitd/operator_port/certificate.hpp"
 #include "programs/godwitd/operator_port/client_table.hpp"
-#include "programs/godwitd/operator_port/host_check.hpp"
-#include "programs/godwitd/operator_port/own_addresses.hpp"
 
 namespace godwit::operator_port {
 namespace {
@@ -36,6 +35,7 @@ std::vector<header> security_headers() {
 constexpr std::size_t max_body_bytes = 1024 * 1024;
 // A browser keeps six connections, and an address has eight places: those that say nothing are free again soon.
 constexpr std::chrono::seconds idle_timeout{5};
+constexpr std::chrono::seconds certificate_look{1};
 constexpr std::chrono::seconds handshake_timeout{5}; // two ways there and back, of which each may be repeated
 
 io::http::server_settings settings_of(const settings& wanted) {
@@ -43,7 +43,7 @@ io::http::server_settings settings_of(const settings& wanted) {
   result.host = wanted.host;
   result.port = wanted.port;
   result.headers = security_headers();
-  result.max_connections = wanted.max_clients;
+  result.max_connections = 2 * wanted.max_clients; // client_table has the bound; some of these are about to end
   result.max_body_bytes = max_body_bytes;
   result.idle_timeout = idle_timeout;
   result.handshake_timeout = handshake_timeout;
@@ -77,56 +77,18 @@ constexpr counter_row counter_rows[] = {
 
 struct port::parts {
   io::link::io_thread thread;
-  bool is_running = false;
+  std::atomic<bool> is_running = false;
   std::optional<router> routes;
   std::shared_ptr<client_table> clients;
-  io::http::tls_context tls; // null: plain HTTP
-  std::string fingerprint;
-  bool is_certificate_new = false;
+  std::optional<certificate> tls;                    // none: plain HTTP. From open() on in the thread
+  boost::asio::steady_timer looks{thread.context()}; // at the files of the certificate
+  certificate_listener on_certificate;
   std::unique_ptr<io::http::server> server;
 
-  [[nodiscard]] tl::expected<void, std::string> begin_tls(const settings& wanted);
   void guard(port_guards by);
+  void look_at_certificate(bool even_if_same);
+  void look_later();
 };
-
-namespace {
-
-// The names that a certificate of ours must have, so that a browser takes it for each under which we are asked.
-std::vector<std::string> names_of(const settings& wanted) {
-  std::vector<std::string> result{"localhost", "127.0.0.1", "::1"};
-  for (const auto& each : wanted.hosts)
-    result.emplace_back(without_brackets(each));
-  if (!wanted.is_local && wanted.host != "0.0.0.0" && wanted.host != "::")
-    result.push_back(wanted.host);
-  return result;
-}
-
-} // namespace
-
-tl::expected<void, std::string> port::parts::begin_tls(const settings& wanted) {
-  io::http::server_identity who;
-  if (!wanted.certificate_file.empty()) {
-    auto loaded = io::http::load_identity(wanted.certificate_file, wanted.key_file);
-    if (!loaded)
-      return tl::make_unexpected(loaded.error().message());
-    who = *std::move(loaded);
-  } else {
-    auto kept = io::http::keep_identity(wanted.identity_file, names_of(wanted), own_addresses());
-    if (!kept)
-      return tl::make_unexpected(kept.error().message());
-    who = std::move(kept->identity);
-    is_certificate_new = kept->is_new;
-  }
-  auto made = io::http::make_server_tls_context(who.certificate, who.key.revealed());
-  if (!made)
-    return tl::make_unexpected(made.error().message() +
-                               (wanted.certificate_file.empty()
-                                    ? std::string()
-                                    : " (" + wanted.certificate_file + ", " + wanted.key_file + ")"));
-  tls = *std::move(made);
-  fingerprint = io::http::fingerprint_of(who.certificate);
-  return {};
-}
 
 void port::parts::guard(port_guards by) {
   routes->on_other_origin(std::move(by.on_other_origin));
@@ -141,6 +103,24 @@ void port::parts::guard(port_guards by) {
   });
 }
 
+void port::parts::look_at_certificate(bool even_if_same) {
+  if (!tls)
+    return;
+  const auto read = tls->read_anew(even_if_same);
+  if (on_certificate && (!read || *read || even_if_same))
+    on_certificate(read.map([this](bool) { return tls->fingerprint(); }));
+}
+
+void port::parts::look_later() {
+  looks.expires_after(certificate_look);
+  looks.async_wait([this](const boost::system::error_code& cancelled) {
+    if (cancelled)
+      return;
+    look_at_certificate(false);
+    look_later();
+  });
+}
+
 port::port() : parts_(std::make_unique<parts>()) {}
 port::~port() { close(); }
 
@@ -148,9 +128,12 @@ boost::asio::io_context& port::context() { return parts_->thread.context(); }
 
 tl::expected<void, std::string> port::open(const settings& wanted, route_list routes, port_guards by) {
   auto& p = *parts_;
-  if (wanted.uses_tls)
-    if (auto begun = p.begin_tls(wanted); !begun)
-      return begun;
+  if (wanted.uses_tls) {
+    auto loaded = certificate::load(wanted);
+    if (!loaded)
+      return tl::make_unexpected(std::move(loaded.error()));
+    p.tls = *std::move(loaded);
+  }
   p.routes.emplace(std::move(routes), wanted.hosts, wanted.uses_tls);
   p.guard(std::move(by));
   p.clients = std::make_shared<client_table>(wanted.max_clients, wanted.max_clients_an_address);
@@ -163,22 +146,36 @@ tl::expected<void, std::string> port::open(const settings& wanted, route_list ro
   };
   hooks.admit = [clients = p.clients](const boost::asio::ip::address& from) { return clients->admit(from); };
   if (p.tls)
-    hooks.tls = [&p] { return p.tls.get(); };
+    hooks.tls = [&p] { return p.tls->context(); };
   p.server = std::make_unique<io::http::server>(p.thread.context(), settings_of(wanted), std::move(hooks));
   if (const auto listening = p.server->listen(); !listening) {
     p.server.reset();
     return tl::make_unexpected(listening.error().message());
   }
+  p.on_certificate = std::move(by.on_certificate);
+  if (p.tls)
+    p.look_later();
   p.thread.start();
   p.is_running = true;
   return {};
 }
 
+void port::read_certificate_anew() {
+  if (auto& p = *parts_; p.is_running)
+    boost::asio::post(p.thread.context(), [&p] { p.look_at_certificate(true); });
+}
+
+void port::end_session(const std::string& session) {
+  if (auto& p = *parts_; p.is_running)
+    boost::asio::post(p.thread.context(), [clients = p.clients, session] { clients->end_session(session); });
+}
+
 void port::close(const std::function<void()>& what) {
   auto& p = *parts_;
-  if (!std::exchange(p.is_running, false))
+  if (!p.is_running.exchange(false))
     return;
   p.thread.run_inside([&] {
+    p.looks.cancel();
     p.server.reset();
     if (what)
       what();
@@ -192,14 +189,16 @@ std::string port::url() const {
   return parts_->server ? (parts_->tls ? "https://" : "http://") + place() : std::string();
 }
 
-const std::string& port::fingerprint() const { return parts_->fingerprint; }
-bool port::is_certificate_new() const { return parts_->is_certificate_new; }
+std::string port::fingerprint() const { return parts_->tls ? parts_->tls->fingerprint() : std::string(); }
+bool port::is_certificate_new() const { return parts_->tls && parts_->tls->is_new(); }
 
 void port::append_metrics(io::prometheus::text_writer& out) const {
   using io::prometheus::metric_kind;
   const auto& p = *parts_;
   const auto counted = p.server->counters();
   out.one("godwit_operator_port_clients", metric_kind::gauge, "Clients of the operator's port.", p.clients->now());
+  out.one("godwit_operator_port_gave_way_total", metric_kind::counter,
+          "Connections without a session that were ended for a new one.", p.clients->gave_way());
   for (const auto& each : counter_rows)
     out.one(each.name, metric_kind::counter, each.help, counted.*each.value);
   const auto& refused = p.routes->counts();

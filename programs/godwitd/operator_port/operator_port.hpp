@@ -21,10 +21,14 @@
 
 namespace godwit::operator_port {
 
+// The fingerprint of the certificate that counts now, or why it stays as it was.
+using certificate_listener = std::function<void(const tl::expected<std::string, std::string>& now)>;
+
 // Whom the port asks, in its thread.
 struct port_guards {
   std::function<void(const std::string& from)> on_other_origin = {}; // a page of another site has asked
   gate let_in = {}; // THEN may be called in any thread; none: nobody looks from another computer
+  certificate_listener on_certificate = {};
 };
 
 class port {
@@ -44,8 +48,14 @@ public:
   [[nodiscard]] std::string place() const; // "127.0.0.1:8088"; empty: it is not open
   [[nodiscard]] std::string url() const;   // "https://0.0.0.0:8443"; the same
   // Of the certificate, SHA-256: "3A:5F:..."; empty without TLS.
-  [[nodiscard]] const std::string& fingerprint() const;
+  // As it opened; later ones are told to the listener.
+  [[nodiscard]] std::string fingerprint() const;
   [[nodiscard]] bool is_certificate_new() const; // our own, made at this start
+
+  // Looked at each second, and here whatever the files look like. Any thread.
+  void read_certificate_anew();
+  // All connections that came with it end, WebSockets too. Any thread.
+  void end_session(const std::string& session);
   // What it has counted. In the thread of the port.
   void append_metrics(io::prometheus::text_writer& out) const;
 

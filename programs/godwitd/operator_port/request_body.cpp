@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,13 @@ namespace {
 using nlohmann::json;
 using operators::command_kind;
 
-constexpr std::uint32_t usual_rows = 50;
+constexpr std::uint64_t max_row = std::numeric_limits<std::int64_t>::max();
+
+template <class N>
+bool read_number(std::string_view text, N& to) {
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), to);
+  return failed == std::errc() && end == text.data() + text.size();
+}
 
 // As it stands in the body.
 struct command_body {
@@ -218,18 +225,25 @@ std::string_view token_of(const io::http::server_request& asked) {
   return {};
 }
 
-tl::expected<std::uint32_t, body_problem> read_rows(std::string_view target) {
+tl::expected<operator_bridge::audit_query, body_problem> read_audit_query(std::string_view target) {
+  operator_bridge::audit_query result;
   const auto query = target.find('?');
-  if (query == std::string_view::npos)
-    return usual_rows;
-  constexpr std::string_view name = "rows=";
-  const auto said = target.substr(query + 1);
-  std::uint32_t result = 0;
-  const auto number = said.starts_with(name) ? said.substr(name.size()) : std::string_view();
-  const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), result);
-  if (failed != std::errc() || end != number.data() + number.size() || result == 0 ||
-      result > operator_bridge::max_audit_rows)
-    return wrong("rows", "the query is rows=1 to rows=" + std::to_string(operator_bridge::max_audit_rows));
+  auto rest = query == std::string_view::npos ? std::string_view() : target.substr(query + 1);
+  bool has_rows = false;
+  bool has_before = false;
+  while (!rest.empty()) {
+    const auto end = std::min(rest.find('&'), rest.size());
+    const auto each = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (each.starts_with("rows=") && !std::exchange(has_rows, true) && read_number(each.substr(5), result.most) &&
+        result.most >= 1 && result.most <= operator_bridge::max_audit_page)
+      continue;
+    if (each.starts_with("before=") && !std::exchange(has_before, true) && read_number(each.substr(7), result.before) &&
+        result.before <= max_row)
+      continue;
+    return wrong("rows", "the query is rows=1 to rows=" + std::to_string(operator_bridge::max_audit_page) +
+                             ", and before=N for rows with smaller numbers than N");
+  }
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "io/http/secret_text.hpp"
 #include "io/http/server/message.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/operator_bridge/audit.hpp"
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
 #include "messages/scan_controller/decision.hpp"
@@ -59,6 +60,6 @@ struct login_body {
 [[nodiscard]] std::string_view token_of(const io::http::server_request& asked);
 
 // "rows" of a query such as "?rows=20": 1 to 200.
-[[nodiscard]] tl::expected<std::uint32_t, body_problem> read_rows(std::string_view target);
+[[nodiscard]] tl::expected<operator_bridge::audit_query, body_problem> read_audit_query(std::string_view target);
 
 } // namespace godwit::operator_port

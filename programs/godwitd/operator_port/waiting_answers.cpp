@@ -9,13 +9,24 @@ namespace godwit::operator_port {
 
 using io::http::problem_response;
 
-std::optional<std::uint64_t> waiting_answers::add(io::http::responder answer, io::http::secret_text new_token) {
-  return put({std::move(answer), std::move(new_token), {}});
+std::optional<std::uint64_t> waiting_answers::add(io::http::responder answer, io::http::secret_text new_token,
+                                                  std::weak_ptr<io::http::client_place> place) {
+  return put({std::move(answer), std::move(new_token), {}, {}, std::move(place)});
 }
 
 std::optional<std::uint64_t> waiting_answers::add(io::http::responder answer,
-                                                  std::function<void(io::http::responder)> then) {
-  return put({std::move(answer), {}, {}, std::move(then)});
+                                                  std::function<void(io::http::responder)> then,
+                                                  std::weak_ptr<io::http::client_place> place) {
+  return put({std::move(answer), {}, {}, std::move(then), std::move(place)});
+}
+
+void waiting_answers::prove(std::uint64_t ticket, const std::string& session) {
+  std::unique_lock lock(mutex_);
+  const auto found = waiting_.find(ticket);
+  const auto place = found == waiting_.end() ? nullptr : found->second.place.lock();
+  lock.unlock();
+  if (place)
+    place->prove(session);
 }
 
 std::optional<std::uint64_t> waiting_answers::put(waiting one) {

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/http/client_place.hpp"
 #include "io/http/secret_text.hpp"
 #include "io/http/server/responder.hpp"
 
@@ -31,10 +32,15 @@ public:
   explicit waiting_answers(bool is_secure = false) : is_secure_(is_secure) {}
 
   // None: too many wait, or the end has come; ANSWER was given 503. NEW_TOKEN: of the session that the answer opens.
-  [[nodiscard]] std::optional<std::uint64_t> add(io::http::responder answer, io::http::secret_text new_token = {});
+  // PLACE: of its connection.
+  [[nodiscard]] std::optional<std::uint64_t> add(io::http::responder answer, io::http::secret_text new_token = {},
+                                                 std::weak_ptr<io::http::client_place> place = {});
   // Whose request is not answered but goes on, to THEN.
   [[nodiscard]] std::optional<std::uint64_t> add(io::http::responder answer,
-                                                 std::function<void(io::http::responder)> then);
+                                                 std::function<void(io::http::responder)> then,
+                                                 std::weak_ptr<io::http::client_place> place = {});
+  // It came with SESSION, which is open.
+  void prove(std::uint64_t ticket, const std::string& session);
   void resolve(std::uint64_t ticket, io::http::server_response what, cookie with = cookie::none);
   void let_go_on(std::uint64_t ticket);
   // Of those for whom nobody has answered in time.
@@ -48,6 +54,7 @@ private:
     io::http::secret_text new_token;
     std::chrono::steady_clock::time_point until;
     std::function<void(io::http::responder)> then = {};
+    std::weak_ptr<io::http::client_place> place = {};
   };
 
   [[nodiscard]] std::optional<std::uint64_t> put(waiting one);

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "runtime/simulation/simulation.hpp"
+#include "tests/support/audit_rows.hpp"
 
 namespace godwit::operator_bridge {
 namespace operator_bridge_actor_test {
@@ -57,11 +58,11 @@ private:
 };
 
 struct process {
-  explicit process(runtime::simulated_disk& disk, std::uint64_t seed = 1) : world(disk, seed) {
+  explicit process(runtime::simulated_disk& disk, std::uint64_t seed = 1) : on(&disk), world(disk, seed) {
     const auto executor = world.actors().add<executor_stand_in>({.name = "executor"}, {}, &heard, &answers);
     const auto listener = world.actors().add<listener_stand_in>({.name = "ground_port"}, {}, &control);
     bridge = world.actors().add<actor>({.name = "operator_bridge"}, {}, settings{}, executor_handle(executor), shown,
-                                       std::vector<control_listener>{listener});
+                                       std::vector<control_listener>{listener}, ends);
     world.start();
     world.run_until_idle();
   }
@@ -78,13 +79,14 @@ struct process {
     return asked;
   }
   std::vector<audit_row> audit() {
-    const auto asked = world.ask(bridge, 1s, get_audit{local, 100});
     world.run_until_idle();
-    return asked->answer.rows;
+    return tests::audit_rows(*on).read({0, 100}).rows;
   }
+  runtime::simulated_disk* on;
   std::vector<operators::command> heard;
   std::vector<std::string> control; // who has it, as it was told
   std::shared_ptr<presence> shown = std::make_shared<presence>();
+  std::shared_ptr<session_ends> ends = std::make_shared<session_ends>();
   bool answers = true;
   runtime::simulation world;
   own_handle bridge;
@@ -203,6 +205,21 @@ TEST(operator_bridge, who_is_logged_in_and_who_has_control_is_known_behind_a_kil
   const auto who = again.world.ask(again.bridge, 1s, get_operators{});
   again.world.run_until_idle();
   EXPECT_FALSE(who->answer.control);
+}
+
+TEST(operator_bridge, who_shows_something_to_a_session_hears_that_its_account_is_gone) {
+  runtime::simulated_disk disk;
+  process p(disk);
+  std::vector<std::string> over;
+  p.ends->listen([&](const std::string& session) { over.push_back(session); });
+  const auto opened = p.world.ask(p.bridge, 1s, open_session{{"anna", role::viewer, "stamp", {}}, "hash", "here"});
+  p.world.run_until_idle();
+  p.world.tell(p.bridge, accounts_read{{{"anna", role::viewer, "stamp", {}}}});
+  p.world.run_until_idle();
+  EXPECT_TRUE(over.empty());
+  p.world.tell(p.bridge, accounts_read{});
+  p.world.run_until_idle();
+  EXPECT_EQ(over, (std::vector<std::string>{opened->answer.who.session}));
 }
 
 TEST(operator_bridge, an_executor_that_is_silent_leaves_the_outcome_unknown) {

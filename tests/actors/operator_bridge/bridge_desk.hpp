@@ -83,7 +83,7 @@ public:
     waiting.clear();
     with_executor.clear();
     core_.emplace(set, durable, now);
-    carry_out(core_->on_start());
+    carry_out(core_->on_start(now));
   }
   core& decides() { return *core_; }
   void carry_out(const effects& wanted) {
@@ -94,21 +94,21 @@ public:
   // -- what came of it
   [[nodiscard]] std::vector<std::string> outcomes() const { // of all rows of the audit
     std::vector<std::string> result;
-    for (const auto* rows : {&durable.audit, &durable.strangers})
-      for (const auto& each : *rows)
-        result.push_back(each.outcome);
+    for (const auto& [number, each] : audit)
+      result.push_back(each.outcome);
     return result;
   }
   [[nodiscard]] std::uint32_t rows() const {
     std::uint32_t result = 0;
-    for (const auto* all : {&durable.audit, &durable.strangers})
-      for (const auto& each : *all)
-        result += each.count;
+    for (const auto& [number, each] : audit)
+      result += each.count;
     return result;
   }
 
   settings set;
   state durable;
+  std::map<std::uint64_t, audit_row> audit; // the table, without its bounds
+  std::uint64_t rows_written = 0;
   instant now{1'000 * s, 1'800'000'000 * s};
   std::uint64_t last_request = 0;
   std::map<std::uint64_t, command_answer> answers;
@@ -116,9 +116,17 @@ public:
   std::vector<std::uint64_t> waiting; // for the disk
   std::vector<hand_over> with_executor;
   std::vector<hand_over> handed; // all of them, ever
+  std::vector<std::string> over; // sessions that have ended
 
 private:
-  void take(const note& each) { (void)durable_core::apply(durable, each.what, now.wall_ns); }
+  void take(const note& each) {
+    (void)durable_core::apply(durable, each.what, now.wall_ns);
+    if (const auto* const row = std::get_if<audited>(&each.what)) {
+      audit.insert_or_assign(row->row.number, row->row);
+      ++rows_written;
+    }
+  }
+  void take(const session_over& each) { over.push_back(each.session); }
   void take(const reply& each) {
     answers[each.request] = each.answer;
     ++answered[each.request];

@@ -76,7 +76,7 @@ TEST(operator_sessions, a_link_logs_in_once_and_for_five_minutes) {
   desk.crash();
   desk.pass(sessions::link_ns);
   EXPECT_FALSE(use("two").is_open);
-  EXPECT_EQ(desk.durable.strangers.size(), 2U);
+  EXPECT_EQ(std::ranges::count_if(desk.audit, [](const auto& each) { return each.second.who.session.empty(); }), 2);
 }
 
 TEST(operator_sessions, of_an_account_that_is_gone_or_has_another_role_or_password_end) {
@@ -90,6 +90,7 @@ TEST(operator_sessions, of_an_account_that_is_gone_or_has_another_role_or_passwo
   EXPECT_TRUE(who_is(desk, "hash of anna").is_known);
   for (const auto* name : {"bob", "carol", "dora"})
     EXPECT_FALSE(who_is(desk, std::string("hash of ") + name).is_known) << name;
+  EXPECT_EQ(desk.over, (std::vector<std::string>{"s2", "s3", "s4"})) << "who shows them something has to know";
 }
 
 TEST(operator_sessions, a_program_comes_with_the_token_of_its_account) {
@@ -100,6 +101,7 @@ TEST(operator_sessions, a_program_comes_with_the_token_of_its_account) {
   EXPECT_TRUE(desk.control(program, control_act::take).is_done);
   EXPECT_EQ(desk.say_all_the_way(desk.command(program, operators::command_kind::start)), verdict::taken);
   desk.carry_out(desk.decides().on_accounts({}, desk.now));
+  EXPECT_EQ(desk.over, (std::vector<std::string>{"token:planner"}));
   EXPECT_FALSE(desk.durable.control);
   EXPECT_EQ(desk.say_all_the_way(desk.command(program, operators::command_kind::start)), verdict::no_session);
 }
@@ -116,34 +118,6 @@ TEST(operator_sessions, one_too_many_ends_the_one_that_was_silent_for_longest) {
   for (std::size_t i = 0; i < 2 * max_sessions; ++i)
     (void)desk.log_in("n" + std::to_string(i));
   EXPECT_EQ(desk.durable.sessions.size(), max_sessions);
-}
-
-TEST(operator_audit, strangers_fill_neither_the_disk_nor_the_rows_of_others) {
-  bridge_desk desk;
-  const auto anna = desk.pilot();
-  const auto rows = desk.durable.audit.size();
-  for (int i = 0; i < 10'000; ++i)
-    (void)desk.say(desk.command({"m" + std::to_string(i), role::engineer, "s1234"}, operators::command_kind::start));
-  EXPECT_EQ(desk.durable.audit.size(), rows);
-  EXPECT_LE(desk.durable.last_row, rows + 11);
-  desk.pass(2 * s);
-  (void)desk.say(desk.command({"m", role::engineer, "s1234"}, operators::command_kind::start));
-  EXPECT_EQ(desk.rows(), rows + 10'001) << "none is forgotten";
-}
-
-TEST(operator_audit, is_read_by_operators_and_keeps_the_newest) {
-  bridge_desk desk;
-  const auto anna = desk.pilot();
-  for (std::size_t i = 0; i < 2 * max_audit_rows; ++i) {
-    (void)desk.say_all_the_way(desk.command(anna, operators::command_kind::check, "c" + std::to_string(i)));
-    desk.pass(6 * s);
-  }
-  EXPECT_EQ(desk.durable.audit.size(), max_audit_rows);
-  const auto list = desk.decides().on_get_audit({anna, 10}, desk.now).second;
-  ASSERT_EQ(list.rows.size(), 10U);
-  EXPECT_EQ(list.rows.back().number, desk.durable.last_row);
-  const auto eve = desk.log_in("eve", role::viewer);
-  EXPECT_FALSE(desk.decides().on_get_audit({eve, 10}, desk.now).second.refusal.empty());
 }
 
 } // namespace sessions_test

@@ -17,6 +17,10 @@ TEST(operator_text, a_row_of_the_audit_says_when_who_what_and_what_came_of_it) {
   EXPECT_EQ(audit_text({{"rows", {row}}}),
             "2027-01-15T08:00:00Z  anna (operator, s7): start: refused, 2 times (not ready)");
   EXPECT_EQ(audit_text({{"rows", json::array()}}), "nobody has said anything");
+  auto numbered = row;
+  numbered["number"] = 1'200;
+  EXPECT_EQ(audit_text({{"rows", {numbered}}, {"has_older", true}}).substr(0, 46),
+            "older rows: godwitd ctl audit --before 1200\n20");
 }
 
 TEST(operator_text, a_stranger_is_shown_as_one) {

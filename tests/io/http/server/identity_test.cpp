@@ -18,8 +18,8 @@ using names = std::vector<std::string>;
 
 TEST_F(http_server_identity, is_one_whose_names_a_client_that_knows_it_accepts_and_no_others) {
   const auto who = make_identity({"localhost", "127.0.0.1"}).value();
-  const auto tls = make_server_tls_context(who.certificate, who.key.revealed()).value();
-  running_server server(say_target, {}, {.tls = [&] { return tls.get(); }});
+  const std::shared_ptr tls = make_server_tls_context(who.certificate, who.key.revealed()).value();
+  running_server server(say_target, {}, {.tls = [&] { return tls; }});
   const auto known = store("own.pem", who.certificate);
   for (const std::string host : {"localhost", "127.0.0.1"}) {
     auto wanted = settings_for("https://" + host + ":" + std::to_string(server.port()));
@@ -28,8 +28,8 @@ TEST_F(http_server_identity, is_one_whose_names_a_client_that_knows_it_accepts_a
   }
   EXPECT_EQ(server.counters().handshakes, 2U);
   const auto other = make_identity({"drone.local", "::1"}).value();
-  const auto other_tls = make_server_tls_context(other.certificate, other.key.revealed()).value();
-  running_server elsewhere(say_target, {}, {.tls = [&] { return other_tls.get(); }});
+  const std::shared_ptr other_tls = make_server_tls_context(other.certificate, other.key.revealed()).value();
+  running_server elsewhere(say_target, {}, {.tls = [&] { return other_tls; }});
   auto wanted = settings_for("https://127.0.0.1:" + std::to_string(elsewhere.port()));
   wanted.ca_file = store("other.pem", other.certificate);
   EXPECT_EQ(code_of(ask(*open(wanted), {})), errc::wrong_host);

@@ -124,8 +124,8 @@ TEST(http_server_shuts_down, when_the_grace_is_over_all_the_same) {
 }
 
 TEST_F(http_server_tls, answers_the_client_of_this_folder) {
-  const auto tls = server_tls(loopback_identity());
-  running_server server(say_target, {}, {.tls = [&] { return tls.get(); }});
+  const std::shared_ptr tls = server_tls(loopback_identity());
+  running_server server(say_target, {}, {.tls = [&] { return tls; }});
   const auto service = open(settings_for("https://localhost:" + std::to_string(server.port())));
   for (const std::string target : {"/a", "/b"}) {
     request asked;
@@ -136,10 +136,10 @@ TEST_F(http_server_tls, answers_the_client_of_this_folder) {
 }
 
 TEST_F(http_server_tls, holds_an_answer_as_the_last_of_its_connection) {
-  const auto tls = server_tls(loopback_identity());
+  const std::shared_ptr tls = server_tls(loopback_identity());
   std::optional<responder> held;
   running_server server([&](auto, responder answer) { held.emplace(std::move(answer)); }, {.max_requests = 1},
-                        {.tls = [&] { return tls.get(); }});
+                        {.tls = [&] { return tls; }});
   const auto service = open(settings_for("https://localhost:" + std::to_string(server.port())));
   for (std::uint64_t n = 1; n <= 2; ++n) {
     auto answer = std::async(std::launch::async, [&] { return body_of(ask(*service, {})); });
@@ -150,8 +150,32 @@ TEST_F(http_server_tls, holds_an_answer_as_the_last_of_its_connection) {
   EXPECT_TRUE(server.reaches(&server_counters::open, 0));
 }
 
+TEST(http_server, who_has_to_give_way_is_closed_while_it_says_nothing_and_while_it_waits_for_its_answer) {
+  std::vector<std::shared_ptr<client_place>> places;
+  std::optional<responder> kept; // and never answered
+  running_server server([&](server_request, responder answer) { kept.emplace(std::move(answer)); }, {},
+                        {.admit = [&](const auto&) { return places.emplace_back(std::make_shared<client_place>()); }});
+  raw_client silent(server);
+  raw_client waiting(server);
+  waiting.write(get("/"));
+  ASSERT_TRUE(server.reaches(&server_counters::requests, 1));
+  ASSERT_TRUE(server.reaches(&server_counters::open, 2));
+  server.inside([&](auto&) {
+    for (const auto& each : places)
+      each->end_connection();
+  });
+  EXPECT_EQ(silent.read_to_end(), "");
+  EXPECT_EQ(waiting.read_to_end(), "");
+  EXPECT_TRUE(server.reaches(&server_counters::open, 0));
+  server.inside([&](auto&) {
+    for (const auto& each : places)
+      EXPECT_EQ(each->end_connection, nullptr) << "nobody is left to end";
+    kept.reset();
+  });
+}
+
 TEST_F(http_server_tls, has_no_cipher_suite_of_cbc) {
-  const auto tls = server_tls(loopback_identity());
+  const std::shared_ptr tls = server_tls(loopback_identity());
   const auto* const suites = ::SSL_CTX_get_ciphers(tls->native_handle());
   ASSERT_GT(sk_SSL_CIPHER_num(suites), 0);
   for (int i = 0; i < sk_SSL_CIPHER_num(suites); ++i)
@@ -160,10 +184,10 @@ TEST_F(http_server_tls, has_no_cipher_suite_of_cbc) {
 }
 
 TEST_F(http_server_tls, uses_another_certificate_for_the_next_connection) {
-  const auto good = server_tls(loopback_identity());
-  const auto other = server_tls(godwit::test::make_tls_identity({.hosts = {"DNS:elsewhere"}}, &issuer()));
+  const std::shared_ptr good = server_tls(loopback_identity());
+  const std::shared_ptr other = server_tls(godwit::test::make_tls_identity({.hosts = {"DNS:elsewhere"}}, &issuer()));
   bool is_other = true;
-  running_server server(say_target, {}, {.tls = [&] { return (is_other ? other : good).get(); }});
+  running_server server(say_target, {}, {.tls = [&] { return is_other ? other : good; }});
   const auto url = "https://127.0.0.1:" + std::to_string(server.port());
   EXPECT_EQ(code_of(ask(url)), errc::wrong_host);
   server.inside([&](auto&) { is_other = false; });
@@ -171,8 +195,8 @@ TEST_F(http_server_tls, uses_another_certificate_for_the_next_connection) {
 }
 
 TEST_F(http_server_tls, counts_who_refuses_its_certificate_and_who_speaks_none) {
-  const auto tls = server_tls(godwit::test::make_tls_identity({.hosts = {"IP:127.0.0.1"}})); // signs itself
-  running_server server(say_target, {}, {.tls = [&] { return tls.get(); }});
+  const std::shared_ptr tls = server_tls(godwit::test::make_tls_identity({.hosts = {"IP:127.0.0.1"}})); // signs itself
+  running_server server(say_target, {}, {.tls = [&] { return tls; }});
   EXPECT_EQ(code_of(ask("https://127.0.0.1:" + std::to_string(server.port()))), errc::tls_not_verified);
   EXPECT_TRUE(server.reaches(&server_counters::handshakes_failed, 1));
   raw_client plain(server);
@@ -186,8 +210,8 @@ TEST_F(http_server_tls, counts_who_refuses_its_certificate_and_who_speaks_none) 
 }
 
 TEST_F(http_server_tls, handshake_timeout_ends_who_says_nothing) {
-  const auto tls = server_tls(loopback_identity());
-  running_server server(say_target, {.handshake_timeout = short_time}, {.tls = [&] { return tls.get(); }});
+  const std::shared_ptr tls = server_tls(loopback_identity());
+  running_server server(say_target, {.handshake_timeout = short_time}, {.tls = [&] { return tls; }});
   EXPECT_EQ(raw_client(server).read_to_end(), "");
   EXPECT_EQ(server.counters().handshake_timeouts, 1U);
 }
@@ -196,8 +220,8 @@ TEST_F(http_server_tls, handshake_timeout_ends_who_says_nothing) {
 const std::string half_hello("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11);
 
 TEST_F(http_server_tls, ends_who_begins_a_handshake_and_stops_or_goes_on_a_byte_now_and_then) {
-  const auto tls = server_tls(loopback_identity());
-  running_server server(say_target, {.handshake_timeout = short_time}, {.tls = [&] { return tls.get(); }});
+  const std::shared_ptr tls = server_tls(loopback_identity());
+  running_server server(say_target, {.handshake_timeout = short_time}, {.tls = [&] { return tls; }});
   raw_client half(server);
   half.write(half_hello);
   EXPECT_EQ(half.read_to_end(), "");
@@ -210,8 +234,8 @@ TEST_F(http_server_tls, ends_who_begins_a_handshake_and_stops_or_goes_on_a_byte_
 }
 
 TEST_F(http_server_tls, ends_who_says_what_is_no_tls_and_goes_on_with_others) {
-  const auto tls = server_tls(loopback_identity());
-  running_server server(say_target, {.handshake_timeout = long_time}, {.tls = [&] { return tls.get(); }});
+  const std::shared_ptr tls = server_tls(loopback_identity());
+  running_server server(say_target, {.handshake_timeout = long_time}, {.tls = [&] { return tls; }});
   std::uint64_t failed = 0;
   for (const auto& garbage : {std::string("\x00\x00\x00\x00\x00\x00", 6), std::string(20'000, 'x'),
                               half_hello + std::string(600, '\xff'), std::string("\x15\x03\x03\x00\x02\x02\x28", 7),
@@ -227,7 +251,7 @@ TEST_F(http_server_tls, ends_who_says_what_is_no_tls_and_goes_on_with_others) {
 }
 
 TEST_F(http_server_tls, speaks_nothing_older_than_1_2) {
-  const auto tls = server_tls(loopback_identity());
+  const std::shared_ptr tls = server_tls(loopback_identity());
   EXPECT_EQ(::SSL_CTX_get_min_proto_version(tls->native_handle()), TLS1_2_VERSION);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -109,8 +110,9 @@ struct keeper_world {
   std::optional<operator_bridge::account> ask(const std::string& name, const std::string& password,
                                               const std::string& from = "::1") {
     std::promise<std::optional<operator_bridge::account>> answer;
-    const bool is_taken =
-        keeper->check({name, secret(password), from}, [&](auto who) { answer.set_value(std::move(who)); });
+    const bool is_taken = keeper->check({name, secret(password), from}, [&](auto who) {
+      answer.set_value(who ? std::optional(*std::move(who)) : std::nullopt);
+    });
     return is_taken ? answer.get_future().get() : std::nullopt;
   }
   std::vector<operator_bridge::accounts_read> told; // by the keeper's thread, before it answers
@@ -165,6 +167,24 @@ TEST_F(account_files, who_fills_the_queue_from_elsewhere_keeps_nobody_here_from_
   EXPECT_GE(taken, account_keeper::max_waiting - account_keeper::max_waiting_of_one);
   EXPECT_LT(taken, 100U);
   EXPECT_TRUE(world.ask("anna", "correct horse", "127.0.0.1"));
+}
+
+TEST_F(account_files, addresses_that_fill_the_queue_give_way_to_one_from_elsewhere) {
+  add("anna", "correct horse");
+  keeper_world world(file);
+  std::atomic<int> gave_way = 0;
+  const auto fill = [&] {
+    for (int address = 1; address <= 9; ++address)
+      for (int i = 0; i < 5; ++i)
+        (void)world.keeper->check(
+            {"nobody" + std::to_string(i), secret("wrong horse"), "10.0.1." + std::to_string(address)},
+            [&](const auto& who) { gave_way += !who && who.error() == account_keeper::refusal::gave_way ? 1 : 0; });
+  };
+  for (int i = 0; i < 3; ++i) {
+    fill();
+    EXPECT_TRUE(world.ask("anna", "correct horse", "10.0.0." + std::to_string(i + 1))) << i;
+  }
+  EXPECT_GE(gave_way, 1);
 }
 
 TEST_F(account_files, an_ipv6_network_has_the_share_of_one_address) {

@@ -112,9 +112,8 @@ protected:
               return ob::control_answer{true, {}, m.by.name};
             }),
             on<ob::get_operators>([](const ob::get_operators&) { return ob::operators_view{}; }),
-            on<ob::get_audit>([](const ob::get_audit& m) {
-              return ob::audit_list{{}, std::vector<ob::audit_row>(m.most)};
-            }),
+            on<ob::read_audit>(
+                [](const ob::read_audit& m) { return ob::audit_leave{m.by.name == "anna" ? "" : "not for you"}; }),
             on<ob::audit_note>([this](const ob::audit_note& m) { notes_->push_back(m); }),
             on<ob::make_link>([](const ob::make_link&) {
               return ob::link_answer{true, {}, 1};
@@ -155,6 +154,11 @@ struct process {
     if (flies) {
       others.flight = all;
       others.bridge = world.actors().add<bridge_stand_in>({.name = "bridge"}, {}, &bridge_answers, all, &notes);
+      others.read_audit = [](const operator_bridge::audit_query& wanted, const auto& then) {
+        if (wanted.before == 404)
+          return then(tl::make_unexpected(std::string("the disk is gone")));
+        then(operator_bridge::audit_page{std::vector<operator_bridge::audit_row>(wanted.most), wanted.before == 9});
+      };
       others.failsafe = all;
       others.points = all;
       others.crash = [](const std::string& name) { return name == "executor"; };
@@ -267,7 +271,15 @@ TEST(control_requests, control_and_the_audit_are_asked_of_operator_bridge) {
   EXPECT_EQ(process(true).ask(asked).at("ok"), false);
   asked.what = request_kind::audit;
   asked.rows = 7;
-  EXPECT_EQ(process(true, true, true).ask(asked).at("rows").size(), 7U);
+  asked.before = 9;
+  const auto page = process(true, true, true).ask(asked);
+  EXPECT_EQ(page.at("rows").size(), 7U);
+  EXPECT_EQ(page.at("has_older"), true);
+  EXPECT_EQ(page.at("ok"), true);
+  asked.before = 404;
+  EXPECT_EQ(process(true, true, true).ask(asked).at("error"), "the disk is gone");
+  asked.by = "eve";
+  EXPECT_EQ(process(true, true, true).ask(asked).at("error"), "not for you");
   EXPECT_EQ(process(true).ask(asked).at("ok"), false);
 }
 

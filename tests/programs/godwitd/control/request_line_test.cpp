@@ -70,6 +70,8 @@ TEST(control_request_line, control_is_taken_given_and_handed_over_to_somebody) {
 TEST(control_request_line, the_audit_is_asked_for_by_its_newest_rows) {
   EXPECT_EQ(read_request(R"({"do": "audit"})")->rows, 50U);
   EXPECT_EQ(read_request(R"({"do": "audit", "rows": 200})")->rows, 200U);
+  EXPECT_EQ(read_request(R"({"do": "audit", "before": 1200})")->before, 1'200U);
+  EXPECT_FALSE(read_request(R"({"do": "audit", "before": -1})"));
   for (const auto* line :
        {R"({"do": "audit", "rows": 0})", R"({"do": "audit", "rows": 201})", R"({"do": "audit", "rows": -1})"})
     EXPECT_FALSE(read_request(line)) << line;

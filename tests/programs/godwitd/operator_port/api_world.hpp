@@ -26,6 +26,7 @@
 #include "programs/godwitd/operator_port/view_desk.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
+#include "tests/support/audit_rows.hpp"
 
 namespace godwit::operator_port::tests {
 
@@ -183,7 +184,10 @@ public:
     const auto failsafe = world.actors().add<failsafe_stand_in>({.name = "failsafe"}, {}, &overridden);
     answers = std::make_shared<waiting_answers>(wanted.is_secure);
     desk = world.actors().add<operator_desk>(
-        {.name = "operator_desk"}, {}, desk_peers{bridge, points, failsafe, [this] { return pictured; }}, answers);
+        {.name = "operator_desk"}, {},
+        desk_peers{bridge, points, failsafe, [this] { return pictured; },
+                   [this](const auto& wanted, auto then) { then(godwit::tests::audit_rows(disk).read(wanted)); }},
+        answers);
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
     const auto uploads = world.actors().add<mission_desk>(
         {.name = "mission_desk"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
@@ -275,12 +279,9 @@ public:
   }
   [[nodiscard]] std::string utc_in(std::int64_t seconds) const;
   [[nodiscard]] std::uint32_t rows() {
-    const auto asked = world.ask(
-        bridge, std::chrono::seconds(1),
-        operator_bridge::get_audit{{"test", operators::role::engineer, std::string(operators::local_session)}, 200});
     world.run_until_idle();
     std::uint32_t result = 0;
-    for (const auto& each : asked->answer.rows)
+    for (const auto& each : godwit::tests::audit_rows(disk).read({0, 200}).rows)
       result += each.count;
     return result;
   }

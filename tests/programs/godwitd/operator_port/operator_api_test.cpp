@@ -252,6 +252,11 @@ TEST(operator_api, the_audit_is_for_operators) {
   const auto list = world.ask_as(anna, "GET", "/api/v1/audit?rows=1");
   EXPECT_EQ(list.status, 200U);
   EXPECT_EQ(list.body.at("rows").size(), 1U);
+  EXPECT_EQ(list.body.at("has_older"), true);
+  const auto number = list.body.at("rows").at(0).at("number").get<int>();
+  const auto older = world.ask_as(anna, "GET", "/api/v1/audit?before=" + std::to_string(number));
+  EXPECT_EQ(older.body.at("rows").back().at("number"), number - 1);
+  EXPECT_EQ(older.body.at("has_older"), false);
   EXPECT_EQ(world.ask_as(world.log_in("eve", role::viewer), "GET", "/api/v1/audit").status, 403U);
   EXPECT_EQ(world.ask("GET", "/api/v1/audit").status, 401U);
 }

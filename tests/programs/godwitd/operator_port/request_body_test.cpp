@@ -80,11 +80,15 @@ TEST(operator_request_body, a_token_is_a_bearers_or_the_cookies) {
   EXPECT_EQ(token_of(asked), "");
 }
 
-TEST(operator_request_body, rows_of_the_audit_are_1_to_200) {
-  EXPECT_EQ(*read_rows("/api/v1/audit"), 50U);
-  EXPECT_EQ(*read_rows("/api/v1/audit?rows=200"), 200U);
-  for (const auto* target : {"/a?rows=0", "/a?rows=201", "/a?rows=", "/a?rows=-1", "/a?rows=1x", "/a?x=1", "/a?"})
-    EXPECT_FALSE(read_rows(target)) << target;
+TEST(operator_request_body, the_audit_is_asked_for_by_1_to_200_rows_before_a_number) {
+  EXPECT_EQ(read_audit_query("/api/v1/audit")->most, 50U);
+  EXPECT_EQ(read_audit_query("/api/v1/audit?rows=200")->most, 200U);
+  EXPECT_EQ(read_audit_query("/a?before=1200&rows=7")->before, 1'200U);
+  EXPECT_EQ(read_audit_query("/a?before=1200&rows=7")->most, 7U);
+  for (const auto* target :
+       {"/a?rows=0", "/a?rows=201", "/a?rows=", "/a?rows=-1", "/a?rows=1x", "/a?x=1", "/a?rows=1&&", "/a?rows=1&rows=2",
+        "/a?before=", "/a?before=-1", "/a?before=18446744073709551615"})
+    EXPECT_FALSE(read_audit_query(target)) << target;
 }
 
 } // namespace request_body_test

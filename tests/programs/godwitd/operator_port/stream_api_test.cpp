@@ -25,7 +25,14 @@ class streamed : public testing::Test {
 protected:
   streamed() {
     api = std::make_shared<stream_api>(port.context(), all, set);
-    EXPECT_TRUE(port.open({.host = "127.0.0.1", .port = 0, .hosts = {}}, api->routes()));
+    auto routes = api->routes();
+    for (auto& each : routes)
+      each.handle = [this, then = each.handle](server_request asked, responder answer) {
+        if (const auto place = asked.place.lock(); place && !session.empty())
+          place->prove(session);
+        then(std::move(asked), std::move(answer));
+      };
+    EXPECT_TRUE(port.open({.host = "127.0.0.1", .port = 0, .hosts = {}}, std::move(routes)));
     number = static_cast<std::uint16_t>(std::stoi(port.place().substr(port.place().find(':') + 1)));
   }
   ~streamed() override {
@@ -50,6 +57,7 @@ protected:
     }
   }
 
+  std::string session; // with which clients come
   std::int64_t now_ns = 1'000'000'000;
   io::http::websocket_settings set{.write_timeout = std::chrono::seconds(60)};
   std::shared_ptr<hub> all = std::make_shared<hub>(42);
@@ -68,6 +76,23 @@ TEST_F(streamed, a_client_hears_the_stream_the_newest_and_then_what_comes) {
   EXPECT_EQ(next(client).at("data"), 1);
   say(topic::flight, "flying");
   EXPECT_EQ(next(client).at("data"), "flying");
+}
+
+TEST_F(streamed, a_client_is_closed_when_its_session_ends_and_no_other_one) {
+  session = "s1";
+  websocket_client anna(number, "/api/v1/stream?topics=flight");
+  ASSERT_EQ(anna.status(), 101U);
+  session = "s2";
+  websocket_client bob(number, "/api/v1/stream?topics=flight");
+  ASSERT_EQ(bob.status(), 101U);
+  ASSERT_TRUE(subscribed(2));
+  const auto since = std::chrono::steady_clock::now();
+  port.end_session("s1");
+  EXPECT_TRUE(next(anna).is_null());
+  EXPECT_LT(std::chrono::steady_clock::now() - since, 500ms) << "accounts are looked at each half second";
+  EXPECT_TRUE(subscribed(1));
+  say(topic::flight, "flying");
+  EXPECT_EQ(next(bob).at("data"), "flying");
 }
 
 TEST_F(streamed, what_is_asked_wrongly_is_answered_with_what_is_right) {
@@ -151,6 +176,7 @@ TEST_F(hasty, a_client_that_takes_nothing_for_long_is_closed) {
 }
 
 TEST_F(streamed, a_websocket_is_one_of_the_clients_of_its_address_for_as_long_as_it_lasts) {
+  session = "s1"; // who has none gives way
   std::vector<std::unique_ptr<websocket_client>> lines;
   for (std::size_t i = 0; i < settings().max_clients_an_address; ++i) {
     lines.push_back(std::make_unique<websocket_client>(number, "/api/v1/stream"));

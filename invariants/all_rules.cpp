@@ -11,7 +11,7 @@ namespace godwit::invariants {
 std::span<const rule> all_rules() {
   static constexpr const char* inside = "docs/architecture.md, The way of a message";
   static constexpr const char* crash = "docs/architecture.md, A crash, step by step";
-  static constexpr const char* progress = "docs/architecture.md, How far a mission got";
+  static constexpr const char* progress = "docs/progress.md";
   static constexpr const char* executor = "docs/actors/executor.md";
   static constexpr const char* failsafe = "docs/actors/failsafe.md";
   static constexpr const char* scan = "docs/actors/scan_controller.md";

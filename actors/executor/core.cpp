@@ -113,6 +113,7 @@ effects core::advance(instant now) {
         std::ranges::any_of(out, [](const effect& each) { return std::holds_alternative<note>(each); });
     goes_on = out.size() != before && !has_notes;
   }
+  ground_.on_task();
   return out;
 }
 
@@ -176,9 +177,12 @@ effects core::on_vehicle(const io::mavlink::heartbeat& m, instant now) {
 
 effects core::on_vehicle(const io::mavlink::current_mode& m, instant now) {
   flight_.view.take(m);
-  if (recovery_.has_looked() && flight_.view.mode())
+  effects out;
+  if (recovery_.has_looked() && flight_.view.mode()) {
     watch_.on_current_mode(m.intended_custom_mode, now);
-  return {};
+    ground_.on_mode(out, now);
+  }
+  return out;
 }
 
 effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
@@ -192,8 +196,10 @@ effects core::on_vehicle(const io::mavlink::mission_current& m, instant now) {
   if (flight_.view.says_complete() && !flight_.is_complete_credible(now) && !believes_all)
     told.message.mission_state = io::mavlink::number(io::mavlink::mission_state::active);
   if (s.progress.plan && told.is_ours)
-    told.never_near = plan_.never_near(m.seq, told.message.mission_state ==
-                                                  io::mavlink::number(io::mavlink::mission_state::complete));
+    told.never_near =
+        plan_.never_near(m.seq, told.message.mission_state == io::mavlink::number(io::mavlink::mission_state::complete)
+                                    ? plan_watch::told::complete
+                                    : plan_watch::told::at);
   if (s.progress.plan && progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});
   return out;
@@ -206,7 +212,7 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
   effects out;
   progress::reached_told told{m.seq, {}};
   if (!is_early && s.progress.plan)
-    told.never_near = plan_.never_near(m.seq, true);
+    told.never_near = plan_.never_near(m.seq, plan_watch::told::reached);
   if (!is_early && !flight_.has_person() && flight_.authority.is_ours() && s.progress.plan &&
       progress::matters(s.progress, told, now.wall_ns))
     out.emplace_back(note{told});

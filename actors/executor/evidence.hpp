@@ -1,7 +1,7 @@
 // What is known of who acts on the vehicle and of the plan on it, besides its modes: what an order is decided on.
 //
 // Volatile: a new incarnation knows nothing, and so proves and looks anew. Times: monotonic nanoseconds. Thread: plain
-// values. Source: docs/decisions/0097-orders-and-evidence.md.
+// values. Source: docs/decisions/authority.md.
 #pragma once
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 //   neutral   godwit has the vehicle: a plan, home, a mode in which nothing begins
 //   moves     godwit has the vehicle, it was looked at for this very order, and its plan is proved where it flies one
 //
-// The limits are those of docs/decisions/0097-orders-and-evidence.md. Pure. Thread: any.
+// The limits are those of docs/decisions/authority.md. Pure. Thread: any.
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "actors/domain/mission/rules.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -28,6 +29,17 @@ std::optional<std::string> last_done(const state& s) {
   const auto first = items.front().item_index;
   const auto& mission = s.flown ? s.flown->mission : *s.mission;
   return first == 0 || first > mission.items.size() ? std::nullopt : std::optional(id_of(mission.items[first - 1]));
+}
+
+const io::mavlink::mission_item_int* last_flown_item(const state& s) {
+  if (!s.flown || s.flown->items.empty())
+    return nullptr;
+  const auto& items = s.flown->items;
+  if (const auto& plan = s.progress.plan; plan && progress::end_sequence(plan->map) == items.size())
+    if (const auto last = progress::last_movement(plan->map))
+      return &items[*last];
+  const auto last = std::find_if(items.rbegin(), items.rend(), plan::is_nav);
+  return last == items.rend() ? &items.back() : &*last;
 }
 
 std::size_t first_remaining(const mission::document& mission, const std::optional<std::string>& last_done) {

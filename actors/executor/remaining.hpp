@@ -7,19 +7,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include <tl/expected.hpp>
 
+#include "actors/executor/plan/change_ids.hpp"
 #include "actors/executor/state.hpp"
 #include "messages/mission/change.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::executor {
-
-// Items that an operator's change puts in front of what is left of a mission: their ids begin so, and a number follows.
-inline constexpr std::string_view go_to_id = "goto";
-inline constexpr std::string_view way_back_id = "back";
 
 // The items that are done or skipped end with this one: its id. None: nothing is done.
 [[nodiscard]] std::optional<std::string> last_done(const state& s);
@@ -35,6 +31,10 @@ inline constexpr std::string_view way_back_id = "back";
 // So many lines of the item at INDEX are flown, if it is a survey that the plan on the vehicle has, too, and lays the
 // same way: behind the same items. Else 0. The line that was begun is not flown.
 [[nodiscard]] std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index);
+
+// The vehicle item with which the plan on the vehicle ends: the last one that moves it, without what lies behind a
+// landing and is kept for a failure. Null: there is no plan.
+[[nodiscard]] const io::mavlink::mission_item_int* last_flown_item(const state& s);
 
 struct reassigned {
   mission::document mission;

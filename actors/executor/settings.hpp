@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/domain/mission/place_limits.hpp"
 #include "actors/executor/preflight/settings.hpp"
 #include "io/fields/field_table.hpp"
@@ -69,11 +70,12 @@ struct settings {
   double fence_margin_m = 10;   // of the way to where an operator sends the vehicle
   double own_loiter_radius_m = 80;
   double return_altitude_m = 0;
-  double drain_percent_per_min = 0; // of the battery, before it was measured in a flight; 0: not known
-  bool allow_partial = false;       // of a station's plan: take what a mission can say, and tell what it can not
-  bool shows_home = false;          // to stations, where the vehicle keeps its home as item 0: they take us for it
-  bool brings_last_line = true;     // fences and rally points to the vehicle as well: flight/last_line.hpp
-  bool marks_landings = false;      // of fixed wings, with DO_LAND_START: see plan/setting.hpp
+  double drain_percent_per_min = 0;           // of the battery, before it was measured in a flight; 0: not known
+  mission::allowed_commands allowed_commands; // guarded and unknown ones that a mission may hold
+  bool allow_partial = false;   // of a station's plan: take what a mission can say, and tell what it can not
+  bool shows_home = false;      // to stations, where the vehicle keeps its home as item 0: they take us for it
+  bool brings_last_line = true; // fences and rally points to the vehicle as well: flight/last_line.hpp
+  bool marks_landings = false;  // of fixed wings, with DO_LAND_START: see plan/setting.hpp
   preflight::settings checks;
 };
 

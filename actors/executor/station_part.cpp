@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/domain/mission/convert/conversion.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/station_plan.hpp"
@@ -11,12 +12,11 @@
 namespace godwit::executor {
 namespace {
 
-bool is_take_off(const mission::item& each) { return std::holds_alternative<mission::takeoff>(each); }
+using mission::is_take_off;
 
 // What comes before the first movement is no movement.
 bool begins_with_take_off(const std::vector<mission::item>& items) {
-  const auto moves = std::ranges::find_if(
-      items, [](const mission::item& each) { return !std::holds_alternative<mission::change_speed>(each); });
+  const auto moves = std::ranges::find_if(items, mission::moves_vehicle);
   return moves != items.end() && is_take_off(*moves);
 }
 

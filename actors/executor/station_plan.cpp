@@ -10,8 +10,6 @@ namespace {
 using io::mavlink::mission_mode;
 using io::mavlink::mission_state;
 
-bool is_of_change(const std::string& id) { return id.starts_with(go_to_id) || id.starts_with(way_back_id); }
-
 std::optional<std::uint16_t> place_by_id(const station_plan& plan, const std::string& id) {
   const auto found = std::ranges::find(plan.ids, id);
   const auto index = static_cast<std::size_t>(found - plan.ids.begin());
@@ -138,7 +136,8 @@ ground_port::mission_progress progress_shown(const state& s, const vehicle_view&
 std::optional<ground_port::item_reached> reached_shown(const state& s, const mission::progress_report& report,
                                                        bool with_home) {
   const bool is_of_plan = s.progress.plan && report.generation == s.progress.plan->generation.number;
-  if (report.kind != mission::progress_kind::reached || !is_of_plan || !report.item_index)
+  const bool is_done = report.kind == mission::progress_kind::reached || report.kind == mission::progress_kind::passed;
+  if (!is_done || !is_of_plan || !report.item_index)
     return std::nullopt;
   const auto& items = s.progress.plan->map.items;
   const auto found =

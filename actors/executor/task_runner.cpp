@@ -6,7 +6,9 @@
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/home/home.hpp"
 #include "actors/executor/announced_modes.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 #include "actors/executor/plan_proof.hpp"
+#include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -36,12 +38,9 @@ bool is_final(const vehicle_link::command_outcome& outcome) {
 } // namespace
 
 flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s) {
-  if (!s.flown)
-    return {};
-  const auto& items = s.flown->items;
-  const auto last = std::find_if(items.rbegin(), items.rend(),
-                                 [](const auto& each) { return each.command <= number(mav_cmd::nav_last); });
-  return last == items.rend() ? flight::plan_end{} : flight::plan_end_of(whose, last->command, last->seq);
+  const auto* const last = last_flown_item(s);
+  return last == nullptr || !plan::is_nav(*last) ? flight::plan_end{}
+                                                 : flight::plan_end_of(whose, last->command, last->seq);
 }
 
 // -- a task -----------------------------------------------------------------------------------------
@@ -338,9 +337,13 @@ void task_runner::end_step(const world& w, std::string why) {
   enter(stage::closing);
 }
 
-// Before each send. PX4 arms by itself when it is started, and whoever has armed a vehicle that stood flies it.
+// Before each send. PX4 arms by itself when it is started, and whoever has armed a vehicle that stood flies it. What
+// was disarmed in its flight stays where it is: a start alone changes the mode of a vehicle that it arms then.
 std::string task_runner::why_not_now(const vehicle_view& view) const {
-  if (std::holds_alternative<start_plan>(way_[at_]) && !view.is_armed())
+  const auto* mode = std::get_if<change_mode>(&way_[at_]);
+  const bool goes_on = mode != nullptr && task_->kind != task_kind::start && !is_stop() &&
+                       (mode->to == flight::mode_kind::mission || mode->to == flight::mode_kind::guided);
+  if ((goes_on || std::holds_alternative<start_plan>(way_[at_])) && !view.is_armed())
     return "the vehicle is disarmed";
   const auto* status = std::get_if<stand_by>(&way_[at_]);
   const bool needs_disarmed = std::holds_alternative<await_arming>(way_[at_]) ||
@@ -361,7 +364,7 @@ bool task_runner::is_too_late_to_move() const {
 }
 
 void task_runner::end_too_late(const world& w) {
-  end_step(w, "godwit could not look after it for more than 3 s; a person has to say it again");
+  end_step(w, "godwit could not look after it for more than a second; a person has to say it again");
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {

@@ -51,8 +51,10 @@ public:
 
   enum class verdict { idle, under_way, done, failed };
 
-  // As long as an order may wait for the disk. The process had no processor, or the vehicle was not heard.
-  static constexpr std::int64_t starved_ns = 3'000'000'000;
+  // The process had no processor. The executor looks twice a second at least, and a look at the vehicle counts for as
+  // long. A person's hold of a vehicle that stands in this mode shows in nothing but the answer to it: it may have been
+  // on another line, or among what the socket had no room for.
+  static constexpr std::int64_t starved_ns = vehicle_link::look_counts_ns;
 
   // INTENT: of the plan that bring_plan brings.
   void begin(const task& what, steps way, std::optional<progress::upload_intended> intent);
@@ -94,6 +96,10 @@ public:
   // What is under way holds the vehicle, or brings it home.
   [[nodiscard]] bool is_stop() const;
   [[nodiscard]] bool is_busy() const { return task_.has_value(); }
+  // The step under way takes a vehicle that stands out of its mission mode.
+  [[nodiscard]] bool is_standing_by() const {
+    return task_ && at_ < way_.size() && std::holds_alternative<stand_by>(way_[at_]);
+  }
   [[nodiscard]] const std::optional<task>& doing() const { return task_; }
   [[nodiscard]] std::int64_t next_deadline_ns() const;
 

@@ -9,6 +9,7 @@
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/domain/geo/point.hpp"
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/domain/vehicle_text/text_assembler.hpp"
 #include "actors/executor/plan/setting.hpp"
 #include "actors/executor/preflight/facts.hpp"
@@ -61,6 +62,8 @@ public:
   [[nodiscard]] bool is_critical() const { return is_critical_; }
   [[nodiscard]] std::uint64_t heartbeats() const { return heartbeats_; }
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; }
+  // By which the table of commands knows it; none: another autopilot, or not known yet.
+  [[nodiscard]] std::optional<mission::vehicle_profile> profile() const;
   [[nodiscard]] bool is_armed() const { return is_armed_; }
   // Not moving, as far as it was heard.
   [[nodiscard]] bool stands() const { return speed_mps_ <= standing_mps; }
@@ -118,6 +121,7 @@ private:
   vehicle_link::line_findings line_;
   std::optional<flight::flight_mode> mode_;
   flight::mode_owner owner_;
+  bool is_vtol_ = false;
   bool is_armed_ = false;
   bool is_critical_ = false;
   std::uint64_t heartbeats_ = 0;

@@ -177,8 +177,8 @@ private:
                            const mavlink::frame_view& frame); // true: it is dealt with
   void route_listed(decision_context& t, station& from, const passing::message_row& row,
                     const mavlink::frame_view& frame);
-  [[nodiscard]] executor::act_kind kind_of_stream(const station& from, const passing::message_row& row,
-                                                  const mavlink::frame_view& frame, std::int64_t now_ns);
+  [[nodiscard]] bool are_sticks_at_rest(const station& from, const passing::message_row& row,
+                                        const mavlink::frame_view& frame, std::int64_t now_ns);
   void route_command(decision_context& t, station& from, const vehicle_role::order& what,
                      const mavlink::frame_view& frame, bool is_for_all);
   void route_file(decision_context& t, station& from, const mavlink::frame_view& frame);

@@ -28,8 +28,6 @@ bool goes_on_unanswered(act_kind kind) {
   return kind == act_kind::stop || kind == act_kind::hold || kind == act_kind::stream;
 }
 
-bool is_stream(act_kind kind) { return kind == act_kind::stream || kind == act_kind::sticks_at_rest; }
-
 } // namespace
 
 executor::station core::by(mavlink::sender who) { return {who.system, who.component}; }
@@ -80,8 +78,7 @@ void core::act_on_answer(decision_context& t, passing::waiting_act asked, const 
   case act_verdict::refused:
     return refuse_act(t, asked, m.reason);
   case act_verdict::pass:
-    if (asked.act.kind != act_kind::sticks_at_rest)
-      audit_act(t, asked, audited_as_taken, "it goes on to the vehicle");
+    audit_act(t, asked, audited_as_taken, "it goes on to the vehicle");
     return forward(t, std::move(asked));
   case act_verdict::begun:
     is_hold_asked_ = is_hold_asked_ || asked.act.kind == act_kind::hold;
@@ -155,13 +152,11 @@ void core::pass_unanswered(decision_context& t, const passing::waiting_act& what
   t.done.emplace_back(tell_taken_over{});
   pass(t, what.frame);
   audit_act(t, what, audited_as_taken, "it goes on to the vehicle although " + reason);
-  if (!is_stream(what.act.kind))
+  if (what.act.kind != act_kind::stream)
     t.say(mav_severity::critical, what.act.what + " is passed on although " + reason);
 }
 
 void core::refuse_act(decision_context& t, const passing::waiting_act& what, const std::string& reason) {
-  if (what.act.kind == act_kind::sticks_at_rest) // nobody has meant anything
-    return;
   ++counts_.passing_refused;
   audit_act(t, what, "refused", reason);
   const mavlink::sender to{what.frame.system, what.frame.component};
@@ -171,7 +166,7 @@ void core::refuse_act(decision_context& t, const passing::waiting_act& what, con
     refuse_file(t, what.frame);
   else if (what.frame.message == mavlink::param_set::message_id)
     read_back(t, what.frame);
-  if (!is_stream(what.act.kind))
+  if (what.act.kind != act_kind::stream)
     t.say(mav_severity::warning, what.act.what + ": " + reason, stations_.way_to(to));
 }
 

@@ -131,10 +131,10 @@ void core::route_listed(decision_context& t, station& from, const passing::messa
   switch (row.on) {
   case pass_list::passes:
     return pass_reading(t, as_said(frame));
-  case pass_list::person: {
-    const auto kind = kind_of_stream(from, row, frame, t.now.monotonic_ns);
-    return ask(t, {{kind, by(from.who), std::string(row.name)}, as_said(frame)});
-  }
+  case pass_list::person:
+    if (are_sticks_at_rest(from, row, frame, t.now.monotonic_ns)) // an autopilot that misses them acts by itself
+      return pass_reading(t, as_said(frame));
+    return ask(t, {{row.kind, by(from.who), std::string(row.name)}, as_said(frame)});
   case pass_list::disarmed:
     return ask(t, {{act_kind::configure, by(from.who), std::string(row.name)}, as_said(frame)});
   case pass_list::setting:
@@ -151,11 +151,10 @@ void core::route_listed(decision_context& t, station& from, const passing::messa
   refuse_passing(t, from, std::string(row.name) + " is not passed on");
 }
 
-act_kind core::kind_of_stream(const station& from, const passing::message_row& row, const mavlink::frame_view& frame,
+bool core::are_sticks_at_rest(const station& from, const passing::message_row& row, const mavlink::frame_view& frame,
                               std::int64_t now_ns) {
   constexpr std::uint32_t manual_control = 69;
-  const bool is_at_rest = row.id == manual_control && !sticks_.is_held(from.who, frame.payload(), now_ns);
-  return is_at_rest ? act_kind::sticks_at_rest : row.kind;
+  return row.id == manual_control && !sticks_.is_held(from.who, frame.payload(), now_ns);
 }
 
 // Not slower than what godwit itself needs, and never off.

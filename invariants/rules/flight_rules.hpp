@@ -1,4 +1,4 @@
-// What godwit promises of a flight and its reports: docs/architecture.md, "How far a mission got"; docs/actors.
+// What godwit promises of a flight and its reports: docs/progress.md, docs/actors.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What the runtime promises to every actor: docs/architecture.md, "Inside an actor", "When something crashes".
+// What the runtime promises to every actor: docs/architecture.md, "Inside an actor", "A crash, step by step".
 #pragma once
 
 #include <memory>

@@ -3,8 +3,9 @@
 //   'g' 'e' | version u8 | kind u8 | length of the body u32, little-endian | body: JSON by the field table
 //
 // JSON, because a person who looks at the socket with strace can read it, and the fields and their checks are written
-// once; there are some fifty small messages a second (decision 0055). Errors: whatever arrives, a value with what is
-// wrong; never a crash, and nothing is allocated beyond a few times the bytes that came. Thread: pure.
+// once; there are some fifty small messages a second (docs/decisions/0055-detector-in-its-own-process.md). Errors:
+// whatever arrives, a value with what is wrong; never a crash, and nothing is allocated beyond a few times the bytes
+// that came. Thread: pure.
 #pragma once
 
 #include <cstddef>

@@ -11,6 +11,8 @@ datagram_reader::datagram_reader(boost::asio::ip::udp::socket& socket, std::span
 
 void datagram_reader::start() {
   ++generation_;
+  boost::system::error_code ignored;
+  socket_.set_option(boost::asio::socket_base::receive_buffer_size(receive_buffer_bytes), ignored);
   wait();
 }
 

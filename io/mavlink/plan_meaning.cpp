@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
@@ -26,6 +28,37 @@ bool differs_in_altitude_kind(const mission_item_int& a, const mission_item_int&
   return has_position && ours && theirs && ours != theirs;
 }
 
+// Of the others vehicles keep neither coordinates nor altitude, whatever was sent.
+bool has_place(std::uint16_t command) {
+  constexpr mav_cmd none[] = {mav_cmd::nav_return_to_launch, mav_cmd::nav_guided_enable, mav_cmd::nav_delay};
+  constexpr mav_cmd some[] = {mav_cmd::do_set_home, mav_cmd::do_return_path_start, mav_cmd::do_land_start,
+                              mav_cmd::do_set_roi_location, mav_cmd::do_set_roi};
+  const auto is_in = [&](const auto& list) {
+    return std::ranges::any_of(list, [&](mav_cmd each) { return number(each) == command; });
+  };
+  const bool is_nav = command <= number(mav_cmd::nav_last);
+  const bool is_of_fence = command >= number(mav_cmd::nav_fence_return_point);
+  return is_in(some) || ((is_nav || is_of_fence) && !is_in(none));
+}
+
+bool is_at_the_same_place(const mission_item_int& a, const mission_item_int& b) {
+  return !has_place(a.command) ||
+         (is_near(a.x, b.x) && is_near(a.y, b.y) &&
+          std::abs(known_part(a.z) - known_part(b.z)) <= altitude_tolerance_m && !differs_in_altitude_kind(a, b));
+}
+
+// PX4 keeps the one as the other.
+bool is_same_command(std::uint16_t a, std::uint16_t b) {
+  constexpr std::pair<mav_cmd, mav_cmd> kept_as[] = {{mav_cmd::nav_roi, mav_cmd::do_set_roi},
+                                                     {mav_cmd::condition_delay, mav_cmd::nav_delay}};
+  return a == b || std::ranges::any_of(
+                       kept_as, [&](const auto& each) { return number(each.first) == a && number(each.second) == b; });
+}
+
+bool leads_the_same_way(const mission_item_int& a, const mission_item_int& b) {
+  return a.command != number(mav_cmd::do_jump) || (a.param1 == b.param1 && a.param2 == b.param2);
+}
+
 bool is_same_speed(const mission_item_int& a, const mission_item_int& b) {
   return a.command != number(mav_cmd::do_change_speed) ||
          std::abs(known_part(a.param2) - known_part(b.param2)) <= speed_tolerance_mps;
@@ -43,8 +76,7 @@ bool stays_as_long(const mission_item_int& a, const mission_item_int& b) {
 } // namespace
 
 bool means_the_same(const mission_item_int& a, const mission_item_int& b) {
-  return a.command == b.command && is_near(a.x, b.x) && is_near(a.y, b.y) &&
-         std::abs(known_part(a.z) - known_part(b.z)) <= altitude_tolerance_m && !differs_in_altitude_kind(a, b) &&
+  return is_same_command(a.command, b.command) && is_at_the_same_place(a, b) && leads_the_same_way(a, b) &&
          is_same_speed(a, b) && stays_as_long(a, b);
 }
 

@@ -2,9 +2,10 @@
 //
 // ArduPilot does not give back what was sent: it keeps its own home as item 0, gives frame 3 for frame 6, rounds the
 // altitude to a centimetre, cuts times to whole seconds, and drops parameters that it does not use. So what is compared
-// is what moves the vehicle: command, position, the kind of altitude, the speed of DO_CHANGE_SPEED, and how long it
-// stays; a time that comes back as 0 counts as dropped. Other parameters are not compared. Source: seen on
-// ArduPilot 4.7 and PX4 1.17. Thread: pure.
+// is what moves the vehicle: command, position, the kind of altitude, the speed of DO_CHANGE_SPEED, where a DO_JUMP
+// leads and how often, and how long it stays; a time that comes back as 0 counts as dropped. PX4 keeps NAV_ROI as
+// DO_SET_ROI and CONDITION_DELAY as NAV_DELAY. Other parameters are not compared. Source: seen on ArduPilot 4.7 and
+// PX4 1.17. Thread: pure.
 #pragma once
 
 #include <optional>

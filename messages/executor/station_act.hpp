@@ -25,9 +25,8 @@ enum class act_kind {
   arm,
   take_off,
   go_to,
-  stop,   // disarm, return, land, terminate: it ends what the vehicle does
-  stream, // sticks, positions, attitudes: many a second
-  sticks_at_rest,
+  stop,     // disarm, return, land, terminate: it ends what the vehicle does
+  stream,   // sticks, positions, attitudes: many a second
   command,  // whatever else moves the vehicle: modes, speeds, heights
   configure // parameters, home, a restart: only of a vehicle that stands disarmed, and it is looked at anew behind it
 };
@@ -40,7 +39,6 @@ constexpr auto enum_names(act_kind) {
                               {act_kind::go_to, "go_to"},
                               {act_kind::stop, "stop"},
                               {act_kind::stream, "stream"},
-                              {act_kind::sticks_at_rest, "sticks_at_rest"},
                               {act_kind::command, "command"},
                               {act_kind::configure, "configure"}});
 }

@@ -2,6 +2,7 @@
 // a plain value.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,8 +15,10 @@
 
 namespace godwit::mission {
 
-// The version of the contract that this program speaks. A document of another major version is refused.
+// The versions of the contract that this program speaks. A document of another major version is refused. Version 2 has
+// two more kinds of items; a mission without them is still written as one of version 1, which more readers know.
 inline constexpr std::string_view schema_version = "1.0.0";
+inline constexpr std::string_view schema_version_2 = "2.0.0";
 
 enum class fence_kind {
   inclusion, // stay inside one of these
@@ -26,15 +29,28 @@ constexpr auto enum_names(fence_kind) {
   return io::names<fence_kind>({{fence_kind::inclusion, "INCLUSION"}, {fence_kind::exclusion, "EXCLUSION"}});
 }
 
+struct fence_circle {
+  double latitude = 0; // of its centre
+  double longitude = 0;
+  double radius_m = 0;
+
+  static constexpr auto fields =
+      io::table("mission.fence_circle", io::field("latitude", &fence_circle::latitude),
+                io::field("longitude", &fence_circle::longitude), io::field("radius_m", &fence_circle::radius_m));
+  friend bool operator==(const fence_circle&, const fence_circle&) = default;
+};
+
 struct geofence {
   fence_kind kind = fence_kind::inclusion;
-  std::vector<vertex> vertices;
+  std::vector<vertex> vertices;  // of a circle: the polygon that godwit judges by, within it or around it
   std::optional<double> floor_m; // above the place of take-off
   std::optional<double> ceiling_m;
+  std::optional<fence_circle> circle{}; // what goes to the vehicle; of version 2
 
   static constexpr auto fields =
       io::table("mission.geofence", io::field("kind", &geofence::kind), io::field("vertices", &geofence::vertices),
-                io::field("floor_m", &geofence::floor_m), io::field("ceiling_m", &geofence::ceiling_m));
+                io::field("floor_m", &geofence::floor_m), io::field("ceiling_m", &geofence::ceiling_m),
+                io::field("circle", &geofence::circle));
   friend bool operator==(const geofence&, const geofence&) = default;
 };
 
@@ -58,13 +74,25 @@ struct document {
   std::vector<geofence> geofences;
   std::optional<position> return_point;              // absent: no item leads there
   std::optional<mission::planned_home> planned_home; // of the file that the mission was read from
+  // Where the vehicle's own return leads instead of home, and its fence's: for the vehicle alone. Of version 2.
+  std::optional<std::vector<position>> rally_points{}; // never empty
+  std::optional<position> breach_return_point{};
 
   static constexpr auto fields =
       io::table("mission.document", io::field("mission_id", &document::mission_id),
                 io::field("schema_version", &document::schema_version), io::field("revision", &document::revision),
                 io::field("items", &document::items), io::field("geofences", &document::geofences),
-                io::field("return_point", &document::return_point), io::field("planned_home", &document::planned_home));
+                io::field("return_point", &document::return_point), io::field("planned_home", &document::planned_home),
+                io::field("rally_points", &document::rally_points),
+                io::field("breach_return_point", &document::breach_return_point));
   friend bool operator==(const document&, const document&) = default;
 };
+
+// Version 1 of the contract can not express it.
+[[nodiscard]] inline bool needs_version_2(const document& value) {
+  const auto has_circle = [](const geofence& each) { return each.circle.has_value(); };
+  return value.rally_points || value.breach_return_point || std::ranges::any_of(value.items, is_of_version_2) ||
+         std::ranges::any_of(value.geofences, has_circle);
+}
 
 } // namespace godwit::mission

@@ -4,9 +4,13 @@
 //
 // One item becomes none, one or several items on the vehicle. Angles are degrees clockwise from north, altitudes metres
 // above the place of take-off, speeds metres a second: over ground, for fixed wings through the air. What may stand in
-// a field is the business of config/schemas/item.schema.json. Thread: plain values.
+// a field is the business of config/schemas/item.schema.json. Two kinds belong to version 2 of the contract: `command`
+// is one item of the vehicle as it is, and `jump` goes back or forth between items. Thread: plain values.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -111,7 +115,38 @@ struct return_home {
   friend bool operator==(const return_home&, const return_home&) = default;
 };
 
-using item = std::variant<takeoff, waypoint, loiter, change_speed, survey, land, return_home>;
+inline constexpr std::size_t command_params = 7;
+
+// One item of the vehicle, as it is: nothing is added to it or left out. Parameters 5 and 6 are degrees in the frames
+// that have latitude and longitude.
+struct command_item {
+  std::string id;
+  std::uint16_t command = 0;                                // MAV_CMD
+  std::uint8_t frame = 0;                                   // MAV_FRAME
+  std::array<std::optional<double>, command_params> params; // absent: not given
+  bool autocontinue = true;
+
+  static constexpr std::string_view kind = "command";
+  static constexpr auto fields =
+      io::table("mission.command", io::field("id", &command_item::id), io::field("command", &command_item::command),
+                io::field("frame", &command_item::frame), io::field("params", &command_item::params),
+                io::field("autocontinue", &command_item::autocontinue));
+  friend bool operator==(const command_item&, const command_item&) = default;
+};
+
+// On from the item TO, so many times; then on with the item after this one.
+struct jump {
+  std::string id;
+  std::string to;         // the id of an item of the same mission
+  std::int32_t times = 0; // -1: for ever
+
+  static constexpr std::string_view kind = "jump";
+  static constexpr auto fields = io::table("mission.jump", io::field("id", &jump::id), io::field("to", &jump::to),
+                                           io::field("times", &jump::times));
+  friend bool operator==(const jump&, const jump&) = default;
+};
+
+using item = std::variant<takeoff, waypoint, loiter, change_speed, survey, land, return_home, command_item, jump>;
 
 [[nodiscard]] inline const std::string& id_of(const item& each) {
   return std::visit([](const auto& value) -> const std::string& { return value.id; }, each);
@@ -119,6 +154,11 @@ using item = std::variant<takeoff, waypoint, loiter, change_speed, survey, land,
 
 [[nodiscard]] inline std::string_view kind_of(const item& each) {
   return std::visit([]<class T>(const T&) { return T::kind; }, each);
+}
+
+// Version 1 of the contract does not know it.
+[[nodiscard]] inline bool is_of_version_2(const item& each) {
+  return std::holds_alternative<command_item>(each) || std::holds_alternative<jump>(each);
 }
 
 } // namespace godwit::mission

@@ -11,11 +11,19 @@
 
 namespace godwit::mission {
 
-enum class progress_kind { started, reached, skipped, complete, aborted };
+enum class progress_kind {
+  started,
+  reached,
+  passed, // an item that acts or waits: the vehicle has gone on from it, which does not say that the act was of use
+  skipped,
+  complete,
+  aborted
+};
 
 constexpr auto enum_names(progress_kind) {
   return io::names<progress_kind>({{progress_kind::started, "started"},
                                    {progress_kind::reached, "reached"},
+                                   {progress_kind::passed, "passed"},
                                    {progress_kind::skipped, "skipped"},
                                    {progress_kind::complete, "complete"},
                                    {progress_kind::aborted, "aborted"}});

@@ -140,7 +140,7 @@ tl::expected<void, std::string> composition::make_eyes() {
 tl::expected<void, std::string> composition::load_mission() {
   if (wanted_.mission_file.empty())
     return {};
-  auto loaded = load_mission_file(wanted_.mission_file, wanted_.allow_partial);
+  auto loaded = load_mission_file(wanted_.mission_file, wanted_.allow_partial, wanted_.allowed_commands);
   if (!loaded)
     return tl::make_unexpected(std::move(loaded.error()));
   const auto& mission = loaded->mission;

@@ -59,7 +59,8 @@ void check_inputs(const daemon_settings& wanted, problem_list& to) {
     if (const auto objection = operator_port::objection_to(*wanted.operators, !accounts->empty()))
       to.add("operator-listen", *objection);
   if (!wanted.mission_file.empty())
-    if (const auto mission = load_mission_file(wanted.mission_file, wanted.allow_partial); !mission)
+    if (const auto mission = load_mission_file(wanted.mission_file, wanted.allow_partial, wanted.allowed_commands);
+        !mission)
       to.add("mission", mission.error());
   if (!wanted.sightings_file.empty() && wanted.sightings_file != "-")
     to.must_be_readable("sightings", wanted.sightings_file);

@@ -74,14 +74,18 @@ std::string explained(const std::string& file, const mission::conversion_error& 
 
 } // namespace
 
-tl::expected<mission::imported, std::string> load_mission_file(const std::string& file, bool allow_partial) {
+tl::expected<mission::imported, std::string> load_mission_file(const std::string& file, bool allow_partial,
+                                                               const mission::allowed_commands& allowed) {
   const auto format = mission::format_of_name(file);
   if (!format)
     return tl::make_unexpected(file + " has the ending of no mission format");
   const auto text = read_file(file);
   if (!text)
     return tl::make_unexpected(text.error());
-  auto mission = mission::import_mission(*text, *format, {allow_partial, {}});
+  mission::import_options options;
+  options.allow_partial = allow_partial;
+  options.allowed = allowed;
+  auto mission = mission::import_mission(*text, *format, options);
   if (!mission)
     return tl::make_unexpected(explained(file, mission.error()));
   return *std::move(mission);

@@ -27,7 +27,7 @@ struct convert_arguments {
 [[nodiscard]] runtime::exit_code run_convert(const convert_arguments& given, bool allow_partial);
 
 // The mission in FILE, whose name has the ending of a format. The error is for people.
-[[nodiscard]] tl::expected<mission::imported, std::string> load_mission_file(const std::string& file,
-                                                                             bool allow_partial);
+[[nodiscard]] tl::expected<mission::imported, std::string>
+load_mission_file(const std::string& file, bool allow_partial, const mission::allowed_commands& allowed = {});
 
 } // namespace godwit::daemon

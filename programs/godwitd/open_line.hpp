@@ -1,5 +1,5 @@
 // On which lines anybody can speak: networks without a key. Over UDP a sender can be made up, so there more than one
-// heartbeat is needed before somebody is believed. Source: decision record 0031. Thread: pure.
+// heartbeat is needed before somebody is believed. Source: docs/decisions/links.md. Thread: pure.
 #pragma once
 
 #include <string>

@@ -69,7 +69,26 @@ void read_what_to_do(const json& configuration, daemon_settings& to) {
   to.flies = !configuration.at("flight").at("ground_run").get<bool>() && !to.once;
 }
 
+checked read_allowed_commands(const std::string& listed, daemon_settings& to) {
+  std::istringstream names(listed);
+  for (std::string each; names >> each;) {
+    const auto number = mission::command_number(each);
+    if (!number)
+      return wrong("flight", "flight.allowed_commands: no command has the name or number " + each);
+    if (mission::is_never_carried(*number))
+      return wrong("flight", "flight.allowed_commands: no mission may hold " + each +
+                                 ", which stops motors, changes the mode, pauses or starts a mission");
+    if (to.allowed_commands.size() == mission::max_allowed_commands)
+      return wrong("flight",
+                   "flight.allowed_commands: more than " + std::to_string(mission::max_allowed_commands) + " commands");
+    to.allowed_commands.push_back(*number);
+  }
+  return {};
+}
+
 checked read_source(const json& configuration, daemon_settings& to) {
+  if (const auto allowed = read_allowed_commands(text(configuration.at("flight"), "allowed_commands"), to); !allowed)
+    return allowed;
   const auto& mission = configuration.at("mission");
   to.mission_id = text(mission, "id");
   to.mission_file = text(mission, "file");
@@ -146,6 +165,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();
   to.flight.fence_margin_m = flight.at("fence_margin_m").get<double>();
   to.flight.allow_partial = to.allow_partial;
+  to.flight.allowed_commands = to.allowed_commands;
   to.flight.brings_last_line = flight.at("last_line").get<bool>();
   to.flight.marks_landings = flight.at("marks_landings").get<bool>();
   to.flight.refused_inserts = io::value_of<executor::refusal_policy>(text(flight, "refused_inserts")).value();

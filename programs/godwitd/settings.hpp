@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/executor/settings.hpp"
 #include "actors/failsafe/settings.hpp"
 #include "actors/fleet_link/settings.hpp"
@@ -38,6 +39,7 @@ struct daemon_settings {
   std::string mission_id;                    // with a service; else as the file says
   std::string mission_file;                  // without
   bool allow_partial = false;
+  mission::allowed_commands allowed_commands; // that no mission may hold otherwise
   io::link::uri vehicle;
   std::uint8_t vehicle_system = 0;
   bool vehicle_line_is_secure = false; // nobody else hears it: the key may go over it, and unsigned frames are taken

@@ -324,6 +324,16 @@ class Docs(Tree):
         self.write("CONTRIBUTING.md", "```cpp file=io/none.hpp\none\n```\n")
         self.finds("docs", "quotes io/none.hpp, which does not exist")
 
+    def test_a_document_that_a_comment_names_and_that_is_gone_is_found(self):
+        self.write("io/why.hpp", "#pragma once\n// Why: docs/other.md.\n// Why: docs/gone.md.\n")
+        self.assertNotIn("docs/other.md", self.finds("docs", "io/why.hpp:3: names docs/gone.md"))
+
+    def test_a_folder_over_its_budget_of_words_is_found(self):
+        self.write("docs/decisions/long.md", "word " * 14_500)
+        self.accepts("docs")
+        self.write("docs/decisions/more.md", "word\n")
+        self.finds("docs", "docs/decisions: has 14501 words")
+
 
 @unittest.skipUnless(shutil.which("clang-tidy-14") and shutil.which("clang++-14"), "clang-tidy-14 is not installed")
 class Tidy(Tree):
@@ -451,9 +461,47 @@ class Requirements(Tree):
         self.page("`kite.flies`", more="| XX1 | again | `kite.falls` |\n")
         self.finds("requirements", "XX1 stands twice")
 
+    def test_a_test_that_another_page_names_exists(self):
+        self.page("`kite.flies`")
+        self.write("docs/kite.md", "| Rule | Tests |\n|---|---|\n| flies | `kite.flies`, `line.*`, [a_test.cpp](../tests/a_test.cpp), `a_test.cpp` |\n")
+        self.assertIn("2 on other pages", self.accepts("requirements"))
+        self.write("docs/kite.md", "| Rule | Test |\n|---|---|\n| flies | `kite.flies` |\n| sinks | `kite.sinks` |\n")
+        self.finds("requirements", "docs/kite.md:4: there is no test kite.sinks")
+        self.write("docs/kite.md", "## Requirements\n\n- It flies: `kite.flies`\n- It sinks: `kite.sinks`\n\n## Bounds\n\n- `a.b`: 1\n")
+        self.finds("requirements", "docs/kite.md:4: there is no test kite.sinks")
+
     def test_a_page_without_rows_is_no_page(self):
         self.write("docs/requirements.md", "# Requirements\n")
         self.finds("requirements", "there is no requirement")
+
+
+class Configuration(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write_schema("The link.")
+        self.write("programs/godwitd/option_table.hpp", 'option_row{"vehicle", "/vehicle/uri", option_kind::text, "URI", ""},\n')
+        (self.root / "docs").mkdir()
+
+    def write_schema(self, description):
+        uri = {"type": "string", "description": description, "default": ""}
+        system = {"type": "integer", "description": "Its id.", "minimum": 0, "maximum": 255, "default": 0}
+        vehicle = {"description": "The vehicle.", "properties": {"uri": uri, "system": system}}
+        self.write("config/godwit.schema.json", json.dumps({"properties": {"vehicle": vehicle}}))
+
+    def test_the_page_that_it_writes_is_accepted_and_names_defaults_ranges_and_options(self):
+        self.assertIn("2 settings", self.accepts("configuration", "--fix"))
+        self.accepts("configuration")
+        page = (self.root / "docs/configuration.md").read_text(encoding="utf-8")
+        self.assertIn("- **uri**, `--vehicle`: none. The link.", page)
+        self.assertIn("- **system**: `0` (0..255). Its id.", page)
+        defaults = (self.root / "config/godwit.json").read_text(encoding="utf-8")
+        self.assertIn('    // Its id. (0..255)\n    "system": 0\n', defaults)
+
+    def test_a_page_of_another_schema_is_found(self):
+        self.finds("configuration", "docs/configuration.md: is not what the schema", "config/godwit.json: is not what the schema")
+        self.accepts("configuration", "--fix")
+        self.write_schema("The link to the autopilot.")
+        self.finds("configuration", "docs/configuration.md: is not what the schema")
 
 
 if __name__ == "__main__":

@@ -67,7 +67,7 @@ class Flights(unittest.TestCase):
 
     def replay(self, trace):
         """What was recorded is done again. At the very edge of a time limit a flight in real time may come out
-        differently (docs/decisions/0040); those in virtual time may not (test_flight_replay)."""
+        differently (docs/decisions/trace-and-simulation.md); those in virtual time may not (test_flight_replay)."""
         for actor in ("executor", "failsafe"):
             result = subprocess.run(
                 [PROGRAMS / "godwit-trace", "replay", actor, trace, "--all"],

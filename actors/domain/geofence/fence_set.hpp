@@ -4,7 +4,7 @@
 // A way is judged as a whole: between two positions a fast vehicle can cut a corner that neither of them lies in. What
 // was flown has one altitude at each point of the way (`breach_on`); of what is only planned all altitudes from one end
 // to the other count on the whole of it, because vehicles climb differently (`excludes`, `leaves_inclusions_at`).
-// A place is a way of no length. Decision 0019 says why each rule is as it is. Thread: pure.
+// A place is a way of no length. Why each rule is as it is: docs/decisions/plans.md. Thread: pure.
 #pragma once
 
 #include <cstddef>

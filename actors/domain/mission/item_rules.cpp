@@ -1,12 +1,18 @@
 #include "actors/domain/mission/item_rules.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <string_view>
 
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/domain/mission/polygon_rules.hpp"
 #include "actors/domain/mission/rules.hpp"
+#include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::mission {
 
@@ -23,7 +29,7 @@ void add_unless_finite(const V& value, const std::string& pointer, problems_list
   } else if constexpr (io::is_optional<V>::value) {
     if (value)
       add_unless_finite(*value, pointer, problems);
-  } else if constexpr (io::is_vector<V>::value) {
+  } else if constexpr (io::is_vector<V>::value || io::is_std_array<V>::value) {
     for (std::size_t i = 0; i < value.size(); ++i)
       add_unless_finite(value[i], pointer_to(pointer, i), problems);
   } else if constexpr (std::is_floating_point_v<V>) {
@@ -41,7 +47,52 @@ void add_repeated_ids(std::span<const item> items, const std::string& pointer, p
                           "an id that no other item has"});
 }
 
+// In a frame with degrees, of a command that has a place.
+void add_command_place(const command_item& each, const std::string& pointer, problems_list& problems) {
+  const auto* const row = command_of(each.command);
+  if (row == nullptr || !row->has_place ||
+      io::mavlink::coordinates_of(each.frame) != io::mavlink::coordinate_kind::global)
+    return;
+  constexpr std::size_t latitude = 4;
+  constexpr int limits[] = {90, 180};
+  for (std::size_t i = 0; i < std::size(limits); ++i) {
+    const auto& value = each.params[latitude + i];
+    if (!value || !(std::abs(*value) > limits[i]))
+      continue;
+    std::string number;
+    io::append_json_number(number, *value);
+    const auto limit = std::to_string(limits[i]);
+    problems.push_back({pointer_to(pointer_to(pointer, "params"), latitude + i), "is " + number,
+                        "a number from -" + limit + " to " + limit});
+  }
+}
+
+// What is wrong with the jump at INDEX, and what would be right; nothing: it is sound.
+std::optional<document_problem> jump_fault(std::span<const item> items, std::size_t index, const jump& each) {
+  const auto target = std::ranges::find_if(items, [&](const item& other) { return id_of(other) == each.to; });
+  if (target == items.end())
+    return document_problem{{}, "is " + in_quotes(each.to) + ", which no item is called", "the id of an item"};
+  const auto to = static_cast<std::size_t>(target - items.begin());
+  if (to == index)
+    return document_problem{{}, "leads to itself", "the id of another item"};
+  const bool is_endless = each.times < 0 && to < index;
+  if (is_endless && std::none_of(items.begin() + static_cast<std::ptrdiff_t>(to),
+                                 items.begin() + static_cast<std::ptrdiff_t>(index), moves_vehicle))
+    return document_problem{
+        {}, "leads back for ever, and no item in between moves the vehicle", "an item that moves it"};
+  return std::nullopt;
+}
+
 } // namespace
+
+void add_jump_problems(std::span<const item> items, const std::string& pointer, problems_list& problems) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (const auto* each = std::get_if<jump>(&items[i]))
+      if (auto fault = jump_fault(items, i, *each)) {
+        fault->pointer = pointer_to(pointer_to(pointer, i), "to");
+        problems.push_back(*std::move(fault));
+      }
+}
 
 void add_polygon_problems(std::span<const vertex> corners, const std::string& pointer, problems_list& problems) {
   if (auto fault = polygon_fault(corners))
@@ -62,6 +113,8 @@ void add_item_problems(std::span<const item> items, const std::string& pointer, 
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto here = pointer_to(pointer, i);
     std::visit([&](const auto& each) { add_unless_finite(each, here, problems); }, items[i]);
+    if (const auto* command = std::get_if<command_item>(&items[i]))
+      add_command_place(*command, here, problems);
     if (const auto* area = std::get_if<survey>(&items[i])) {
       corners += area->polygon.size();
       if (corners <= max_corners_in_mission)

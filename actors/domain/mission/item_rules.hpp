@@ -14,6 +14,11 @@ namespace godwit::mission {
 void add_item_problems(std::span<const item> items, const std::string& pointer,
                        std::vector<document_problem>& problems);
 
+// The same for the jumps of a whole mission: each leads to one of ITEMS, not to itself, and none leads for ever through
+// items of which none moves the vehicle.
+void add_jump_problems(std::span<const item> items, const std::string& pointer,
+                       std::vector<document_problem>& problems);
+
 // The same for one polygon.
 void add_polygon_problems(std::span<const vertex> corners, const std::string& pointer,
                           std::vector<document_problem>& problems);

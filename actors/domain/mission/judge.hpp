@@ -1,7 +1,8 @@
 // What a schema of config/schemas says about a document, with a JSON pointer to each place.
 //
 // valijson judges (io/json_schema). It takes 4 us and more for each row of a list, so rows by the thousand are judged
-// by schema_check, which a test holds against valijson (decision 0022). The sentences are the same. Thread: any.
+// by schema_check, which a test holds against valijson (docs/decisions/map-and-service.md). The sentences are the same.
+// Thread: any.
 #pragma once
 
 #include <string_view>

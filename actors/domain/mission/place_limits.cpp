@@ -4,6 +4,8 @@
 
 #include "actors/domain/geo/distance_text.hpp"
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/mission/commands/item_class.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::mission {
 
@@ -70,6 +72,26 @@ private:
     return why_out_of_limits(what, each.at, origin_, limits_);
   }
   [[nodiscard]] std::string why(const std::string&, const change_speed&) const { return {}; }
+  [[nodiscard]] std::string why(const std::string&, const jump&) const { return {}; }
+  [[nodiscard]] std::string why(const std::string& what, const command_item& each) const {
+    if (!moves_vehicle(each))
+      return {};
+    const auto place = place_of(each);
+    auto too_far = place ? why_too_far(what, {place->latitude, place->longitude}, origin_, limits_) : std::string();
+    const auto height_m = height_above_home_m(each);
+    return too_far.empty() && height_m ? why_too_high(what, *height_m + origin_.home_altitude_m, origin_, limits_)
+                                       : too_far;
+  }
+  // Heights above the ground are taken for heights above home: the terrain is not known.
+  [[nodiscard]] std::optional<double> height_above_home_m(const command_item& each) const {
+    const auto kind = io::mavlink::altitude_in(each.frame);
+    const auto& altitude = each.params.back();
+    if (!kind || !altitude)
+      return std::nullopt;
+    if (kind != io::mavlink::altitude_kind::above_sea)
+      return altitude;
+    return origin_.home_above_sea_m ? std::optional(*altitude - *origin_.home_above_sea_m) : std::nullopt;
+  }
   [[nodiscard]] std::string why(const std::string& what, const survey& each) const {
     for (const auto& corner : each.polygon)
       if (auto found = why_out_of_limits(what, {corner.latitude, corner.longitude, each.altitude_m}, origin_, limits_);

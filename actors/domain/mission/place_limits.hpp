@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct limits_origin {
   geo::point home;
   double home_altitude_m = 0; // above the place from which the mission counts altitudes
   flight::vehicle_class vehicle = flight::vehicle_class::unknown;
+  std::optional<double> home_above_sea_m{}; // absent: heights above the sea are not compared
 };
 
 inline constexpr std::size_t max_places_out_of_limits = 32; // of one mission: more than anyone reads

@@ -28,8 +28,7 @@ document_problems foreign_version(const json& value) {
   const auto& version = value["schema_version"].get_ref<const std::string&>();
   if (is_known_version(version) || !form.holds(version))
     return {};
-  return {{"/schema_version", "is " + in_quotes(version),
-           "versions 1.x.y: this program speaks " + std::string(schema_version)}};
+  return {{"/schema_version", "is " + in_quotes(version), std::string(known_versions)}};
 }
 
 // "items[3].altitude_m" to "/items/3/altitude_m"

@@ -18,8 +18,18 @@ void add_time_problem(const std::string& text, std::string pointer, document_pro
 
 void add_version_problem(const std::string& version, document_problems& problems) {
   if (!is_known_version(version))
-    problems.push_back({"/schema_version", "is " + in_quotes(version),
-                        "versions 1.x.y: this program speaks " + std::string(schema_version)});
+    problems.push_back({"/schema_version", "is " + in_quotes(version), std::string(known_versions)});
+}
+
+void add_item_version_problem(const document& value, document_problems& problems) {
+  if (!needs_version_2(value) || !value.schema_version.starts_with("1."))
+    return;
+  const auto newer = std::ranges::find_if(value.items, is_of_version_2);
+  const auto why = newer == value.items.end()
+                       ? std::string("circles, rally points and a point of return of the fence are of version 2")
+                       : "item " + in_quotes(id_of(*newer)) + " is of kind " + std::string(kind_of(*newer));
+  problems.push_back(
+      {"/schema_version", "is " + in_quotes(value.schema_version) + ", and " + why, std::string(schema_version_2)});
 }
 
 void add_fence_problems(const geofence& fence, const std::string& pointer, document_problems& problems) {
@@ -40,6 +50,11 @@ void add_return_problems(const document& value, document_problems& problems) {
     problems.push_back({"/return_point", "is missing", "a position: an item returns there"});
   if (value.planned_home)
     add_position_problems(*value.planned_home, "/planned_home", problems);
+  if (value.breach_return_point)
+    add_position_problems(*value.breach_return_point, "/breach_return_point", problems);
+  if (value.rally_points)
+    for (std::size_t i = 0; i < value.rally_points->size(); ++i)
+      add_position_problems((*value.rally_points)[i], pointer_to("/rally_points", i), problems);
 }
 
 void add_assignment_problems(const assignment& value, const std::string& pointer, document_problems& problems) {
@@ -56,7 +71,8 @@ void add_report_problems(const progress_report& report, const std::string& point
   add_time_problem(report.at, pointer_to(pointer, "at"), problems);
   if (report.item_id.has_value() != report.item_index.has_value())
     problems.push_back({pointer, "has only one of item_id and item_index", "both or none"});
-  const bool needs_item = report.kind == progress_kind::reached || report.kind == progress_kind::skipped;
+  const bool needs_item = report.kind == progress_kind::reached || report.kind == progress_kind::passed ||
+                          report.kind == progress_kind::skipped;
   if (needs_item && !report.item_id)
     problems.push_back({pointer, "does not say which item", "item_id and item_index"});
 }
@@ -89,17 +105,19 @@ void add_ignored_problems(const std::vector<ignored_item>& rows, document_proble
 
 bool is_known_version(std::string_view version) {
   const auto major = [](std::string_view text) { return text.substr(0, text.find('.')); };
-  return major(version) == major(schema_version);
+  return major(version) == major(schema_version) || major(version) == major(schema_version_2);
 }
 
 document_problems broken_rules(const document& value) {
   document_problems problems;
   add_version_problem(value.schema_version, problems);
+  add_item_version_problem(value, problems);
   if (value.items.empty())
     problems.push_back({"/items", "are none", "at least 1"});
   if (value.items.size() > max_items)
     problems.push_back({"/items", "are " + std::to_string(value.items.size()), "up to " + std::to_string(max_items)});
   add_item_problems(value.items, "/items", problems);
+  add_jump_problems(value.items, "/items", problems);
   for (std::size_t i = 0; i < value.geofences.size(); ++i)
     add_fence_problems(value.geofences[i], pointer_to("/geofences", i), problems);
   add_return_problems(value, problems);

@@ -1,8 +1,8 @@
 // What a schema can not say: the rules between the fields of a document. To be asked of documents that have the form.
 //
-// Items have different ids, polygons are polygons, a floor lies below its ceiling, numbers are finite, times exist,
-// revisions rise, reports follow each other, and the version of the contract is one that this program speaks. Thread:
-// pure.
+// Items have different ids, jumps lead to items and end where nothing moves, polygons are polygons, a floor lies below
+// its ceiling, numbers are finite, times exist, revisions rise, reports follow each other, and the version of the
+// contract is one that this program speaks. Thread: pure.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,9 @@ using document_problems = std::vector<document_problem>;
 [[nodiscard]] document_problems broken_rules(const progress_status& value);
 [[nodiscard]] document_problems broken_rules(const problem& value);
 
-// Whether a document with this `schema_version` can be read at all: the same major version.
+inline constexpr std::string_view known_versions = "versions 1.x.y and 2.x.y";
+
+// Whether a document with this `schema_version` can be read at all: of a major version that this program speaks.
 [[nodiscard]] bool is_known_version(std::string_view version);
 
 } // namespace godwit::mission

@@ -1,5 +1,5 @@
 // A schema of config/schemas as a tree that is asked whether a document is valid, and nothing else: ten times as fast
-// as valijson, for lists of thousands of rows and for nothing else (decision 0022).
+// as valijson, for lists of thousands of rows and for nothing else (docs/decisions/map-and-service.md).
 //
 // Knows the keywords that config/schemas uses (io/json_schema/explain.hpp has their list); another one is a broken
 // invariant, because the schemas are part of the program. A test holds the answers against those of valijson. Thread:

@@ -50,6 +50,7 @@ void control_watch::on_foreign(const vehicle_link::foreign_act& m) {
     return;
   const auto command = static_cast<io::mavlink::mav_cmd>(m.command);
   const auto name = io::name_of(command);
+  disarms_ = command == io::mavlink::mav_cmd::component_arm_disarm;
   who_acts_ = (m.system == 0 ? std::string("somebody else") : name_of(station{m.system, m.component})) +
               " commands the vehicle (" + (name.empty() ? std::to_string(m.command) : std::string(name)) + ")";
   flight_.authority.take_away(flight::holder::person);
@@ -79,6 +80,7 @@ void control_watch::know_plan_end() {
 void control_watch::begin_start(effects& out) {
   flight_.authority.begin(*flight_.view.mode());
   who_acts_.clear();
+  disarms_ = false;
   is_close_ = true;
   out.emplace_back(watch_vehicle{true});
   was_armed_ = flight_.view.is_armed();
@@ -164,7 +166,7 @@ void control_watch::drop_all(effects& out, const std::string& why) {
 
 // It is not disarmed under somebody else's hands.
 std::string control_watch::left_armed() const {
-  const bool stands_armed = flight_.is_starting() && flight_.is_left_armed();
+  const bool stands_armed = flight_.is_starting() && flight_.is_left_armed() && !disarms_;
   return stands_armed ? "; godwit has armed the vehicle, and it stands armed: whoever has it disarms it" : "";
 }
 

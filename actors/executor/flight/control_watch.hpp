@@ -63,6 +63,7 @@ private:
   std::optional<std::uint32_t> known_end_; // the generation whose end the authority knows
   bool was_armed_ = false;                 // in the start that is under way
   bool is_close_ = false;                  // the vehicle is watched closely, for a start
+  bool disarms_ = false;                   // what somebody else has commanded; no heartbeat shows it yet
   std::string who_acts_;                   // the one whose command the vehicle obeys; empty: its mode alone shows it
 };
 

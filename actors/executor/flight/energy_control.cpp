@@ -19,9 +19,9 @@ double apart_m(const geo::point& a, const geo::point& b) {
 energy::way way_of(const plan::flight_plan& plan) {
   energy::way result;
   for (const auto& each : plan.legs) {
-    result.horizontal_m += apart_m(plan::point_of(each.from), plan::point_of(each.to));
-    result.climb_m += std::max(0.0, each.to.altitude_m - each.from.altitude_m);
-    result.descent_m += std::max(0.0, each.from.altitude_m - each.to.altitude_m);
+    result.horizontal_m += each.times * apart_m(plan::point_of(each.from), plan::point_of(each.to));
+    result.climb_m += each.times * std::max(0.0, each.to.altitude_m - each.from.altitude_m);
+    result.descent_m += each.times * std::max(0.0, each.from.altitude_m - each.to.altitude_m);
   }
   result.is_landing = plan.ends_on_ground;
   return result;

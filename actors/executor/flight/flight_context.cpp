@@ -108,8 +108,8 @@ std::vector<std::uint32_t> flight_context::modes_behind_disarm() const {
 }
 
 bool flight_context::ends_on_ground() const {
-  return s.flown && !s.flown->items.empty() && view.owner().vehicle != flight::vehicle_class::rover &&
-         flight::leads_down(s.flown->items.back().command);
+  const auto* const last = last_flown_item(s);
+  return last != nullptr && view.owner().vehicle != flight::vehicle_class::rover && flight::leads_down(last->command);
 }
 
 bool flight_context::is_at_end_of_plan() const {
@@ -117,7 +117,8 @@ bool flight_context::is_at_end_of_plan() const {
 }
 
 bool flight_context::is_in_return_of_plan() const {
-  return s.flown && !s.flown->items.empty() && plan::is_return_item(s.flown->items.back()) && is_at_end_of_plan();
+  const auto* const last = last_flown_item(s);
+  return last != nullptr && plan::is_return_item(*last) && is_at_end_of_plan();
 }
 
 bool flight_context::is_coming_down() const {
@@ -127,7 +128,7 @@ bool flight_context::is_coming_down() const {
 bool flight_context::came_down_as_planned(instant now) const {
   if (!ends_on_ground() || view.is_under_way())
     return false;
-  const auto& last = s.flown->items.back();
+  const auto& last = *last_flown_item(s);
   const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
   if (plan::is_return_item(last))
@@ -201,6 +202,8 @@ std::optional<plan::plan_setting> flight_context::setting(instant now) const {
   result.own_loiter_radius_m = configured.own_loiter_radius_m;
   result.return_altitude_m = configured.return_altitude_m;
   result.marks_landings = configured.marks_landings;
+  result.profile = view.profile();
+  result.allowed_commands = configured.allowed_commands;
   return result;
 }
 
@@ -246,11 +249,12 @@ tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(cons
 std::optional<mission::limits_origin> flight_context::limits_origin(instant now) const {
   if (const auto where = setting(now)) {
     const auto home = plan::home_of(*where);
-    return mission::limits_origin{plan::point_of(home), home.altitude_m, where->vehicle};
+    return mission::limits_origin{plan::point_of(home), home.altitude_m, where->vehicle,
+                                  where->home.above_sea_m - where->home.above_mission_zero_m + home.altitude_m};
   }
   if (!view.home())
     return std::nullopt;
-  return mission::limits_origin{plan::point_of(*view.home()), 0, view.owner().vehicle};
+  return mission::limits_origin{plan::point_of(*view.home()), 0, view.owner().vehicle, view.home()->above_sea_m};
 }
 
 std::optional<std::vector<std::string>> flight_context::out_of_limits(const mission::document& mission,

@@ -64,10 +64,12 @@ bool flight_end::end_flight(effects& out, instant now) {
   return true;
 }
 
-// Its last message came behind the end of the flight.
+// Its last message came behind the end of the flight, or when the next plan was brought already.
 bool flight_end::end_late(effects& out) {
   const auto& s = flight_.s;
-  if (!is_open(s.status.now) || s.doing || !flight_.is_mission_finished() || !s.mission ||
+  const auto& open = s.progress.mission;
+  const bool is_complete = open && open->completed_revision == open->revision;
+  if (!is_open(s.status.now) || s.doing || !(flight_.is_mission_finished() || is_complete) || !s.mission ||
       !flight_.has_nothing_left(*s.mission))
     return false;
   end_mission(out);

@@ -169,8 +169,9 @@ bool flight_start::begin_by_itself(effects& out, instant now) {
 
 bool flight_start::follow(effects& out, instant now) {
   const auto& status = flight_.s.status;
-  const bool waits =
-      status.now == phase::ready || (status.now == phase::paused && status.cause == pause_cause::restarted);
+  const bool may_be_ours = status.cause == pause_cause::restarted || status.cause == pause_cause::asked ||
+                           status.cause == pause_cause::not_done;
+  const bool waits = status.now == phase::ready || (status.now == phase::paused && may_be_ours);
   const bool flies = flight_.view.is_under_way() && flight_.view.is_in_begun_mission();
   if (flight_.is_in_flight() || flight_.has_person() || !waits || !flies || !flight_.s.progress.plan ||
       !flight_.s.flown)

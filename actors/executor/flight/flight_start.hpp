@@ -24,7 +24,7 @@ public:
   // The flight is ready, and nobody has asked.
   [[nodiscard]] bool begin_by_itself(effects& out, instant now);
   // Our plan is flown, and nobody here has started it: a start whose sender died came through, or somebody else has
-  // said it. It is followed, and guarded; nothing else is sent.
+  // said it, also before he has handed the vehicle back. It is followed, and guarded; nothing else is sent.
   [[nodiscard]] bool follow(effects& out, instant now);
   // Somebody else has the vehicle: who waits for a start is told.
   void refuse(effects& out, const std::string& why);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "actors/domain/mission/rules.hpp"
 #include "actors/executor/station_part.hpp"
@@ -20,6 +21,15 @@ constexpr std::int64_t tell_period_ns = 1'000'000'000;
 bool is_same(const ground_port::mission_progress& a, const ground_port::mission_progress& b) {
   return a.plan_id == b.plan_id && a.current == b.current && a.state == b.state && a.mode == b.mode &&
          a.is_sent_elsewhere == b.is_sent_elsewhere;
+}
+
+// Files of ArduPilot's stations begin with the place where a breach leads. godwit's returns lead where the mission
+// says.
+std::vector<io::mavlink::mission_item_int> without_return_point(std::vector<io::mavlink::mission_item_int> items) {
+  std::erase_if(items, [](const auto& each) {
+    return each.command == io::mavlink::number(io::mavlink::mav_cmd::nav_fence_return_point);
+  });
+  return items;
 }
 
 // Behind a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
@@ -51,13 +61,13 @@ gcs_view::verdict gcs_view::take(effects& out, const plan_taken& m, bool has_loo
   return is_noted ? verdict::taken : verdict::refused;
 }
 
-// That it counted before makes no difference to who has uploaded it. What comes of rally points is said.
+// That it counted before makes no difference to who has uploaded it.
 bool gcs_view::counts(const plan_taken& m) const {
   if (m.type == mav_mission_type::mission)
     return flies_upload(flight_.s) && flight_.s.station->plan_id == m.plan_id; // and nobody has changed it since
-  if (m.type != mav_mission_type::fence)
-    return true;
-  const auto fences = mission::import_fence_list(m.items);
+  if (m.type == mav_mission_type::rally)
+    return io::mavlink::checksum_of(m.items) == io::mavlink::checksum_of(flight_.s.station_rally);
+  const auto fences = mission::import_fence_list(without_return_point(m.items));
   return fences && *fences == flight_.s.station_fences;
 }
 
@@ -107,8 +117,8 @@ tl::expected<mission::imported_list, mission::conversion_error> gcs_view::import
   mission::item_list_options options;
   options.mission_id = flown != nullptr ? flown->mission_id : new_mission_id(m.plan_id, now.wall_ns);
   options.allow_partial = flight_.configured.allow_partial;
-  if (const auto& home = flight_.view.home())
-    options.home_altitude_m = home->above_sea_m;
+  options.vehicle = flight_.view.profile();
+  options.allowed = flight_.configured.allowed_commands;
   options.geofences = flown != nullptr ? flown->geofences : flight_.s.station_fences;
   auto taken = mission::import_item_list(std::span(m.items).subspan(begins_with_home(m.items) ? 1 : 0), options);
   if (taken && flown != nullptr)
@@ -157,7 +167,8 @@ gcs_view::verdict gcs_view::take_plan(effects& out, const plan_taken& m, bool ha
 effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
   if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
     return items.empty() ? effects{} : not_taken("fences come from " + elsewhere + " here");
-  auto fences = mission::import_fence_list(items);
+  const auto borders = without_return_point(items);
+  auto fences = mission::import_fence_list(borders);
   if (!fences)
     return {announce{"the fence is not taken: " + fences.error(), true}};
   if (const auto* uploaded = uploaded_mission(flight_.s)) {
@@ -169,6 +180,9 @@ effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& i
   effects out{note{station_fence_taken{*std::move(fences)}}};
   if (is_flight_begun(flight_.s))
     out.emplace_back(announce{"the fence counts from the next flight on", true});
+  if (borders.size() != items.size())
+    out.emplace_back(
+        announce{"the fence is taken without its return point: returns lead where the mission says", true});
   return out;
 }
 

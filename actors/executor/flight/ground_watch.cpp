@@ -12,10 +12,17 @@ bool ground_watch::is_watched() const {
          !flight_.has_person();
 }
 
-// An upload to a vehicle that stands in its mission mode takes it out of that first.
+// An upload to a vehicle that stands in its mission mode takes it out of that first, and changes nothing after that.
 bool ground_watch::changes_mode() const {
   const auto& doing = flight_.runner.doing();
-  return doing && (doing->kind != task_kind::deploy || flight_.view.is_in(flight::mode_kind::mission));
+  return doing && (doing->kind != task_kind::deploy || flight_.runner.is_standing_by());
+}
+
+void ground_watch::on_task() {
+  if (changes_mode())
+    mode_.reset();
+  else if (!mode_ && flight_.view.mode())
+    mode_ = flight_.view.mode()->custom_mode;
 }
 
 void ground_watch::on_mode(effects& out, instant now) {

@@ -18,13 +18,11 @@ class ground_watch {
 public:
   explicit ground_watch(flight_context& flight) : flight_(flight) {}
 
-  // The vehicle has told its mode.
+  // The vehicle has told its mode: by HEARTBEAT, or by CURRENT_MODE, which may be the last word of it before a start.
   void on_mode(effects& out, instant now);
-  // After each event: what godwit does to its mode may be over before the vehicle tells it.
-  void on_task() {
-    if (changes_mode())
-      mode_.reset();
-  }
+  // Before and after each decision: what godwit does to its mode may be over before the vehicle tells it, and what is
+  // shown then is what a later mode is compared with.
+  void on_task();
   // Its home.
   void on_home(effects& out, instant now);
   // Somebody commands it, beside godwit or through a station.

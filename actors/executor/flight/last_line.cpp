@@ -80,15 +80,21 @@ void last_line::prepare(effects& out) {
   const auto& s = flight_.s;
   waiting_.clear();
   plan::fence_list fences;
-  if (s.mission)
+  if (s.mission) {
     fences = plan::fence_items(s.mission->geofences);
+    plan::append_return_point(fences, *s.mission);
+  }
   for (const auto& why : fences.left_out)
     out.emplace_back(announce{"not all fences go to the vehicle, and godwit alone watches the others: " + why, true});
   const bool is_stations = uploaded_mission(s) != nullptr;
   if (s.mission || s.station_fences.empty())
     add(mav_mission_type::fence, std::move(fences.items), s.last_line.has_fence);
   if (s.mission || s.station_rally.empty())
-    add(mav_mission_type::rally, is_stations ? s.station_rally : items{}, s.last_line.has_rally);
+    add(mav_mission_type::rally,
+        is_stations ? s.station_rally
+        : s.mission ? plan::rally_items(*s.mission)
+                    : items{},
+        s.last_line.has_rally);
 }
 
 void last_line::add(mav_mission_type type, items wanted, bool was_brought) {

@@ -12,14 +12,15 @@ namespace godwit::executor {
 namespace transfer = vehicle_link::transfer;
 
 void plan_watch::on_position(instant now) {
-  if (const auto at = flight_.view.place(now.now_ns); at && flight_.s.progress.plan)
+  if (const auto at = flight_.view.place(now.now_ns))
     track_.on_position({at->latitude, at->longitude}, now.now_ns);
 }
 
-// A new incarnation has not seen when the place before was left: nothing is contradicted until it has seen one.
+// A new incarnation has not seen when the place before was left: nothing is contradicted until it has seen one. Before
+// a heartbeat it does not know what the vehicle is.
 void plan_watch::follow_plan(instant now) {
   const auto& s = flight_.s;
-  if (!s.progress.plan || !s.flown)
+  if (!s.progress.plan || !s.flown || !flight_.view.mode())
     return;
   const auto& g = s.progress.plan->generation;
   if (followed_ != g.number) {
@@ -88,14 +89,18 @@ void plan_watch::on_transfer(effects& out, std::uint64_t number, const transfer:
   out.emplace_back(note{progress::other_plan_found{}});
 }
 
-std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, bool is_done) const {
+// What it has moved on to before counts as well: a word about another plan may come before that is adopted.
+std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, told how) const {
   const auto& plan = flight_.s.progress.plan;
   if (!plan || followed_ != plan->generation.number || !plan->generation.is_armed)
     return {};
-  const auto first = plan->generation.current;
-  if (!is_done && sequence <= first)
+  const auto& g = plan->generation;
+  auto end = how == told::at ? int{sequence} : sequence + 1;
+  end = std::max({end, int{g.moved_to.value_or(0)}, g.complete_upto ? *g.complete_upto + 1 : 0});
+  if (end <= g.current)
     return {};
-  return track_.never_near(first, is_done ? sequence : static_cast<std::uint16_t>(sequence - 1));
+  return track_.never_near(g.current, static_cast<std::uint16_t>(end - 1),
+                           how == told::reached ? std::optional(sequence) : std::nullopt);
 }
 
 std::string plan_watch::missed_sentence(const std::string& item_id) const {

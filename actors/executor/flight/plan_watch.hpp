@@ -33,8 +33,11 @@ public:
   [[nodiscard]] bool awaits(std::uint64_t number) const { return number == reading_; }
   void on_transfer(effects& out, std::uint64_t number, const vehicle_link::transfer::outcome& outcome, instant now);
 
-  // Of the places that a vehicle at SEQUENCE has passed, those that it was never near to; IS_DONE: SEQUENCE as well.
-  [[nodiscard]] std::vector<std::uint16_t> never_near(std::uint16_t sequence, bool is_done) const;
+  // What the vehicle says of an item: that it is its current one, that its plan is complete there, or that it was
+  // reached.
+  enum class told { at, complete, reached };
+  // Of the places that it has passed then, those that it was never near to.
+  [[nodiscard]] std::vector<std::uint16_t> never_near(std::uint16_t sequence, told how) const;
   // An item was not reached after all: the sentence for people.
   [[nodiscard]] std::string missed_sentence(const std::string& item_id) const;
 

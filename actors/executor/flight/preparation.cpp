@@ -39,6 +39,7 @@ preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
   seen.estimate = view.estimate(now.now_ns);
   seen.why_not_armed = view.why_not_armed(now.now_ns);
   seen.is_moving = view.is_moving() && !flight_.is_in_flight();
+  seen.stands_ready_to_move = seen.is_moving && !flight_.is_in_air() && view.stands();
   return seen;
 }
 

@@ -6,6 +6,7 @@
 
 #include "actors/domain/home/home.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
+#include "actors/executor/remaining.hpp"
 
 namespace godwit::executor {
 namespace {
@@ -106,8 +107,8 @@ void return_place::tell_moved(effects& out) {
 // By its mode, or by the last item of its plan.
 bool return_place::returns_by_itself() const {
   const auto& view = flight_.view;
-  const auto& flown = flight_.s.flown;
-  const bool ends_with_return = flown && !flown->items.empty() && plan::is_return_item(flown->items.back());
+  const auto* const last = last_flown_item(flight_.s);
+  const bool ends_with_return = last != nullptr && plan::is_return_item(*last);
   return view.is_under_way() &&
          (view.is_in(flight::mode_kind::returning) ||
           (ends_with_return && view.is_in(flight::mode_kind::mission) && flight_.is_at_end_of_plan()));

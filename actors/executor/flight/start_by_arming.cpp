@@ -13,7 +13,7 @@ void start_by_arming::begin(effects& out, const start_mission& asked, std::uint1
 
 std::optional<act_answer> start_by_arming::take(effects& out, const station_act& m, instant now) {
   look(out, now);
-  if (!flight_.awaited_arming || m.kind == act_kind::configure || m.kind == act_kind::sticks_at_rest)
+  if (!flight_.awaited_arming || m.kind == act_kind::configure)
     return std::nullopt;
   if (m.kind == act_kind::arm && m.by == flight_.awaited_arming->by)
     return start(out, now);

@@ -32,8 +32,6 @@ act_answer station_acts::take(effects& out, const station_act& m, bool has_looke
     return *std::move(answer);
   if (m.kind == act_kind::configure)
     return configure();
-  if (m.kind == act_kind::sticks_at_rest) // who has the vehicle lets go of them, too
-    return {takes_vehicle(m) && !flight_.has_person() ? act_verdict::refused : act_verdict::pass, "godwit flies"};
   if (auto answer = hold(m, has_looked, now))
     return *std::move(answer);
   if (m.kind == act_kind::go_on)

@@ -6,7 +6,6 @@
 //   go_to       a command to godwit               a command to godwit                     passed on
 //   arm         armed already: done; else taken   taken, passed on                        passed on
 //   take_off    taken, passed on                  taken, passed on                        passed on
-//   sticks_at_rest   refused                      passed on                               passed on
 //   stop, stream, command   taken, passed on      passed on                               passed on
 //   configure   refused                           passed on, the checks anew              by whether it is armed
 //

@@ -13,6 +13,8 @@ using flight::mode_kind;
 
 namespace {
 
+constexpr std::size_t max_announced_notes = 8; // of one plan: more than anyone reads at once
+
 deployment deployment_of(const mission::document& mission, const plan::flight_plan& what) {
   deployment result;
   result.mission = mission;
@@ -20,6 +22,16 @@ deployment deployment_of(const mission::document& mission, const plan::flight_pl
   result.landing_sequence = what.landing_sequence;
   result.surveys = what.surveys;
   return result;
+}
+
+// What people should know of a plan that is brought.
+void announce_notes(effects& out, const plan::flight_plan& what) {
+  for (std::size_t i = 0; i < what.notes.size() && i < max_announced_notes; ++i)
+    out.emplace_back(announce{what.notes[i], true});
+  if (what.notes.size() > max_announced_notes)
+    out.emplace_back(announce{"and " + std::to_string(what.notes.size() - max_announced_notes) +
+                                  " further notes of this kind on the plan",
+                              true});
 }
 
 } // namespace
@@ -40,6 +52,7 @@ void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on, 
 
 void task_control::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                                 const std::optional<std::string>& assignment, bool goes_on) {
+  announce_notes(out, what);
   begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, deployment_of(mission, what), what.map,
              assignment);
 }
@@ -53,6 +66,7 @@ void task_control::begin_part(effects& out, const station_plan_taken& part, cons
                               std::uint64_t key) {
   auto brings = deployment_of(part.mission, what);
   brings.station = part.plan;
+  announce_notes(out, what);
   begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, true, key}, std::move(brings), what.map);
 }
 
@@ -60,6 +74,7 @@ void task_control::begin_upload(effects& out, const station_plan_taken& next, co
   auto brings = deployment_of(next.mission, what);
   brings.station = next.plan;
   brings.is_upload = true;
+  announce_notes(out, what);
   begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, false, {}}, std::move(brings), what.map);
 }
 

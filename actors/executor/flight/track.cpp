@@ -26,6 +26,33 @@ double metres_between(const geo::point& a, const geo::point& b) {
   return metres_of_degree * std::hypot(a.latitude_deg - b.latitude_deg, longitude * cosine);
 }
 
+// From WHERE to the straight between two positions.
+double metres_to_straight(const geo::point& where, const geo::point& from, const geo::point& to) {
+  const double cosine = std::cos(where.latitude_deg * std::numbers::pi / 180);
+  const auto east = [&](const geo::point& each) {
+    return metres_of_degree * cosine * std::remainder(each.longitude_deg - where.longitude_deg, 360.0);
+  };
+  const auto north = [&](const geo::point& each) {
+    return metres_of_degree * (each.latitude_deg - where.latitude_deg);
+  };
+  const double along_east = east(to) - east(from);
+  const double along_north = north(to) - north(from);
+  const double square = along_east * along_east + along_north * along_north;
+  const double share = square > 0 ? -(east(from) * along_east + north(from) * along_north) / square : 0;
+  const double at = std::clamp(share, 0.0, 1.0);
+  return std::hypot(east(from) + at * along_east, north(from) + at * along_north);
+}
+
+// The nearest that it can have been on the way between two positions.
+double nearest_between(const geo::point& where, const geo::point& from, const geo::point& to, std::int64_t took_ns) {
+  const double straight_m = metres_to_straight(where, from, to);
+  if (took_ns <= track::max_gap_ns)
+    return straight_m;
+  const double flown_m = track::fastest_mps * static_cast<double>(took_ns) * 1e-9;
+  const double bent_m = (metres_between(where, from) + metres_between(where, to) - flown_m) / 2;
+  return std::clamp(bent_m, 0.0, straight_m);
+}
+
 bool is_loiter(std::uint16_t command) {
   constexpr std::array loiters{number(mav_cmd::nav_loiter_unlim), number(mav_cmd::nav_loiter_turns),
                                number(mav_cmd::nav_loiter_time)};
@@ -40,41 +67,43 @@ bool is_place(const io::mavlink::mission_item_int& item) {
 
 void track::begin(const std::vector<io::mavlink::mission_item_int>& items, flight::vehicle_class vehicle,
                   double own_loiter_radius_m, std::int64_t now_ns) {
-  const bool is_wing = vehicle == flight::vehicle_class::fixed_wing;
+  is_wing_ = vehicle == flight::vehicle_class::fixed_wing;
   places_.clear();
   for (const auto& each : items) {
     if (!is_place(each))
       continue;
     const double radius_m = is_loiter(each.command) && each.param3 != 0 ? std::abs(each.param3) : own_loiter_radius_m;
-    const bool circles = is_wing || is_loiter(each.command);
+    const bool circles = is_wing_ || is_loiter(each.command);
     const double accepted_m = each.command == number(mav_cmd::nav_waypoint) ? std::abs(each.param2) : 0;
     places_.push_back({each.seq,
                        {each.x / units_a_degree, each.y / units_a_degree},
-                       accepted_m + (circles ? radius_m : 0) + (is_wing ? wing_margin_m : margin_m),
+                       accepted_m + (circles ? radius_m : 0),
                        std::numeric_limits<double>::infinity()});
   }
   left_ns_ = now_ns;
-  longest_step_m_ = 0;
 }
 
 void track::on_position(const geo::point& at, std::int64_t now_ns) {
-  if (!last_ || now_ns - last_ns_ > max_gap_ns)
-    unbroken_ns_ = now_ns;
-  else
-    longest_step_m_ = std::max(longest_step_m_, metres_between(*last_, at));
+  if (!last_)
+    first_ns_ = now_ns;
+  const auto from = last_.value_or(at);
+  const auto took_ns = last_ ? now_ns - last_ns_ : 0;
   last_ = at;
   last_ns_ = now_ns;
   for (auto& each : places_)
-    each.nearest_m = std::min(each.nearest_m, metres_between(at, each.at));
+    each.nearest_m = std::min(each.nearest_m, nearest_between(each.at, from, at, took_ns));
 }
 
-std::vector<std::uint16_t> track::never_near(std::uint16_t first, std::uint16_t last) const {
+std::vector<std::uint16_t> track::never_near(std::uint16_t first, std::uint16_t last,
+                                             std::optional<std::uint16_t> reached) const {
   std::vector<std::uint16_t> result;
-  if (!last_ || unbroken_ns_ > left_ns_)
+  if (!last_ || first_ns_ > left_ns_)
     return result;
-  for (const auto& each : places_)
-    if (each.sequence >= first && each.sequence <= last && each.nearest_m > each.arrives_m + longest_step_m_)
+  for (const auto& each : places_) {
+    const double margin = is_wing_ ? wing_margin_m : each.sequence == reached ? margin_m : passed_margin_m;
+    if (each.sequence >= first && each.sequence <= last && each.nearest_m > each.arrives_m + margin)
       result.push_back(each.sequence);
+  }
   return result;
 }
 

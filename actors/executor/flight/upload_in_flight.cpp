@@ -1,8 +1,8 @@
 #include "actors/executor/flight/upload_in_flight.hpp"
 
 #include <algorithm>
-#include <variant>
 
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/station_plan.hpp"
 
 namespace godwit::executor {
@@ -11,9 +11,8 @@ namespace {
 // Behind the take-off with which it begins: the vehicle is in the air.
 std::size_t first_in_air(const mission::document& mission) {
   const auto& items = mission.items;
-  const auto moves = std::ranges::find_if(
-      items, [](const mission::item& each) { return !std::holds_alternative<mission::change_speed>(each); });
-  const bool takes_off = moves != items.end() && std::holds_alternative<mission::takeoff>(*moves);
+  const auto moves = std::ranges::find_if(items, mission::moves_vehicle);
+  const bool takes_off = moves != items.end() && mission::is_take_off(*moves);
   return takes_off ? static_cast<std::size_t>(moves - items.begin()) + 1 : 0;
 }
 
@@ -23,8 +22,10 @@ std::string upload_in_flight::why_not(const station& by, bool has_looked) const 
   const auto& s = flight_.s;
   if (flight_.has_person())
     return "the vehicle has to be handed back first";
-  if (!s.station || !flies_upload(s) || s.station->by != by)
+  if (!s.station || s.station->by != by)
     return "another one is flown, which is not this station's; upload it after the flight";
+  if (!flies_upload(s))
+    return "what is flown was changed since this station's upload (a go to, an insert); upload it after the flight";
   const bool waits = s.status.now == phase::paused && flight_.may_change_plan();
   if (!waits || !flight_.view.is_under_way())
     return "it is flown: pause it, then upload, then start. It stands otherwise now: " + flight_.sentence();

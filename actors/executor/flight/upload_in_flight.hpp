@@ -6,7 +6,7 @@
 //
 // An upload never moves the vehicle: it holds before and behind it, and goes on at a person's word. What flies begins
 // behind the take-off of the new plan. The fences are those of the flight. Pure. Thread: one at a time. Source:
-// decision record 0070.
+// docs/decisions/plans.md.
 #pragma once
 
 #include <string>

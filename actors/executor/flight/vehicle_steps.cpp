@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "actors/executor/remaining.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {
@@ -86,7 +87,7 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
 steps jump_steps(const flight_context& flight, std::uint16_t sequence) {
   if (starts_in_mission_mode(flight))
     return {start_plan{sequence}};
-  if (going_on_mode(flight) == mode_kind::returning && sequence == flight.s.flown->items.back().seq)
+  if (going_on_mode(flight) == mode_kind::returning && sequence == last_flown_item(flight.s)->seq)
     return {change_mode{mode_kind::returning}};
   return {set_current_item{sequence}, change_mode{mode_kind::mission}};
 }

@@ -1,8 +1,13 @@
 #include "actors/executor/plan/builder.hpp"
 
+#include <algorithm>
+#include <optional>
+
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/plan/item_planner.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/plan_writer.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor::plan {
 
@@ -18,6 +23,38 @@ plan_error too_many_items(const mission::document& mission, std::size_t index) {
 
 plan_writer writer_behind(const plan_writer& done, const plan_setting& setting) {
   return {setting, done.here(), false, done.speed_mps()};
+}
+
+// Behind a landing: what a mission holds that came as commands is flown next only if it begins with a take-off. All
+// else is kept for a failure, or for another approach; on ArduPilot, whose mission ends with a landing. What a PX4 does
+// with it was not seen, and so it has none.
+bool begins_branch(const mission::document& mission, std::size_t index, const plan_setting& setting) {
+  if (!is_ardupilot(setting) || !std::ranges::any_of(mission.items, mission::is_of_version_2))
+    return false;
+  const auto next = std::find_if(mission.items.begin() + static_cast<std::ptrdiff_t>(index), mission.items.end(),
+                                 mission::moves_vehicle);
+  return next != mission.items.end() && !mission::is_take_off(*next);
+}
+
+// A jump to what is not in its plan: of a rest, the count of the rounds that were flown is on no vehicle.
+std::optional<plan_error> lost_target(const mission::document& mission, std::size_t first,
+                                      const std::vector<plan_writer>& writers) {
+  for (const auto& each : writers)
+    if (const auto target = each.missing_target()) {
+      const auto jump = std::ranges::find_if(mission.items, [&](const mission::item& item) {
+        const auto* const found = std::get_if<mission::jump>(&item);
+        return found != nullptr && found->to == *target;
+      });
+      const auto remedy = first == 0 ? "take the jump out, or put it in front of the landing"
+                                     : "start the mission again from item '" + *target + "', or take the jump out";
+      return plan_error{plan_errc::jump_left_out, static_cast<std::size_t>(jump - mission.items.begin()),
+                        mission::id_of(*jump),
+                        "It leads back to item '" + *target +
+                            "', which is not in what is flown next, and how many "
+                            "rounds are left is not known",
+                        remedy};
+    }
+  return std::nullopt;
 }
 
 } // namespace
@@ -40,15 +77,21 @@ tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::do
          "begin with an item that it has"});
   std::vector<plan_writer> writers;
   writers.emplace_back(setting, setting.start, setting.is_under_way, speed_before(mission, from.item_index));
+  bool owes_state = from.item_index > 0;
   for (auto i = from.item_index; i < count; ++i) {
-    if (writers.back().ends_on_ground())
+    if (writers.back().ends_on_ground() && !writers.back().is_branch() && begins_branch(mission, i, setting))
+      writers.back().begin_branch();
+    else if (writers.back().ends_on_ground() && (!writers.back().is_branch() || mission::is_take_off(mission.items[i])))
       writers.push_back(writer_behind(writers.back(), setting));
     item_planner planner(mission, setting, writers.back());
+    if (owes_state)
+      planner.repeat_state_of(from.item_index);
     if (const auto altitude_m = take_off_before(mission, i);
         altitude_m && i == from.item_index && !setting.is_under_way && setting.vehicle == vehicle_class::multirotor)
       planner.take_off_again(*altitude_m);
     if (auto problem = planner.write(i, i == from.item_index ? from.lines_before : 0))
       return failure(*std::move(problem));
+    owes_state = owes_state && !planner.has_repeated_state();
     if (writers.back().size() > max_plan_items)
       return failure(too_many_items(mission, i));
   }
@@ -63,6 +106,8 @@ tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::do
                     {},
                     "No item of it moves the vehicle",
                     "give it a place to go to"});
+  if (auto problem = lost_target(mission, from.item_index, writers))
+    return failure(*std::move(problem));
   std::vector<flight_plan> plans;
   for (const auto& each : writers)
     plans.push_back(each.finished());

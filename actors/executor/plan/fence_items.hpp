@@ -3,6 +3,7 @@
 // The vehicle must hold nothing for a breach that godwit lets it fly: what its fence can not say as wide as the mission
 // does is left out, and said.
 //
+//   a circle                      a circle
 //   inclusion                     a polygon, without its floor and ceiling: wider than the mission's
 //   several of them               left out: a vehicle has to be inside of all, and the mission means one of them
 //   exclusion                     a polygon
@@ -26,5 +27,10 @@ struct fence_list {
 };
 
 [[nodiscard]] fence_list fence_items(const std::vector<mission::geofence>& fences);
+
+// Behind a fence, where the mission has one; a fence without items needs none.
+void append_return_point(fence_list& to, const mission::document& mission);
+
+[[nodiscard]] std::vector<io::mavlink::mission_item_int> rally_items(const mission::document& mission);
 
 } // namespace godwit::executor::plan

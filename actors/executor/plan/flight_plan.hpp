@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "actors/executor/progress/plan_map.hpp"
@@ -28,6 +29,7 @@ struct leg {
   mission::position from;
   mission::position to;
   std::uint32_t item_index = 0; // of the mission: for which it is flown
+  double times = 1;             // that it is flown, by the rounds of jumps; of an endless one a single round counts
 };
 
 // A survey in a plan: two vehicle items for each line, its beginning and its end.
@@ -51,7 +53,8 @@ struct flight_plan {
   std::vector<planned_survey> surveys;
   std::vector<leg> legs;
   mission::position ends_at;
-  bool ends_on_ground = false; // nothing more is flown without a take-off
+  bool ends_on_ground = false;    // nothing more is flown without a take-off
+  std::vector<std::string> notes; // what people should know of it, a sentence each
 };
 
 // How many lines of the survey are behind a vehicle that is on its way to SEQUENCE, those of earlier plans included. A

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/executor/plan/change_ids.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/survey/survey_lines.hpp"
@@ -49,6 +50,13 @@ std::optional<plan_error> item_planner::write(std::size_t index, std::uint32_t l
     up.altitude_m = take_off_altitude_m(*take_off_first_m_);
     writer_.climb_to(up.altitude_m);
     writer_.add_take_off(takeoff_item(up, setting_));
+  }
+  const bool flies_on = writer_.is_in_air() || is(vehicle_class::rover);
+  if (rest_from_ && flies_on && mission::moves_vehicle(item) && !mission::is_take_off(item) && !writer_.is_branch()) {
+    if (is_of_change(mission::id_of(item)))
+      leave_line();
+    else
+      repeat_state();
   }
   return std::visit([&](const auto& each) { return plan(each); }, item);
 }

@@ -18,6 +18,8 @@
 // | is not home  |                                 |                                  |                            |
 // | return to    | NAV_RETURN_TO_LAUNCH wherever   | the same                         | the same                   |
 // | HOME         | the vehicle's home is           |                                  |                            |
+// | command      | as it came, if the table of commands lets a mission hold it and this vehicle does not refuse it | |
+// jump         | DO_JUMP to the first vehicle item of its target                                                      |
 //
 // Home moves to where a vehicle arms. So the return point is home only if the flight began there; the return from a
 // delivery is said in places, unless it is one to HOME. Landing or returning where the vehicle stands already is
@@ -31,6 +33,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/executor/plan/plan_error.hpp"
 #include "actors/executor/plan/plan_writer.hpp"
 #include "actors/executor/plan/setting.hpp"
@@ -60,6 +63,11 @@ public:
   // broken off, and the vehicle stands on the ground. For multirotors, which need no runway.
   void take_off_again(double altitude_m) { take_off_first_m_ = altitude_m; }
 
+  // The plan begins at item FIRST, and the vehicle may have lost what the items before it have set. The first item that
+  // moves it in the air is preceded by that. True: it was.
+  void repeat_state_of(std::size_t first) { rest_from_ = first; }
+  [[nodiscard]] bool has_repeated_state() const { return has_repeated_; }
+
 private:
   using outcome = std::optional<plan_error>;
 
@@ -70,6 +78,19 @@ private:
   outcome plan(const mission::survey& item);
   outcome plan(const mission::land& item);
   outcome plan(const mission::return_home& item);
+  outcome plan(const mission::command_item& item);
+  outcome plan(const mission::jump& item);
+
+  // Of a command that the vehicle executes and that moves it: its way, and the item.
+  outcome move(const mission::command_item& item);
+  outcome take_off(const mission::command_item& item);
+  outcome go_to(const mission::command_item& item);
+  [[nodiscard]] outcome why_not_command(const mission::command_item& item) const;
+  [[nodiscard]] mission::item_answer answer_to(const mission::command_item& item) const;
+  // Where it leads; none: here.
+  [[nodiscard]] std::optional<mission::position> position_of(const mission::item& item) const;
+  void repeat_state();
+  void leave_line();
 
   outcome return_by_places(const mission::position& goal);
   void return_by_itself(const mission::position& goal);
@@ -95,6 +116,8 @@ private:
   std::size_t index_ = 0;
   std::uint32_t lines_before_ = 0;
   std::optional<double> take_off_first_m_;
+  std::optional<std::size_t> rest_from_;
+  bool has_repeated_ = false;
 };
 
 } // namespace godwit::executor::plan

@@ -26,6 +26,9 @@ enum class plan_errc {
   area_too_large,        // of a survey
   area_too_small,        // no line fits into it
   too_many_lines,        // of a survey
+  command_not_allowed,   // no mission may hold it, or not without flight.allowed_commands
+  command_refused,       // by this kind of vehicle
+  jump_left_out,         // the item that a jump leads to is not in the rest of the mission
   too_many_items         // of the vehicle
 };
 
@@ -46,6 +49,9 @@ constexpr auto enum_names(plan_errc) {
                                {plan_errc::area_too_large, "area_too_large"},
                                {plan_errc::area_too_small, "area_too_small"},
                                {plan_errc::too_many_lines, "too_many_lines"},
+                               {plan_errc::command_not_allowed, "command_not_allowed"},
+                               {plan_errc::command_refused, "command_refused"},
+                               {plan_errc::jump_left_out, "jump_left_out"},
                                {plan_errc::too_many_items, "too_many_items"}});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "actors/domain/geo/geodesic.hpp"
@@ -22,17 +23,28 @@ bool is_speed(const mission_item_int& item) {
   return item.command == io::mavlink::number(io::mavlink::mav_cmd::do_change_speed);
 }
 
-// Speeds behind the last movement: nothing is flown with them.
+// Speeds behind the last movement: nothing is flown with them. What came verbatim stays.
 void drop_idle_commands(flight_plan& plan) {
   while (!plan.items.empty() && is_speed(plan.items.back())) {
-    plan.items.pop_back();
     const auto owner = std::find_if(plan.map.items.rbegin(), plan.map.items.rend(),
                                     [](const progress::mapped_item& each) { return each.sequence_count > 0; });
     GODWIT_ASSERT(owner != plan.map.items.rend(), "plan: each vehicle item belongs to an item of the mission");
+    if (owner->role != progress::item_role::flown)
+      break;
+    plan.items.pop_back();
     --owner->sequence_count;
   }
   for (auto& each : plan.map.items)
     each.first_sequence = std::min(each.first_sequence, sequence_of(plan.items.size()));
+}
+
+// Behind the last movement ArduPilot executes the first command alone.
+void leave_out_late_acts(progress::plan_map& map) {
+  bool has_one = false;
+  for (auto i = progress::items_to_finish(map); i < map.items.size(); ++i)
+    if (auto& each = map.items[i]; each.role == progress::item_role::acts && each.sequence_count > 0)
+      if (std::exchange(has_one, true))
+        each.role = progress::item_role::unflown;
 }
 
 } // namespace
@@ -53,6 +65,8 @@ plan_writer::plan_writer(const plan_setting& setting, const mission::position& s
 
 void plan_writer::begin_item(const std::string& id, std::uint32_t index) {
   plan_.map.items.push_back({id, index, sequence_of(plan_.items.size()), 0, std::nullopt, std::nullopt});
+  if (is_branch_)
+    plan_.map.items.back().role = progress::item_role::unflown;
 }
 
 void plan_writer::append(const mission_item_int& item) {
@@ -62,7 +76,7 @@ void plan_writer::append(const mission_item_int& item) {
   plan_.items.push_back(item);
   plan_.items.back().seq = sequence;
   ++owner.sequence_count;
-  if (!is_nav(item))
+  if (!is_nav(item) || owner.role == progress::item_role::unflown)
     return;
   owner.last_nav_sequence = sequence;
   if (!owner.first_nav_sequence)
@@ -96,6 +110,42 @@ void plan_writer::mark_landing() {
   append(landing_start_item());
 }
 
+void plan_writer::add_verbatim(const mission_item_int& item, progress::item_role role) {
+  constexpr auto land_start = io::mavlink::number(io::mavlink::mav_cmd::do_land_start);
+  auto& owner = plan_.map.items.back();
+  owner.role = is_branch_ ? progress::item_role::unflown : role;
+  if (item.command == land_start && !plan_.landing_sequence)
+    plan_.landing_sequence = sequence_of(plan_.items.size());
+  if (owner.role == progress::item_role::flown)
+    pay_speed();
+  append(item);
+}
+
+void plan_writer::add_jump(const mission_item_int& item, const std::string& to) {
+  jumps_.push_back({sequence_of(plan_.items.size()), plan_.map.items.back().item_index, to, item.param2});
+  add_verbatim(item, progress::item_role::acts);
+}
+
+void plan_writer::jump_to(const mission::position& to) {
+  const auto here = here_;
+  go(leg_kind::cruise, to);
+  here_ = here;
+}
+
+void plan_writer::begin_branch() {
+  is_branch_ = true;
+  is_in_air_ = true;
+  has_left_ = false;
+  landed_at_ = here_;
+}
+
+std::optional<std::string> plan_writer::missing_target() const {
+  for (const auto& each : jumps_)
+    if (std::ranges::find(plan_.map.items, each.to, &progress::mapped_item::item_id) == plan_.map.items.end())
+      return each.to;
+  return std::nullopt;
+}
+
 void plan_writer::begin_survey(std::uint32_t lines_before) {
   pay_speed();
   plan_.surveys.push_back({plan_.map.items.back().item_index, lines_before, sequence_of(plan_.items.size()), 0});
@@ -107,6 +157,11 @@ void plan_writer::end_survey() {
 }
 
 void plan_writer::go(leg_kind kind, const mission::position& to) {
+  if (is_branch_ && !has_left_) {
+    has_left_ = true;
+    here_ = to;
+    return;
+  }
   plan_.legs.push_back({kind, here_, to, plan_.map.items.back().item_index});
   here_ = to;
 }
@@ -136,7 +191,7 @@ void plan_writer::circle(double radius_m) {
 
 void plan_writer::descend_to(const mission::position& to) {
   go(leg_kind::descent, to);
-  is_in_air_ = false;
+  is_in_air_ = is_branch_;
   ends_on_ground_ = true;
 }
 
@@ -148,13 +203,36 @@ void plan_writer::take_over(const progress::plan_map& idle) {
   }
 }
 
+// The legs from the target of a jump up to it are flown once more each time, and its own as often as it is taken. Loops
+// within loops multiply, which is more than vehicles fly that count each jump once.
+void plan_writer::count_rounds(flight_plan& plan) const {
+  constexpr double most = 1e6;
+  for (const auto& jump : jumps_) {
+    const auto target = std::ranges::find(plan.map.items, jump.to, &progress::mapped_item::item_id);
+    if (target->item_index > jump.item_index)
+      continue;
+    const double taken = std::max(jump.times, 0.0);
+    for (auto& leg : plan.legs)
+      if (leg.item_index >= target->item_index && leg.item_index <= jump.item_index)
+        leg.times = std::min(most, leg.times * (leg.item_index == jump.item_index ? std::max(taken, 1.0) : taken + 1));
+  }
+}
+
 flight_plan plan_writer::finished() const {
   GODWIT_ASSERT(has_moved(), "plan: a plan moves the vehicle");
   auto plan = plan_;
   drop_idle_commands(plan);
   plan.items.at(plan.map.start_sequence).current = 1;
   plan.map.total = sequence_of(plan.items.size() - plan.map.first_sequence);
-  plan.ends_at = here_;
+  for (const auto& each : jumps_) {
+    const auto target = std::ranges::find(plan.map.items, each.to, &progress::mapped_item::item_id);
+    GODWIT_ASSERT(target != plan.map.items.end(), "plan: a jump leads to an item of the plan");
+    plan.items.at(each.sequence).param1 = target->first_sequence;
+  }
+  count_rounds(plan);
+  if (is_ardupilot(setting_))
+    leave_out_late_acts(plan.map);
+  plan.ends_at = is_branch_ ? landed_at_ : here_;
   plan.ends_on_ground = ends_on_ground_;
   GODWIT_ASSERT(progress::is_sound(plan.map), "plan: the map is total and runs in order");
   return plan;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "actors/executor/plan/flight_plan.hpp"
 #include "actors/executor/plan/setting.hpp"
@@ -29,6 +30,17 @@ public:
   void add_take_off(const io::mavlink::mission_item_int& item);
   void add_nav(const io::mavlink::mission_item_int& item);
   void mark_landing();
+  // As it came; what becomes of it says ROLE. One that lands or moves nowhere needs no leg.
+  void add_verbatim(const io::mavlink::mission_item_int& item, progress::item_role role);
+  // A command that an earlier part of the mission has given, in front of the item that is written now.
+  void repeat(const io::mavlink::mission_item_int& item) { append(item); }
+  // To the first vehicle item of the item called TO, which may come later.
+  void add_jump(const io::mavlink::mission_item_int& item, const std::string& to);
+  // The way of a jump, from here; the vehicle is still here behind the last one.
+  void jump_to(const mission::position& to);
+  // What follows lies behind a landing and is no flight of its own: the vehicle keeps it, and nobody begins it.
+  void begin_branch();
+  void note(std::string sentence) { plan_.notes.push_back(std::move(sentence)); }
   // Behind it come its lines.
   void begin_survey(std::uint32_t lines_before);
   void end_survey();
@@ -49,12 +61,15 @@ public:
   // The last of these was a place in the air, from which a fixed wing can come down.
   [[nodiscard]] bool comes_from_a_place() const { return comes_from_a_place_; }
   [[nodiscard]] bool ends_on_ground() const { return ends_on_ground_; }
+  [[nodiscard]] bool is_branch() const { return is_branch_; }
   [[nodiscard]] std::optional<double> speed_mps() const { return speed_mps_; }
   [[nodiscard]] std::size_t size() const { return plan_.items.size(); }
 
   // Items of the mission that follow the end of the plan and have nothing to fly.
   void take_over(const progress::plan_map& idle);
-  // Only of a plan that moves the vehicle.
+  // The id of an item that a jump of this plan leads to, and that is not in it. Nothing: none.
+  [[nodiscard]] std::optional<std::string> missing_target() const;
+  // Only of a plan that moves the vehicle, and whose jumps lead to items of it.
   [[nodiscard]] flight_plan finished() const;
   [[nodiscard]] const progress::plan_map& map() const { return plan_.map; }
 
@@ -73,6 +88,18 @@ private:
   bool owes_speed_;
   std::optional<double> speed_mps_;
   std::size_t navs_ = 0;
+  bool is_branch_ = false;
+  bool has_left_ = false; // in a branch: its first place is not flown to from the landing
+  mission::position landed_at_;
+  struct planned_jump {
+    std::uint16_t sequence;
+    std::uint32_t item_index; // in the mission
+    std::string to;           // the id of an item
+    double times;             // below 0: for ever
+  };
+  void count_rounds(flight_plan& plan) const;
+
+  std::vector<planned_jump> jumps_;
   flight_plan plan_;
 };
 

@@ -2,6 +2,10 @@
 // Degrees (WGS 84), metres. Thread: plain values.
 #pragma once
 
+#include <optional>
+
+#include "actors/domain/mission/commands/command_policy.hpp"
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "messages/flight/home_place.hpp"
@@ -44,6 +48,9 @@ struct plan_setting {
   // A fixed wing's way down begins with DO_LAND_START, so that a failsafe finds it. An ArduPilot plane then does not
   // arm unless its RTL_AUTOLAND is set: not to be had without asking.
   bool marks_landings = false;
+  // Which commands it takes, passes over and refuses; absent: not known, and all are believed to be taken.
+  std::optional<mission::vehicle_profile> profile;
+  mission::allowed_commands allowed_commands; // flight.allowed_commands
 };
 
 // Where the vehicle returns to by itself when it flies the plans of WHERE: home moves to where it is armed, unless it

@@ -1,9 +1,11 @@
 #include "actors/executor/plan/vehicle_items.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::executor::plan {
@@ -115,7 +117,53 @@ mission_item_int speed_item(double mps, const plan_setting& setting) {
 
 mission_item_int landing_start_item() { return bare_item(mav_cmd::do_land_start, {}); }
 
-bool is_nav(const mission_item_int& item) { return item.command <= number(mav_cmd::nav_last); }
+mission_item_int command_item_of(const mission::command_item& item, const plan_setting& setting) {
+  const auto value = [&](std::size_t index) {
+    return static_cast<float>(item.params.at(index).value_or(any_yaw(setting)));
+  };
+  mission_item_int result;
+  result.command = item.command;
+  result.frame = item.frame;
+  result.autocontinue = item.autocontinue ? 1 : 0;
+  result.param1 = value(0);
+  result.param2 = value(1);
+  result.param3 = value(2);
+  result.param4 = value(3);
+  const auto kind = io::mavlink::coordinates_of(item.frame).value_or(io::mavlink::coordinate_kind::none);
+  const bool has_degrees = kind == io::mavlink::coordinate_kind::global;
+  const auto coordinate = [&](const std::optional<double>& given) {
+    constexpr auto unset = std::numeric_limits<std::int32_t>::max();
+    if (!given)
+      return has_degrees && !is_ardupilot(setting) ? unset : 0;
+    const auto scaled_value =
+        std::clamp(*given * (has_degrees ? io::mavlink::units_a_degree : 1), -2147483647.0, static_cast<double>(unset));
+    return static_cast<std::int32_t>(std::lround(scaled_value));
+  };
+  result.x = coordinate(item.params[4]);
+  result.y = coordinate(item.params[5]);
+  const bool is_above_home = io::mavlink::altitude_in(item.frame) == io::mavlink::altitude_kind::above_home;
+  result.z = item.params[6] && is_above_home && mission::moves_vehicle(item)
+                 ? static_cast<float>(*item.params[6] - setting.home.above_mission_zero_m)
+                 : value(6);
+  return result;
+}
+
+double altitude_of(const mission::command_item& item, const plan_setting& setting) {
+  const double given = item.params[6].value_or(0);
+  if (io::mavlink::altitude_in(item.frame) != io::mavlink::altitude_kind::above_sea)
+    return given;
+  return given - setting.home.above_sea_m + setting.home.above_mission_zero_m;
+}
+
+mission_item_int jump_item(std::int32_t times) {
+  return bare_item(mav_cmd::do_jump, {0, static_cast<double>(times), 0, 0});
+}
+
+bool is_nav(const mission_item_int& item) {
+  const bool is_beyond = item.command == number(mav_cmd::nav_set_yaw_speed) || item.command == 42'702 ||
+                         item.command == 42'703; // NAV_SCRIPT_TIME, NAV_ATTITUDE_TIME
+  return (item.command <= number(mav_cmd::nav_last) && item.command != number(mav_cmd::nav_roi)) || is_beyond;
+}
 
 bool is_nowhere(const mission::position& at) { return scaled(at.latitude) == 0 && scaled(at.longitude) == 0; }
 

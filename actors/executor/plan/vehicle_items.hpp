@@ -11,6 +11,7 @@
 #include "actors/executor/plan/setting.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
+#include "messages/mission/item.hpp"
 #include "messages/mission/place.hpp"
 
 namespace godwit::executor::plan {
@@ -38,7 +39,16 @@ using io::mavlink::mission_item_int;
 [[nodiscard]] mission_item_int speed_item(double mps, const plan_setting& setting);
 [[nodiscard]] mission_item_int landing_start_item();
 
-// It moves the vehicle.
+// As it came. What is not given is NaN, and the largest coordinate, for PX4; 0 for ArduPilot, which refuses NaN. A
+// height above home counts from the mission's own home, as in all items.
+[[nodiscard]] mission_item_int command_item_of(const mission::command_item& item, const plan_setting& setting);
+// Of a command with an altitude: above the place that the mission counts from. Above the ground is taken for above
+// home.
+[[nodiscard]] double altitude_of(const mission::command_item& item, const plan_setting& setting);
+// Its target is filled in when all sequences are known.
+[[nodiscard]] mission_item_int jump_item(std::int32_t times);
+
+// It moves the vehicle, or holds it in its place for a time.
 [[nodiscard]] bool is_nav(const mission_item_int& item);
 
 // Vehicles take latitude and longitude 0 for "here".

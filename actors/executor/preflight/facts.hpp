@@ -52,6 +52,7 @@ struct vehicle_facts {
   std::optional<std::int64_t> position_age_ns;                                // absent: never heard
   bool is_home_known = false;
   bool is_moving = false;                      // in the air or driving, and godwit has not started it
+  bool stands_ready_to_move = false;           // armed, in a mode in which it goes off by itself: the same
   std::optional<std::int32_t> battery_percent; // absent: not heard; -1: the autopilot does not know
   own_checks own = own_checks::unknown;
   preflight::estimate estimate = preflight::estimate::unknown;

@@ -30,6 +30,13 @@ bool was_never_near(const followed_plan& plan, const mapped_item& item) {
   });
 }
 
+// An act is passed, and never reached: a vehicle that goes on does not say that it was of use.
+progress_kind kind_for(const mapped_item& item, progress_kind kind) {
+  if (kind != progress_kind::reached || item.role == item_role::flown)
+    return kind;
+  return item.role == item_role::acts ? progress_kind::passed : progress_kind::skipped;
+}
+
 // The next item, as KIND. One without vehicle items is skipped whatever happens, and that is worth saying once.
 void resolve_next(decision_context& t, progress_kind kind, bool is_inferred) {
   auto& plan = *t.s.plan;
@@ -40,7 +47,7 @@ void resolve_next(decision_context& t, progress_kind kind, bool is_inferred) {
     tell(t, progress_event_kind::place_missed, item.item_id);
   }
   if (item.sequence_count > 0)
-    report_item(t, kind, item, is_inferred);
+    report_item(t, kind_for(item, kind), item, is_inferred);
   else if (plan.generation.resolved >= plan.ever_resolved)
     report_item(t, progress_kind::skipped, item, false);
   ++plan.generation.resolved;

@@ -226,7 +226,9 @@ void take(decision_context& t, const vehicle_rebooted&) {
     t.s.upload->unconfirmed_reached.reset();
   if (t.s.plan)
     t.s.plan->last_reached.reset();
-  if (t.s.plan && (!t.s.paused || t.s.paused == pause_reason::vehicle_restarted))
+  const bool is_paused_otherwise = t.s.paused && t.s.paused != pause_reason::vehicle_restarted &&
+                                   t.s.paused != pause_reason::infeasible_plan; // it has not judged it yet
+  if (t.s.plan && !is_paused_otherwise)
     pause(t, pause_reason::vehicle_restarted);
 }
 

@@ -20,6 +20,18 @@
 
 namespace godwit::executor::progress {
 
+// What becomes of an item that the vehicle has behind it.
+enum class item_role {
+  flown,  // it was reached
+  acts,   // it was passed: whether the act was of use, a vehicle does not report
+  unflown // the vehicle keeps it and does not execute it
+};
+
+constexpr auto enum_names(item_role) {
+  return io::names<item_role>(
+      {{item_role::flown, "flown"}, {item_role::acts, "acts"}, {item_role::unflown, "unflown"}});
+}
+
 struct mapped_item {
   std::string item_id;
   std::uint32_t item_index = 0;     // in the mission's items, from 0 on
@@ -28,13 +40,14 @@ struct mapped_item {
   // The first and the last of its vehicle items that move the vehicle (NAV commands). Absent: it moves nothing.
   std::optional<std::uint16_t> first_nav_sequence;
   std::optional<std::uint16_t> last_nav_sequence;
+  item_role role = item_role::flown;
 
-  static constexpr auto fields = io::table("executor.progress_mapped_item", io::field("item_id", &mapped_item::item_id),
-                                           io::field("item_index", &mapped_item::item_index),
-                                           io::field("first_sequence", &mapped_item::first_sequence),
-                                           io::field("sequence_count", &mapped_item::sequence_count),
-                                           io::field("first_nav_sequence", &mapped_item::first_nav_sequence),
-                                           io::field("last_nav_sequence", &mapped_item::last_nav_sequence));
+  static constexpr auto fields = io::table(
+      "executor.progress_mapped_item", io::field("item_id", &mapped_item::item_id),
+      io::field("item_index", &mapped_item::item_index), io::field("first_sequence", &mapped_item::first_sequence),
+      io::field("sequence_count", &mapped_item::sequence_count),
+      io::field("first_nav_sequence", &mapped_item::first_nav_sequence),
+      io::field("last_nav_sequence", &mapped_item::last_nav_sequence), io::field("role", &mapped_item::role));
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/ground_port/mission_server/texts.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
@@ -103,6 +104,9 @@ struct autopilot_quirks {
   // While the mission is flown; none: it is cleared all the same.
   std::optional<mavlink::mav_mission_result> when_cleared_in_flight = mavlink::mav_mission_result::denied;
   std::optional<mavlink::mav_mission_result> when_counted_0_in_flight = mavlink::mav_mission_result::denied;
+  // An item with a command that this vehicle refuses by the table of commands is UNSUPPORTED; none: all that can be an
+  // item is taken.
+  std::optional<mission::vehicle_profile> profile;
   bool checks_type = true; // UNSUPPORTED for an unknown mission type; else it is cleared, and has no space
   bool checks_latitude = true;
   fence_quirks fence;

@@ -20,7 +20,10 @@ constexpr std::int32_t max_longitude = 1'800'000'000;
 
 mav_mission_result check_item(const mavlink::mission_item_int& item, const autopilot_quirks& vehicle) {
   const auto place = place_of(item.command, static_cast<mav_mission_type>(item.mission_type));
-  if (!place)
+  const auto* const row = mission::command_of(item.command);
+  const bool is_refused =
+      vehicle.profile && row != nullptr && row->answer_of(*vehicle.profile) == mission::item_answer::refused;
+  if (!place || is_refused)
     return mav_mission_result::unsupported;
   if (io::name_of(static_cast<mav_frame>(item.frame)).empty())
     return mav_mission_result::unsupported_frame;

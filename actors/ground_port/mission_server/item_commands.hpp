@@ -1,7 +1,8 @@
-// The commands that can be items of a plan, as MAVLink's common set has them.
+// The commands that can be items of a plan: those that some vehicle takes, by the table of commands
+// (actors/domain/mission/commands).
 //
 // Orders are none, though their numbers are commands as well: to arm, to start the mission, to go somewhere now.
-// Thread: pure. Source: MAVLink, MAV_CMD, with hasLocation.
+// Thread: pure.
 #pragma once
 
 #include <cstdint>

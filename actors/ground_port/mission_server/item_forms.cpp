@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::ground_port::mission_server {
@@ -73,8 +74,18 @@ mavlink::mission_item_int as_kept(mavlink::mission_item_int item, const autopilo
     return item;
   if (item.frame == number(mav_frame::global_relative_alt_int))
     item.frame = number(mav_frame::global_relative_alt);
-  if (item.frame == number(mav_frame::global_int) || item.command == number(mav_cmd::nav_return_to_launch))
+  const auto* const row = mission::command_of(item.command);
+  const bool keeps_altitude = item.command == number(mav_cmd::nav_continue_and_change_alt);
+  if (row != nullptr && !row->has_place && !keeps_altitude) {
+    item.x = 0;
+    item.y = 0;
+    item.z = 0;
     item.frame = number(mav_frame::global);
+  }
+  if (item.frame == number(mav_frame::global_int))
+    item.frame = number(mav_frame::global);
+  if (item.frame == number(mav_frame::global_terrain_alt_int))
+    item.frame = number(mav_frame::global_terrain_alt);
   if (item.command == number(mav_cmd::nav_waypoint))
     item.param2 = 0;
   item.autocontinue = 1;

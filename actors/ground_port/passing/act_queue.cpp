@@ -19,10 +19,8 @@ bool repeats(const waiting_act& a, const waiting_act& b) {
   return a.frame == b.frame;
 }
 
-// Of sticks that rest and of some that are held each has its own turn: they do not mean the same.
 bool is_of_one_stream(const waiting_act& a, const waiting_act& b) {
-  const bool is_stream = a.act.kind == executor::act_kind::stream || a.act.kind == executor::act_kind::sticks_at_rest;
-  return is_stream && a.act.kind == b.act.kind && is_of_one_station(a, b);
+  return a.act.kind == executor::act_kind::stream && b.act.kind == a.act.kind && is_of_one_station(a, b);
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 //
 // What is on no list is refused: nobody has looked at what it does. The lists hold whatever component is meant: an
 // ArduPilot obeys what is meant for a component that it has never heard. Thread: constants. Source: MAVLink common.xml
-// and ardupilotmega.xml; who obeys what: docs/decisions/0029.
+// and ardupilotmega.xml; who obeys what: docs/decisions/links.md.
 #pragma once
 
 #include <cstdint>

@@ -11,6 +11,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -53,7 +54,8 @@ std::string flaw_of_items(const std::vector<mission::progress_report>& reports, 
     return "the mission is done, and the last report does not say so";
   std::set<std::string> told;
   for (const auto& each : reports)
-    if (each.kind == progress_kind::reached || each.kind == progress_kind::skipped)
+    if (each.kind == progress_kind::reached || each.kind == progress_kind::passed ||
+        each.kind == progress_kind::skipped)
       told.insert(each.item_id.value_or(""));
   for (const auto& each : mission.items)
     if (!told.contains(mission::id_of(each)))
@@ -91,7 +93,8 @@ report_counts count_reports(flight_simulation& flight) {
     const auto item = each.item_id.value_or("");
     if (!is_new || (each.item_id && !told.emplace(each.generation, each.kind, item).second))
       ++result.doubled;
-    if (each.kind == progress_kind::reached || each.kind == progress_kind::skipped)
+    if (each.kind == progress_kind::reached || each.kind == progress_kind::passed ||
+        each.kind == progress_kind::skipped)
       items.insert(item);
   }
   if (!numbers.empty())
@@ -192,7 +195,9 @@ int starts_since(const flight_simulation& flight, std::int64_t since_ns) {
 
 int missions_started_since(const flight_simulation& flight, std::int64_t since_ns) {
   return static_cast<int>(std::ranges::count_if(flight.orders(), [&](const vehicle_order& each) {
-    return each.at_ns >= since_ns && each.command == mavlink::number(mavlink::mav_cmd::mission_start);
+    const bool begins =
+        each.command == mavlink::number(mavlink::mav_cmd::mission_start) || each.mode == mission_mode(flight.who());
+    return each.at_ns >= since_ns && begins;
   }));
 }
 

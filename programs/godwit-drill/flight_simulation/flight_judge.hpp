@@ -36,7 +36,7 @@ struct report_counts {
 [[nodiscard]] int moves_since(const flight_simulation& flight, std::int64_t since_ns);
 // Those of them that are no transfer of a plan: a vehicle that stands may be brought one.
 [[nodiscard]] int starts_since(const flight_simulation& flight, std::int64_t since_ns);
-// Of those the MISSION_START.
+// Of those what begins the plan: MISSION_START, or the mission mode, by which a PX4 is started.
 [[nodiscard]] int missions_started_since(const flight_simulation& flight, std::int64_t since_ns);
 
 } // namespace godwit::drill

@@ -52,6 +52,12 @@ bool waits_for_another_mission(const flight_simulation& flight) {
   return at.now == phase::paused && at.reason.find("can not be flown from here") != std::string::npos;
 }
 
+bool waits_for_disarm(const flight_simulation& flight) {
+  const auto now = flight.status().now;
+  return (now == phase::preflight || now == phase::ready) && flight.vehicle().describe().armed &&
+         flight.was_told_last("stands armed in a mode in which it goes off by itself");
+}
+
 bool fly_with_help(flight_simulation& flight) {
   constexpr int most_times = 60;
   constexpr double patience_s = 30;
@@ -59,7 +65,7 @@ bool fly_with_help(flight_simulation& flight) {
   const auto is_at_rest = [&] { return executor::is_at_rest(flight.status().now) || has_nothing_to_fly(flight); };
   const auto waits = [&] { // for a person: to be resumed, or to be started again
     const auto& at = flight.status();
-    return at.now == phase::paused || (at.now == phase::ready && !at.reason.empty());
+    return at.now == phase::paused || (at.now == phase::ready && !at.reason.empty()) || waits_for_disarm(flight);
   };
   for (int i = 0; i < most_times && !is_at_rest(); ++i) {
     (void)flight.run_until([&] { return is_at_rest() || waits(); }, patience_s);
@@ -69,6 +75,8 @@ bool fly_with_help(flight_simulation& flight) {
       flight.vehicle().set_battery(100, flight.now_ns());
     if (executor::needs_hand_back(flight.status().cause))
       flight.say(operators::command_kind::hand_back);
+    if (waits_for_disarm(flight))
+      flight.person().disarm();
     flight.run_for(1);
     if (flight.status().now == phase::paused)
       flight.say(operators::command_kind::resume);

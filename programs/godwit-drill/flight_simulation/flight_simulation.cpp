@@ -61,8 +61,7 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
       line_(wanted.seed,
             [this](sim::way to, std::span<const std::byte> frame, bool is_damaged) { arrived(to, frame, is_damaged); }),
       person_(persons_id, [this](std::span<const std::byte> frame) { person_sends(frame); }),
-      audit_(
-          wanted.who, [this] { return vehicle_->describe(); }, !wanted.is_person_on_other_line) {
+      audit_(wanted.who, [this] { return vehicle_->describe(); }) {
   service_.add_mission(mission);
   sim::vehicle_settings vehicle;
   vehicle.who = wanted.who;

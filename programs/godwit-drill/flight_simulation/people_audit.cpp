@@ -154,8 +154,10 @@ void people_audit::on_handled(const mavlink::frame_view& frame, bool is_persons,
     const auto* mode = mode_in(frame, who_);
     const bool is_same_mode = act_ && !act_->is_disarm && mode != nullptr && mode->name == act_->mode;
     const bool is_before_shown = act_ && (!act_->shown_ns || now_ns <= *act_->shown_ns + heeded_within_ns);
-    if (act_ && (!is_in_force() || (is_same_mode && is_before_shown && !act_->is_answered)))
+    if (act_ && !is_in_force())
       act_.reset(); // by a race, or it was found when it was sent
+    else if (is_same_mode && is_before_shown)
+      act_->is_as_godwits = true;
     return;
   }
   if (!changes_mode && !disarms)
@@ -164,7 +166,6 @@ void people_audit::on_handled(const mavlink::frame_view& frame, bool is_persons,
   act.at_ns = now_ns;
   act.mode = after.mode;
   act.is_disarm = disarms;
-  act.is_answered = hears_people_ && (command_in(frame) || who_ != sim::personality::px4); // SET_MODE has none of a PX4
   act.words = disarms ? "disarm" : "change from " + before.mode + " to " + after.mode;
   act.words += " (message " + std::to_string(frame.id()) + ")";
   act_ = std::move(act);
@@ -178,6 +179,15 @@ void people_audit::on_release() {
 bool people_audit::is_in_force() const {
   const auto seen = now_seen_();
   return act_ && (act_->is_disarm ? !seen.armed : seen.mode == act_->mode);
+}
+
+// By what godwit hears of it.
+bool people_audit::is_known(const held_act& act, std::int64_t now_ns) const {
+  if (act.answered_ns && now_ns > *act.answered_ns + heeded_within_ns)
+    return true;
+  if (act.is_as_godwits)
+    return false;
+  return now_ns > act.at_ns + shown_within_ns || (act.shown_ns && now_ns > *act.shown_ns + heeded_within_ns);
 }
 
 // -- what godwit sends ------------------------------------------------------------------------------
@@ -199,16 +209,12 @@ void people_audit::on_sent(const mavlink::frame_view& frame, std::int64_t now_ns
 void people_audit::judge_order(moving_order order, const mavlink::frame_view& frame, std::int64_t now_ns) {
   if (act_ && !is_in_force())
     act_.reset();
-  if (act_) {
-    const bool could_be_known = now_ns > act_->at_ns + shown_within_ns;
-    const bool was_shown = act_->shown_ns && now_ns > *act_->shown_ns + heeded_within_ns;
-    if (could_be_known || was_shown) {
-      find("taken: " + std::string(words_of(order)) + " was sent " + seconds(now_ns - act_->at_ns) +
-               " after a person's " + act_->words +
-               (act_->shown_ns ? ", shown " + seconds(now_ns - *act_->shown_ns) + " before" : ", never shown"),
-           now_ns);
-      act_.reset();
-    }
+  if (act_ && is_known(*act_, now_ns)) {
+    find("taken: " + std::string(words_of(order)) + " was sent " + seconds(now_ns - act_->at_ns) +
+             " after a person's " + act_->words +
+             (act_->shown_ns ? ", shown " + seconds(now_ns - *act_->shown_ns) + " before" : ", never shown"),
+         now_ns);
+    act_.reset();
   }
   const bool flies_plan = order == moving_order::start || order == moving_order::mission_mode;
   if (flies_plan && foreign_since_ns_ && now_ns > *foreign_since_ns_ + proof_lasts_ns) {
@@ -248,7 +254,18 @@ void people_audit::on_answered(const mavlink::frame_view& frame, std::int64_t no
   }
 }
 
+// ArduPilot acknowledges SET_MODE as if that were a command.
+void people_audit::on_acknowledged(const mavlink::command_ack& m, std::int64_t now_ns) {
+  const bool is_mode = m.command == number(mav_cmd::do_set_mode) || m.command == mavlink::set_mode::message_id;
+  const bool is_of_act = act_ && (act_->is_disarm ? m.command == number(mav_cmd::component_arm_disarm) : is_mode);
+  const bool is_to_other = m.target_system != godwit_id.system || m.target_component != godwit_id.component;
+  if (is_of_act && is_to_other && !act_->answered_ns && m.result == number(mavlink::mav_result::accepted))
+    act_->answered_ns = now_ns;
+}
+
 void people_audit::on_delivered(const mavlink::frame_view& frame, std::int64_t now_ns) {
+  if (frame.id() == mavlink::command_ack::message_id)
+    return on_acknowledged(mavlink::decode<mavlink::command_ack>(frame), now_ns);
   if (frame.id() != mavlink::heartbeat::message_id)
     return;
   if (act_ && !act_->shown_ns && is_in_force()) {

@@ -9,10 +9,11 @@
 //              by godwit, or by the vehicle, to which it is passed on
 //
 // An act counts while the vehicle is as the person left it: what overrides it in the time in which nobody could have
-// known of it is a race, and ends it. So is the mode that godwit's own order makes at the same time, where godwit does
-// not hear that somebody else was granted it, too: what the vehicle shows is what godwit has asked for. Bounds:
-// findings (max_findings); answers that are judged later (max_waiting; the oldest is judged at once). Thread: one.
-// Source: MAVLink command protocol; flights with real autopilots.
+// known of it is a race, and ends it. The mode that godwit's own order asks for before that is shown counts only from
+// the vehicle's acknowledgement to the person on, where that comes to godwit: what the vehicle shows is what godwit has
+// asked for, and nothing else tells the two apart. Bounds: findings (max_findings); answers that are judged later
+// (max_waiting; the oldest is judged at once). Thread: one. Source: MAVLink command protocol; flights with real
+// autopilots.
 #pragma once
 
 #include <cstdint>
@@ -55,10 +56,8 @@ public:
 
   using picture = std::function<sim::vehicle_picture()>;
 
-  // NOW_SEEN: of the vehicle. HEARS_PEOPLE: what the vehicle answers them comes to godwit. Times are those of the
-  // flight.
-  people_audit(sim::personality who, picture now_seen, bool hears_people = true)
-      : who_(who), now_seen_(std::move(now_seen)), hears_people_(hears_people) {}
+  // NOW_SEEN: of the vehicle. Times are those of the flight.
+  people_audit(sim::personality who, picture now_seen) : who_(who), now_seen_(std::move(now_seen)) {}
 
   // -- what happens
   // Godwit has sent it towards the vehicle. RELAYED frames have another sender and are a station's.
@@ -93,7 +92,8 @@ private:
     std::optional<std::int64_t> shown_ns; // its evidence has come to godwit
     std::string mode;                     // as the person left it
     bool is_disarm = false;
-    bool is_answered = false; // where godwit hears it
+    bool is_as_godwits = false;              // godwit's own order asked for the same, before anything showed it
+    std::optional<std::int64_t> answered_ns; // the vehicle's acknowledgement to the person has come to godwit
     std::string words;
   };
   // Of a station; judged when its time is over.
@@ -110,6 +110,8 @@ private:
   };
 
   [[nodiscard]] bool is_in_force() const;
+  [[nodiscard]] bool is_known(const held_act& act, std::int64_t now_ns) const;
+  void on_acknowledged(const io::mavlink::command_ack& m, std::int64_t now_ns);
   void judge_order(moving_order order, const io::mavlink::frame_view& frame, std::int64_t now_ns);
   void judge_again(const io::mavlink::frame_view& frame, std::int64_t now_ns);
   void observe_wanted();
@@ -118,7 +120,6 @@ private:
 
   sim::personality who_;
   picture now_seen_;
-  bool hears_people_;
   std::optional<held_act> act_;
   std::optional<std::int64_t> foreign_since_ns_;
   std::map<std::uint16_t, std::int64_t> accepted_ns_; // ARM and starts of godwit, since the last word of a person

@@ -70,7 +70,7 @@ flight_outcome watched_flight::finish_or_wait() {
     const bool is_with_person = at.now == executor::phase::paused || at.now == executor::phase::ready;
     return executor::is_at_rest(at.now) || (is_with_person && !at.reason.empty()) || circles_at_home(flight_) ||
            (at.now == executor::phase::preflight && flight_.was_told_last(mission_can_not_be_flown)) ||
-           (at.now == executor::phase::flying && flight_.was_told_last(stands_still));
+           waits_for_disarm(flight_) || (at.now == executor::phase::flying && flight_.was_told_last(stands_still));
   };
   if (!circles_at_home(flight_))
     (void)fly_with_help(flight_);

@@ -41,7 +41,8 @@ struct labelled {
 
 // The box of what was in the mask before its holes were closed. A mover's own shadow is left out of its box where
 // enough of it is none, and with the shadow one pixel around it: its edge is half lit, also where it meets the mover,
-// whose pixels are mixed with it there. To give that one back to the mover made boxes worse (docs/decisions/0092).
+// whose pixels are mixed with it there. To give that one back to the mover made boxes worse
+// (docs/decisions/perception.md).
 blob counted(const labelled& in, const cv::Rect& around, int label) {
   blob made;
   bounds all;

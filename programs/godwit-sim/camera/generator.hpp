@@ -1,6 +1,6 @@
 // Makes the picture that a camera would take: a pure function of the scene (its seed), the lens, the view and the time,
 // with the truth beside it. The same on each machine of one kind; the choice of numbers is frozen
-// (docs/decisions/0052).
+// (docs/decisions/perception.md).
 //
 // Made for tests of the detector and for the camera of the simulated vehicle; 640 x 360 takes some 10 ms of a core.
 // Thread: const; several at once are fine.

@@ -42,7 +42,7 @@ struct effect {
     auto& body = to.what.body;
     const auto found = body.find(key);
     if (found == std::string::npos)
-      return put_property(to, R"("schema_version":"2.0.0")");
+      return put_property(to, R"("schema_version":"3.0.0")");
     const auto begin = found + key.size();
     body.replace(begin, body.find('"', begin) - begin, "2.0.0");
   }

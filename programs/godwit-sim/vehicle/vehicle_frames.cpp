@@ -17,6 +17,7 @@ using heard_messages = mavlink::message_list<
     mavlink::mission_ack, mavlink::mission_clear_all, mavlink::mission_write_partial_list>;
 
 constexpr std::uint8_t every_component = 0;
+constexpr std::uint32_t manual_control_id = 69;
 
 } // namespace
 
@@ -29,6 +30,8 @@ void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now
     plans_.set_current(craft_.mission().current());
     if (frame.id() == file_transfer_id)
       hear_file_request(from, frame.payload());
+    else if (frame.id() == manual_control_id)
+      hear_sticks(frame.payload());
     else
       heard_messages::visit(frame, [&](const auto& message) { hear(from, message); });
   }
@@ -54,6 +57,12 @@ void vehicle::parts::hear_file_request(mavlink::sender from, mavlink::byte_view 
   const auto there = out_.aim(out_.line_of_event());
   for (const auto& each : files_.on(from, payload, files))
     out_.send_payload(file_transfer_id, file_transfer_crc_extra, each);
+}
+
+void vehicle::parts::hear_sticks(mavlink::byte_view payload) {
+  constexpr std::size_t target_at = 10;
+  if (payload.size() > target_at && std::to_integer<std::uint8_t>(payload[target_at]) == out_.ourselves().system)
+    pilot_->hear_sticks();
 }
 
 void vehicle::parts::hear(mavlink::sender from, const mavlink::heartbeat& m) { pilot_->hear_heartbeat(from, m); }

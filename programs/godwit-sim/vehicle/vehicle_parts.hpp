@@ -74,6 +74,7 @@ private:
   void hear(mavlink::sender from, const mavlink::request_data_stream& m);
   void hear(mavlink::sender from, const plans::incoming& m);
   void hear_file_request(mavlink::sender from, mavlink::byte_view payload);
+  void hear_sticks(mavlink::byte_view payload);
   [[nodiscard]] bool flies_to(mavlink::sender from, const plans::incoming& m); // true: it has its answer
 
   // Orders, parameters and such, by their target.

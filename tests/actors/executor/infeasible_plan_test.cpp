@@ -127,6 +127,18 @@ TEST(infeasible_plan, on_the_ground_is_never_ready_and_not_armed_and_another_loo
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
+// A PX4 that has just started keeps its plan, and finds no mission in it before it has a position.
+TEST(infeasible_plan, is_not_what_a_vehicle_holds_that_has_started_again_and_has_not_checked_it_yet) {
+  flight_world world({.who = px4, .start = start_policy::on_command, .speed = 1});
+  world.load(tests::short_mission(px4));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  world.vehicle().reboot(world.now_ns());
+  world.run_for(20);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::vehicle_restarted) << world.story();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.sentence() << world.story();
+}
+
 // The vehicle flies what is brought to it, and holds by itself where it can not.
 TEST(infeasible_plan, of_an_assignment_is_rejected_with_the_reason_and_the_mission_goes_on_behind_a_word) {
   flight_world world({.who = px4});

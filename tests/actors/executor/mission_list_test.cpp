@@ -117,14 +117,14 @@ TEST_P(mission_list, a_mission_that_the_service_does_not_give_is_refused_with_th
 TEST_P(mission_list, the_plan_of_a_station_is_named_as_such_and_one_that_was_not_taken_says_why) {
   flight_world world(by_stations(GetParam()));
   auto items = station_items(GetParam());
-  auto jump = item_of(mav_cmd::do_jump, mission::position{});
-  jump.frame = number(mav_frame::mission);
-  items.push_back(jump);
+  auto guarded = item_of(mav_cmd::do_parachute, mission::position{});
+  guarded.frame = number(mav_frame::mission);
+  items.push_back(guarded);
   world.station_says(taken(numbered(items)));
   const auto refused = the_one(world, mission_place::refused);
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->origin, mission_origin::station);
-  EXPECT_NE(refused->reason.find("DO_JUMP"), std::string::npos) << refused->reason;
+  EXPECT_NE(refused->reason.find("DO_PARACHUTE"), std::string::npos) << refused->reason;
   ASSERT_TRUE(bring(world, station_items(GetParam())));
   EXPECT_FALSE(the_one(world, mission_place::refused));
   EXPECT_EQ(the_one(world, mission_place::prepared)->origin, mission_origin::station);

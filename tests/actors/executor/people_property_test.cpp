@@ -1,12 +1,10 @@
 // Random flights in which people do what people do: change the mode, arm, disarm, land, hand back and resume at any
 // moment, also between two steps of a start, on the last leg, on the ground and while godwit is dead.
 //
-// What is checked is what a person beside the vehicle cares for: nothing is sent behind a takeover that was heard,
-// nothing starts that nobody has started, and no report is untrue by the vehicle's own track. Each run flies seeds that
-// were never flown before; they are printed. TEST_SEED=number flies that one and those behind it.
+// What is checked is what a person beside the vehicle cares for: nothing is sent after a takeover that was heard,
+// nothing starts that nobody has started, and no report is untrue by the vehicle's own track. The same flights each
+// time, so that a change is judged and not its luck; TEST_SEED=number flies others, from that one on.
 #include <array>
-#include <chrono>
-#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -14,6 +12,7 @@
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/run_options.hpp"
 
 namespace godwit::executor {
 namespace people_property_test {
@@ -412,16 +411,9 @@ constexpr int usual_people_flights = 50;
 constexpr int usual_people_flights = 1'000;
 #endif
 
-std::uint64_t first_people_seed() {
-  if (const char* given = std::getenv("TEST_SEED"))
-    return std::strtoull(given, nullptr, 10);
-  return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count()) / 1'000 %
-         1'000'000'000;
-}
-
 TEST(any_flight, is_safe_for_the_people_beside_it) {
-  const auto first = first_people_seed();
-  const int flights = std::getenv("TEST_FULL") != nullptr ? 100 * usual_people_flights : usual_people_flights;
+  const auto first = tests::first_seed();
+  const int flights = tests::is_full_run() ? 100 * usual_people_flights : usual_people_flights;
   std::cout << flights << " flights from TEST_SEED=" << first << "\n";
   int takeovers = 0;
   int edges = 0;

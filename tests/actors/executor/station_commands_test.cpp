@@ -277,28 +277,6 @@ TEST_P(station_commands, a_go_to_is_godwits_unless_a_person_has_the_vehicle) {
   EXPECT_EQ(world.durable().person, here) << "it keeps it";
 }
 
-// -- sticks -----------------------------------------------------------------------------------------
-
-TEST_P(station_commands, sticks_that_are_left_alone_take_nothing_in_a_start_and_in_flight) {
-  for (const auto at : {moment::starting, moment::flying, moment::paused, moment::landing}) {
-    flight_world one(on_command(GetParam()));
-    ASSERT_TRUE(bring_to(one, GetParam(), at));
-    EXPECT_EQ(one.station_does(act_kind::sticks_at_rest).verdict, act_verdict::refused);
-    one.run_for(1);
-    EXPECT_FALSE(needs_hand_back(one.durable().status.cause)) << one.story();
-  }
-}
-
-TEST_P(station_commands, sticks_that_are_left_alone_go_to_a_vehicle_that_a_person_has_or_that_stands) {
-  ASSERT_TRUE(bring_to(world, GetParam(), moment::ready));
-  EXPECT_EQ(world.station_does(act_kind::sticks_at_rest).verdict, act_verdict::pass);
-  flight_world one(on_command(GetParam()));
-  ASSERT_TRUE(bring_to(one, GetParam(), moment::flying));
-  (void)one.station_does(act_kind::stream, here);
-  EXPECT_EQ(one.station_does(act_kind::sticks_at_rest, elsewhere).verdict, act_verdict::pass);
-  EXPECT_EQ(one.durable().person, here) << "it takes it from nobody";
-}
-
 INSTANTIATE_TEST_SUITE_P(every_vehicle, station_commands,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
                                          sim::personality::plane),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_checksum.hpp"
 #include "tests/actors/executor/station_plans.hpp"
@@ -78,22 +79,22 @@ TEST_P(flight_by_station, after_a_crash_in_flight_the_station_goes_on_seeing_its
   EXPECT_TRUE(world.shown_items().empty()) << "what the station uploaded is still what is shown";
 }
 
-TEST_P(flight_by_station, what_a_mission_can_not_say_is_refused_with_the_reason) {
+TEST_P(flight_by_station, what_no_mission_may_hold_is_refused_with_the_reason) {
   flight_world world(by_stations(GetParam()));
   auto items = station_items(GetParam());
-  auto jump = item_of(mav_cmd::do_jump, {});
-  jump.frame = number(mav_frame::mission);
-  items.push_back(jump);
+  auto guarded = item_of(mav_cmd::do_parachute, {});
+  guarded.frame = number(mav_frame::mission);
+  items.push_back(guarded);
   items = numbered(items);
   world.station_says(taken(items));
   world.run_for(5);
   EXPECT_EQ(world.durable().status.now, phase::connected) << world.story();
   EXPECT_TRUE(was_said(world, "the plan is not taken")) << world.story();
-  EXPECT_TRUE(was_said(world, "DO_JUMP")) << world.story();
+  EXPECT_TRUE(was_said(world, "DO_PARACHUTE")) << world.story();
   world.station_says(start_of(world, items));
   ASSERT_EQ(world.start_answers().size(), 1U);
   EXPECT_EQ(world.start_answers().front().verdict, start_verdict::no_such_item);
-  EXPECT_NE(world.start_answers().front().reason.find("DO_JUMP"), std::string::npos);
+  EXPECT_NE(world.start_answers().front().reason.find("DO_PARACHUTE"), std::string::npos);
 }
 
 TEST_P(flight_by_station, another_plan_takes_its_place_before_the_start_and_not_in_flight) {
@@ -266,7 +267,9 @@ TEST_P(flight_by_station, the_home_that_stations_write_for_an_ardupilot_is_no_wa
   ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
   world.station_says(taken(items));
   if (GetParam() != sim::personality::ardupilot && GetParam() != sim::personality::plane) {
-    EXPECT_TRUE(was_said(world, "above mean sea level")) << "elsewhere it is an item: " << world.story();
+    const auto* const uploaded = uploaded_mission(world.durable());
+    ASSERT_NE(uploaded, nullptr) << world.story();
+    EXPECT_EQ(mission::kind_of(uploaded->items.front()), "command") << "elsewhere it is an item, above the sea";
     return;
   }
   ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
@@ -342,6 +345,36 @@ TEST_P(flight_by_station, with_a_service_the_plan_of_a_station_is_not_taken_and_
   EXPECT_EQ(world.durable().status.now, phase::ready);
 }
 
+TEST_P(flight_by_station, with_a_service_fences_and_rally_points_of_a_station_are_refused_as_its_plan_is) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  auto items = upload(1);
+  items.front().frame = io::mavlink::number(io::mavlink::mav_frame::global_relative_alt);
+  items.front().command = io::mavlink::number(io::mavlink::mav_cmd::nav_rally_point);
+  for (const auto type : {mav_mission_type::fence, mav_mission_type::rally}) {
+    items.front().mission_type = io::mavlink::number(type);
+    world.station_says(taken(items, type));
+    ASSERT_FALSE(world.judged().empty());
+    EXPECT_EQ(world.judged().back().type, type);
+    EXPECT_EQ(world.judged().back().verdict, ground_port::plan_verdict::refused) << world.story();
+  }
+}
+
+// As MAVProxy uploads a .fen file, and as ArduPilot takes it.
+TEST_P(flight_by_station, a_fence_is_taken_without_the_return_point_that_it_begins_with_and_that_is_said) {
+  flight_world world(by_stations(GetParam()));
+  auto items = fence_around(GetParam(), 150);
+  auto point = tests::waypoint_at(GetParam(), 0, 0);
+  point.command = number(mav_cmd::nav_fence_return_point);
+  items.insert(items.begin(), point);
+  world.station_says(taken(tests::numbered(items), mav_mission_type::fence));
+  ASSERT_FALSE(world.judged().empty());
+  EXPECT_EQ(world.judged().back().verdict, ground_port::plan_verdict::taken) << world.story();
+  EXPECT_EQ(world.durable().station_fences.size(), 1U);
+  EXPECT_TRUE(was_said(world, "without its return point")) << world.story();
+}
+
 TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_it) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
@@ -353,6 +386,8 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
   ASSERT_TRUE(world.say(there).is_taken) << world.story();
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
   EXPECT_FALSE(world.shown_items().empty()) << world.story();
+  world.station_says(taken(items));
+  EXPECT_TRUE(was_said(world, "was changed since this station's upload")) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(world.shown_items())) << world.story();
   EXPECT_EQ(world.shown_progress().back().state, mission_state::complete);

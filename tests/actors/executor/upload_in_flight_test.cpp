@@ -141,13 +141,13 @@ TEST_P(uploaded_in_flight, while_a_person_has_the_vehicle_it_is_refused_also_to_
 
 TEST_P(uploaded_in_flight, what_can_not_be_flown_is_refused_and_nothing_is_sent) {
   ASSERT_TRUE(pause());
-  auto jump = item_of(mav_cmd::do_jump, {});
-  jump.frame = number(mav_frame::mission);
-  auto with_jump = second;
-  with_jump.push_back(jump);
+  auto guarded = item_of(mav_cmd::do_parachute, {});
+  guarded.frame = number(mav_frame::mission);
+  auto with_guarded = second;
+  with_guarded.push_back(guarded);
   const auto orders = world.orders();
-  EXPECT_EQ(upload_and_wait(numbered(with_jump)), plan_verdict::refused);
-  EXPECT_TRUE(was_said(world, "DO_JUMP")) << world.story();
+  EXPECT_EQ(upload_and_wait(numbered(with_guarded)), plan_verdict::refused);
+  EXPECT_TRUE(was_said(world, "DO_PARACHUTE")) << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
   ASSERT_TRUE(world.say(command_kind::resume).is_taken);
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();

@@ -49,6 +49,20 @@ TEST(battery_filter, two_samples_are_not_enough_however_far_apart) {
   EXPECT_TRUE(filter.judge(8 * s).critical);
 }
 
+TEST(battery_filter, samples_from_before_a_rise_count_no_more) {
+  battery_filter filter(15, 25);
+  feed(filter, {15, 16, 15});
+  filter.on_sample(15, 8 * s);
+  EXPECT_FALSE(filter.judge(8 * s).critical) << "two samples since the rise";
+}
+
+TEST(battery_filter, a_full_battery_is_known_and_more_than_full_is_not) {
+  battery_filter full(15, 25);
+  EXPECT_TRUE(full.judge(feed(full, {100, 100, 100})).known);
+  battery_filter more(15, 25);
+  EXPECT_FALSE(more.judge(feed(more, {101, 101, 101})).known);
+}
+
 TEST(battery_filter, many_samples_are_not_enough_before_5_s) {
   battery_filter filter(15, 25);
   for (int i = 0; i < 49; ++i)

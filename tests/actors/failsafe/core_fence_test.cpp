@@ -69,6 +69,7 @@ TEST(failsafe_core, a_corner_that_was_cut_between_two_positions_is_a_breach) {
 
 TEST(failsafe_core, where_it_will_be_in_2_s_is_a_warning_and_no_breach) {
   auto world = fenced();
+  ASSERT_TRUE(world.warnings.empty());
   world.east_m = 97;
   world.run_s(10);
   EXPECT_TRUE(world.sent.empty());
@@ -86,6 +87,19 @@ TEST(failsafe_core, a_position_older_than_1_s_gives_no_verdict_and_is_yellow) {
   EXPECT_EQ(world.health().how, godwit::runtime::health_colour::yellow);
   EXPECT_NE(world.health().reason.find("position"), std::string::npos);
   EXPECT_TRUE(world.sent.empty());
+}
+
+TEST(failsafe_core, each_change_of_its_health_is_told_once) {
+  auto world = fenced();
+  world.told_health.clear();
+  world.sends_positions = false;
+  world.run_s(3);
+  ASSERT_EQ(world.told_health.size(), 1U);
+  EXPECT_EQ(world.told_health.back(), world.health());
+  world.sends_positions = true;
+  world.run_s(3);
+  ASSERT_EQ(world.told_health.size(), 2U);
+  EXPECT_EQ(world.told_health.back(), world.health());
 }
 
 TEST(failsafe_core, coming_back_over_the_fence_does_not_cancel_the_return) {

@@ -47,6 +47,51 @@ TEST(failsafe_home, where_its_return_leads_elsewhere_the_executor_is_asked_for_a
   }
 }
 
+TEST(failsafe_home, a_worse_cause_takes_the_place_of_the_one_for_which_a_plan_was_asked) {
+  flight_world world;
+  world.tell(asked_guard{1, {{fence_of(godwit::mission::fence_kind::inclusion, square(100))}, {}, {}, depot}});
+  world.tell(home_told{customer});
+  world.run_s(5);
+  const auto number = drain_until_asked(world);
+  const auto first = world.told().return_asked.value_or(asked_return{}).why;
+  world.tell(return_taken{number, true, {}});
+  world.east_m = 101;
+  world.run_s(2);
+  ASSERT_TRUE(world.kept().now.by_plan);
+  EXPECT_NE(world.kept().now.by_plan->why, first);
+  EXPECT_TRUE(world.sent.empty()) << "the way home is under way already";
+}
+
+TEST(failsafe_home, handed_back_it_asks_anew) {
+  flight_world world;
+  guard_with_home_moved(world);
+  const auto number = drain_until_asked(world);
+  world.tell(return_taken{number, true, {}});
+  world.run_ms(300);
+  world.tell(hand_back{});
+  world.run_ms(300);
+  EXPECT_GT(world.told().return_asked.value_or(asked_return{}).number, number);
+}
+
+TEST(failsafe_home, what_is_worse_than_a_return_ends_the_one_by_a_plan) {
+  flight_world world;
+  guard_with_home_moved(world);
+  world.tell(return_taken{drain_until_asked(world), true, {}});
+  drain_to(world, 5);
+  EXPECT_EQ(actions_of(world), these{action::land});
+  EXPECT_FALSE(world.kept().now.by_plan);
+}
+
+TEST(failsafe_home, an_executor_has_a_second_and_a_half_to_answer) {
+  flight_world world;
+  guard_with_home_moved(world);
+  (void)drain_until_asked(world);
+  world.run_ms(plan_answer_ms - 100);
+  EXPECT_TRUE(world.sent.empty());
+  world.run_ms(200);
+  EXPECT_EQ(actions_of(world), these{action::return_home});
+}
+
 TEST(failsafe_home, an_executor_that_is_down_leaves_it_to_the_vehicles_own_return_and_the_difference_is_told) {
   for (const auto what : classes) {
     flight_world world(what);

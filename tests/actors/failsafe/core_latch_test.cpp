@@ -116,6 +116,22 @@ TEST(failsafe_core, an_override_that_lifts_a_return_gives_what_was_covered_its_s
   EXPECT_EQ(actions_of(world), (these{action::hold, action::return_home}));
 }
 
+TEST(failsafe_core, an_override_of_what_something_worse_has_covered_takes_that_latch_alone) {
+  auto world = fenced();
+  world.operator_there = false;
+  world.run_s(31);
+  drain_to(world, 5);
+  ASSERT_EQ(actions_of(world).back(), action::land);
+  const auto is_latched = [&](rule which) {
+    return std::ranges::find(world.told().latched, which) != world.told().latched.end();
+  };
+  ASSERT_TRUE(is_latched(rule::operator_link) && is_latched(rule::battery_critical));
+  world.override_for_s(rule::operator_link, 600);
+  world.run_s(1);
+  EXPECT_FALSE(is_latched(rule::operator_link));
+  EXPECT_TRUE(is_latched(rule::battery_critical));
+}
+
 TEST(failsafe_core, who_returns_or_lands_already_is_not_told_to_return) {
   for (const auto& mode : {in_return, in_landing}) {
     flight_world world;

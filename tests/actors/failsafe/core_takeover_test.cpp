@@ -1,4 +1,6 @@
 // The core: who flies.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/actors/failsafe/flights.hpp"
@@ -59,8 +61,14 @@ TEST(failsafe_core, a_change_of_the_actual_mode_alone_is_the_autopilots_own_fail
   world.tell(modes_told{in_mission.custom_mode, in_mission.custom_mode});
   world.run_ms(200);
   world.tell(modes_told{in_hold.custom_mode, in_mission.custom_mode});
-  world.run_ms(100);
-  EXPECT_TRUE(world.has_warned_of("the autopilot's own failsafe has the vehicle"));
+  world.mode = in_hold;
+  world.run_s(5);
+  EXPECT_EQ(std::ranges::count_if(world.warnings,
+                                  [](const std::string& each) {
+                                    return each.find("the autopilot's own failsafe has the vehicle") !=
+                                           std::string::npos;
+                                  }),
+            1);
 }
 
 TEST(failsafe_core, an_order_that_was_seen_to_be_obeyed_between_two_heartbeats_is_so_behind_a_restart) {
@@ -104,6 +112,32 @@ TEST(failsafe_core, after_a_takeover_it_only_warns) {
       world.has_warned_of("a fence is breached: it is outside of all inclusion fences; a pilot has the vehicle"));
   EXPECT_TRUE(world.has_warned_of("the battery is at 5 %; a pilot"));
   EXPECT_TRUE(world.has_warned_of("lost; a pilot"));
+}
+
+TEST(failsafe_core, a_takeover_is_told_once_by_whichever_way_it_is_learned) {
+  auto world = fenced();
+  world.mode = in_manual;
+  world.run_s(5);
+  world.tell(taken_over{});
+  world.tell(taken_over{});
+  world.run_s(5);
+  EXPECT_EQ(
+      std::count_if(world.warnings.begin(), world.warnings.end(),
+                    [](const std::string& each) { return each.find("the failsafes only warn") != std::string::npos; }),
+      1);
+}
+
+TEST(failsafe_core, a_command_of_somebody_else_is_a_takeover_and_a_plan_that_he_brings_is_none) {
+  for (const auto kind : {godwit::vehicle_link::foreign_kind::command, godwit::vehicle_link::foreign_kind::plan}) {
+    auto world = fenced();
+    godwit::vehicle_link::foreign_act act;
+    act.kind = kind;
+    world.tell(act);
+    world.run_s(1);
+    world.east_m = 101;
+    world.run_s(2);
+    EXPECT_EQ(world.sent.empty(), kind == godwit::vehicle_link::foreign_kind::command);
+  }
 }
 
 TEST(failsafe_core, a_takeover_that_the_executor_saw_counts_as_well) {

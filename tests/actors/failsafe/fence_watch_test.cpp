@@ -1,4 +1,5 @@
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -218,6 +219,30 @@ TEST(fence_watch, the_sides_and_the_ceiling_count_from_the_ground_on) {
   auto watch = watch_of({fence_of(fence_kind::inclusion, square(100), 20, 120)});
   stays(watch, position_at(101, 0, 1), 0);
   EXPECT_EQ(watch.evaluate(0, true).finding, fence_finding::breached);
+}
+
+TEST(fence_watch, positions_from_before_there_was_a_fence_breach_none) {
+  fence_watch watch;
+  watch.on_position(timed(position_at(200, 0), 0), 0);
+  watch.on_position(timed(position_at(200, 0), s / 4), s / 4);
+  EXPECT_EQ(watch.evaluate(s / 4, false).finding, fence_finding::no_fences);
+  watch.set(godwit::geofence::fence_set::build({fence_of(fence_kind::inclusion, square(100))}).value());
+  watch.on_position(timed(position_at(0, 0), s / 2), s / 2);
+  EXPECT_EQ(watch.evaluate(s / 2, false).finding, fence_finding::inside);
+}
+
+TEST(fence_watch, where_one_speed_is_not_known_nothing_is_foretold) {
+  const auto unknown = std::numeric_limits<double>::quiet_NaN();
+  auto watch = within_100_m();
+  auto there = position_at(97, 0, 50, 3);
+  watch.on_position(there, 0);
+  EXPECT_TRUE(watch.evaluate(0, false).ahead);
+  for (auto* each : {&there.north_mps, &there.east_mps, &there.down_mps}) {
+    const auto known = std::exchange(*each, unknown);
+    watch.on_position(there, s / 4);
+    EXPECT_FALSE(watch.evaluate(s / 4, false).ahead);
+    *each = known;
+  }
 }
 
 } // namespace fence_watch_test

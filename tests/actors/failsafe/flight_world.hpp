@@ -59,6 +59,7 @@ public:
   std::vector<failsafe::override_answer> answered;
   std::vector<failsafe::guard_answer> limits_answered;
   std::vector<std::string> warnings;
+  std::vector<godwit::runtime::condition> told_health; // each that was told
   int pilots_seen = 0;
   int remembered = 0;
   std::optional<std::int64_t> first_sent_ms;
@@ -105,7 +106,7 @@ private:
   void take_one(const failsafe::override_resolved& what) { answered.push_back(what.answer); }
   void take_one(const failsafe::guard_resolved& what) { limits_answered.push_back(what.answer); }
   void take_one(const failsafe::warning& what) { warnings.push_back(what.text); }
-  void take_one(const godwit::runtime::condition&) {}
+  void take_one(const godwit::runtime::condition& what) { told_health.push_back(what); }
   void take_one(const failsafe::remember& written);
 
   failsafe::settings settings_;

@@ -236,4 +236,33 @@ TEST(reaction_driver, without_a_reaction_nothing_happens) {
   EXPECT_FALSE(driver.current());
 }
 
+TEST(reaction_driver, what_failed_before_says_nothing_of_the_next_one) {
+  sent_one one;
+  one.driver.on_resolved({one.number, command_verdict::refused});
+  (void)one.driver.drive(sees(mode_kind::mission), tick);
+  ASSERT_EQ(one.driver.stage(), reaction_stage::failing);
+  one.driver.begin(rule::battery_critical, action::land);
+  EXPECT_EQ(one.driver.stage(), reaction_stage::under_way);
+}
+
+TEST(reaction_driver, a_plan_at_its_landing_is_not_left_while_its_mode_stays) {
+  reaction_driver driver({}, 0, 0);
+  driver.begin(rule::battery_low, action::do_land_start);
+  auto seen = sees(mode_kind::mission);
+  seen.on_landing = true;
+  (void)driver.drive(seen, 0);
+  ASSERT_EQ(driver.stage(), reaction_stage::done);
+  seen.on_landing = false; // its sequence is not heard for a moment
+  const auto step = driver.drive(seen, tick);
+  EXPECT_FALSE(step.send);
+  EXPECT_FALSE(step.was_left);
+  EXPECT_EQ(driver.stage(), reaction_stage::done);
+}
+
+TEST(reaction_driver, what_stays_done_is_not_told_to_be_left) {
+  sent_one one;
+  EXPECT_FALSE(one.driver.drive(sees(mode_kind::returning), tick).was_left);
+  EXPECT_FALSE(one.driver.drive(sees(mode_kind::returning), 2 * tick).was_left);
+}
+
 } // namespace reaction_driver_test

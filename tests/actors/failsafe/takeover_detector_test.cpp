@@ -481,4 +481,14 @@ TEST(takeover_detector, found_in_the_air_without_a_record_only_a_mission_is_ours
     EXPECT_TRUE(found_in(mode));
 }
 
+TEST(takeover_detector, handed_back_it_knows_the_end_of_the_plan_that_was_set_last) {
+  auto watch = on_mission();
+  watch.set_plan_end(ends_in_hold());
+  watch.take_over();
+  watch.hand_back();
+  see(watch, flies, mission);
+  watch.on_place(last_item, true, later(100));
+  EXPECT_FALSE(takes_over(watch, brakes, 200));
+}
+
 } // namespace takeover_detector_test

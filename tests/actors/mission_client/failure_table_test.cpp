@@ -34,7 +34,7 @@ TEST(mission_client_failures, service_unreachable_at_startup_is_tried_a_few_time
 TEST(mission_client_failures, a_mission_of_another_schema_is_refused_with_the_beginning_of_what_came) {
   outside around;
   auto& m = around.service.add(sample_mission(mission_a));
-  m.document.schema_version = "2.0.0";
+  m.document.schema_version = "3.0.0";
   process p(around);
   begin(p, mission_a);
   ASSERT_EQ(around.listener.refused.size(), 1U);

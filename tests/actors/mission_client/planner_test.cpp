@@ -146,6 +146,17 @@ TEST(mission_client_planner, a_hundred_reports_go_together_and_the_next_ones_onl
   EXPECT_TRUE(d.s.rows.empty());
 }
 
+TEST(mission_client_planner, after_a_conflict_no_later_report_of_the_mission_goes_out) {
+  planning_fixture d;
+  for (std::uint32_t i = 1; i <= 150; ++i)
+    d.happens(report(i));
+  const auto first = d.plan();
+  ASSERT_EQ(first.calls.size(), 1U);
+  EXPECT_TRUE(d.answer(first.calls[0].number, status(409)).calls.empty());
+  d.advance(3'600 * second_ns);
+  EXPECT_TRUE(d.plan().calls.empty());
+}
+
 TEST(mission_client_planner, an_answer_that_nobody_waits_for_changes_nothing) {
   planning_fixture d;
   d.happens(report(1));

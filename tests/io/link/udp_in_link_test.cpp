@@ -1,6 +1,8 @@
 #include "io/link/udp_in_link.hpp"
 
+#include <future>
 #include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -80,6 +82,33 @@ TEST_F(udp_in_link_test, datagrams_of_every_size_arrive_whole) {
   }
   EXPECT_FALSE(link->send(bytes_of(std::string(65'508, 'b')))) << "more than UDP carries";
   EXPECT_EQ(link->counters().tx_dropped, 1U);
+}
+
+// Somebody has stopped the process, or it gets no processor. 5 s of a vehicle that sends 80 frames a second.
+TEST_F(udp_in_link_test, what_comes_while_nobody_reads_is_kept_for_some_seconds) {
+  constexpr std::size_t sent = 400;
+  std::promise<void> stopped;
+  std::promise<void> goes_on;
+  auto callbacks = heard.callbacks();
+  callbacks.received = [&, hear = callbacks.received, waits = true](peer_id from, std::span<const std::byte> bytes,
+                                                                    bool is_datagram) mutable {
+    if (std::exchange(waits, false)) {
+      stopped.set_value();
+      goes_on.get_future().wait();
+    }
+    hear(from, bytes, is_datagram);
+  };
+  auto opened = open_link(*parse_uri("udpin://127.0.0.1:0"), std::move(callbacks), {});
+  ASSERT_TRUE(opened) << opened.error();
+  link = std::move(*opened);
+  ASSERT_TRUE(heard.wait_for_phase(link_phase::up));
+  const udp_end peer;
+  peer.send(port_of(*link), std::string(40, 'a'));
+  stopped.get_future().wait();
+  for (std::size_t n = 1; n < sent; ++n)
+    peer.send(port_of(*link), std::string(40, 'a'));
+  goes_on.set_value();
+  EXPECT_TRUE(heard.wait_for_chunks(sent));
 }
 
 TEST_F(udp_in_link_test, the_seventeenth_peer_pushes_out_nobody_who_has_just_spoken) {

@@ -118,5 +118,43 @@ TEST(first_difference, leaves_home_out) {
   EXPECT_EQ(first_difference(ours, theirs, false), 0U);
 }
 
+TEST(meaning, what_stands_in_a_command_without_a_place_says_nothing) {
+  auto ours = mission_of(1).front();
+  ours.command = number(mav_cmd::do_set_servo);
+  ours.frame = number(mav_frame::global_relative_alt);
+  auto theirs = ours;
+  theirs.x = theirs.y = 0;
+  theirs.z = 0;
+  theirs.frame = number(mav_frame::global);
+  EXPECT_TRUE(means_the_same(ours, theirs)) << "ArduPilot keeps none of it";
+  ours.command = theirs.command = number(mav_cmd::do_set_roi_location);
+  EXPECT_FALSE(means_the_same(ours, theirs)) << "this one looks there";
+}
+
+TEST(meaning, another_jump_is_another_meaning) {
+  mission_item_int ours;
+  ours.command = number(mav_cmd::do_jump);
+  ours.param1 = 2;
+  ours.param2 = 3;
+  auto theirs = ours;
+  EXPECT_TRUE(means_the_same(ours, theirs));
+  theirs.param1 = 1;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+  theirs = ours;
+  theirs.param2 = -1;
+  EXPECT_FALSE(means_the_same(ours, theirs));
+}
+
+TEST(meaning, what_px4_keeps_as_another_command_means_the_same) {
+  for (const auto& [sent, kept] :
+       {std::pair(mav_cmd::nav_roi, mav_cmd::do_set_roi), std::pair(mav_cmd::condition_delay, mav_cmd::nav_delay)}) {
+    mission_item_int ours;
+    ours.command = number(sent);
+    auto theirs = ours;
+    theirs.command = number(kept);
+    EXPECT_TRUE(means_the_same(ours, theirs)) << int{ours.command};
+  }
+}
+
 } // namespace plan_meaning_test
 } // namespace godwit::io::mavlink

@@ -18,7 +18,7 @@ struct naive_settings {
 };
 
 // Within 0.01 of the best F1 at an overlap of 0.5 on sixteen tuning seeds of tier A, of thresholds 10 to 24 and
-// closings of 9 to 27 pixels (docs/decisions/0052).
+// closings of 9 to 27 pixels (docs/decisions/perception.md).
 inline constexpr naive_settings tuned_naive{12, 21};
 
 class naive_detector {

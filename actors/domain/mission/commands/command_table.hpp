@@ -1,6 +1,5 @@
 // One row for each MAV_CMD that can be met in a mission of a ground station: what it is called, what kind of thing it
-// does, whether it has a place, which vehicles take it as an item, and why a mission of godwit has no counterpart of
-// it.
+// does, whether it has a place, which vehicles take it as an item, and which state of the vehicle it sets.
 //
 //   class     examples                                    a direct upload of it
 //   moves     waypoint, loiter, take-off, land, spline    flies somewhere
@@ -56,6 +55,10 @@ constexpr auto enum_names(vehicle_profile) {
          each == vehicle_profile::px4_vtol || each == vehicle_profile::px4_fixed_wing;
 }
 
+// What a command sets for all that follows it, and what a vehicle forgets when it lands, starts again or gets another
+// plan. The rest of a mission sets it again; outputs of servos, relays and grippers stay as they are, and are no state.
+enum class command_state { none, speed, trigger, roi, gimbal };
+
 enum class item_answer {
   taken,   // acknowledged, and executed
   skipped, // acknowledged, and passed over in flight
@@ -66,9 +69,9 @@ struct command_row {
   std::uint16_t id;
   std::string_view name;
   command_class kind;
-  bool has_place;            // x and y say where
-  std::string_view answers;  // t, s or -: taken, skipped or refused, by vehicle_profile
-  std::string_view why_none; // no counterpart in a mission, as a sentence without an end; empty: it has one
+  bool has_place;           // x and y say where
+  std::string_view answers; // t, s or -: taken, skipped or refused, by vehicle_profile
+  command_state state = command_state::none;
 
   [[nodiscard]] item_answer answer_of(vehicle_profile vehicle) const {
     const auto found = answers[static_cast<std::size_t>(vehicle)];
@@ -78,5 +81,7 @@ struct command_row {
 
 // Null: the number is unknown.
 [[nodiscard]] const command_row* command_of(std::uint16_t id);
+// By its name without MAV_CMD_. Null: there is none.
+[[nodiscard]] const command_row* command_named(std::string_view name);
 
 } // namespace godwit::mission

@@ -91,14 +91,20 @@ conversion_error lossy(loss_list losses, std::string_view source) {
   return {bounded({document_errc::lossy, {std::move(summary)}}, source), std::move(losses)};
 }
 
-import_result finished(const document& mission, loss_list losses, const import_options& options,
-                       std::string_view source, const source_map& places) {
-  const bool is_fence_alone = mission.items.empty() && !mission.geofences.empty() && !places.holds_items;
+import_result finished(const document& given, loss_list losses, const import_options& options, std::string_view source,
+                       const source_map& places) {
+  const bool is_fence_alone = given.items.empty() && !places.holds_items &&
+                              (!given.geofences.empty() || given.rally_points || given.breach_return_point);
   if (is_fence_alone && !options.fence_alone) {
-    document_problem no_items{{}, "holds a fence alone, which is no mission", {}};
+    const auto* const what = given.geofences.empty() ? "holds rally points alone, which are no mission"
+                                                     : "holds a fence alone, which is no mission";
+    document_problem no_items{{}, what, {}};
     return tl::unexpected(
         conversion_error{bounded({document_errc::wrong_form, {std::move(no_items)}}, source), std::move(losses)});
   }
+  auto mission = given;
+  if (needs_version_2(mission))
+    mission.schema_version = schema_version_2;
   // By way of its text: what an importer gives away has passed the same checks as what the service sends.
   auto checked = read<document>(to_text(is_fence_alone ? with_an_item(mission) : mission));
   if (!checked) {

@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/domain/mission/convert/loss.hpp"
 #include "actors/domain/mission/error.hpp"
@@ -19,7 +20,8 @@ struct import_options {
   bool allow_partial = false;               // take what can be taken; else a loss is an error
   std::optional<std::string> mission_id;    // UUID; absent: made from the text, so that a file always has the same
   std::optional<vehicle_profile> vehicle{}; // who is to fly it; absent: as far as the file says it
-  bool fence_alone = false; // what holds a fence and no items is taken: to be written again, nobody flies it
+  bool fence_alone = false;   // what holds a fence and no items is taken: to be written again, nobody flies it
+  allowed_commands allowed{}; // flight.allowed_commands
 };
 
 struct imported {

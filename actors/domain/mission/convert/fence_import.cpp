@@ -1,5 +1,6 @@
 #include "actors/domain/mission/convert/fence_import.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -25,6 +26,9 @@ std::optional<fence_kind> kind_of_fence(plan_source& source, const plan_node& no
   return is_inclusion ? fence_kind::inclusion : fence_kind::exclusion;
 }
 
+// Above home; without a height on the ground.
+position position_of(const std::array<double, 3>& at) { return {at[0], at[1], std::isfinite(at[2]) ? at[2] : 0}; }
+
 void import_polygon(plan_source& source, const plan_node& node, imported_fences& fences) {
   if (const auto kind = kind_of_fence(source, node)) {
     fences.all.push_back({*kind, source.corners(node, "polygon"), {}, {}});
@@ -40,15 +44,14 @@ void import_circle(plan_source& source, const plan_node& node, imported_fences& 
   if (!kind)
     return;
   auto corners = polygon_of_circle({centre[0], centre[1]}, radius_m, *kind);
-  const auto what = "fence: circle of " + number_text(radius_m) + " m";
   if (!corners) {
-    source.losses.add({{}, what, "a mission's fences are polygons", "left out: it can not be made one"});
+    source.losses.add({{},
+                       "fence: circle of " + number_text(radius_m) + " m",
+                       "no polygon can be made of it, by which it could be judged",
+                       "left out"});
     return;
   }
-  const std::string where = *kind == fence_kind::inclusion ? " corners within it" : " corners around it";
-  source.losses.add(
-      {{}, what, "a mission's fences are polygons", "a polygon with " + std::to_string(corners->size()) + where});
-  fences.all.push_back({*kind, std::move(*corners), {}, {}});
+  fences.all.push_back({*kind, std::move(*corners), {}, {}, fence_circle{centre[0], centre[1], radius_m}});
   fences.places.push_back({circle.pointer, {}});
 }
 
@@ -99,7 +102,7 @@ imported_fences import_fence(plan_source& source, const plan_node& fence) {
     return fences;
   source.lose_unknown(fence, {"breachReturn", "circles", "polygons", "version"});
   if (fence.has("breachReturn"))
-    source.losses.add({{}, "fence: point to return to after a breach", "a mission returns to one point", "left out"});
+    fences.breach_return_point = position_of(source.place(fence, "breachReturn"));
   for (const auto& each : source.list(fence, "polygons"))
     import_polygon(source, each, fences);
   for (const auto& each : source.list(fence, "circles"))
@@ -107,14 +110,12 @@ imported_fences import_fence(plan_source& source, const plan_node& fence) {
   return fences;
 }
 
-void import_rally_points(plan_source& source, const plan_node& rally) {
-  if (!has_known_version(source, rally, "rally points"))
-    return;
-  const auto points = source.list(rally, "points");
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    (void)source.numbers(points[i]); // only to see that it is one
-    source.losses.add({{}, "rally point " + std::to_string(i), "a mission returns to one point", "left out"});
-  }
+std::optional<std::vector<position>> import_rally_points(plan_source& source, const plan_node& rally) {
+  std::vector<position> points;
+  if (has_known_version(source, rally, "rally points"))
+    for (const auto& each : source.list(rally, "points"))
+      points.push_back(position_of(source.numbers(each)));
+  return points.empty() ? std::nullopt : std::optional(std::move(points));
 }
 
 } // namespace godwit::mission

@@ -13,11 +13,13 @@ namespace godwit::mission {
 struct imported_fences {
   std::vector<geofence> all;
   std::vector<source_place> places; // of each
+  std::optional<position> breach_return_point;
 };
 
 [[nodiscard]] imported_fences import_fence(plan_source& source, const plan_node& fence);
 
-void import_rally_points(plan_source& source, const plan_node& rally);
+// Nothing: there is none.
+[[nodiscard]] std::optional<std::vector<position>> import_rally_points(plan_source& source, const plan_node& rally);
 
 inline constexpr std::size_t corners_of_circle = 32; // within 0.5 % of the radius
 

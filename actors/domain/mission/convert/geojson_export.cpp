@@ -83,6 +83,12 @@ exported export_geojson(const document& mission) {
     features.push_back(feature("return_point", point_of(fields_of(*mission.return_point)), ordered_json::object()));
   if (mission.planned_home)
     features.push_back(planned_home_feature(*mission.planned_home));
+  if (mission.breach_return_point)
+    features.push_back(
+        feature("breach_return_point", point_of(fields_of(*mission.breach_return_point)), ordered_json::object()));
+  if (mission.rally_points)
+    for (const auto& each : *mission.rally_points)
+      features.push_back(feature("rally_point", point_of(fields_of(each)), ordered_json::object()));
   if (path.size() > 1)
     features.push_back(feature("path", ordered_json{{"type", "LineString"}, {"coordinates", std::move(path)}},
                                ordered_json::object()));

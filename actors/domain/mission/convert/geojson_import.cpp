@@ -92,7 +92,7 @@ std::optional<document_problem> take_feature(const json& feature, const std::str
   if (!has_type(feature, "Feature") || !role.is_string())
     return document_problem{pointer, "is no feature of a mission", "a Feature with the property `role`"};
   auto fields = ours_of(properties);
-  const bool needs_height = role == "item" || role == "return_point";
+  const bool needs_height = role == "item" || role == "return_point" || role == "rally_point";
   if (needs_height && has_type(geometry, "Point") && at_or_null(geometry, "coordinates").size() == 2)
     return document_problem{pointer_to(pointer_to(pointer, "geometry"), "coordinates"),
                             "has no height; the program that has saved the map has dropped it",
@@ -104,12 +104,16 @@ std::optional<document_problem> take_feature(const json& feature, const std::str
     mission["geofences"].push_back(std::move(fields));
   } else if (role == "return_point") {
     mission["return_point"] = position_of(geometry);
+  } else if (role == "breach_return_point") {
+    mission["breach_return_point"] = position_of(geometry);
+  } else if (role == "rally_point") {
+    mission["rally_points"].push_back(position_of(geometry));
   } else if (role == "planned_home") {
     mission["planned_home"] = planned_home_of(geometry);
   } else if (role != "path") {
     return document_problem{pointer_to(pointer_to(pointer, "properties"), "role"),
                             "is " + in_quotes(role.get<std::string>()),
-                            "item, geofence, return_point, planned_home or path"};
+                            "item, geofence, return_point, planned_home, breach_return_point, rally_point or path"};
   }
   return std::nullopt;
 }

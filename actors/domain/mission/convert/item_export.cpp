@@ -1,5 +1,8 @@
 #include "actors/domain/mission/convert/item_export.hpp"
 
+#include <map>
+#include <string_view>
+
 namespace godwit::mission {
 
 namespace {
@@ -51,10 +54,40 @@ item_list made_of(const return_home&) {
   return {{0, command::return_to_launch, frame::mission, {0, 0, 0, 0, 0, 0, 0}}};
 }
 
+item_list made_of(const command_item& each) {
+  vehicle_item result{0, each.command, each.frame, {}, each.autocontinue};
+  for (std::size_t i = 0; i < command_params; ++i)
+    result.params[i] = each.params[i].value_or(not_given);
+  return {result};
+}
+
+item_list made_of(const jump& each) {
+  return {{0, command::jump, frame::mission, {0, static_cast<double>(each.times), 0, 0, 0, 0, 0}}};
+}
+
 } // namespace
 
 item_list vehicle_items_of(const item& each) {
   return std::visit([](const auto& value) { return made_of(value); }, each);
+}
+
+numbered_items numbered_items_of(const document& mission, std::size_t first, bool counts_surveys) {
+  numbered_items result;
+  std::map<std::string_view, std::size_t> numbers; // of each item's first
+  auto number = first;
+  for (const auto& each : mission.items) {
+    numbers.emplace(id_of(each), number);
+    result.push_back(vehicle_items_of(each));
+    for (auto& made : result.back())
+      made.number = number++;
+    if (counts_surveys && std::holds_alternative<survey>(each))
+      ++number;
+  }
+  for (std::size_t i = 0; i < mission.items.size(); ++i)
+    if (const auto* each = std::get_if<jump>(&mission.items[i]))
+      if (const auto target = numbers.find(each->to); target != numbers.end())
+        result[i].front().params[0] = static_cast<double>(target->second);
+  return result;
 }
 
 planned_home home_to_write(const document& mission) {
@@ -67,7 +100,8 @@ planned_home home_to_write(const document& mission) {
 void add_place_losses(std::span<const item> items, loss_list& losses) {
   for (std::size_t i = 0; i < items.size(); ++i)
     for (const auto& each : vehicle_items_of(items[i]))
-      if (each.latitude() == 0 && each.longitude() == 0 && each.frame != frame::mission)
+      if (each.latitude() == 0 && each.longitude() == 0 && each.frame != frame::mission &&
+          !std::holds_alternative<command_item>(items[i]))
         losses.add(
             {i, command_name(each.command) + ": place 0/0", "vehicles take it for no place", "written all the same"});
 }

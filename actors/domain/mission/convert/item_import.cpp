@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <utility>
+
+#include "actors/domain/mission/commands/item_class.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::mission {
 
@@ -11,6 +15,12 @@ namespace {
 
 constexpr double at_home_m = 10; // a take-off as near as this is meant to be at home
 constexpr const char* left_out = "left out";
+
+bool is_above_home(const vehicle_item& each) {
+  return each.frame == frame::global_relative || each.frame == frame::global_relative_int;
+}
+
+bool is_none(double value) { return !std::isfinite(value) || value == 0; }
 
 double given_or_zero(double value) { return std::isfinite(value) ? value : 0; }
 
@@ -23,46 +33,71 @@ double metres_between(const vertex& a, const vertex& b) {
 
 std::string new_id(std::size_t count) { return "item-" + std::to_string(count + 1); }
 
+command_item command_of_item(const vehicle_item& each) {
+  command_item result{{}, each.command, each.frame, {}, each.autocontinue};
+  for (std::size_t i = 0; i < command_params; ++i)
+    if (std::isfinite(each.params[i]))
+      result.params[i] = each.params[i];
+  return result;
+}
+
+// The times of a DO_JUMP; what is not given is none.
+std::int32_t times_of(const vehicle_item& each) {
+  constexpr double most = 65'535;
+  const auto times = given_or_zero(each.param(2));
+  return times < 0 ? -1 : static_cast<std::int32_t>(std::min(times, most));
+}
+
 } // namespace
 
 import_context context_of(const std::optional<planned_home>& home, bool is_for_px4,
-                          std::optional<vehicle_profile> vehicle) {
+                          std::optional<vehicle_profile> vehicle, const allowed_commands& allowed) {
   const bool has_px4 = vehicle ? is_px4(*vehicle) : is_for_px4;
   if (!home)
-    return {{}, {}, has_px4, vehicle};
-  return {vertex{home->latitude, home->longitude}, home->above_sea_m, has_px4, vehicle};
+    return {{}, has_px4, vehicle, allowed};
+  return {vertex{home->latitude, home->longitude}, has_px4, vehicle, allowed};
 }
 
-void item_importer::append(item each, source_place where) {
+void item_importer::append(item each, source_place where, std::size_t number) {
   std::visit([&](auto& value) { value.id = new_id(items_.size()); }, each);
   items_.push_back(std::move(each));
   places_.push_back(std::move(where));
+  numbers_.push_back(number);
+  jump_numbers_.push_back(number + 1); // of a plan, whose home is 0
 }
 
 void item_importer::append(const vehicle_item& from, item each) {
-  append(std::move(each), {from.place, "item " + std::to_string(from.number) + ", " + command_name(from.command)});
+  append(std::move(each), {from.place, "item " + std::to_string(from.number) + ", " + command_name(from.command)},
+         from.number);
+  jump_numbers_.back() = from.jump_number.value_or(from.number);
 }
 
-// A rover needs no take-off, and its landing is a place to stop at: a mission says both in its own way.
-bool item_importer::is_executed(const vehicle_item& each) {
-  const auto* const row = command_of(each.command);
-  if (!context_.vehicle || row == nullptr)
-    return true;
-  const auto vehicle = "a vehicle of the kind " + std::string(io::name_of(*context_.vehicle));
-  const bool is_said_otherwise = each.command == command::takeoff || each.command == command::land;
-  switch (row->answer_of(*context_.vehicle)) {
-  case item_answer::taken:
-    return true;
-  case item_answer::skipped:
-    if (is_said_otherwise)
-      return true;
-    lose(each, "the item", vehicle + " takes it and passes it over", left_out);
+bool item_importer::may_be_carried(const vehicle_item& each) {
+  if (auto why = why_not_carried(each.command, context_.allowed); !why.empty()) {
+    lose(each, "the item", std::move(why), left_out);
     return false;
-  case item_answer::refused:
-    break;
   }
-  lose(each, "the item", vehicle + " refuses a mission with it", left_out);
-  return false;
+  const auto* const row = command_of(each.command);
+  if (row == nullptr)
+    return true;
+  if (context_.vehicle && row->answer_of(*context_.vehicle) == item_answer::refused) {
+    lose(each, "the item",
+         "a vehicle of the kind " + std::string(io::name_of(*context_.vehicle)) + " refuses a mission with it",
+         left_out);
+    return false;
+  }
+  if (row->kind != command_class::moves || !row->has_place)
+    return true;
+  if (io::mavlink::coordinates_of(each.frame) != io::mavlink::coordinate_kind::global) {
+    lose(each, "place in frame " + std::to_string(each.frame), "vehicles do not take it, or take it for another height",
+         left_out);
+    return false;
+  }
+  if (!std::isfinite(each.altitude_m())) {
+    lose(each, "the item", "it has no altitude", left_out);
+    return false;
+  }
+  return true;
 }
 
 // NaN is "as usual" (MAVLink, MISSION_ITEM_INT); infinity is nothing that a vehicle could do.
@@ -76,99 +111,114 @@ bool item_importer::is_infinite(const vehicle_item& each) {
 }
 
 void item_importer::take(const vehicle_item& each) {
-  if (!is_executed(each) || is_infinite(each))
+  if (!may_be_carried(each) || is_infinite(each))
     return;
-  if (!each.autocontinue)
-    lose(each, "stop after the item (autocontinue off)", "a mission goes on by itself", "goes on");
+  if (each.command == command::jump)
+    return take_jump(each);
+  auto planned = each.autocontinue ? planned_of(each) : std::nullopt;
+  append(each, planned ? *std::move(planned) : item(command_of_item(each)));
+  if (each.has_place() && moves_vehicle(items_.back()))
+    last_place_ = vertex{each.latitude(), each.longitude()};
+}
+
+std::optional<item> item_importer::planned_of(const vehicle_item& each) const {
   switch (each.command) {
   case command::vtol_takeoff:
-    if (!is(vehicle_profile::arducopter))
-      lose(each, "transition to flying forward", "a mission has no transitions", "taken as NAV_TAKEOFF");
-    return take_takeoff(each);
+    return is(vehicle_profile::arducopter) ? takeoff_of(each) : std::nullopt;
   case command::takeoff:
-    return take_takeoff(each);
-  case command::spline_waypoint:
-    lose(each, "curved way", "the legs of a mission are straight", "taken as NAV_WAYPOINT");
-    return take_waypoint(each);
+    return takeoff_of(each);
   case command::waypoint:
-    return take_waypoint(each);
+    return waypoint_of(each);
   case command::loiter_time:
-    return take_loiter(each);
+    return loiter_of(each);
   case command::vtol_land:
-    if (!is(vehicle_profile::arducopter))
-      lose(each, "transition to hovering", "a mission has no transitions", "taken as NAV_LAND");
-    return take_land(each);
+    return is(vehicle_profile::arducopter) ? land_of(each) : std::nullopt;
   case command::land:
-    return take_land(each);
+    return land_of(each);
   case command::return_to_launch:
-    return append(each, return_home{{}, return_goal::home});
+    return return_home{{}, return_goal::home};
   case command::change_speed:
-    return take_speed(each);
+    return speed_of(each);
   default:
-    lose(each, "the item", why_no_counterpart(each.command), left_out);
+    return std::nullopt;
   }
 }
 
-void item_importer::take_takeoff(const vehicle_item& each) {
-  const auto height = height_of(each);
-  if (!height)
-    return;
-  if (!(*height > 0))
-    return lose(each, "take-off to " + number_text(*height) + " m", "a take-off goes up", left_out);
-  if (may_have_wings())
-    expect_none(each, 1, "pitch of", "a take-off of a mission goes straight up");
-  expect_no_yaw(each);
-  if (!is(vehicle_profile::arducopter) && each.has_place() && context_.home &&
-      metres_between({each.latitude(), each.longitude()}, *context_.home) > at_home_m)
-    lose(each, "climb towards a place away from home", "a take-off of a mission goes straight up", "straight up");
-  append(each, takeoff{{}, *height});
+std::optional<item> item_importer::takeoff_of(const vehicle_item& each) const {
+  const bool has_pitch = may_have_wings() && !is_none(each.param(1));
+  const bool is_elsewhere = !is(vehicle_profile::arducopter) && each.has_place() && context_.home &&
+                            metres_between({each.latitude(), each.longitude()}, *context_.home) > at_home_m;
+  if (!is_above_home(each) || !(each.altitude_m() > 0) || has_pitch || has_yaw(each) || is_elsewhere)
+    return std::nullopt;
+  return takeoff{{}, each.altitude_m()};
 }
 
-void item_importer::take_waypoint(const vehicle_item& each) {
-  const auto place = place_of(each);
-  if (!place)
-    return;
-  if (!is(vehicle_profile::arducopter) && !is(vehicle_profile::ardurover))
-    expect_none(each, 3, "pass radius of", "a waypoint of a mission is flown to, not past");
-  expect_no_yaw(each);
-  append(each, waypoint{{}, *place, given_or_zero(each.param(1)), given_or_zero(each.param(2)), {}});
+std::optional<item> item_importer::waypoint_of(const vehicle_item& each) const {
+  const bool may_pass = !is(vehicle_profile::arducopter) && !is(vehicle_profile::ardurover);
+  if (!is_above_home(each) || !each.has_place() || has_yaw(each) || (may_pass && !is_none(each.param(3))))
+    return std::nullopt;
+  return waypoint{{},
+                  {each.latitude(), each.longitude(), each.altitude_m()},
+                  given_or_zero(each.param(1)),
+                  given_or_zero(each.param(2)),
+                  {}};
 }
 
-void item_importer::take_loiter(const vehicle_item& each) {
-  if (!std::isfinite(each.param(1)))
-    return lose(each, "the item", "it has no duration", left_out);
-  const auto place = place_of(each);
-  if (!place)
-    return;
-  expect_none(each, 2, "heading required:", "a mission leaves a circle when its time is over");
-  expect_none(each, 4, "way out of the circle:", "a mission leaves it to the vehicle");
-  append(each, loiter{{}, *place, given_or_zero(each.param(3)), each.param(1)});
+std::optional<item> item_importer::loiter_of(const vehicle_item& each) const {
+  if (!is_above_home(each) || !each.has_place() || !std::isfinite(each.param(1)) || !is_none(each.param(2)) ||
+      !is_none(each.param(4)))
+    return std::nullopt;
+  return loiter{
+      {}, {each.latitude(), each.longitude(), each.altitude_m()}, given_or_zero(each.param(3)), each.param(1)};
 }
 
-void item_importer::take_land(const vehicle_item& each) {
-  if (may_have_wings())
-    expect_none(each, 1, "abort altitude of", "a mission leaves it to the vehicle");
-  expect_none(each, 2, "precision landing mode", "a mission leaves it to the vehicle");
-  expect_no_yaw(each);
-  const auto height = height_of(each);
-  if (!height)
-    return;
-  if (!each.has_place() && !last_place_)
-    return lose(each, "the item", "it has no place, and no item before it has one", left_out);
+std::optional<item> item_importer::land_of(const vehicle_item& each) const {
+  const bool may_abort = may_have_wings() && !is_none(each.param(1));
+  if (!is_above_home(each) || may_abort || !is_none(each.param(2)) || has_yaw(each) ||
+      (!each.has_place() && !last_place_))
+    return std::nullopt;
   const auto place = each.has_place() ? vertex{each.latitude(), each.longitude()} : *last_place_;
-  append(each, land{{}, {place.latitude, place.longitude, *height}});
+  return land{{}, {place.latitude, place.longitude, each.altitude_m()}};
 }
 
-void item_importer::take_speed(const vehicle_item& each) {
+std::optional<item> item_importer::speed_of(const vehicle_item& each) const {
   const auto kind = given_or_zero(each.param(1));
-  if (kind != 0 && kind != 1)
-    return lose(each, "speed of climb or descent", "a mission has one speed", left_out);
-  const auto throttle = given_or_zero(each.param(3));
-  if (throttle > 0)
-    lose(each, "throttle of " + number_text(throttle) + " %", "a mission has no throttle", left_out);
-  if (!(each.param(2) > 0))
-    return lose(each, "the item", "it asks for no speed of its own", left_out);
-  append(each, change_speed{{}, each.param(2)});
+  if ((kind != 0 && kind != 1) || given_or_zero(each.param(3)) > 0 || !(each.param(2) > 0))
+    return std::nullopt;
+  return change_speed{{}, each.param(2)};
+}
+
+void item_importer::take_jump(const vehicle_item& each) {
+  append(each, jump{{}, {}, times_of(each)});
+  jumps_.push_back({items_.size() - 1, each});
+}
+
+void item_importer::resolve_jumps() {
+  std::vector<std::size_t> nowhere;
+  for (const auto& [index, from] : jumps_) {
+    const auto wanted = from.param(1);
+    // What was left out has no item: the next one stands for it.
+    const auto found =
+        std::ranges::find_if(jump_numbers_, [&](std::size_t each) { return static_cast<double>(each) >= wanted; });
+    if (wanted >= static_cast<double>(jump_numbers_.front()) && found != jump_numbers_.end())
+      std::get<jump>(items_[index]).to = id_of(items_[static_cast<std::size_t>(found - jump_numbers_.begin())]);
+    else
+      nowhere.push_back(index);
+  }
+  for (const auto& [index, from] : jumps_)
+    if (std::ranges::find(nowhere, index) != nowhere.end())
+      lose(from, "jump to item " + number_text(from.param(1)), "the mission has no such item", left_out);
+  for (const auto index : std::views::reverse(nowhere))
+    erase(index);
+  jumps_.clear();
+}
+
+void item_importer::erase(std::size_t index) {
+  const auto at = static_cast<std::ptrdiff_t>(index);
+  items_.erase(items_.begin() + at);
+  places_.erase(places_.begin() + at);
+  numbers_.erase(numbers_.begin() + at);
+  jump_numbers_.erase(jump_numbers_.begin() + at);
 }
 
 void item_importer::lose(const vehicle_item& each, const std::string& what, std::string why, std::string instead) {
@@ -176,56 +226,9 @@ void item_importer::lose(const vehicle_item& each, const std::string& what, std:
                each.place.starts_with("line") ? each.place : std::string()});
 }
 
-void item_importer::expect_none(const vehicle_item& each, std::size_t from_1, const std::string& what,
-                                std::string why) {
-  if (const auto value = given_or_zero(each.param(from_1)); value != 0)
-    lose(each, what + ' ' + number_text(value), std::move(why), left_out);
-}
-
-void item_importer::expect_no_yaw(const vehicle_item& each) {
+bool item_importer::has_yaw(const vehicle_item& each) const {
   const auto yaw = is_for_ardupilot() ? not_given : each.param(4);
-  if (std::isfinite(yaw) && (yaw != 0 || context_.is_for_px4))
-    lose(each, "yaw of " + number_text(yaw) + " degrees", "a mission leaves it to the vehicle", left_out);
-}
-
-std::optional<double> item_importer::height_of(const vehicle_item& each) {
-  if (!std::isfinite(each.altitude_m())) {
-    lose(each, "the item", "it has no altitude", left_out);
-    return std::nullopt;
-  }
-  switch (each.frame) {
-  case frame::global_relative:
-  case frame::global_relative_int:
-    return each.altitude_m();
-  case frame::global:
-  case frame::global_int: {
-    const auto what = "altitude of " + number_text(each.altitude_m()) + " m above mean sea level";
-    if (!context_.home_altitude_m) {
-      lose(each, what, "a mission counts from the place of take-off, whose altitude is not known", left_out);
-      return std::nullopt;
-    }
-    const auto height = each.altitude_m() - *context_.home_altitude_m;
-    lose(each, what, "a mission counts from the place of take-off, and the vehicle may start elsewhere",
-         number_text(height) + " m above the planned home position");
-    return height;
-  }
-  default:
-    lose(each, "altitude in frame " + std::to_string(each.frame), "a mission counts from the place of take-off",
-         left_out);
-    return std::nullopt;
-  }
-}
-
-std::optional<position> item_importer::place_of(const vehicle_item& each) {
-  if (!each.has_place()) {
-    lose(each, "the item", "it has no place", left_out);
-    return std::nullopt;
-  }
-  const auto height = height_of(each);
-  if (!height)
-    return std::nullopt;
-  last_place_ = vertex{each.latitude(), each.longitude()};
-  return position{each.latitude(), each.longitude(), *height};
+  return std::isfinite(yaw) && (yaw != 0 || context_.is_for_px4);
 }
 
 } // namespace godwit::mission

@@ -1,6 +1,7 @@
 #include "actors/domain/mission/convert/item_list_import.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "actors/domain/mission/convert/fence_import.hpp"
@@ -46,10 +47,12 @@ std::string source_text(std::span<const vehicle_item> items) {
 vehicle_item vehicle_item_of(const mission_item_int& each) {
   const bool is_on_earth = io::mavlink::coordinates_of(each.frame) == io::mavlink::coordinate_kind::global;
   const auto scale = is_on_earth ? units_a_degree : 1;
+  constexpr auto unset = std::numeric_limits<std::int32_t>::max();
+  const auto coordinate = [&](std::int32_t value) { return value == unset ? not_given : value / scale; };
   return {each.seq,
           each.command,
           each.frame,
-          {each.param1, each.param2, each.param3, each.param4, each.x / scale, each.y / scale, each.z},
+          {each.param1, each.param2, each.param3, each.param4, coordinate(each.x), coordinate(each.y), each.z},
           each.autocontinue != 0};
 }
 
@@ -61,11 +64,13 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
     items.emplace_back(vehicle_item_of(each)).place = "the upload";
   loss_list losses;
   imported_list result;
-  item_importer importer({std::nullopt, options.home_altitude_m, false}, losses);
-  for (const auto& each : items) {
+  const bool is_for_px4 = options.vehicle && is_px4(*options.vehicle);
+  item_importer importer({std::nullopt, is_for_px4, options.vehicle, options.allowed}, losses);
+  for (const auto& each : items)
     importer.take(each);
-    result.places.resize(importer.items().size(), static_cast<std::uint16_t>(each.number));
-  }
+  importer.resolve_jumps();
+  for (const auto number : importer.numbers())
+    result.places.push_back(static_cast<std::uint16_t>(number));
   document mission;
   mission.mission_id = options.mission_id;
   mission.items = std::move(importer.items());
@@ -91,6 +96,8 @@ tl::expected<std::vector<geofence>, std::string> import_fence_list(std::span<con
         return tl::unexpected(where + "is a circle of " + number_text(first.param1) +
                               " m, of which no polygon is made");
       next.vertices = *std::move(corners);
+      const auto centre = place_of(first);
+      next.circle = fence_circle{centre.latitude, centre.longitude, static_cast<double>(first.param1)};
       ++i;
     } else if (is_corner(first)) {
       const bool is_whole = first.param1 >= least_corners && first.param1 <= static_cast<float>(items.size() - i);

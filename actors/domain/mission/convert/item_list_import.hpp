@@ -13,6 +13,7 @@
 
 #include <tl/expected.hpp>
 
+#include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/domain/mission/convert/conversion.hpp"
 #include "actors/domain/mission/convert/vehicle_item.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
@@ -23,10 +24,11 @@ namespace godwit::mission {
 [[nodiscard]] vehicle_item vehicle_item_of(const io::mavlink::mission_item_int& each);
 
 struct item_list_options {
-  std::string mission_id;                // UUID
-  bool allow_partial = false;            // take what can be taken; else a loss is an error
-  std::optional<double> home_altitude_m; // above mean sea level; absent: heights above it are losses
+  std::string mission_id;     // UUID
+  bool allow_partial = false; // take what can be taken; else a loss is an error
   std::vector<geofence> geofences;
+  std::optional<vehicle_profile> vehicle; // who is to fly it; absent: any
+  allowed_commands allowed;
 };
 
 struct imported_list {

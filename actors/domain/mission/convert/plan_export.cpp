@@ -1,10 +1,12 @@
 #include "actors/domain/mission/convert/plan_export.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "actors/domain/geofence/fence_name.hpp"
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/domain/mission/convert/item_export.hpp"
 
 namespace godwit::mission {
@@ -13,18 +15,21 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int px4 = 12;         // MAV_AUTOPILOT: there a yaw of NaN is "leave it", which is what we mean
-constexpr int multirotor = 2;   // MAV_TYPE
+constexpr int px4 = 12; // MAV_AUTOPILOT: there a yaw of NaN is "leave it", which is what we mean
+constexpr int ardupilot_firmware = 3;
+constexpr int any_vehicle = 0; // MAV_TYPE_GENERIC
+constexpr int multirotor = 2;
 constexpr int above_home = 1;   // QGroundControl's AltitudeMode
 constexpr double usual_mps = 5; // only for the ground station's estimate of the time
 
-json simple_item(const vehicle_item& each, std::size_t number) {
+json simple_item(const vehicle_item& each) {
   auto params = json::array();
   for (const auto value : each.params)
     params.push_back(std::isfinite(value) ? json(value) : json());
-  json result{{"type", "SimpleItem"}, {"autoContinue", true}, {"command", each.command},
-              {"doJumpId", number},   {"frame", each.frame},  {"params", std::move(params)}};
-  if (each.frame == frame::global_relative) {
+  json result{{"type", "SimpleItem"},    {"autoContinue", each.autocontinue},
+              {"command", each.command}, {"doJumpId", each.number},
+              {"frame", each.frame},     {"params", std::move(params)}};
+  if (each.frame == frame::global_relative && std::isfinite(each.altitude_m())) {
     result["AMSLAltAboveTerrain"] = nullptr;
     result["Altitude"] = each.altitude_m();
     result["AltitudeMode"] = above_home;
@@ -69,6 +74,7 @@ json survey_pattern(const survey& each) {
 
 json fence_of(const document& mission, loss_list& losses) {
   auto polygons = json::array();
+  auto circles = json::array();
   for (std::size_t i = 0; i < mission.geofences.size(); ++i) {
     const auto& each = mission.geofences[i];
     if (each.floor_m || each.ceiling_m)
@@ -76,21 +82,47 @@ json fence_of(const document& mission, loss_list& losses) {
                   godwit::geofence::fence_name(i) + ": floor and ceiling",
                   "the fences of a plan have no heights",
                   "left out"});
-    polygons.push_back(
-        {{"inclusion", each.kind == fence_kind::inclusion}, {"polygon", pairs_of(each.vertices)}, {"version", 1}});
+    const bool keeps_in = each.kind == fence_kind::inclusion;
+    if (each.circle) {
+      const json circle{{"center", json::array({each.circle->latitude, each.circle->longitude})},
+                        {"radius", each.circle->radius_m}};
+      circles.push_back({{"circle", circle}, {"inclusion", keeps_in}, {"version", 1}});
+      continue;
+    }
+    polygons.push_back({{"inclusion", keeps_in}, {"polygon", pairs_of(each.vertices)}, {"version", 1}});
   }
-  return {{"circles", json::array()}, {"polygons", std::move(polygons)}, {"version", 2}};
+  json fence{{"circles", std::move(circles)}, {"polygons", std::move(polygons)}, {"version", 2}};
+  if (const auto& back = mission.breach_return_point)
+    fence["breachReturn"] = json::array({back->latitude, back->longitude, back->altitude_m});
+  return fence;
+}
+
+json rally_points_of(const document& mission) {
+  auto points = json::array();
+  if (mission.rally_points)
+    for (const auto& each : *mission.rally_points)
+      points.push_back(json::array({each.latitude, each.longitude, each.altitude_m}));
+  return points;
 }
 
 json items_of(const document& mission) {
   auto items = json::array();
-  for (const auto& each : mission.items) {
-    if (const auto* area = std::get_if<survey>(&each))
+  const auto made = numbered_items_of(mission, 1, true);
+  for (std::size_t i = 0; i < mission.items.size(); ++i) {
+    if (const auto* area = std::get_if<survey>(&mission.items[i]))
       items.push_back(survey_pattern(*area));
-    for (const auto& simple : vehicle_items_of(each))
-      items.push_back(simple_item(simple, items.size() + 1));
+    for (const auto& simple : made[i])
+      items.push_back(simple_item(simple));
   }
   return items;
+}
+
+bool is_for_px4(const document& mission) {
+  return std::ranges::all_of(mission.items, [](const item& each) {
+    const auto* const command = std::get_if<command_item>(&each);
+    const auto* const row = command == nullptr ? nullptr : command_of(command->command);
+    return row == nullptr || row->answer_of(vehicle_profile::px4_multicopter) != item_answer::refused;
+  });
 }
 
 } // namespace
@@ -104,19 +136,21 @@ exported export_plan(const document& mission) {
                        "a plan's home position is on the ground",
                        "left out"});
   add_place_losses(mission.items, result.losses);
+  // What kind of vehicle commands are for, they do not say: what one kind ignores in them, another one executes.
+  const bool has_commands = std::ranges::any_of(mission.items, is_of_version_2);
   const json head{{"cruiseSpeed", usual_mps},
-                  {"firmwareType", px4},
+                  {"firmwareType", is_for_px4(mission) ? px4 : ardupilot_firmware},
                   {"globalPlanAltitudeMode", above_home},
                   {"hoverSpeed", usual_mps},
                   {"items", items_of(mission)},
                   {"plannedHomePosition", json::array({home.latitude, home.longitude, home.above_sea_m.value_or(0)})},
-                  {"vehicleType", multirotor},
+                  {"vehicleType", has_commands ? any_vehicle : multirotor},
                   {"version", 2}};
   const json plan{{"fileType", "Plan"},
                   {"geoFence", fence_of(mission, result.losses)},
                   {"groundStation", "QGroundControl"},
                   {"mission", head},
-                  {"rallyPoints", {{"points", json::array()}, {"version", 2}}},
+                  {"rallyPoints", {{"points", rally_points_of(mission)}, {"version", 2}}},
                   {"version", 1}};
   constexpr int indent = 4; // as QGroundControl does
   result.text = plan.dump(indent) + '\n';

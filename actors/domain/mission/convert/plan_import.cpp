@@ -81,40 +81,42 @@ std::optional<vehicle_profile> profile_of(std::int64_t autopilot, std::int64_t t
 
 // MISSION has the items and the planned home; FIRMWARE is the key of what they are for.
 void import_mission(plan_source& source, const plan_node& mission, std::string_view firmware,
-                    const std::optional<vehicle_profile>& vehicle, plan_parts& result) {
+                    const import_options& options, plan_parts& result) {
   const auto place = source.place(mission, "plannedHomePosition");
   result.mission.planned_home = home_at(place[0], place[1], place[2]);
   const auto autopilot = source.integer(mission, firmware);
   const auto type = mission.has("vehicleType") ? source.integer(mission, "vehicleType") : 0;
-  const auto profile = vehicle ? vehicle : profile_of(autopilot, type);
-  item_importer importer(context_of(result.mission.planned_home, autopilot == px4_firmware, profile), source.losses);
+  const auto profile = options.vehicle ? options.vehicle : profile_of(autopilot, type);
+  item_importer importer(context_of(result.mission.planned_home, autopilot == px4_firmware, profile, options.allowed),
+                         source.losses);
   import_items(source, mission, importer);
+  importer.resolve_jumps();
   result.mission.items = std::move(importer.items());
   result.places.items = std::move(importer.places());
   result.places.list = pointer_to(mission.pointer, "items");
   result.places.holds_items = mission.has("items") && !(*mission.value)["items"].empty();
 }
 
-plan_parts import_root(plan_source& source, const plan_node& root, const std::optional<vehicle_profile>& vehicle) {
+plan_parts import_root(plan_source& source, const plan_node& root, const import_options& options) {
   source.lose_unknown(root, {"fileType", "geoFence", "groundStation", "mission", "rallyPoints", "version"});
   const auto mission = source.object(root, "mission");
   source.lose_unknown(mission, {"cruiseSpeed", "firmwareType", "globalPlanAltitudeMode", "hoverSpeed", "items",
                                 "plannedHomePosition", "vehicleType", "version"});
   plan_parts result;
-  import_mission(source, mission, "firmwareType", vehicle, result);
+  import_mission(source, mission, "firmwareType", options, result);
   if (root.has("geoFence")) {
     auto fences = import_fence(source, source.object(root, "geoFence"));
     result.mission.geofences = std::move(fences.all);
     result.places.geofences = std::move(fences.places);
+    result.mission.breach_return_point = fences.breach_return_point;
   }
   if (root.has("rallyPoints"))
-    import_rally_points(source, source.object(root, "rallyPoints"));
+    result.mission.rally_points = import_rally_points(source, source.object(root, "rallyPoints"));
   return result;
 }
 
 // Home may be an item there, or a place.
-plan_parts import_mission_file(plan_source& source, const plan_node& root,
-                               const std::optional<vehicle_profile>& vehicle) {
+plan_parts import_mission_file(plan_source& source, const plan_node& root, const import_options& options) {
   source.lose_unknown(root, {"MAV_AUTOPILOT", "complexItems", "firmwareType", "groundStation", "items",
                              "plannedHomePosition", "vehicleType", "version"});
   if (root.has("complexItems"))
@@ -125,7 +127,7 @@ plan_parts import_mission_file(plan_source& source, const plan_node& root,
   if (const auto& home = flat["plannedHomePosition"]; home.is_object() && home.contains("coordinate"))
     flat["plannedHomePosition"] = nlohmann::json(home["coordinate"]);
   const auto* const firmware = root.has("MAV_AUTOPILOT") ? "MAV_AUTOPILOT" : "firmwareType";
-  import_mission(source, {&flat, root.pointer}, firmware, vehicle, result);
+  import_mission(source, {&flat, root.pointer}, firmware, options, result);
   return result;
 }
 
@@ -140,9 +142,9 @@ import_result import_plan(std::string_view text, const import_options& options) 
   const plan_node root{&*parsed, {}};
   plan_parts found;
   if (is_mission_file(root))
-    found = import_mission_file(source, root, options.vehicle);
+    found = import_mission_file(source, root, options);
   else if (is_plan(source, root))
-    found = import_root(source, root, options.vehicle);
+    found = import_root(source, root, options);
   if (!source.problems.empty())
     return tl::unexpected(
         conversion_error{bounded({document_errc::wrong_form, std::move(source.problems)}, text), std::move(losses)});

@@ -36,8 +36,12 @@ bool is_above_home(plan_source& source, const plan_node& camera) {
   return source.flag_or(camera, "DistanceToSurfaceRelative", false);
 }
 
+bool has_laid_items(const plan_node& transects) {
+  return transects.has("Items") && (*transects.value)["Items"].is_array() && !(*transects.value)["Items"].empty();
+}
+
 bool triggers_camera(const plan_node& transects) {
-  if (!transects.has("Items") || !(*transects.value)["Items"].is_array())
+  if (!has_laid_items(transects))
     return false;
   return std::ranges::any_of((*transects.value)["Items"], [](const nlohmann::json& each) {
     return each.is_object() && each.contains("command") && each["command"].is_number_integer() &&
@@ -46,19 +50,10 @@ bool triggers_camera(const plan_node& transects) {
 }
 
 // What a survey of a mission does not know, although it flies over the same area.
-void lose_survey_details(plan_source& source, const plan_node& node, const plan_node& transects) {
-  if (triggers_camera(transects))
-    lose(source, node, "survey: camera triggers", "a mission has no commands for cameras and gimbals", left_out);
-  if (const auto turn_m = source.number_or(transects, "TurnAroundDistance", 0); turn_m != 0)
-    lose(source, node, "survey: turns " + number_text(turn_m) + " m outside of the area",
-         "the lines of a mission's survey end at its edge", left_out);
-  if (source.flag_or(transects, "HoverAndCapture", false))
-    lose(source, node, "survey: stop for each picture", "a mission's survey flies on", left_out);
-  if (source.flag_or(transects, "Refly90Degrees", false))
-    lose(source, node, "survey: flown again across", "a mission's survey has one direction", "flown once");
-  if (source.flag_or(node, "flyAlternateTransects", false))
-    lose(source, node, "survey: every other line first", "a mission leaves the order to whoever plans the flight",
-         left_out);
+bool has_survey_details(plan_source& source, const plan_node& node, const plan_node& transects) {
+  return triggers_camera(transects) || source.number_or(transects, "TurnAroundDistance", 0) != 0 ||
+         source.flag_or(transects, "HoverAndCapture", false) || source.flag_or(transects, "Refly90Degrees", false) ||
+         source.flag_or(node, "flyAlternateTransects", false);
 }
 
 // Why this survey can not be one of a mission; empty when it can.
@@ -87,19 +82,26 @@ void import_survey(plan_source& source, const plan_node& node, item_importer& im
   area.heading_deg = angle < 0 ? angle + 360 : angle;
   if (*area.heading_deg >= 360) // a tiny negative angle, rounded
     area.heading_deg = 0;
-  if (const auto why = why_no_survey(source, transects, area, camera); !why.empty()) {
-    lose(source, node, "survey: its area", why, "its lines as waypoints");
+  // The lines as the ground station has laid them keep all of it.
+  const auto why = why_no_survey(source, transects, area, camera);
+  if (has_laid_items(transects) && (!why.empty() || has_survey_details(source, node, transects)))
     return take_laid_items(source, transects, importer);
-  }
-  lose_survey_details(source, node, transects);
-  importer.append(std::move(area), {node.pointer, "item " + std::to_string(node.item.value_or(0)) + ", survey"});
+  if (!why.empty())
+    return lose(source, node, "survey: its area", why + ", and the file does not have its lines", left_out);
+  if (has_survey_details(source, node, transects))
+    lose(source, node,
+         "survey: turns outside of the area, pictures in hover, a second flight across or every other line",
+         "the file does not have its lines, and a survey of a mission has none of that", "flown over the area once");
+  importer.append(std::move(area), {node.pointer, "item " + std::to_string(node.item.value_or(0)) + ", survey"},
+                  node.item.value_or(0));
 }
 
 void import_corridor(plan_source& source, const plan_node& node, item_importer& importer) {
   take_laid_items(source, source.object(node, "TransectStyleComplexItem"), importer);
 }
 
-// Version 1 called the beginning of the approach loiterCoordinate.
+// As the ground station lays it (QGroundControl's LandingComplexItem): a mark, the end of pictures, down in circles or
+// straight from the approach, the landing. Version 1 called the beginning of the approach loiterCoordinate.
 void import_landing(plan_source& source, const plan_node& node, item_importer& importer) {
   const auto* const approach_key =
       node.has("landingApproachCoordinate") ? "landingApproachCoordinate" : "loiterCoordinate";
@@ -109,20 +111,29 @@ void import_landing(plan_source& source, const plan_node& node, item_importer& i
   const auto used_frame = source.flag(node, "altitudesAreRelative") ? frame::global_relative : frame::global;
   if (source.problems.size() != before)
     return;
-  lose(source, node, "landing pattern: its start mark", "a mission has no marks for landings", left_out);
-  if (source.flag_or(node, "useLoiterToAlt", true))
-    lose(source, node,
-         "landing pattern: circle of " + number_text(source.number_or(node, "loiterRadius", 0)) + " m down",
-         "no item of a mission changes the height in circles", "a waypoint in its middle");
-  if (source.flag_or(node, "stopTakingPhotos", false) || source.flag_or(node, "stopVideoPhotos", false))
-    lose(source, node, "landing pattern: end of pictures", "a mission has no commands for cameras and gimbals",
-         left_out);
   const auto number = node.item.value_or(0);
-  const auto part = [&](std::uint16_t id, const std::array<double, 3>& at) {
-    importer.take({number, id, used_frame, {0, 0, 0, not_given, at[0], at[1], at[2]}, true, node.pointer});
+  const auto part = [&](std::uint16_t id, std::uint8_t in, const std::array<double, command_params>& params) {
+    importer.take({number, id, in, params, true, node.pointer, number + 1});
   };
-  part(command::waypoint, approach);
-  part(command::land, landing);
+  const auto at_place = [&](std::uint16_t id, const std::array<double, 4>& params, const std::array<double, 3>& at) {
+    part(id, used_frame, {params[0], params[1], params[2], params[3], at[0], at[1], at[2]});
+  };
+  const auto type = source.text(node, "complexItemType");
+  const bool is_vtol = type != "fwLandingPattern";
+  part(command::land_start, frame::mission, {});
+  if (source.flag_or(node, "stopTakingPhotos", false)) {
+    part(command::trigger_distance, frame::mission, {});
+    part(command::stop_capture, frame::mission, {});
+  }
+  if (source.flag_or(node, "stopVideoPhotos", false))
+    part(command::stop_video, frame::mission, {});
+  const auto radius_m =
+      source.number_or(node, "loiterRadius", 0) * (source.flag_or(node, "loiterClockwise", true) ? 1 : -1);
+  if (source.flag_or(node, "useLoiterToAlt", true))
+    at_place(command::loiter_to_alt, {1, radius_m, 0, 1}, approach);
+  else
+    at_place(command::waypoint, {0, 0, 0, not_given}, approach);
+  at_place(is_vtol ? command::vtol_land : command::land, {0, 0, 0, is_vtol ? not_given : 0}, landing);
 }
 
 constexpr std::size_t params_before_place = 4;
@@ -179,7 +190,8 @@ std::optional<vehicle_item> read_simple_item(plan_source& source, const plan_nod
   const auto before = source.problems.size();
   source.lose_unknown(node, {"AMSLAltAboveTerrain", "Altitude", "AltitudeMode", "autoContinue", "command", "coordinate",
                              "doJumpId", "frame", "id", "param1", "param2", "param3", "param4", "params", "type",
-                             "MISSION_ITEM_ID"});
+                             "MISSION_ITEM_ID", "altitude", "altitudeMode",
+                             "amslaltAboveTerrain"}); // in older files in small letters
   vehicle_item result;
   result.number = node.item.value_or(0);
   result.place = node.pointer;
@@ -191,6 +203,9 @@ std::optional<vehicle_item> read_simple_item(plan_source& source, const plan_nod
   result.command = static_cast<std::uint16_t>(id);
   result.frame = static_cast<std::uint8_t>(used_frame);
   result.autocontinue = source.flag(node, "autoContinue");
+  result.jump_number = result.number + 1; // where the file does not say it; home is 0
+  if (node.has("doJumpId"))
+    result.jump_number = static_cast<std::size_t>(std::max<std::int64_t>(0, source.integer(node, "doJumpId")));
   read_params(source, node, result);
   return source.problems.size() == before ? std::optional(result) : std::nullopt;
 }

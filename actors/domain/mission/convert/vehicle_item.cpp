@@ -10,11 +10,6 @@ std::string command_name(std::uint16_t id) {
   return row == nullptr ? "command " + std::to_string(id) : std::string(row->name);
 }
 
-std::string why_no_counterpart(std::uint16_t id) {
-  const auto* row = command_of(id);
-  return row == nullptr ? "its number is not known" : std::string(row->why_none);
-}
-
 std::optional<planned_home> home_at(double latitude, double longitude, double above_sea_m) {
   const bool is_place = std::isfinite(latitude) && std::isfinite(longitude) && (latitude != 0 || longitude != 0);
   if (!is_place)

@@ -22,7 +22,8 @@ struct vehicle_item {
   std::uint8_t frame = 0;
   std::array<double, 7> params{};
   bool autocontinue = true;
-  std::string place{}; // where it stands in a file: "line 7" or a JSON pointer
+  std::string place{};                      // where it stands in a file: "line 7" or a JSON pointer
+  std::optional<std::size_t> jump_number{}; // by which a DO_JUMP names it; absent: its number
 
   [[nodiscard]] double param(std::size_t from_1) const { return params.at(from_1 - 1); }
   [[nodiscard]] double latitude() const { return params[4]; }
@@ -36,17 +37,22 @@ struct vehicle_item {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-// The commands that have a counterpart in a mission, and the frames of their positions.
+// The commands that a mission has kinds of items for or a pattern is made of, and the frames of their positions.
 namespace command {
 inline constexpr std::uint16_t waypoint = 16;
 inline constexpr std::uint16_t loiter_time = 19;
 inline constexpr std::uint16_t return_to_launch = 20;
 inline constexpr std::uint16_t land = 21;
 inline constexpr std::uint16_t takeoff = 22;
-inline constexpr std::uint16_t spline_waypoint = 82;
+inline constexpr std::uint16_t loiter_to_alt = 31;
 inline constexpr std::uint16_t vtol_takeoff = 84;
 inline constexpr std::uint16_t vtol_land = 85;
+inline constexpr std::uint16_t jump = 177;
 inline constexpr std::uint16_t change_speed = 178;
+inline constexpr std::uint16_t land_start = 189;
+inline constexpr std::uint16_t trigger_distance = 206;
+inline constexpr std::uint16_t stop_capture = 2001;
+inline constexpr std::uint16_t stop_video = 2501;
 } // namespace command
 
 namespace frame {
@@ -59,9 +65,6 @@ inline constexpr std::uint8_t global_relative_int = 6;
 
 // "NAV_WAYPOINT", or "command 12345".
 [[nodiscard]] std::string command_name(std::uint16_t id);
-
-// Why a mission has no counterpart of this command, as a sentence without an end.
-[[nodiscard]] std::string why_no_counterpart(std::uint16_t id);
 
 // The home that a file was planned for; nothing for 0/0, which ground stations write when they have none.
 [[nodiscard]] std::optional<planned_home> home_at(double latitude, double longitude, double above_sea_m);

@@ -7,6 +7,7 @@
 #include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/mission/convert/item_export.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/waypoint_file/waypoint_writer.hpp"
 #include "runtime/assert.hpp"
 
@@ -18,21 +19,37 @@ using io::mavlink::mission_item_int;
 
 std::int32_t scaled(double degrees) { return static_cast<std::int32_t>(std::lround(degrees * 1e7)); }
 
+// What is not given is 0.
+std::int32_t whole(double value) { return std::isfinite(value) ? static_cast<std::int32_t>(std::lround(value)) : 0; }
+
 // HOME stands in where an item has no place: x and y of a line are whole numbers, which can not be "not given".
 mission_item_int line_of(const vehicle_item& each, const planned_home& home) {
   mission_item_int line;
   line.frame = each.frame;
   line.command = each.command;
-  line.autocontinue = 1;
+  line.autocontinue = each.autocontinue ? 1 : 0;
   line.param1 = static_cast<float>(each.param(1));
   line.param2 = static_cast<float>(each.param(2));
   line.param3 = static_cast<float>(each.param(3));
   line.param4 = static_cast<float>(each.param(4));
   line.z = static_cast<float>(each.altitude_m());
-  if (each.frame == frame::mission)
+  if (io::mavlink::coordinates_of(each.frame) != io::mavlink::coordinate_kind::global) {
+    line.x = whole(each.latitude());
+    line.y = whole(each.longitude());
     return line;
-  line.x = scaled(each.has_place() ? each.latitude() : home.latitude);
-  line.y = scaled(each.has_place() ? each.longitude() : home.longitude);
+  }
+  line.x = scaled(std::isfinite(each.latitude()) ? each.latitude() : home.latitude);
+  line.y = scaled(std::isfinite(each.longitude()) ? each.longitude() : home.longitude);
+  return line;
+}
+
+mission_item_int line_at(io::mavlink::mav_cmd command, double latitude, double longitude) {
+  mission_item_int line;
+  line.frame = frame::global;
+  line.command = io::mavlink::number(command);
+  line.autocontinue = 1;
+  line.x = scaled(latitude);
+  line.y = scaled(longitude);
   return line;
 }
 
@@ -40,15 +57,18 @@ mission_item_int line_of(const vehicle_item& each, const planned_home& home) {
 void append_fence(std::vector<mission_item_int>& lines, const geofence& from) {
   constexpr auto inclusion = io::mavlink::mav_cmd::nav_fence_polygon_vertex_inclusion;
   constexpr auto exclusion = io::mavlink::mav_cmd::nav_fence_polygon_vertex_exclusion;
+  if (from.circle) {
+    constexpr auto within = io::mavlink::mav_cmd::nav_fence_circle_inclusion;
+    constexpr auto around = io::mavlink::mav_cmd::nav_fence_circle_exclusion;
+    const auto& centre = *from.circle;
+    lines.push_back(line_at(from.kind == fence_kind::inclusion ? within : around, centre.latitude, centre.longitude));
+    lines.back().param1 = static_cast<float>(centre.radius_m);
+    return;
+  }
   for (const auto& corner : from.vertices) {
-    mission_item_int line;
-    line.frame = frame::global;
-    line.command = io::mavlink::number(from.kind == fence_kind::inclusion ? inclusion : exclusion);
-    line.autocontinue = 1;
-    line.param1 = static_cast<float>(from.vertices.size());
-    line.x = scaled(corner.latitude);
-    line.y = scaled(corner.longitude);
-    lines.push_back(line);
+    lines.push_back(
+        line_at(from.kind == fence_kind::inclusion ? inclusion : exclusion, corner.latitude, corner.longitude));
+    lines.back().param1 = static_cast<float>(from.vertices.size());
   }
 }
 
@@ -63,6 +83,10 @@ exported written(std::vector<mission_item_int> lines, loss_list losses) {
 exported export_fence(const document& mission) {
   std::vector<mission_item_int> lines;
   loss_list losses;
+  if (const auto& back = mission.breach_return_point) {
+    lines.push_back(line_at(io::mavlink::mav_cmd::nav_fence_return_point, back->latitude, back->longitude));
+    lines.back().z = static_cast<float>(back->altitude_m);
+  }
   for (std::size_t i = 0; i < mission.geofences.size(); ++i) {
     const auto& each = mission.geofences[i];
     append_fence(lines, each);
@@ -72,12 +96,26 @@ exported export_fence(const document& mission) {
                   "the fences of lines have no heights",
                   "left out"});
   }
+  if (mission.rally_points)
+    losses.add({{}, "the rally points", "a file of lines holds one kind of plan", "left out"});
   return written(std::move(lines), std::move(losses));
+}
+
+exported export_rally_points(const document& mission) {
+  std::vector<mission_item_int> lines;
+  for (const auto& each : *mission.rally_points) {
+    lines.push_back(line_at(io::mavlink::mav_cmd::nav_rally_point, each.latitude, each.longitude));
+    lines.back().frame = frame::global_relative;
+    lines.back().z = static_cast<float>(each.altitude_m);
+  }
+  return written(std::move(lines), {});
 }
 
 } // namespace
 
 exported export_waypoints(const document& mission) {
+  if (mission.items.empty() && mission.geofences.empty() && mission.rally_points)
+    return export_rally_points(mission);
   if (mission.items.empty())
     return export_fence(mission);
   exported result;
@@ -88,14 +126,19 @@ exported export_waypoints(const document& mission) {
   if (mission.return_point && mission.return_point->altitude_m != 0)
     result.losses.add({{}, "return point: height", "a home position is on the ground", "left out"});
   add_place_losses(mission.items, result.losses);
+  const auto made = numbered_items_of(mission, lines.size(), false);
   for (std::size_t i = 0; i < mission.items.size(); ++i) {
     if (std::holds_alternative<survey>(mission.items[i]))
       result.losses.add({i, "the survey", "a file of lines has no patterns", "left out"});
-    for (const auto& each : vehicle_items_of(mission.items[i]))
-      lines.push_back(line_of(each, home));
+    const bool is_verbatim = std::holds_alternative<command_item>(mission.items[i]);
+    for (const auto& each : made[i])
+      lines.push_back(line_of(each, is_verbatim ? planned_home{} : home));
   }
   for (std::size_t i = 0; i < mission.geofences.size(); ++i)
     result.losses.add({{}, godwit::geofence::fence_name(i), "a file of lines has no fences", "left out"});
+  if (mission.rally_points || mission.breach_return_point)
+    result.losses.add(
+        {{}, "rally points and the point of return of the fence", "a file of lines has none", "left out"});
   return written(std::move(lines), std::move(result.losses));
 }
 

@@ -8,6 +8,7 @@
 #include "actors/domain/mission/convert/item_import.hpp"
 #include "actors/domain/mission/convert/item_list_import.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/waypoint_file/fence_rally_reader.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
 #include "io/mavlink/waypoint_file/waypoint_reader.hpp"
@@ -53,58 +54,65 @@ bool is_of_fence(const io::mavlink::mission_item_int& each) {
          each.command <= io::mavlink::number(mav_cmd::nav_fence_circle_exclusion);
 }
 
-bool is_fence_circle(const io::mavlink::mission_item_int& each) {
-  return each.command == io::mavlink::number(mav_cmd::nav_fence_circle_inclusion) ||
-         each.command == io::mavlink::number(mav_cmd::nav_fence_circle_exclusion);
-}
-
 tl::unexpected<conversion_error> failed(std::string place, std::string what, std::string_view text) {
   return tl::unexpected(
       conversion_error{bounded({document_errc::wrong_form, {{std::move(place), std::move(what), {}}}}, text), {}});
 }
 
-tl::unexpected<conversion_error> rally_alone(std::string_view text) {
-  return failed({},
-                "holds rally points alone, and a mission has none; godwit-trace upload --type rally brings them to "
-                "the vehicle",
-                text);
+position place_of_line(const io::mavlink::mission_item_int& each) {
+  const auto item = vehicle_item_of(each);
+  return {item.latitude(), item.longitude(), item.altitude_m()};
 }
 
-// The points of return are taken out of LINES, and what a mission's fences can not be is noted.
-void lose_from_fence(plan_lines& lines, loss_list& losses) {
+// The point of return is taken out of LINES.
+std::optional<position> take_return_point(plan_lines& lines) {
+  std::optional<position> found;
   plan_lines kept;
   for (std::size_t i = 0; i < lines.items.size(); ++i) {
     const auto& each = lines.items[i];
-    const auto line = "line " + std::to_string(lines.lines[i]);
     if (each.command == io::mavlink::number(mav_cmd::nav_fence_return_point)) {
-      losses.add({i, "point to return to after a breach", "a mission returns to one point", "left out", line});
+      found = place_of_line(each);
       continue;
     }
-    if (is_fence_circle(each))
-      losses.add({i, "circle of " + number_text(each.param1) + " m", "a mission's fences are polygons",
-                  "a polygon with " + std::to_string(corners_of_circle) + " corners", line});
     kept.items.push_back(each);
     kept.lines.push_back(lines.lines[i]);
   }
   lines = std::move(kept);
+  return found;
+}
+
+// Heights above home, as their vehicles read them.
+import_result import_rally_file(const plan_lines& lines, const import_options& options, std::string_view text) {
+  loss_list losses;
+  document mission;
+  mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
+  mission.rally_points.emplace();
+  for (std::size_t i = 0; i < lines.items.size(); ++i) {
+    const auto& each = lines.items[i];
+    if (io::mavlink::altitude_in(each.frame) != io::mavlink::altitude_kind::above_home)
+      losses.add({i, "rally point in frame " + std::to_string(each.frame), "rally points of a mission are above home",
+                  "taken as above home", "line " + std::to_string(lines.lines[i])});
+    mission.rally_points->push_back(place_of_line(each));
+  }
+  return finished(mission, std::move(losses), options, text);
 }
 
 import_result import_fence_file(plan_lines lines, const import_options& options, std::string_view text) {
-  loss_list losses;
-  lose_from_fence(lines, losses);
+  const auto return_point = take_return_point(lines);
   auto fences = import_fence_list(lines.items);
   if (!fences)
     return failed({}, "holds a fence, and " + fences.error(), text);
   document mission;
   mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
   mission.geofences = *std::move(fences);
+  mission.breach_return_point = return_point;
   source_map places;
   std::size_t first = 0;
   for (const auto& each : mission.geofences) {
     places.geofences.push_back({"line " + std::to_string(lines.lines.at(first)), {}});
-    first += is_fence_circle(lines.items.at(first)) ? 1 : each.vertices.size();
+    first += each.circle ? 1 : each.vertices.size();
   }
-  return finished(mission, std::move(losses), options, text, places);
+  return finished(mission, {}, options, text, places);
 }
 
 import_result import_item_lines(const plan_lines& lines, const import_options& options, std::string_view text) {
@@ -117,9 +125,10 @@ import_result import_item_lines(const plan_lines& lines, const import_options& o
       mission.planned_home = home_at(home.latitude(), home.longitude(), home.altitude_m());
       first = 1;
     }
-  item_importer importer(context_of(mission.planned_home, false, options.vehicle), losses);
+  item_importer importer(context_of(mission.planned_home, false, options.vehicle, options.allowed), losses);
   for (auto i = first; i < lines.items.size(); ++i)
     importer.take(vehicle_item_at(lines, i));
+  importer.resolve_jumps();
   mission.items = std::move(importer.items());
   const source_map places{std::move(importer.places()), {}, {}, lines.items.size() > first};
   return finished(mission, std::move(losses), options, text, places);
@@ -129,13 +138,13 @@ import_result import_item_lines(const plan_lines& lines, const import_options& o
 
 import_result import_waypoints(std::string_view text, const import_options& options) {
   const auto holds = io::mavlink::fence_or_rally(text);
-  if (holds == mav_mission_type::rally)
-    return rally_alone(text);
-  auto lines = holds ? io::mavlink::read_fence_lines(text) : io::mavlink::read_plan_lines(text);
+  auto lines = holds == mav_mission_type::rally ? io::mavlink::read_rally_lines(text)
+               : holds                          ? io::mavlink::read_fence_lines(text)
+                                                : io::mavlink::read_plan_lines(text);
   if (!lines)
     return tl::unexpected(conversion_error{error_of(lines.error(), text), {}});
   if (!lines->items.empty() && std::ranges::all_of(lines->items, is_rally_point))
-    return rally_alone(text);
+    return import_rally_file(*lines, options, text);
   if (!lines->items.empty() && std::ranges::all_of(lines->items, is_of_fence))
     return import_fence_file(*std::move(lines), options, text);
   return import_item_lines(*lines, options, text);

@@ -52,6 +52,7 @@ public:
   void take(const role::order& what);
   void take(mavlink::sender from, const mavlink::set_mode& m);
   virtual void take(const mavlink::mission_set_current& m) = 0;
+  virtual void hear_sticks() {} // MANUAL_CONTROL
   virtual void hear_heartbeat(mavlink::sender from, const mavlink::heartbeat& m);
   // An item that is no part of a plan. True: it is flown to.
   [[nodiscard]] virtual bool fly_to(const role::order&) { return false; }

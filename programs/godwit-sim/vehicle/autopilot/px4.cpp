@@ -119,6 +119,8 @@ void px4::on_restart() {
   check_plan();
   reached_ = {};
   stale_messages_ = {};
+  unchecked_until_ns_ = now().world_after(checks_after_restart_ns);
+  sticks_.forget();
   heard_station_ns_ = -1;
   preflight_ends_ns_ = never_ns;
   trigger_again_ns_ = never_ns;
@@ -262,6 +264,7 @@ void px4::on_change(const plans::plan_change& what) {
 }
 
 void px4::take_plan(const plans::plan_change& what) {
+  unchecked_until_ns_ = 0;
   says_complete_ = false;
   const bool had_plan = !run().is_empty();
   const int old_current = run().current();
@@ -346,17 +349,29 @@ void px4::on_time() {
     trigger_again_ns_ = never_ns;
     stop_trigger(1);
   }
+  act_on_lost_sticks();
+}
+
+void px4::act_on_lost_sticks() {
+  const bool may_act = state().is_armed && !state().is_in(mode_kind::come_back) && !state().is_in(mode_kind::land);
+  const auto step = sticks_.due(now(), may_act);
+  if (step == stick_loss::step::none)
+    return;
+  const bool holds = step == stick_loss::step::holds;
+  say_tabbed(mav_severity::critical, holds ? "Failsafe activated: entering Hold for 5 seconds" : "Failsafe activated");
+  enter_by_failsafe(holds ? mode_kind::hold : mode_kind::come_back);
 }
 
 std::int64_t px4::next_timer_ns() const {
-  return std::min({reached_.next_ns(), preflight_ends_ns_, trigger_again_ns_, holds_at_ns_, disarms_at_ns_});
+  return std::min(
+      {reached_.next_ns(), sticks_.next_ns(), preflight_ends_ns_, trigger_again_ns_, holds_at_ns_, disarms_at_ns_});
 }
 
 mavlink::mission_current px4::progress() const {
   auto result = progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
   if (says_complete_)
     result.mission_state = mavlink::number(mavlink::mission_state::complete);
-  if (is_infeasible_)
+  if (is_infeasible_ || (now().world_ns < unchecked_until_ns_ && !run().is_empty()))
     result.mission_state = mavlink::number(mavlink::mission_state::no_mission);
   return result;
 }

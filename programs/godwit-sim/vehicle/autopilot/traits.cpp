@@ -42,6 +42,7 @@ traits px4_traits() {
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
   t.plan_quirks = plans::px4_quirks();
+  t.plan_quirks.profile = mission::vehicle_profile::px4_multicopter;
   t.params = px4_params();
   t.param_encoding = role::param_encoding::as_bits;
   t.streams = px4_streams();
@@ -108,6 +109,7 @@ traits copter_traits() {
   t.modes = copter_modes();
   t.first_mode = 0; // STABILIZE
   t.plan_quirks = plans::ardupilot_copter_quirks();
+  t.plan_quirks.profile = mission::vehicle_profile::arducopter;
   t.params = copter_params();
   t.banner = {"ArduCopter V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4", "Frame: QUAD/PLUS"};
   return t;
@@ -120,6 +122,7 @@ traits plane_traits() {
   t.modes = plane_modes();
   t.first_mode = 0; // MANUAL
   t.plan_quirks = plans::ardupilot_plane_quirks();
+  t.plan_quirks.profile = mission::vehicle_profile::arduplane;
   t.params = plane_params();
   t.banner = {"ArduPlane V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
   return t;
@@ -132,6 +135,7 @@ traits ardurover_traits() {
   t.modes = ardurover_modes();
   t.first_mode = 0; // MANUAL
   t.plan_quirks = plans::ardupilot_rover_quirks();
+  t.plan_quirks.profile = mission::vehicle_profile::ardurover;
   t.params = copter_params(); // those that stations ask for are the same
   t.banner = {"ArduRover V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
   return t;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "actors/domain/mission/commands/command_table.hpp"
 #include "programs/godwit-sim/vehicle/flight/item_place.hpp"
 #include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
 
 namespace godwit::sim {
 
 using io::mavlink::mission_item_int;
+using mission::command_class;
 
 namespace {
 
@@ -37,6 +39,15 @@ std::optional<std::string> change_speed(const mission_item_int& command, const c
   return "this kind of speed is not known";
 }
 
+// By some vehicle, as an item. What is guarded is not known here.
+bool is_executed(std::uint16_t command) {
+  const auto* const row = mission::command_of(command);
+  if (row == nullptr || std::ranges::all_of(row->answers, [](char each) { return each == '-'; }))
+    return false;
+  return row->kind == command_class::acts || row->kind == command_class::waits || row->kind == command_class::flow ||
+         row->kind == command_class::moves;
+}
+
 } // namespace
 
 std::optional<std::string> carry_out(const mission_item_int& command, const craft& what, const position& here,
@@ -60,8 +71,11 @@ std::optional<std::string> carry_out(const mission_item_int& command, const craf
   case condition_delay:
     return std::nullopt;
   default:
-    return "command " + std::to_string(command.command) + " is not known";
+    break;
   }
+  if (is_executed(command.command))
+    return std::nullopt; // cameras, servos and the like: nothing here moves by it
+  return "command " + std::to_string(command.command) + " is not known";
 }
 
 } // namespace godwit::sim

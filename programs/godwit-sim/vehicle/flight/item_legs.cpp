@@ -28,11 +28,14 @@ double turning_s(const mission_item_int& item, const item_setting& setting) {
 }
 
 bool is_loiter(const mission_item_int& item) {
-  return item.command == nav_loiter_unlim || item.command == nav_loiter_time || item.command == nav_loiter_turns;
+  return item.command == nav_loiter_unlim || item.command == nav_loiter_time || item.command == nav_loiter_turns ||
+         item.command == nav_loiter_to_alt;
 }
 
 // On which a fixed wing stays there; 0: its own.
 double circle_m(const mission_item_int& item, const mover& vehicle) {
+  if (item.command == nav_loiter_to_alt)
+    return std::isfinite(item.param2) ? static_cast<double>(item.param2) : 0;
   if (!is_loiter(item) || !std::isfinite(item.param3) || item.param3 == 0)
     return 0;
   return item.command == nav_loiter_turns
@@ -69,6 +72,16 @@ leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
   leg_list legs{climb_leg{top.altitude_m}};
   if (!place.is_here && !setting.vehicle.is_fixed_wing()) // which takes off along its runway
     legs.emplace_back(go_leg{top, craft.arrival_radius_m, true});
+  return legs;
+}
+
+// To the place at the height at which it comes, and then to that of the item.
+leg_list to_altitude_legs(const mission_item_int& item, const item_place& place, const item_setting& setting) {
+  auto first = leg_to(item, place, setting);
+  const auto top_m = first.to.altitude_m;
+  first.to.altitude_m = setting.vehicle.where().where.altitude_m;
+  auto legs = legs_to(first, setting.vehicle);
+  legs.emplace_back(climb_leg{top_m});
   return legs;
 }
 
@@ -134,14 +147,25 @@ tl::expected<leg_list, std::string> legs_of(const mission_item_int& item, const 
   if (!place)
     return tl::unexpected(place.error());
   switch (item.command) {
+  case nav_continue_and_change_alt:
+    if (!setting.vehicle.is_fixed_wing())
+      return tl::unexpected(std::string("only a fixed wing keeps its course and climbs"));
+    return leg_list{climb_leg{place->at.altitude_m}};
+  case nav_loiter_to_alt:
+    if (setting.vehicle.is_rover())
+      return tl::unexpected(std::string("a rover does not climb"));
+    return to_altitude_legs(item, *place, setting);
+  case nav_vtol_takeoff:
   case nav_takeoff:
     if (setting.vehicle.is_rover())
       return tl::unexpected(std::string("a rover does not take off"));
     return takeoff_legs(*place, setting);
+  case nav_vtol_land:
   case nav_land:
     return landing_legs(*place, setting);
   case nav_waypoint:
   case nav_spline_waypoint:
+  case nav_payload_place: // there, and on with the load: the ground is not found
   case nav_loiter_unlim:
   case nav_loiter_time:
   case nav_loiter_turns:

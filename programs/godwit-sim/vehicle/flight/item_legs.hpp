@@ -8,6 +8,10 @@
 // | land | there, down | straight down to there, and stays: no end | there, stop |
 // | return to launch | up to the return altitude, home, down | home, circles: no end | home, stop |
 // | delay | wait | circles | wait |
+// | loiter to altitude | there, then up or down | the same, circling | skipped |
+// | VTOL take-off and landing | as take-off and landing | the same | the same |
+// | continue and change altitude | skipped | straight on and up | skipped |
+// | payload place | there, and on | the same | the same |
 //
 // A multirotor on the ground takes off first, to the altitude of the item; a fixed wing stays on the ground. Thread:
 // pure. Source: MAV_CMD of MAVLink's common.xml; ArduPlane's verify_land and do_loiter_time, which takes its own radius

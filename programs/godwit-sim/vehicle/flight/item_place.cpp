@@ -32,7 +32,8 @@ std::optional<double> origin_of(std::uint8_t frame, double home_m) {
 }
 
 bool may_leave_its_place_out(std::uint16_t command) {
-  return command == nav_takeoff || command == nav_land || command == nav_loiter_unlim || command == nav_loiter_turns ||
+  return command == nav_takeoff || command == nav_land || command == nav_vtol_takeoff || command == nav_vtol_land ||
+         command == nav_loiter_to_alt || command == nav_loiter_unlim || command == nav_loiter_turns ||
          command == nav_loiter_time;
 }
 

@@ -24,7 +24,7 @@ int repeats_of(const mission_item_int& jump) {
 
 } // namespace
 
-bool is_nav(const mission_item_int& item) { return item.command <= last_nav_command; }
+bool is_nav(const mission_item_int& item) { return item.command <= last_nav_command && item.command != nav_roi; }
 
 void mission_run::take(std::vector<mission_item_int> items, int first_flown) {
   GODWIT_ASSERT(first_flown == 0 || first_flown == 1, "a plan begins at item 0, or at item 1 behind home");

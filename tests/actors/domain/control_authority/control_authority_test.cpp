@@ -68,6 +68,14 @@ TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more)
   EXPECT_EQ(behind(who, brake, 5 * s), holder::person);
 }
 
+TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_next_one) {
+  auto who = in_flight();
+  who.expect_also({loiter.custom_mode}, 0, 5 * s);
+  who.expect_also({brake.custom_mode}, 6 * s, 11 * s);
+  EXPECT_EQ(behind(who, loiter, 7 * s), holder::person);
+  EXPECT_EQ(behind(who, brake, 7 * s), holder::godwit);
+}
+
 TEST(control_authority, what_was_not_sent_is_not_expected) {
   auto who = in_flight();
   who.expect({brake.custom_mode}, 5 * s);
@@ -257,6 +265,109 @@ TEST(control_authority, an_incarnation_that_begins_anew_knows_where_the_one_befo
   EXPECT_EQ(behind(who, loiter), holder::person);
   who.on_mode(copter, automatic, false, 0);
   EXPECT_EQ(behind(who, brake, order_is_expected_ns), holder::person) << "whatever was under way has come by then";
+}
+
+// -- what a change leaves behind ----------------------------------------------------------------------
+
+TEST(control_authority, the_words_of_a_breach_before_a_hand_back_explain_nothing_after_it) {
+  auto who = in_flight();
+  who.on_text(copter, "Circle fence breached", 0);
+  who.begin(automatic);
+  EXPECT_EQ(behind(who, loiter, s / 10), holder::person);
+}
+
+TEST(control_authority, orders_before_the_one_that_is_obeyed_are_expected_no_more) {
+  auto begun = in_flight();
+  begun.expect({brake.custom_mode, automatic.custom_mode}, 5 * s);
+  auto obeyed = begun;
+  begun.begin(automatic);
+  EXPECT_EQ(behind(begun, brake, s), holder::person);
+  obeyed.on_mode(copter, brake, false, s);
+  obeyed.on_mode(copter, automatic, false, 2 * s);
+  ASSERT_EQ(obeyed.who(), holder::godwit);
+  EXPECT_EQ(behind(obeyed, brake, 3 * s), holder::person);
+}
+
+TEST(control_authority, a_return_that_was_found_and_not_ordered_does_not_end_in_a_hold_by_itself) {
+  constexpr mode_owner by_the_text{mav_autopilot::generic, vehicle_class::rover};
+  constexpr flight_mode returns{mode_kind::returning, 11};
+  constexpr flight_mode holds{mode_kind::hold, 4};
+  auto who = in_flight();
+  who.expect({returns.custom_mode}, 5 * s);
+  who.on_mode(by_the_text, returns, false, s);
+  auto found = who;
+  who.on_mode(by_the_text, holds, false, 2 * s);
+  EXPECT_EQ(who.who(), holder::godwit);
+  found.begin(returns);
+  found.on_mode(by_the_text, holds, false, 2 * s);
+  EXPECT_EQ(found.who(), holder::person);
+}
+
+TEST(control_authority, what_waits_for_a_heartbeat_waits_for_the_next_one_and_not_after_a_takeover_or_a_hand_back) {
+  auto waits = in_flight(px4_mission);
+  waits.on_current_mode(px4, {px4_hold, false, 0}, s);
+  ASSERT_TRUE(waits.is_unclear());
+  auto heard = waits;
+  heard.on_mode(px4, px4_mission, false, 2 * s);
+  EXPECT_FALSE(heard.is_unclear());
+  EXPECT_EQ(heard.who(), holder::godwit);
+  auto taken = waits;
+  taken.take_away(holder::person);
+  EXPECT_FALSE(taken.is_unclear());
+  waits.begin(px4_hold);
+  EXPECT_FALSE(waits.is_unclear());
+}
+
+TEST(control_authority, who_was_seen_and_then_told_to_have_taken_it_is_no_failsafe) {
+  auto who = in_flight();
+  who.on_mode(copter, loiter, false, s);
+  who.take_away(holder::person);
+  who.on_text(copter, "GCS Failsafe", 2 * s);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, a_place_that_the_vehicle_does_not_know_is_no_end_of_the_plan) {
+  auto who = near_its_end();
+  who.on_place(65'535, true, 0);
+  who.on_mode(px4, px4_hold, false, s);
+  EXPECT_TRUE(who.is_unclear());
+}
+
+TEST(control_authority, at_its_last_item_only_the_mode_into_which_the_plan_leads_is_unclear) {
+  constexpr flight_mode px4_returns{mode_kind::returning, 4U << 16U | 5U << 24U};
+  auto who = near_its_end();
+  who.on_current_mode(px4, {px4_mission, false, px4_mission.custom_mode}, 0);
+  who.on_place(last_item, false, 0);
+  who.on_current_mode(px4, {px4_returns, false, px4_mission.custom_mode}, s);
+  EXPECT_FALSE(who.is_unclear());
+  EXPECT_EQ(who.who(), holder::autopilot_failsafe);
+}
+
+TEST(control_authority, at_the_end_of_the_plan_nothing_is_expected_any_more) {
+  auto who = near_its_end();
+  who.expect({px4_mission.custom_mode}, 10 * s);
+  who.on_place(last_item, true, 0);
+  who.on_mode(px4, px4_hold, false, s);
+  ASSERT_EQ(who.who(), holder::autopilot_end);
+  who.on_mode(px4, px4_mission, false, 2 * s);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST(control_authority, a_word_half_a_second_after_the_mode_denies_the_end_and_an_earlier_one_may_have_crossed_it) {
+  for (const auto after_ns : {end_is_denied_after_ns - 1, end_is_denied_after_ns}) {
+    auto who = near_its_end();
+    who.on_mode(px4, px4_hold, false, s);
+    who.on_place(last_item, false, s + after_ns);
+    EXPECT_EQ(who.is_unclear(), after_ns < end_is_denied_after_ns);
+  }
+}
+
+TEST(control_authority, a_takeover_settles_what_was_unclear) {
+  auto who = near_its_end();
+  who.on_mode(px4, px4_hold, false, s);
+  ASSERT_TRUE(who.is_unclear());
+  who.take_away(holder::person);
+  EXPECT_FALSE(who.is_unclear());
 }
 
 } // namespace control_authority_test

@@ -76,5 +76,32 @@ TEST(mode_tables, by_the_text_alone_a_return_that_we_ordered_may_end_in_a_hold) 
   EXPECT_FALSE(follows_by_itself(by_the_text, 11, 4, false));
 }
 
+TEST(mode_tables, of_a_plane_only_a_return_may_be_obeyed_by_several_modes) {
+  EXPECT_EQ(modes_obeying(plane, mode_kind::returning), (modes{11, 21, 20}));
+  EXPECT_EQ(modes_obeying(plane, mode_kind::mission), modes{10});
+}
+
+TEST(mode_tables, landings_and_returns_lead_down) {
+  for (const auto last : {mav_cmd::nav_land, mav_cmd::nav_vtol_land, mav_cmd::nav_return_to_launch})
+    EXPECT_TRUE(leads_down(number(last)));
+  EXPECT_FALSE(leads_down(number(mav_cmd::nav_waypoint)));
+}
+
+TEST(mode_tables, after_a_disarm_a_px4_may_hold_or_be_in_its_mission) {
+  constexpr std::uint32_t px4_mission_number = 4U << 16U | 4U << 24U;
+  EXPECT_TRUE(may_follow_disarm(px4, px4_mission_number));
+  EXPECT_TRUE(may_follow_disarm(px4, px4_hold_number));
+  EXPECT_FALSE(may_follow_disarm(px4, px4_return));
+  EXPECT_FALSE(may_follow_disarm(copter, 3));
+}
+
+TEST(mode_tables, the_take_off_of_a_px4_ends_in_its_mission_or_in_a_hold) {
+  constexpr std::uint32_t px4_take_off = 4U << 16U | 2U << 24U;
+  EXPECT_TRUE(follows_by_itself(px4, px4_take_off, 4U << 16U | 4U << 24U, false));
+  EXPECT_TRUE(follows_by_itself(px4, px4_take_off, px4_hold_number, false));
+  EXPECT_FALSE(follows_by_itself(px4, px4_take_off, px4_return, false));
+  EXPECT_FALSE(follows_by_itself(px4, px4_return, px4_hold_number, false));
+}
+
 } // namespace mode_tables_test
 } // namespace godwit::flight

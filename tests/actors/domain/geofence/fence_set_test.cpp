@@ -174,4 +174,31 @@ RC_GTEST_PROP(fence_set_property, a_leg_and_its_way_back_have_one_verdict, ()) {
   RC_ASSERT(judge.breach_on(from, to).has_value() == judge.breach_on(to, from).has_value());
 }
 
+TEST(fence_set, only_an_exclusion_excludes_a_way_and_only_at_its_heights) {
+  const auto fences = fence_set::build({fence_of(fence_kind::inclusion, square(10)),
+                                        fence_of(fence_kind::exclusion, square(10), 20, 40)})
+                          .value();
+  const auto from = place_at(-20, 0).at;
+  const auto to = place_at(20, 0).at;
+  EXPECT_FALSE(fences.excludes(0, from, to, {30, 30}));
+  EXPECT_TRUE(fences.excludes(1, from, to, {30, 30}));
+  EXPECT_TRUE(fences.excludes(1, from, to, {0, 20}));
+  EXPECT_FALSE(fences.excludes(1, from, to, {41, 60}));
+  EXPECT_FALSE(fences.excludes(1, from, place_at(-20, 50).at, {30, 30}));
+}
+
+TEST(fence_set, it_is_known_where_a_way_leaves_the_inclusions_that_have_all_its_heights) {
+  const auto inside = place_at(0, 0).at;
+  const auto outside = place_at(20, 0).at;
+  const auto free = fence_set::build({fence_of(fence_kind::exclusion, square(10))}).value();
+  EXPECT_FALSE(free.leaves_inclusions_at(inside, outside, {30, 30}));
+  const auto low = fence_set::build({fence_of(fence_kind::inclusion, square(10), {}, 40),
+                                     fence_of(fence_kind::exclusion, square(100))})
+                       .value();
+  EXPECT_FALSE(low.leaves_inclusions_at(inside, place_at(5, 0).at, {30, 30}));
+  EXPECT_NEAR(low.leaves_inclusions_at(inside, outside, {30, 30}).value_or(-1), 0.5, 1e-6);
+  EXPECT_NEAR(low.leaves_inclusions_at(outside, inside, {30, 30}).value_or(-1), 0, 1e-6);
+  EXPECT_NEAR(low.leaves_inclusions_at(inside, place_at(5, 0).at, {30, 50}).value_or(-1), 0, 1e-6);
+}
+
 } // namespace fence_set_test

@@ -26,6 +26,11 @@ public:
     const auto items = static_cast<std::size_t>(whole(1, static_cast<int>(most_items)));
     for (std::size_t i = 0; i < items; ++i)
       result.items.push_back(any_item("item-" + std::to_string(i + 1)));
+    if (whole(0, 1) == 0) {
+      result.items.push_back(any_command("item-" + std::to_string(items + 1)));
+      result.items.push_back(jump{"item-" + std::to_string(items + 2), id_of(result.items.front()), whole(0, 5)});
+      result.schema_version = schema_version_2;
+    }
     for (int i = whole(0, 3); i > 0; --i)
       result.geofences.push_back(fence());
     return result;
@@ -47,6 +52,24 @@ public:
       return return_home{id, whole(0, 1) == 0 ? std::optional(return_goal::home) : std::nullopt};
     default:
       return waypoint{id, place(), number(0, 60), number(0, 20), maybe(0.1, 40)};
+    }
+  }
+
+  // Acts, waits and moves that godwit has no kind of its own for; single precision, as vehicles and lines keep it.
+  item any_command(const std::string& id) {
+    const auto single = [&](double least, double most) {
+      return std::optional<double>(static_cast<float>(number(least, most)));
+    };
+    const auto degrees = [&](double most) { return std::optional(std::round(number(-most, most) * 1e7) / 1e7); };
+    switch (whole(0, 3)) {
+    case 0:
+      return command_item{id, 206, 2, {single(0, 50), 0, 1, 0, 0, 0, 0}, true};
+    case 1:
+      return command_item{id, 112, 2, {single(0, 50), 0, 0, 0, 0, 0, 0}, true};
+    case 2:
+      return command_item{id, 31, 3, {1, single(-90, 90), 0, 1, degrees(89), degrees(179), single(1, 100)}, true};
+    default:
+      return command_item{id, 82, 0, {0, 0, 0, 0, degrees(89), degrees(179), single(1, 900)}, whole(0, 1) == 0};
     }
   }
 

@@ -58,7 +58,7 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
       {"/items/1/mps", -1, form, "/items/1/mps is -1; allowed: a number above 0 up to 500"},
       {"/items/0/kind", "hover", form,
        "/items/0/kind is \"hover\"; allowed: \"takeoff\", \"waypoint\", \"loiter\", \"change_speed\", \"survey\", "
-       "\"land\" or \"return\""},
+       "\"land\", \"return\", \"command\" or \"jump\""},
       {"/items/0/altitude", 4, form,
        "/items/0/altitude is not known; did you mean altitude_m?; allowed: altitude_m, id, kind"},
       {"/items/3/heading_deg", 360, form, "/items/3/heading_deg is 360; allowed: a number from 0 below 360"},
@@ -68,8 +68,8 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
        "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42"},
       {"/revision", 0, form, "/revision is 0; allowed: a whole number from 1 to 2147483647"},
       {"/pilot", "me", form,
-       "/pilot is not known; allowed: geofences, items, mission_id, planned_home, return_point, revision, "
-       "schema_version"},
+       "/pilot is not known; allowed: breach_return_point, geofences, items, mission_id, planned_home, rally_points, "
+       "return_point, revision, schema_version"},
       {"/geofences/0/kind", "inclusion", form,
        "/geofences/0/kind is \"inclusion\"; allowed: \"INCLUSION\" or \"EXCLUSION\""},
       {"/items/5/id", "up", rule, "/items/5/id is \"up\", as of item 0; allowed: an id that no other item has"},
@@ -85,8 +85,8 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
        rule,
        "/items/3/polygon has edges 1 and 3 that cross or touch; allowed: at least 3 different corners, edges that do "
        "not cross or touch"},
-      {"/schema_version", "2.0.0", document_errc::other_version,
-       "/schema_version is \"2.0.0\"; allowed: versions 1.x.y: this program speaks 1.0.0"},
+      {"/schema_version", "3.0.0", document_errc::other_version,
+       "/schema_version is \"3.0.0\"; allowed: versions 1.x.y and 2.x.y"},
       {"/schema_version", "1.0", form, "/schema_version is \"1.0\"; allowed: a version such as 1.0.0"},
   };
   for (const auto& each : cases) {
@@ -101,7 +101,7 @@ TEST(read_mission, another_minor_version_is_read) {
 }
 
 TEST(read_mission, the_version_is_told_before_the_form_because_the_form_may_have_changed) {
-  EXPECT_EQ(error_of({{"schema_version", "2.1.0"}, {"steps", 5}}).code, document_errc::other_version);
+  EXPECT_EQ(error_of({{"schema_version", "3.1.0"}, {"steps", 5}}).code, document_errc::other_version);
 }
 
 TEST(read_mission, a_missing_property_is_named) {

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "actors/domain/mission/read.hpp"
@@ -119,7 +121,7 @@ TEST(rules, map_objects_stand_once_in_a_page) {
   EXPECT_EQ(problems_of(map_object_page{"1.0.0", {object, object}, {}}),
             "/map_objects/1/object_id stands twice in this list\n");
   EXPECT_EQ(problems_of(map_object_page{"3.0.0", {}, {}}),
-            "/schema_version is \"3.0.0\"; allowed: versions 1.x.y: this program speaks 1.0.0\n");
+            "/schema_version is \"3.0.0\"; allowed: versions 1.x.y and 2.x.y\n");
 }
 
 TEST(rules, ignored_items_have_an_mgrs_cell) {
@@ -152,6 +154,58 @@ TEST(rules, a_problem_may_say_more_than_we_know) {
   EXPECT_EQ(value->status, 410);
   EXPECT_EQ(value->errors.at(0).detail, "deleted");
   expect_same_again(receipt{3, 4});
+}
+
+document looping(std::vector<item> items) {
+  document result;
+  result.mission_id = some_uuid;
+  result.schema_version = schema_version_2;
+  result.items = std::move(items);
+  return result;
+}
+
+command_item command_of(const char* id, std::uint16_t number) { return {id, number, 2, {1, 0, 0, 0, 0, 0, 0}, true}; }
+
+std::string faults_of(const document& mission) {
+  std::string text;
+  for (const auto& each : broken_rules(mission))
+    text += each.message() + '\n';
+  return text;
+}
+
+TEST(rules, a_jump_leads_to_another_item_of_the_mission) {
+  const waypoint there{"w", {47, 8, 20}, 0, 0, {}};
+  EXPECT_EQ(faults_of(looping({there, jump{"j", "w", 2}})), "");
+  EXPECT_EQ(faults_of(looping({there, jump{"j", "x", 2}})),
+            "/items/1/to is \"x\", which no item is called; allowed: the id of an item\n");
+  EXPECT_EQ(faults_of(looping({there, jump{"j", "j", 2}})),
+            "/items/1/to leads to itself; allowed: the id of another item\n");
+}
+
+TEST(rules, a_loop_without_an_end_has_an_item_that_moves_the_vehicle) {
+  const waypoint there{"w", {47, 8, 20}, 0, 0, {}};
+  const auto wait = command_of("d", 93);
+  EXPECT_EQ(faults_of(looping({there, wait, jump{"j", "w", -1}})), "");
+  EXPECT_EQ(faults_of(looping({there, wait, jump{"j", "d", 7}})), "") << "it ends";
+  EXPECT_EQ(
+      faults_of(looping({there, wait, jump{"j", "d", -1}})),
+      "/items/2/to leads back for ever, and no item in between moves the vehicle; allowed: an item that moves it\n");
+}
+
+TEST(rules, commands_and_jumps_belong_to_version_2) {
+  auto mission = looping({command_of("c", 206)});
+  EXPECT_EQ(faults_of(mission), "");
+  mission.schema_version = "1.0.0";
+  EXPECT_EQ(faults_of(mission), "/schema_version is \"1.0.0\", and item \"c\" is of kind command; allowed: 2.0.0\n");
+}
+
+TEST(rules, the_place_of_a_command_is_on_earth_and_finite) {
+  command_item point{"c", 16, 0, {0, 0, 0, 0, 95, 181, 20}, true};
+  EXPECT_EQ(faults_of(looping({point})), "/items/0/params/4 is 95; allowed: a number from -90 to 90\n"
+                                         "/items/0/params/5 is 181; allowed: a number from -180 to 180\n");
+  point.params[4] = std::nan("");
+  point.params[5] = 8;
+  EXPECT_EQ(faults_of(looping({point})), "/items/0/params/4 is no finite number\n");
 }
 
 } // namespace rules_test

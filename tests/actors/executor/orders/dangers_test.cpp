@@ -76,6 +76,7 @@ TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_start_is_not_armed_again) 
       EXPECT_LE(world.starts(), starts + 1) << world.story();
       EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
       EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+      EXPECT_EQ(world.sentence().find("stands armed"), std::string::npos) << world.sentence();
     }
 }
 
@@ -162,6 +163,57 @@ TEST_P(danger, what_a_person_has_changed_on_the_ground_is_not_started_by_itself)
       EXPECT_TRUE(world.run_until_phase(phase::flying, 20)) << world.story();
     }
   }
+}
+
+// Any moment of the upload: what shows the mode last before the start is a heartbeat, a CURRENT_MODE (PX4), or the look
+// that the start begins with.
+TEST_P(danger, a_mode_of_a_person_that_is_shown_just_before_a_start_by_itself_keeps_it_back) {
+  int tried = 0;
+  for (const auto mode : {pilot_mode(who()), mission_mode(who())})
+    for (int ms = 0; ms < 1'500; ms += 50) {
+      auto wanted = settings();
+      wanted.start = start_policy::automatic;
+      flight_world world(wanted);
+      world.load(tests::short_mission(who()));
+      ASSERT_TRUE(world.run_until_phase(phase::uploading, 120)) << world.story();
+      world.run_for(ms / 1e3);
+      if (world.durable().status.now != phase::uploading)
+        break;
+      if (world.heard_mode() == mode)
+        continue;
+      ++tried;
+      world.switch_mode(mode);
+      world.run_for(30);
+      EXPECT_EQ(world.arms(), 0) << ms << " ms\n" << world.story();
+      EXPECT_EQ(world.starts(), 0) << ms << " ms\n" << world.story();
+    }
+  EXPECT_GT(tried, 0);
+}
+
+// A start that came through when a person had the vehicle already.
+TEST_P(danger, a_vehicle_that_flies_our_plan_when_it_is_handed_back_is_followed_to_the_end) {
+  if (who() == personality::plane)
+    return; // it is not started by hand
+  flight_world world(settings());
+  world.load(tests::short_mission(who()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().armed; }, 10)) << world.story();
+  world.switch_mode(pilot_mode(who()));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 10))
+      << world.story();
+  if (who() == personality::rover) { // which does not begin in the mode in which it is
+    world.fly_by_hand(hold_mode(who()));
+    world.person().command(io::mavlink::mav_cmd::mission_start);
+  } else {
+    world.fly_by_hand(mission_mode(who()));
+  }
+  world.run_for(3);
+  const auto orders = world.orders();
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
+  EXPECT_EQ(world.orders(), orders) << "it goes its way";
+  EXPECT_TRUE(world.run_until_phase(phase::done, 300)) << world.story();
 }
 
 // An acknowledgement goes to who has asked, on that line.
@@ -277,6 +329,22 @@ TEST_P(danger, items_that_somebody_else_jumps_over_are_not_reported_as_reached) 
   world.person().choose_item(w3->first_sequence, who() == personality::px4);
   world.run_for(120);
   EXPECT_FALSE(is_reported(world, progress_kind::reached, "w2")) << world.story();
+}
+
+// Whose first position comes after the start, and which has not moved yet.
+TEST_P(danger, an_item_that_somebody_else_chooses_right_after_the_start_is_not_taken_for_the_way_there) {
+  auto wanted = settings();
+  wanted.start = start_policy::automatic;
+  flight_world world(wanted);
+  const auto first = who() == personality::rover ? "w1" : "up";
+  ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, first));
+  world.run_for(0.3);
+  const auto& items = world.durable().progress.plan->map.items;
+  const auto w2 = std::ranges::find(items, "w2", &progress::mapped_item::item_id);
+  ASSERT_NE(w2, items.end());
+  world.person().choose_item(w2->first_sequence, who() == personality::px4);
+  world.run_for(10);
+  EXPECT_FALSE(is_reported(world, progress_kind::reached, "w1")) << world.story();
 }
 
 std::string name_of_case(const testing::TestParamInfo<std::tuple<personality, bool>>& info) {

@@ -240,5 +240,73 @@ TEST_P(advance_any, plans_of_one_mission_have_the_indices_of_the_mission_and_onl
     EXPECT_EQ(d.reports[i].report_no, i + 1);
 }
 
+// A waypoint, an act, an item that this kind of vehicle passes over, a waypoint.
+plan_map with_roles(const flavour& vehicle) {
+  auto map = map_of(vehicle, {"A", "act", "over", "B"});
+  map.items[1].role = item_role::acts;
+  map.items[2].role = item_role::unflown;
+  for (const int i : {1, 2}) {
+    map.items[static_cast<std::size_t>(i)].first_nav_sequence.reset();
+    map.items[static_cast<std::size_t>(i)].last_nav_sequence.reset();
+  }
+  return map;
+}
+
+TEST_P(advance_any, an_act_is_passed_and_what_the_vehicle_passes_over_is_skipped) {
+  d.upload(with_roles(d.vehicle));
+  d.current(0);
+  d.wait_s(3);
+  d.current(0);
+  d.said();
+  d.reached(0);
+  d.current(3);
+  d.wait_s(2);
+  d.current(3);
+  EXPECT_EQ(d.said(),
+            (texts{"reached A#0 g1", "passed act#1 g1 inferred", "skipped over#2 g1 inferred", "started B#3 g1"}));
+}
+
+// As of a DO behind a waypoint: PX4 and ArduPilot have room for one of the two.
+TEST_P(advance_any, a_reached_of_an_act_in_place_of_its_waypoint_tells_of_neither_what_was_not_flown) {
+  d.upload(with_roles(d.vehicle));
+  d.current(0);
+  d.wait_s(3);
+  d.current(0);
+  d.said();
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{}) << "the vehicle is still seen on its way";
+  d.current(3);
+  d.wait_s(2);
+  d.current(3);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1 inferred", "passed act#1 g1 inferred", "skipped over#2 g1 inferred",
+                             "started B#3 g1"}));
+}
+
+// The rounds of a DO_JUMP: MISSION_CURRENT goes back, and REACHED comes again.
+TEST_P(advance_any, what_is_flown_again_in_a_loop_is_reported_once) {
+  auto map = map_of(d.vehicle, {"A", "B", "jump", "C"});
+  map.items[2].role = item_role::acts;
+  map.items[2].first_nav_sequence.reset();
+  map.items[2].last_nav_sequence.reset();
+  d.upload(map);
+  d.current(0);
+  d.wait_s(3);
+  d.current(0);
+  for (int round = 0; round < 3; ++round) {
+    d.current(0);
+    d.wait_s(2);
+    d.reached(0);
+    d.current(1);
+    d.wait_s(2);
+    d.reached(1);
+  }
+  d.current(3);
+  d.reached(3);
+  const texts wanted{
+      "started A#0 g1", "reached A#0 g1", "started B#1 g1", "reached B#1 g1", "passed jump#2 g1 inferred",
+      "started C#3 g1", "reached C#3 g1", "complete g1"};
+  EXPECT_EQ(d.said(), wanted);
+}
+
 } // namespace advance_test
 } // namespace godwit::executor::progress

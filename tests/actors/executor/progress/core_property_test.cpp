@@ -6,12 +6,9 @@
 
 #include <rapidcheck/gtest.h>
 
-#include <cstdlib>
-#include <ctime>
-#include <random>
-
 #include "io/fields/json_text.hpp"
 #include "tests/actors/executor/progress/model_flight.hpp"
+#include "tests/support/run_options.hpp"
 
 namespace godwit::executor::progress {
 namespace core_property_test {
@@ -24,15 +21,8 @@ constexpr int kinds_of_vehicle = 3; // these flights are shared among them
 constexpr int one_in_is_played_twice = 50;
 constexpr int one_in_has_a_calm_one_too = 6;
 
-std::uint64_t first_seed() {
-  const char* given = std::getenv("TEST_SEED");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
-}
-
 int flights_of_each_kind() {
-  const char* full = std::getenv("TEST_FULL");
-  const bool is_full = full != nullptr && std::string(full) == "1";
-  return ((is_full ? flights_if_full : flights) + kinds_of_vehicle - 1) / kinds_of_vehicle;
+  return ((tests::is_full_run() ? flights_if_full : flights) + kinds_of_vehicle - 1) / kinds_of_vehicle;
 }
 
 // Of the same flight again, with each event.
@@ -46,7 +36,7 @@ std::string log_of(std::uint64_t seed, const flavour& which) {
 class progress_flights : public testing::TestWithParam<flavour> {};
 
 TEST_P(progress_flights, are_reported_truthfully_whatever_happens) {
-  const auto first = first_seed();
+  const auto first = tests::first_seed();
   const int count = flights_of_each_kind();
   std::uint64_t events = 0;
   const auto began = std::clock();
@@ -66,7 +56,7 @@ TEST_P(progress_flights, are_reported_truthfully_whatever_happens) {
 }
 
 TEST_P(progress_flights, that_are_calm_have_nothing_inferred) {
-  const auto first = first_seed();
+  const auto first = tests::first_seed();
   for (int i = 0; i < flights_of_each_kind() / one_in_has_a_calm_one_too; ++i) {
     const auto seed = first + static_cast<std::uint64_t>(i);
     model_flight flight(seed, GetParam());

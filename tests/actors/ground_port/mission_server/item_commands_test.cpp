@@ -20,10 +20,14 @@ TEST(item_commands, orders_are_no_items) {
 }
 
 TEST(item_commands, what_ground_stations_put_into_missions_is_known) {
-  for (const int id :
-       {16,  17,  18,  19,  20,  21,  22,  31,  82,  84,  85,  93,  112, 113, 114, 115,  176,  177,  178, 179,
-        181, 182, 183, 184, 189, 195, 196, 197, 201, 202, 203, 205, 206, 207, 211, 2000, 2001, 2500, 2501})
+  for (const int id : {16,  17,  18,  19,  20,  21,  22,  31,  82,  84,  85,  93,  112, 114, 115,  177,  178,  179, 181,
+                       182, 183, 184, 189, 195, 196, 197, 201, 202, 203, 205, 206, 207, 211, 2000, 2001, 2500, 2501})
     EXPECT_TRUE(place_of(static_cast<std::uint16_t>(id), mav_mission_type::mission)) << id;
+}
+
+TEST(item_commands, what_every_vehicle_refuses_is_no_item) {
+  for (const int id : {23, 36, 113, 176, 12'345})
+    EXPECT_FALSE(place_of(static_cast<std::uint16_t>(id), mav_mission_type::mission)) << id;
 }
 
 TEST(item_commands, some_are_somewhere_and_some_are_not) {

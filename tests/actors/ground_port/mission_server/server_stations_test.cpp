@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ostream>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "io/mavlink/plan_meaning.hpp"
+#include "tests/support/run_options.hpp"
 #include "tests/support/test_rng.hpp"
 #include "tests/support/time_units.hpp"
 #include "tests/support/transfer_world.hpp"
@@ -181,10 +181,8 @@ class server_stations : public testing::TestWithParam<kind> {};
 
 TEST_P(server_stations, three_at_once_leave_a_whole_plan_and_are_told_the_truth) {
   const char* one = std::getenv("TEST_SEED");
-  const char* full = std::getenv("TEST_FULL");
-  const bool is_full = full != nullptr && std::string(full) == "1";
-  const auto first = one != nullptr ? std::strtoull(one, nullptr, 10) : std::random_device{}();
-  const int runs = one != nullptr ? 1 : is_full ? runs_of_each_if_full : runs_of_each;
+  const auto first = first_seed();
+  const int runs = one != nullptr ? 1 : is_full_run() ? runs_of_each_if_full : runs_of_each;
   for (int i = 0; i < runs && !HasFailure(); ++i) {
     const auto seed = first + static_cast<std::uint64_t>(i);
     SCOPED_TRACE("to run it again: TEST_SEED=" + std::to_string(seed));

@@ -51,6 +51,17 @@ struct audited_px4 {
     become(mode, is_armed, before.in_air);
     audit.on_handled(mavlink::encode(by, {254, 190}, 0).view(), true, before, seen, now_ns);
   }
+  // An order of godwit's, which changes nothing.
+  void godwits_is_handled(const mavlink::command_long& what) {
+    audit.on_handled(mavlink::encode(what, godwit_id, 0).view(), false, seen, seen, now_ns);
+  }
+  void answer_to_person_comes(std::uint16_t command) {
+    audit.on_delivered(
+        mavlink::encode(mavlink::command_ack{.command = command, .target_system = 254, .target_component = 190},
+                        vehicle_id, 0)
+            .view(),
+        now_ns);
+  }
   void accepts(mav_cmd what) {
     audit.on_answered(mavlink::encode(mavlink::command_ack{.command = number(what),
                                                            .target_system = godwit_id.system,
@@ -171,20 +182,64 @@ TEST(people_audit, an_act_that_was_overridden_before_it_could_be_known_is_over) 
   EXPECT_TRUE(world.audit.findings().empty());
 }
 
+const auto to_mission = audited_px4::command_of(mav_cmd::do_set_mode, 1, 4, 4);
+
 TEST(people_audit, a_mode_that_godwit_asks_for_in_the_same_moment_is_nobodys_where_no_answer_is_heard) {
-  for (const bool hears_people : {false, true}) {
+  audited_px4 world;
+  world.become("AUTO.LOITER", true);
+  world.person_makes("AUTO.MISSION", true, to_mission);
+  world.godwits_is_handled(to_mission);
+  world.heartbeat_comes(mission);
+  world.wait(2 * s);
+  world.godwit_commands(mav_cmd::mission_start);
+  EXPECT_EQ(world.found("taken"), 0U);
+}
+
+TEST(people_audit, a_mode_that_godwit_asks_for_in_the_same_moment_is_the_persons_from_the_answer_to_them_on) {
+  for (const auto command : {number(mav_cmd::do_set_mode), std::uint16_t{mavlink::set_mode::message_id}}) {
     audited_px4 world;
-    world.audit = people_audit(
-        sim::personality::px4, [&world] { return world.seen; }, hears_people);
     world.become("AUTO.LOITER", true);
-    world.person_makes("AUTO.MISSION", true, audited_px4::command_of(mav_cmd::do_set_mode, 1, 4, 4));
-    const auto ours = audited_px4::command_of(mav_cmd::do_set_mode, 1, 4, 4);
-    world.audit.on_handled(mavlink::encode(ours, godwit_id, 0).view(), false, world.seen, world.seen, world.now_ns);
-    world.heartbeat_comes(mission);
-    world.wait(2 * s);
+    world.person_makes("AUTO.MISSION", true, to_mission);
+    world.godwits_is_handled(to_mission);
+    world.answer_to_person_comes(command);
+    world.wait(200 * ms);
     world.godwit_commands(mav_cmd::mission_start);
-    EXPECT_EQ(world.found("taken"), hears_people ? 1U : 0U);
+    EXPECT_EQ(world.found("taken"), 0U) << "it was on its way";
+    world.wait(200 * ms);
+    world.godwit_commands(mav_cmd::mission_start);
+    EXPECT_EQ(world.found("taken: MISSION_START was sent 0.40 s after"), 1U) << command;
   }
+}
+
+TEST(people_audit, the_same_mode_that_godwit_asks_for_after_it_was_shown_is_the_persons) {
+  audited_px4 world;
+  world.become("AUTO.LOITER", true);
+  world.person_makes("AUTO.MISSION", true, to_mission);
+  world.heartbeat_comes(mission);
+  world.wait(1 * s);
+  world.godwits_is_handled(to_mission);
+  world.godwit_commands(mav_cmd::mission_start);
+  EXPECT_EQ(world.found("taken"), 1U);
+}
+
+TEST(people_audit, another_mode_than_the_one_that_godwit_asks_for_in_the_same_moment_is_the_persons) {
+  audited_px4 world;
+  world.become("AUTO.LOITER", true);
+  world.godwits_is_handled(to_mission);
+  world.person_makes("POSCTL", true, to_position_control);
+  world.wait(2 * s);
+  world.godwit_commands(mav_cmd::mission_start);
+  EXPECT_EQ(world.found("taken"), 1U);
+}
+
+TEST(people_audit, finds_an_order_after_the_answer_to_a_person_has_come_to_godwit) {
+  audited_px4 world;
+  world.become("AUTO.LOITER", true);
+  world.person_makes("POSCTL", true, to_position_control);
+  world.answer_to_person_comes(number(mav_cmd::do_set_mode));
+  world.wait(400 * ms);
+  world.godwit_commands(mav_cmd::do_set_mode, 1, 4, 4);
+  EXPECT_EQ(world.found("taken: the mission mode was sent 0.40 s after"), 1U);
 }
 
 // -- foreign ----------------------------------------------------------------------------------------

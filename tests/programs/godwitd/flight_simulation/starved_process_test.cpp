@@ -33,6 +33,27 @@ TEST_P(starved_start, is_not_gone_on_with_before_a_person_says_so) {
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
+// A hold of a person beside a vehicle that stands in this mode shows in nothing that is heard on godwit's line, and the
+// socket of a process that was stopped keeps only so much of what is.
+TEST_P(starved_start, is_not_gone_on_with_after_a_second_in_which_a_person_may_have_acted) {
+  const sim::line_settings each_way{.delay = std::chrono::milliseconds(20)};
+  flight_simulation flight({.who = GetParam(),
+                            .speed = 2,
+                            .stream_factor = 0.5,
+                            .is_person_on_other_line = true,
+                            .line = {each_way, each_way}});
+  ASSERT_TRUE(flight.run_until_phase(phase::starting, 120)) << flight.story();
+  const auto began_ns = flight.now_ns();
+  ASSERT_TRUE(flight.run_until([&] { return flight.vehicle().describe().armed; }, 10)) << flight.story();
+  ASSERT_EQ(missions_started_since(flight, began_ns), 0) << flight.story();
+  flight.suspend_process(1.8);
+  flight.run_for(1);
+  flight.person().change_mode(GetParam(), hold_mode(GetParam()), mode_form::do_set_mode_armed);
+  flight.run_for(12);
+  EXPECT_EQ(missions_started_since(flight, began_ns), 0) << flight.story();
+  EXPECT_FALSE(flight.vehicle().describe().in_air) << flight.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, starved_start,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });

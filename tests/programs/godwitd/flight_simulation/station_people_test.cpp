@@ -1,10 +1,15 @@
 // People who act through a ground station, on the real composition of the daemon: what they do comes to the vehicle,
 // and from then on the vehicle is theirs.
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
+#include "io/mavlink/frame.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 
@@ -15,6 +20,15 @@ using namespace godwit::drill;
 using executor::pause_cause;
 using executor::phase;
 using io::mavlink::mav_cmd;
+
+// MANUAL_CONTROL to system 1: all axes in the middle, no button.
+std::vector<std::byte> neutral_sticks() {
+  constexpr std::uint8_t crc_extra = 243;
+  constexpr std::array<std::uint8_t, 11> payload{0, 0, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1};
+  const io::mavlink::frame_buffer frame(69, crc_extra, std::as_bytes(std::span(payload)), simulated_station::self, 0,
+                                        false);
+  return {frame.span().begin(), frame.span().end()};
+}
 
 class station_people : public testing::TestWithParam<sim::personality> {
 protected:
@@ -157,6 +171,28 @@ TEST_P(station_people, FR_00089_an_item_that_a_station_chooses_in_flight_is_flow
 INSTANTIATE_TEST_SUITE_P(every_vehicle, station_people,
                          testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
                                          sim::personality::plane),
+                         [](const auto& who) { return std::string(io::name_of(who.param)); });
+
+// A virtual joystick that nobody touches, at 10 Hz: a PX4 that has heard it and misses it returns.
+class idle_sticks : public testing::TestWithParam<sim::personality> {};
+
+TEST_P(idle_sticks, keep_no_mission_from_its_end) {
+  flight_simulation flight({.who = GetParam(), .speaks_as_autopilot = true});
+  std::int64_t next_ns = 0;
+  const auto is_done = [&] {
+    if (flight.now_ns() >= next_ns) {
+      flight.station().send_frame(neutral_sticks());
+      next_ns = flight.now_ns() + 100'000'000;
+    }
+    return flight.status().now == phase::done;
+  };
+  EXPECT_TRUE(flight.run_until(is_done, 300)) << flight.story();
+  EXPECT_FALSE(flight.was_told("Failsafe activated")) << flight.story();
+  EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(every_vehicle, idle_sticks,
+                         testing::Values(sim::personality::rover, sim::personality::px4, sim::personality::ardupilot),
                          [](const auto& who) { return std::string(io::name_of(who.param)); });
 
 } // namespace station_people_test

@@ -10,7 +10,7 @@ import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { after, test } from "node:test";
-import { load, root, until, wait } from "./flight_world.mjs";
+import { load, root, soon, until, wait } from "./flight_world.mjs";
 
 const speed = 6;
 const ready_ms = 60_000; // for all programs to be there; and from there to flying: fetch, checks, upload
@@ -63,13 +63,17 @@ test("the page of the demo shows its end as it was", async () => {
   await until(() => heard.includes("the flight is over"), "the flight is over", all_heard, flight_ms);
   for (const [where, words] of [["#phase strong", "done"], ["#line", "live"], ["#authority strong", "nobody"]])
     await until(() => shows(where, words), `${words} in ${where}`, all_heard);
-  const [, done, items] = /(\d+) of (\d+) items/.exec(await page.textContent("#progress"));
-  assert.equal(done, items);
-  assert.equal(await page.locator("#tab-body tr.done").count(), Number(items));
+  await soon(async () => {
+    const [, done, items] = /(\d+) of (\d+) items/.exec(await page.textContent("#progress"));
+    assert.equal(done, items);
+    assert.equal(await page.locator("#tab-body tr.done").count(), Number(items));
+  });
   await page.click("#tab-missions");
-  const missions = page.locator("#missions tbody tr");
-  assert.equal(await missions.count(), 1);
-  assert.match(await missions.first().textContent(), /complete.*missions service/s);
+  await soon(async () => {
+    const missions = page.locator("#missions tbody tr");
+    assert.equal(await missions.count(), 1);
+    assert.match(await missions.first().textContent(), /complete.*missions service/s);
+  });
   await until(async () => (await page.locator(".instrument.old").count()) === 0, "no value is old");
   await page.waitForSelector(".mark-vehicle:not(.old)");
   await page.click("#see-all");

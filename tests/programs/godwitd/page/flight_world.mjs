@@ -49,6 +49,17 @@ export async function until(condition, what, more = () => "", within_ms = patien
   throw new Error(`it did not come: ${what}\n${more()}`);
 }
 
+// A page draws what it hears a moment later: CHECK is repeated until it throws nothing any more.
+export async function soon(check, within_ms = patience_ms) {
+  for (const end = Date.now() + within_ms; ; await wait(20)) {
+    try {
+      return await check();
+    } catch (error) {
+      if (Date.now() >= end) throw error;
+    }
+  }
+}
+
 export class flight_world {
   // MORE, VEHICLE_MORE: options of godwitd and of the vehicle. HAS_SERVICE: the mission comes from a missions service.
   constructor({ speed = 5, mission = join(root, "missions/survey.json"), more = [], vehicle_more = [], has_service = false } = {}) {

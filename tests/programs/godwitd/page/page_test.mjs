@@ -8,7 +8,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { flight_world, hold, load, root, until, value_of, wait } from "./flight_world.mjs";
+import { flight_world, hold, load, root, soon, until, value_of, wait } from "./flight_world.mjs";
 import { take_the_sticks } from "./pilot.mjs";
 
 const markup = "<img src=x onerror=alert(1)>";
@@ -55,17 +55,17 @@ test("an operator logs in by name where browsers have no crypto, and sees the ve
   assert.equal(await page.evaluate("typeof crypto.subtle"), "undefined");
   await shows("#line", "live");
   await world.log_in(page);
-  assert.equal(await text("#me"), "anna operator");
+  await soon(async () => assert.equal(await text("#me"), "anna operator"));
   await shows("#phase", "ready");
-  assert.match(await text("#authority"), /nobody/);
-  assert.ok(Math.abs(Number(await value_of(page, "Altitude"))) < 2);
+  await soon(async () => assert.match(await text("#authority"), /nobody/));
+  await soon(async () => assert.ok(Math.abs(Number(await value_of(page, "Altitude"))) < 2));
   await page.waitForSelector(".mark-vehicle");
   await page.waitForSelector(".mark-home");
 });
 
 test("tiles of a file are shown, with their attribution as text", async () => {
   await page.waitForSelector(".leaflet-tile-loaded", { state: "attached" });
-  assert.equal(await text(".leaflet-control-attribution"), "grey <tiles> of the tests");
+  await soon(async () => assert.equal(await text(".leaflet-control-attribution"), "grey <tiles> of the tests"));
 });
 
 test("what the checks have found is shown", async () => {
@@ -105,12 +105,12 @@ test("a mission is dropped, looked at, shown, refused with the reason where it i
   await page.click("#tab-missions");
   await page.setInputFiles("#mission-file", join(root, "tests/data/missions/wrong_types.plan"));
   await page.waitForSelector("#refusal-mission");
-  assert.ok(await page.isDisabled("#hand-over-mission"));
+  await soon(async () => assert.ok(await page.isDisabled("#hand-over-mission")));
   await page.setInputFiles("#mission-file", { name: "notes.odt", mimeType: "text/plain", buffer: Buffer.from("x") });
   await shows("#refusal-mission", "means no format");
   await page.setInputFiles("#mission-file", join(root, "tests/data/missions/fence.plan"));
   await shows(".upload", "It is drawn on the map.");
-  assert.ok(await page.isDisabled("#hand-over-mission"), "without control");
+  await soon(async () => assert.ok(await page.isDisabled("#hand-over-mission"), "without control"));
   await page.click("#take-control");
   await hold(page, "#hand-over-mission");
   await shows(".upload .taken", "fence.plan was handed over");
@@ -133,7 +133,7 @@ test("names that look like markup stay text", async () => {
 });
 
 test("what moves the vehicle needs control, and is held down to confirm", async () => {
-  assert.ok(await page.isDisabled("#command-start"));
+  await soon(async () => assert.ok(await page.isDisabled("#command-start")));
   await page.click("#take-control");
   await shows("#control .words", "You have control.");
   await page.click("#command-start"); // too short
@@ -156,14 +156,14 @@ test("in flight the mission is listed as flown, and what the way home needs stan
 test("a refusal stands beside its button with its reason", async () => {
   await hold(page, "#command-start");
   await page.waitForSelector("#refusal-start");
-  assert.ok((await text("#refusal-start")).length > 10);
+  await soon(async () => assert.ok((await text("#refusal-start")).length > 10));
 });
 
 test("a second operator sees who has control, can stop and can not start; an engineer takes it over, and overrides a rule of the failsafe", async () => {
   const other = await world.open_browser();
   await world.log_in(other, "bob");
   await shows("#control .words", "anna has control.", other);
-  assert.ok(await other.isDisabled("#command-start"));
+  await soon(async () => assert.ok(await other.isDisabled("#command-start")));
   await other.click("#command-pause");
   await shows("#phase", "paused", other);
   await shows("#phase", "paused");
@@ -173,11 +173,11 @@ test("a second operator sees who has control, can stop and can not start; an eng
   await shows("#alarms", "You no longer have control: bob has it.");
   await other.click("#tab-failsafe");
   await shows('[data-rule="operator_link"]', "watches", other);
-  assert.ok(await other.isDisabled("#command-override"), "without a reason");
+  await soon(async () => assert.ok(await other.isDisabled("#command-override"), "without a reason"));
   await other.fill("#override-reason", "we walk <b>over</b> the hill");
   await hold(other, "#command-override");
   await shows('[data-rule="operator_link"]', "we walk <b>over</b> the hill", other);
-  assert.match(await text('[data-rule="operator_link"]', other), /overridden until \d\d:\d\d:\d\d UTC/);
+  await soon(async () => assert.match(await text('[data-rule="operator_link"]', other), /overridden until \d\d:\d\d:\d\d UTC/));
   await other.click("#give-control");
   await shows("#control .words", "Control is free.");
   await page.click("#take-control");
@@ -190,7 +190,7 @@ test("a second operator sees who has control, can stop and can not start; an eng
 test("by keyboard alone: the flight goes on", async () => {
   await page.evaluate("document.activeElement.blur()");
   await page.keyboard.press("r");
-  assert.equal(await page.evaluate("document.activeElement.id"), "command-resume");
+  await soon(async () => assert.equal(await page.evaluate("document.activeElement.id"), "command-resume"));
   await page.keyboard.down(" ");
   await wait(850);
   await page.keyboard.up(" ");
@@ -203,7 +203,7 @@ test("a go-to shows its way before it is confirmed", async () => {
   const box = await page.locator("#map").boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await shows(".going", "from the vehicle");
-  assert.ok(await page.isEnabled("#confirm-go_to"));
+  await soon(async () => assert.ok(await page.isEnabled("#confirm-go_to")));
   await page.keyboard.press("Escape");
   await until(async () => (await page.locator(".going").count()) === 0, "it is left");
 });
@@ -246,8 +246,8 @@ test("an actor that crashes is red with its reason, and has the next incarnation
   await shows('[data-actor="mapobjects_store"]', "incarnation 1");
   world.ctl("crash", "mapobjects_store");
   await shows('[data-actor="mapobjects_store"]', "incarnation 2");
-  assert.match(await text('[data-actor="mapobjects_store"]'), /last crash: /);
-  assert.match(await page.getAttribute('[data-actor="mapobjects_store"]', "class"), /warn|bad/);
+  await soon(async () => assert.match(await text('[data-actor="mapobjects_store"]'), /last crash: /));
+  await soon(async () => assert.match(await page.getAttribute('[data-actor="mapobjects_store"]', "class"), /warn|bad/));
 });
 
 test("log and audit can be filtered", async () => {
@@ -278,21 +278,39 @@ test("the plots are drawn at the size of a laptop and of a tablet", async () => 
   for (const size of [{ width: 1280, height: 800 }, { width: 820, height: 1180 }]) {
     await page.setViewportSize(size);
     await page.waitForSelector("#plots canvas");
-    const { width } = await page.locator("#plots canvas").first().boundingBox();
-    assert.ok(width > 200 && width <= size.width, `${width} of ${size.width} pixels`);
+    await soon(async () => {
+      const { width } = await page.locator("#plots canvas").first().boundingBox();
+      assert.ok(width > 200 && width <= size.width, `${width} of ${size.width} pixels`);
+    });
   }
 });
 
-test("that godwitd is killed is said within two seconds, and two seconds behind its start all is as on a fresh page", async () => {
-  const killed_at = Date.now();
+test("on a phone who has the vehicle, Pause and Come home stay in view, however far one scrolls", async () => {
+  const size = { width: 390, height: 844 };
+  await page.setViewportSize(size);
+  for (const top of [0, 700, 100_000]) {
+    await page.evaluate((to) => window.scrollTo(0, to), top);
+    for (const where of ["#authority", "#command-pause", "#command-come_home"])
+      await soon(async () => {
+        const box = await page.locator(where).boundingBox();
+        assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= size.width && box.y + box.height <= size.height, `${where}, ${top} down`);
+        const is_on_top = await page.evaluate(([what, x, y]) => document.elementFromPoint(x, y)?.closest(what) !== null,
+          [where, box.x + box.width / 2, box.y + box.height / 2]);
+        assert.ok(is_on_top, `${where} is covered, ${top} down`);
+      });
+  }
+  assert.equal(await page.evaluate("document.documentElement.scrollWidth"), size.width);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+// How soon is a figure of `./dev bench page`.
+test("a page shows that godwitd was killed, and after its start all is as on a fresh page", async () => {
   await world.daemon.kill();
   await shows("#line", "not heard");
-  assert.ok(Date.now() - killed_at < 2_000, `${Date.now() - killed_at} ms`);
   await until(() => page.locator(".instrument.old .age").count(), "old values say their age");
   await world.start_daemon();
-  const started_at = Date.now();
   await shows("#line", "live");
-  assert.ok(Date.now() - started_at < 2_000, `${Date.now() - started_at} ms`);
   await until(async () => (await page.locator(".instrument.old").count()) === 0, "all values are new again");
   const fresh = await world.open_browser({ name: "drone.local" });
   await shows("#line", "live", fresh);

@@ -8,7 +8,7 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { flight_world, free_port, hold, root, until, wait } from "./flight_world.mjs";
+import { flight_world, free_port, hold, root, soon, until, wait } from "./flight_world.mjs";
 
 // Markup in a name must stay text; the picture for README shows names as people give them.
 const names = ["person", "vehicle", process.env.GODWIT_PICTURES ? "boat" : "<b>boat</b>"];
@@ -53,7 +53,7 @@ test("points of interest sound, stand on the map, and one is confirmed, one decl
   await hold(page, "#command-start");
   await shows("#alarms", "for a decision");
   for (const name of names) await page.waitForSelector(`tr.open:has-text("${name}")`);
-  assert.ok(await page.locator(".mark-point.shown").count() >= names.length);
+  await soon(async () => assert.ok(await page.locator(".mark-point.shown").count() >= names.length));
   assert.equal(await page.locator("#tab-body table b", { hasText: "boat" }).count(), 0);
   const number_of = (name) => page.locator("tr.open", { hasText: name }).getAttribute("data-point");
   const [person, boat] = [await number_of("person"), await number_of("boat")];
@@ -69,12 +69,12 @@ test("points of interest sound, stand on the map, and one is confirmed, one decl
   await page.click(`#confirm-${person}`);
   await shows(`[data-point="${person}"]`, "confirmed by anna");
   await until(async () => (await page.locator("tr.open", { hasText: "boat" }).count()) === 0, "what is declined is gone");
-  assert.equal(await page.locator(".mark-point.confirmed").count(), 1);
+  await soon(async () => assert.equal(await page.locator(".mark-point.confirmed").count(), 1));
 });
 
 test("in flight the newest picture is shown with its age", async () => {
   await until(async () => (await age_s()) < 2, "a new picture", () => world.daemon.heard.slice(-1_500));
-  assert.ok((await colours()) > 50);
+  await soon(async () => assert.ok((await colours()) > 50));
   assert.equal(await page.evaluate("document.getElementById('camera').width"), 320);
 });
 

@@ -70,11 +70,18 @@ function middle_of(corners: place[]): place | undefined {
   return { latitude: mean((each) => each.latitude), longitude: mean((each) => each.longitude) };
 }
 
+// Of an item that goes to the vehicle as it came: its parameters 5 and 6.
+function place_of_command(params: unknown): place | undefined {
+  if (!Array.isArray(params)) return undefined;
+  const at = { latitude: params[4] as number, longitude: params[5] as number };
+  return is_place(at) ? at : undefined;
+}
+
 // The items that have a place, where they are; of an area its middle.
 export function items_of(mission: mission_document): shown_item[] {
   const result: shown_item[] = [];
   mission.items.forEach((item, index) => {
-    const at = is_place(item.at) ? item.at : middle_of(item.polygon ?? []);
+    const at = is_place(item.at) ? item.at : (place_of_command(item["params"]) ?? middle_of(item.polygon ?? []));
     if (is_place(at)) result.push({ index, id: item.id, kind: item.kind, at });
   });
   return result;

@@ -22,7 +22,7 @@ export function why_not(all: page, is_stop: boolean): string {
 
 function command_button(all: page, row: command_row): TemplateResult {
   const reason = why_not(all, row.is_stop);
-  return html`<div class="command">
+  return html`<div class="command ${row.is_stop ? "stop" : ""}">
     ${hold_button({ id: `command-${row.name}`, label: row.label, key: row.key, hint: reason === "" ? row.hint : reason,
       tone: row.is_stop ? "stop" : "", is_held: row.moves, is_disabled: reason !== "",
       is_busy: all.commander.under_way.has(row.name), act: () => void all.commander.say(row.name) })}

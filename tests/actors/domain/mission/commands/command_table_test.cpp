@@ -1,8 +1,12 @@
 #include "actors/domain/mission/commands/command_table.hpp"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "actors/domain/mission/commands/command_policy.hpp"
 
 namespace godwit::mission {
 namespace command_table_test {
@@ -41,15 +45,46 @@ TEST(command_table, what_can_not_be_judged_is_guarded) {
     EXPECT_EQ(command_of(id)->kind, command_class::guarded) << id;
 }
 
-TEST(command_table, every_command_without_a_counterpart_says_why) {
-  std::size_t counterparts = 0;
+TEST(command_table, every_row_has_its_number_and_a_name) {
+  std::size_t rows = 0;
   for (unsigned id = 0; id <= std::numeric_limits<std::uint16_t>::max(); ++id)
     if (const auto* row = command_of(static_cast<std::uint16_t>(id))) {
       EXPECT_EQ(row->id, id);
       EXPECT_FALSE(row->name.empty()) << id;
-      counterparts += row->why_none.empty() ? 1 : 0;
+      ++rows;
     }
-  EXPECT_EQ(counterparts, 9U) << "take-off, waypoint, loiter, speed, landing and return, in their forms";
+  EXPECT_EQ(rows, 156U);
+}
+
+TEST(command_table, what_a_landing_makes_a_vehicle_forget_is_state_and_what_its_outputs_keep_is_not) {
+  EXPECT_EQ(command_of(178)->state, command_state::speed);
+  EXPECT_EQ(command_of(206)->state, command_state::trigger);
+  EXPECT_EQ(command_of(195)->state, command_state::roi);
+  EXPECT_EQ(command_of(205)->state, command_state::gimbal);
+  for (const std::uint16_t id : {181, 183, 187, 211, 216})
+    EXPECT_EQ(command_of(id)->state, command_state::none) << id;
+}
+
+TEST(command_policy, a_mission_holds_what_moves_acts_waits_and_jumps_and_some_vehicle_takes) {
+  for (const std::uint16_t id : {16, 17, 18, 31, 82, 84, 85, 93, 112, 177, 183, 189, 195, 206, 211, 600, 3000})
+    EXPECT_EQ(why_not_carried(id, {}), "") << id;
+  EXPECT_EQ(why_not_carried(36, {}), "every vehicle refuses a mission with it");
+}
+
+TEST(command_policy, what_is_guarded_or_unknown_is_held_only_where_its_number_is_allowed) {
+  for (const std::uint16_t id : {92, 179, 187, 207, 208, 218, 87, 12'345}) {
+    EXPECT_NE(why_not_carried(id, {}).find("flight.allowed_commands allows it where it names " + std::to_string(id)),
+              std::string::npos)
+        << why_not_carried(id, {});
+    EXPECT_EQ(why_not_carried(id, std::vector{id}), "") << id;
+    EXPECT_NE(why_not_carried(id, std::vector<std::uint16_t>{1}), "") << id;
+  }
+}
+
+TEST(command_policy, what_stops_motors_is_held_by_no_mission_whatever_is_allowed) {
+  for (const std::uint16_t id : {185, 224, 300, 400})
+    EXPECT_EQ(why_not_carried(id, std::vector{id}),
+              "no mission may stop motors, change the mode, pause or start a mission");
 }
 
 TEST(command_table, a_number_without_a_row_is_unknown) {

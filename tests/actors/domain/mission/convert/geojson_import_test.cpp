@@ -54,8 +54,8 @@ TEST(geojson_import, geojson_that_is_no_mission_is_refused_with_the_reason) {
             "the document is no GeoJSON of a mission; allowed: a FeatureCollection with `godwit` in it");
   auto map = json::parse(export_geojson(sample()).text);
   map["features"][0]["properties"]["role"] = "house";
-  EXPECT_EQ(message(map),
-            "/features/0/properties/role is \"house\"; allowed: item, geofence, return_point, planned_home or path");
+  EXPECT_EQ(message(map), "/features/0/properties/role is \"house\"; allowed: item, geofence, return_point, "
+                          "planned_home, breach_return_point, rally_point or path");
   map = json::parse(export_geojson(sample()).text);
   map["features"][2]["geometry"]["coordinates"][1] = 95;
   EXPECT_EQ(message(map), "/features/2 (\"corner\"): latitude is 95; allowed: a number from -90 to 90");

@@ -65,33 +65,64 @@ TEST(import_item_list, an_item_with_an_infinite_number_is_refused_and_nan_is_as_
   EXPECT_EQ(std::get<waypoint>(usual->mission.items[2]).hold_s, 0);
 }
 
-TEST(import_item_list, what_can_not_be_said_is_a_loss_and_left_out_only_when_that_is_allowed) {
+TEST(import_item_list, what_no_mission_may_hold_is_a_loss_and_left_out_only_when_that_is_allowed) {
   auto items = short_list();
-  items.insert(items.begin() + 2, item_of(2, mav_cmd::do_jump, frame::mission));
+  items.insert(items.begin() + 2, item_of(2, mav_cmd::do_parachute, frame::mission));
   items[3].seq = 3;
   items[4].seq = 4;
   const auto strict = import_item_list(items, options());
   ASSERT_FALSE(strict.has_value());
-  EXPECT_NE(strict.error().message().find("DO_JUMP"), std::string::npos) << strict.error().message();
+  EXPECT_NE(strict.error().message().find("DO_PARACHUTE"), std::string::npos) << strict.error().message();
+  EXPECT_NE(strict.error().message().find("flight.allowed_commands"), std::string::npos) << strict.error().message();
   auto lenient = options();
   lenient.allow_partial = true;
   const auto result = import_item_list(items, lenient);
   ASSERT_TRUE(result.has_value()) << result.error().message();
   EXPECT_EQ(result->places, (std::vector<std::uint16_t>{0, 1, 3, 4}));
   EXPECT_EQ(result->losses.all.size(), 1U);
+  auto allowing = options();
+  allowing.allowed = {208};
+  EXPECT_EQ(import_item_list(items, allowing)->mission.items.size(), 5U);
 }
 
-TEST(import_item_list, heights_above_the_sea_count_from_a_home_that_is_known) {
+TEST(import_item_list, a_jump_leads_to_the_item_of_its_number_and_one_to_nowhere_is_a_loss) {
   auto items = short_list();
-  items[2].frame = frame::global_int;
-  items[2].z = 520;
-  EXPECT_FALSE(import_item_list(items, options()).has_value()) << "home's height is not known";
-  auto known = options();
-  known.home_altitude_m = 488;
-  known.allow_partial = true;
-  const auto result = import_item_list(items, known);
+  auto back = item_of(3, mav_cmd::do_jump, frame::mission);
+  back.param1 = 2;
+  back.param2 = 3;
+  items.insert(items.begin() + 3, back);
+  items[4].seq = 4;
+  const auto result = import_item_list(items, options());
   ASSERT_TRUE(result.has_value()) << result.error().message();
-  EXPECT_EQ(std::get<waypoint>(result->mission.items[2]).at.altitude_m, 32);
+  EXPECT_EQ(result->mission.items[3], item(jump{"item-4", "item-3", 3}));
+  EXPECT_EQ(result->mission.schema_version, "2.0.0");
+  items[3].param1 = 9;
+  EXPECT_EQ(import_item_list(items, options()).error().losses.message(),
+            "item 3: DO_JUMP: jump to item 9; the mission has no such item; instead: left out");
+  items[3].param1 = 3;
+  EXPECT_NE(import_item_list(items, options()).error().message().find("leads to itself"), std::string::npos);
+}
+
+TEST(import_item_list, heights_above_the_sea_and_above_terrain_go_to_the_vehicle_as_they_came) {
+  for (const std::uint8_t in : {0, 5, 10}) {
+    auto items = short_list();
+    items[2].frame = in;
+    items[2].z = 520;
+    const auto result = import_item_list(items, options());
+    ASSERT_TRUE(result.has_value()) << result.error().message();
+    const auto& point = std::get<command_item>(result->mission.items[2]);
+    EXPECT_EQ(point.command, 16);
+    EXPECT_EQ(point.frame, in);
+    EXPECT_EQ(point.params[6], 520);
+  }
+}
+
+TEST(import_item_list, a_place_in_a_frame_that_vehicles_read_otherwise_is_a_loss) {
+  for (const std::uint8_t in : {1, 2, 8}) {
+    auto items = short_list();
+    items[2].frame = in;
+    EXPECT_FALSE(import_item_list(items, options()).has_value()) << int{in};
+  }
 }
 
 TEST(import_item_list, a_return_to_launch_stays_one_of_the_vehicle) {

@@ -66,22 +66,23 @@ TEST(waypoints_import, what_is_wrong_names_the_line) {
 TEST(waypoints_import, a_loss_and_a_problem_name_the_line_the_item_and_the_command) {
   const std::string text = "# a square\nQGC WPL 110\n"
                            "0\t1\t0\t16\t0\t0\t0\t0\t47.399\t8.55\t488\t1\n\n"
-                           "1\t0\t3\t206\t20\t0\t0\t0\t0\t0\t0\t1\n"
+                           "1\t0\t3\t208\t2\t0\t0\t0\t0\t0\t0\t1\n"
                            "2\t0\t3\t16\t-5\t0\t0\t0\t47.398\t8.546\t20\t1\n";
   const auto result = import_waypoints(text, {true, {}});
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().error.message(),
             "line 6 (item 2, NAV_WAYPOINT, \"item-1\"): hold_s is -5; allowed: a number from 0 to 86400");
-  EXPECT_EQ(result.error().losses.message(), "item 1 (line 5): DO_SET_CAM_TRIGG_DIST: the item; a mission has no "
-                                             "commands for cameras and gimbals; instead: left out");
+  EXPECT_EQ(result.error().losses.message(), "item 1 (line 5): DO_PARACHUTE: the item; what it does can not be "
+                                             "judged before the flight, or takes protection away; "
+                                             "flight.allowed_commands allows it where it names 208; instead: left out");
 }
 
 TEST(waypoints_import, lines_whose_items_are_all_left_out_are_refused_whatever_is_allowed) {
-  const auto result = import_waypoints("QGC WPL 110\n0\t0\t2\t177\t0\t3\t0\t0\t0\t0\t0\t1\n", {true, {}});
+  const auto result = import_waypoints("QGC WPL 110\n0\t0\t2\t400\t0\t3\t0\t0\t0\t0\t0\t1\n", {true, {}});
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().message(), "the document holds no item that a mission has\n"
-                                      "item 0 (line 2): DO_JUMP: the item; the items of a mission are flown once, in "
-                                      "order; instead: left out");
+                                      "item 0 (line 2): COMPONENT_ARM_DISARM: the item; no mission may stop motors, "
+                                      "change the mode, pause or start a mission; instead: left out");
 }
 
 TEST(waypoints_import, a_home_of_command_0_is_home) {
@@ -92,7 +93,7 @@ TEST(waypoints_import, a_home_of_command_0_is_home) {
   EXPECT_EQ(result->mission.planned_home, (planned_home{47.399, 8.55, 488}));
 }
 
-TEST(waypoints_import, a_fence_is_read_as_a_fence_with_its_point_of_return_as_a_loss) {
+TEST(waypoints_import, a_fence_is_read_as_a_fence_with_its_point_of_return) {
   const std::string fence = "47.398\t8.546\n47.397\t8.545\n47.399\t8.545\n47.399\t8.547\n47.397\t8.545\n";
   const import_options alone{true, {}, {}, true};
   const auto result = import_waypoints(fence, alone);
@@ -100,34 +101,70 @@ TEST(waypoints_import, a_fence_is_read_as_a_fence_with_its_point_of_return_as_a_
   EXPECT_TRUE(result->mission.items.empty());
   ASSERT_EQ(result->mission.geofences.size(), 1U);
   EXPECT_EQ(result->mission.geofences[0].vertices.size(), 3U);
-  EXPECT_EQ(result->losses.message(), "item 0 (line 1): point to return to after a breach; a mission returns to one "
-                                      "point; instead: left out");
+  EXPECT_EQ(result->mission.breach_return_point, (position{47.398, 8.546, 0}));
+  EXPECT_TRUE(result->losses.empty());
   EXPECT_EQ(import_waypoints(fence, {true, {}}).error().error.message(),
             "the document holds a fence alone, which is no mission");
   const auto crossing = import_waypoints("0 0\n47 8\n48 9\n47 9\n48 8\n", alone);
   EXPECT_EQ(crossing.error().error.problems.at(0).pointer, "line 2");
 }
 
-TEST(waypoints_import, rally_points_alone_are_refused_with_what_brings_them) {
-  const auto* const expected = "the document holds rally points alone, and a mission has none; godwit-trace upload "
-                               "--type rally brings them to the vehicle";
-  EXPECT_EQ(import_waypoints("RALLY 47.398 8.546 60 40 0 0\n", {true, {}}).error().message(), expected);
-  EXPECT_EQ(import_waypoints("QGC WPL 110\n0\t0\t3\t5100\t0\t0\t0\t0\t47.398\t8.546\t60\t1\n").error().message(),
-            expected);
+TEST(waypoints_import, rally_points_alone_are_no_mission_and_are_written_again) {
+  const std::string rally = "RALLY 47.398 8.546 60 40 0 0\n";
+  EXPECT_EQ(import_waypoints(rally, {true, {}}).error().message(),
+            "the document holds rally points alone, which are no mission");
+  const import_options alone{false, {}, {}, true};
+  const auto read = import_waypoints(rally, alone);
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  EXPECT_EQ(read->mission.rally_points, (std::vector<position>{{47.398, 8.546, 60}}));
+  const auto written = export_waypoints(read->mission);
+  EXPECT_EQ(written.text, "QGC WPL 110\n0\t0\t3\t5100\t0\t0\t0\t0\t47.3980000\t8.5460000\t60\t1\n");
+  EXPECT_EQ(import_waypoints(written.text, alone)->mission.rally_points, read->mission.rally_points);
 }
 
-TEST(waypoints_import, who_is_to_fly_it_decides_what_is_lost) {
+TEST(waypoints_import, a_circle_of_a_fence_stays_a_circle) {
+  const std::string circle = "QGC WPL 110\n0\t0\t0\t5000\t0\t0\t0\t0\t47.3990000\t8.5460000\t0\t1\n"
+                             "1\t0\t0\t5003\t250\t0\t0\t0\t47.3980000\t8.5460000\t0\t1\n";
+  const auto read = import_waypoints(circle, {false, {}, {}, true});
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  EXPECT_EQ(read->mission.geofences.at(0).circle, (fence_circle{47.398, 8.546, 250}));
+  EXPECT_EQ(export_waypoints(read->mission).text, circle);
+}
+
+TEST(waypoints_import, who_is_to_fly_it_decides_what_godwit_plans_itself) {
   const std::string text = "QGC WPL 110\n"
                            "0\t1\t0\t16\t0\t0\t0\t0\t47.399\t8.55\t488\t1\n"
                            "1\t0\t3\t22\t15\t0\t0\t30\t47.39\t8.54\t20\t1\n"
                            "2\t0\t3\t16\t0\t0\t3\t90\t47.398\t8.546\t20\t1\n";
-  const auto losses_for = [&](std::optional<vehicle_profile> vehicle) {
-    return import_waypoints(text, {true, {}, vehicle})->losses.all.size();
+  const auto kinds_for = [&](std::optional<vehicle_profile> vehicle) {
+    const auto mission = import_waypoints(text, {false, {}, vehicle})->mission;
+    return std::string(kind_of(mission.items.at(0))) + ' ' + std::string(kind_of(mission.items.at(1)));
   };
-  EXPECT_EQ(losses_for({}), 5U);
-  EXPECT_EQ(losses_for(vehicle_profile::arducopter), 0U);
-  EXPECT_EQ(losses_for(vehicle_profile::arduplane), 3U) << "pitch, place of the take-off, pass radius";
-  EXPECT_EQ(losses_for(vehicle_profile::px4_multicopter), 4U) << "two yaws, place of the take-off, pass radius";
+  EXPECT_EQ(kinds_for({}), "command command");
+  EXPECT_EQ(kinds_for(vehicle_profile::arducopter), "takeoff waypoint");
+  EXPECT_EQ(kinds_for(vehicle_profile::arduplane), "command command") << "pitch; pass radius";
+  EXPECT_EQ(kinds_for(vehicle_profile::px4_multicopter), "command command") << "place; yaw";
+}
+
+// Cameras, waits, jumps, splines, heights above the sea: what is written is what was read.
+TEST(waypoints_import, lines_of_every_class_come_back_line_by_line) {
+  const std::string text = "QGC WPL 110\n"
+                           "0\t0\t0\t16\t0\t0\t0\t0\t47.3990000\t8.5500000\t488\t1\n"
+                           "1\t0\t3\t22\t15\t0\t0\t0\t47.3900000\t8.5400000\t20\t1\n"
+                           "2\t0\t3\t206\t25.5\t0\t1\t0\t0.0000000\t0.0000000\t0\t1\n"
+                           "3\t0\t0\t82\t0\t0\t0\t0\t47.3980000\t8.5460000\t520\t1\n"
+                           "4\t0\t10\t16\t0\t0\t0\t0\t47.3970000\t8.5460000\t30\t0\n"
+                           "5\t0\t2\t112\t5\t0\t0\t0\t0\t0\t0\t1\n"
+                           "6\t0\t3\t18\t2\t0\t-40\t1\t47.3960000\t8.5460000\t30\t1\n"
+                           "7\t0\t2\t177\t3\t2\t0\t0\t0\t0\t0\t1\n"
+                           "8\t0\t3\t183\t9\t1500\t0\t0\t0.0000000\t0.0000000\t0\t1\n"
+                           "9\t0\t3\t21\t15\t0\t0\t0\t0.0000000\t0.0000000\t0\t1\n";
+  const auto read = import_waypoints(text);
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  EXPECT_EQ(std::get<jump>(read->mission.items.at(6)), (jump{"item-7", "item-3", 2}));
+  const auto written = export_waypoints(read->mission);
+  EXPECT_TRUE(written.losses.empty()) << written.losses.message();
+  EXPECT_EQ(written.text, text);
 }
 
 TEST(waypoints_import, what_was_written_reads_back_but_for_surveys_and_fences) {

@@ -19,6 +19,15 @@ TEST(on_ground_check, fails_while_somebody_else_flies_it) {
   EXPECT_EQ(look_at_on_ground(seen, {}).how, verdict::fail);
 }
 
+TEST(on_ground_check, says_what_to_do_about_a_vehicle_that_stands_armed_in_its_mission_mode) {
+  auto seen = good_facts();
+  seen.vehicle.is_moving = true;
+  seen.vehicle.stands_ready_to_move = true;
+  const auto found = look_at_on_ground(seen, {});
+  EXPECT_EQ(found.how, verdict::fail);
+  EXPECT_NE(found.sentence.find("disarm it"), std::string::npos) << found.sentence;
+}
+
 TEST(on_ground_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;

@@ -1,7 +1,10 @@
 #include "programs/godwit-sim/vehicle/autopilot/px4.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <set>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -385,6 +388,25 @@ TEST(px4, flies_no_mission_with_an_empty_battery_or_without_a_position) {
   }
 }
 
+// As seen of PX4 1.18 with a station that streamed neutral sticks until its mission began (stick_loss.hpp).
+TEST(px4, holds_and_then_returns_when_it_misses_sticks_that_it_has_heard) {
+  constexpr std::array<std::uint8_t, 11> neutral{0, 0, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1};
+  const mavlink::frame_buffer sticks(69, 243, std::as_bytes(std::span(neutral)), station_id, 0, false);
+  px4_with world(6);
+  ASSERT_TRUE(world.fly_to(2));
+  world.run_for(20 * s);
+  EXPECT_EQ(world.picture().mode, "AUTO.MISSION") << "it has heard none";
+  world.send_frame(sticks.view());
+  world.run_for(900 * ms);
+  EXPECT_EQ(world.picture().mode, "AUTO.MISSION");
+  world.run_for(200 * ms);
+  EXPECT_EQ(world.picture().mode, "AUTO.LOITER");
+  EXPECT_TRUE(world.said("Failsafe activated: entering Hold for 5 seconds\t"));
+  world.send_frame(sticks.view());
+  world.run_for(5 * s);
+  EXPECT_EQ(world.picture().mode, "AUTO.RTL") << "also when they are back";
+}
+
 TEST(px4, lands_where_it_is_when_its_battery_is_empty_or_its_position_lost) {
   for (const bool is_battery : {true, false}) {
     px4_with world(3);
@@ -430,6 +452,8 @@ TEST(px4, starts_again_by_command_on_the_ground_alone) {
   world.run_for(2 * s);
   EXPECT_GT(world.last_ns<mavlink::heartbeat>(), asked_ns);
   EXPECT_EQ(world.current().mission_id, id) << "plans and ids survive";
+  EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::no_mission)) << "not checked yet";
+  world.run_for(3 * s);
   EXPECT_EQ(world.current().mission_state, mavlink::number(mavlink::mission_state::not_started));
 }
 

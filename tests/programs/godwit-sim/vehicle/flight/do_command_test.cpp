@@ -67,7 +67,15 @@ TEST_F(sim_do_command, a_home_that_is_not_on_earth_is_refused) {
   EXPECT_EQ(home_now, home);
 }
 
-TEST_F(sim_do_command, what_is_not_known_says_so) { EXPECT_EQ(carry(command(201)), "command 201 is not known"); }
+TEST_F(sim_do_command, what_is_not_known_says_so) {
+  for (const std::uint16_t each : {186, 208, 12'345}) // refused by all, guarded, no command
+    EXPECT_EQ(carry(command(each)), "command " + std::to_string(each) + " is not known");
+}
+
+TEST_F(sim_do_command, cameras_servos_and_grippers_are_executed_in_silence) {
+  for (const std::uint16_t each : {183, 195, 201, 205, 206, 211, 2000, 3000})
+    EXPECT_EQ(carry(command(each)), std::nullopt) << each;
+}
 
 TEST_F(sim_do_command, jumps_delays_and_marks_are_passed_over_in_silence) {
   for (const auto each : {do_jump, condition_delay, do_land_start})

@@ -139,8 +139,22 @@ TEST(sim_item_legs, a_delay_waits_where_it_is_and_knows_no_time_of_day) {
   EXPECT_EQ(legs(command(nav_delay, -1), standing()), "a delay until a time of day is not known");
 }
 
+TEST(sim_item_legs, a_loiter_to_an_altitude_goes_there_first_and_climbs_then) {
+  EXPECT_EQ(legs(at(nav_loiter_to_alt, 50, 0, 60), flying()), "stop at 30.0 within 2.00, climb 60.0");
+  EXPECT_EQ(legs(at(nav_loiter_to_alt, 50, 0, 60), driving()), "a rover does not climb");
+}
+
+TEST(sim_item_legs, a_vertical_take_off_and_landing_are_a_take_off_and_a_landing_to_who_hovers) {
+  EXPECT_EQ(legs(at(nav_vtol_takeoff, 0, 0, 20), standing()), legs(at(nav_takeoff, 0, 0, 20), standing()));
+  EXPECT_EQ(legs(at(nav_vtol_land, 50, 0, 0), flying()), legs(at(nav_land, 50, 0, 0), flying()));
+}
+
+TEST(sim_item_legs, who_hovers_passes_over_a_climb_along_its_course) {
+  EXPECT_EQ(legs(at(nav_continue_and_change_alt, 0, 0, 60), flying()), "only a fixed wing keeps its course and climbs");
+}
+
 TEST(sim_item_legs, what_is_not_known_is_skipped_with_a_reason) {
-  EXPECT_EQ(legs(at(31, 50, 0), flying()), "command 31 is not known");
+  EXPECT_EQ(legs(at(23, 50, 0), flying()), "command 23 is not known");
   EXPECT_EQ(legs(with(waypoint(50, 0), [](item& it) { it.frame = 1; }), flying()), "frame 1 is not known");
 }
 

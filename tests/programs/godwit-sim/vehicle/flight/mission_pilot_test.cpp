@@ -64,25 +64,25 @@ TEST(sim_mission_pilot, reached_is_said_in_the_step_in_which_the_next_item_begin
 
 TEST(sim_mission_pilot, do_commands_between_two_items_run_when_the_first_of_them_begins) {
   auto it = rover();
-  it.follow({waypoint(20, 0), command(do_change_speed, 1, 0.5F), command(201), waypoint(40, 0)});
+  it.follow({waypoint(20, 0), command(do_change_speed, 1, 0.5F), command(186), waypoint(40, 0)});
   it.run(0.1);
-  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 2: command 201 is not known"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 2: command 186 is not known"}));
   it.run(10);
   EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 0.5, 1e-9);
 }
 
 TEST(sim_mission_pilot, an_unknown_do_command_is_skipped_with_a_reason_and_is_not_reached) {
   auto it = rover();
-  it.follow({command(201), waypoint(10, 0)});
+  it.follow({command(186), waypoint(10, 0)});
   ASSERT_TRUE(it.run_until_said("completed"));
-  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "skipped 0: command 201 is not known", "reached 1", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "skipped 0: command 186 is not known", "reached 1", "completed"}));
 }
 
 TEST(sim_mission_pilot, an_unknown_nav_command_is_skipped_with_a_reason_and_is_not_reached) {
   auto it = rover();
-  it.follow({at(31, 10, 0), command(202), waypoint(10, 0)});
+  it.follow({at(23, 10, 0), command(221), waypoint(10, 0)});
   ASSERT_TRUE(it.run_until_said("completed"));
-  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 202 is not known", "skipped 0: command 31 is not known",
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 221 is not known", "skipped 0: command 23 is not known",
                             "begun 2", "reached 2", "completed"}));
 }
 
@@ -111,9 +111,9 @@ TEST(sim_mission_pilot, autocontinue_0_holds_after_the_item) {
 
 TEST(sim_mission_pilot, a_mission_of_do_commands_alone_completes_at_once) {
   auto it = rover();
-  it.follow({command(do_change_speed, 1, 1), held(command(condition_delay, 60)), command(201)});
+  it.follow({command(do_change_speed, 1, 1), held(command(condition_delay, 60)), command(186)});
   it.run(0.1);
-  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "begun 2", "skipped 2: command 201 is not known", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "begun 2", "skipped 2: command 186 is not known", "completed"}));
   EXPECT_EQ(it.vehicle.mission().state(), run_state::completed);
 }
 
@@ -171,9 +171,9 @@ TEST(sim_mission_pilot, a_new_home_is_where_a_return_leads) {
 
 TEST(sim_mission_pilot, condition_delay_holds_back_the_commands_behind_it) {
   auto it = rover();
-  it.follow({waypoint(100, 0), command(condition_delay, 5), command(201), waypoint(20, 0)});
-  ASSERT_TRUE(it.run_until_said("skipped 2: command 201 is not known"));
-  EXPECT_NEAR(it.time_of("skipped 2: command 201 is not known"), 5, 0.1);
+  it.follow({waypoint(100, 0), command(condition_delay, 5), command(186), waypoint(20, 0)});
+  ASSERT_TRUE(it.run_until_said("skipped 2: command 186 is not known"));
+  EXPECT_NEAR(it.time_of("skipped 2: command 186 is not known"), 5, 0.1);
 }
 
 TEST(sim_mission_pilot, what_a_delay_holds_back_longer_than_the_item_is_not_carried_out) {
@@ -215,7 +215,7 @@ TEST(sim_mission_pilot, a_delay_waits_where_it_is) {
 
 TEST(sim_mission_pilot, after_a_pause_the_item_goes_on_and_is_not_said_to_begin_again) {
   auto it = rover();
-  it.follow({waypoint(40, 0), command(201)});
+  it.follow({waypoint(40, 0), command(186)});
   it.run(5);
   it.vehicle.set_task(task::hold{});
   it.run(20);
@@ -224,7 +224,7 @@ TEST(sim_mission_pilot, after_a_pause_the_item_goes_on_and_is_not_said_to_begin_
   EXPECT_EQ(it.vehicle.mission().state(), run_state::running);
   it.vehicle.set_task(task::follow_mission{});
   ASSERT_TRUE(it.run_until_said("completed"));
-  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 201 is not known", "reached 0", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 186 is not known", "reached 0", "completed"}));
 }
 
 TEST(sim_mission_pilot, a_take_off_that_was_paused_goes_on_where_it_began) {

@@ -1,0 +1,239 @@
+// Items of a mission that go to the vehicle as they came; see item_planner.hpp.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "actors/domain/mission/commands/item_class.hpp"
+#include "actors/executor/plan/item_planner.hpp"
+#include "actors/executor/plan/mission_look.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
+
+namespace godwit::executor::plan {
+
+namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::number;
+using mission::command_class;
+using mission::item_answer;
+using progress::item_role;
+
+std::string name_of(const mission::command_item& item) {
+  const auto* const row = mission::command_of(item.command);
+  return row == nullptr ? "Command " + std::to_string(item.command) : std::string(row->name);
+}
+
+// Of the circles that it flies; 0: the vehicle's own.
+double circle_of(const mission::command_item& item) {
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::nav_loiter_unlim:
+  case mav_cmd::nav_loiter_turns:
+  case mav_cmd::nav_loiter_time:
+    return item.params[2].value_or(0);
+  case mav_cmd::nav_loiter_to_alt:
+    return item.params[1].value_or(0);
+  default:
+    return 0;
+  }
+}
+
+bool is_loiter(const mission::command_item& item) {
+  return item.command == number(mav_cmd::nav_loiter_unlim) || item.command == number(mav_cmd::nav_loiter_turns) ||
+         item.command == number(mav_cmd::nav_loiter_time) || item.command == number(mav_cmd::nav_loiter_to_alt);
+}
+
+// Of a camera trigger, what ends it; nothing: none is known.
+std::optional<mission::command_item> switched_off(const mission::command_item& item) {
+  constexpr std::uint16_t trigger_distance = 206;
+  constexpr std::uint16_t start_capture = 2000;
+  constexpr std::uint16_t stop_capture = 2001;
+  constexpr std::uint16_t trigger_control = 2003;
+  constexpr std::uint8_t no_position = 2;
+  const auto first = item.command == start_capture ? item.params[0] : std::optional<double>(0);
+  mission::command_item result{item.id, item.command, no_position, {first, 0, 0, 0, 0, 0, 0}, true};
+  switch (item.command) {
+  case start_capture:
+    result.command = stop_capture;
+    return result;
+  case trigger_distance:
+  case trigger_control:
+    return result;
+  default:
+    return std::nullopt;
+  }
+}
+
+bool has_place_row(const mission::command_item& item) {
+  const auto* const row = mission::command_of(item.command);
+  return row != nullptr && row->has_place;
+}
+
+} // namespace
+
+item_answer item_planner::answer_to(const mission::command_item& item) const {
+  const auto* const row = mission::command_of(item.command);
+  return row == nullptr || !setting_.profile ? item_answer::taken : row->answer_of(*setting_.profile);
+}
+
+item_planner::outcome item_planner::why_not_command(const mission::command_item& item) const {
+  if (auto why = mission::why_not_carried(item.command, setting_.allowed_commands); !why.empty())
+    return error(plan_errc::command_not_allowed, name_of(item) + " is not flown: " + why, "leave it out");
+  if (answer_to(item) == item_answer::refused)
+    return error(plan_errc::command_refused,
+                 "A vehicle of the kind " + std::string(io::name_of(*setting_.profile)) + " refuses a mission with " +
+                     name_of(item),
+                 "leave it out");
+  return std::nullopt;
+}
+
+item_planner::outcome item_planner::plan(const mission::command_item& item) {
+  if (auto problem = why_not_command(item))
+    return problem;
+  if (answer_to(item) == item_answer::skipped) {
+    if (mission::moves_vehicle(item) && has_place_row(item))
+      writer_.note("Item '" + item.id + "' (" + name_of(item) +
+                   ") is passed over by this kind of vehicle: its place is not visited.");
+    writer_.add_verbatim(command_item_of(item, setting_), item_role::unflown);
+    return std::nullopt;
+  }
+  if (mission::moves_vehicle(item))
+    return move(item);
+  writer_.add_verbatim(command_item_of(item, setting_), item_role::acts);
+  return std::nullopt;
+}
+
+item_planner::outcome item_planner::move(const mission::command_item& item) {
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::nav_takeoff:
+  case mav_cmd::nav_vtol_takeoff:
+    return take_off(item);
+  case mav_cmd::do_vtol_transition:
+    writer_.add_verbatim(command_item_of(item, setting_), item_role::acts);
+    return std::nullopt;
+  default:
+    break;
+  }
+  if (auto problem = why_not_flown())
+    return problem;
+  if (has_place_row(item))
+    return go_to(item);
+  if (item.params[6])
+    writer_.climb_to(altitude_of(item, setting_)); // NAV_CONTINUE_AND_CHANGE_ALT
+  writer_.add_verbatim(command_item_of(item, setting_), item_role::flown);
+  return std::nullopt;
+}
+
+// With wings the place gives the direction; a PX4 flies there once it is up.
+item_planner::outcome item_planner::take_off(const mission::command_item& item) {
+  if (writer_.has_moved() && !writer_.is_branch())
+    return error(plan_errc::late_take_off, "A take-off does not come in the middle of a flight",
+                 "put a waypoint there, which climbs as well, or a land in front of it");
+  if (is(vehicle_class::fixed_wing) && writer_.is_in_air())
+    return std::nullopt;
+  const double top_m = altitude_of(item, setting_);
+  if (!(top_m > writer_.start().altitude_m) && !is(vehicle_class::rover))
+    return error(plan_errc::no_take_off, "It takes off to a height that is not above the ground it stands on",
+                 "give it a height above the ground");
+  writer_.climb_to(top_m);
+  writer_.add_take_off(command_item_of(item, setting_));
+  const auto place = mission::place_of(item);
+  if (place && !is_ardupilot(setting_) && !is(vehicle_class::fixed_wing))
+    writer_.cruise_to({place->latitude, place->longitude, top_m});
+  return std::nullopt;
+}
+
+item_planner::outcome item_planner::go_to(const mission::command_item& item) {
+  const auto place = mission::place_of(item);
+  if (!place && !is_ardupilot(setting_))
+    return error(plan_errc::no_place, "It has no place, and only ArduPilot takes that for the place where it is",
+                 "give it a place");
+  auto there = writer_.here();
+  if (place)
+    there = {place->latitude, place->longitude, altitude_of(item, setting_)};
+  if (mission::is_landing(item)) {
+    if (stands_at(there))
+      return std::nullopt;
+    writer_.cruise_to({there.latitude, there.longitude, writer_.here().altitude_m});
+    writer_.add_verbatim(command_item_of(item, setting_), item_role::flown);
+    writer_.descend_to(place ? there : mission::position{there.latitude, there.longitude, 0});
+    return std::nullopt;
+  }
+  writer_.cruise_to(there);
+  writer_.add_verbatim(command_item_of(item, setting_), item_role::flown);
+  if (is_loiter(item) && (is(vehicle_class::fixed_wing) || item.command == number(mav_cmd::nav_loiter_turns)))
+    writer_.circle(circle_of(item) != 0 ? circle_of(item) : setting_.own_loiter_radius_m);
+  return std::nullopt;
+}
+
+std::optional<mission::position> item_planner::position_of(const mission::item& item) const {
+  return std::visit(
+      [&]<class T>(const T& value) -> std::optional<mission::position> {
+        if constexpr (requires { value.at; }) {
+          return value.at;
+        } else if constexpr (std::is_same_v<T, mission::command_item>) {
+          const auto place = mission::moves_vehicle(value) ? mission::place_of(value) : std::nullopt;
+          return place
+                     ? std::optional(mission::position{place->latitude, place->longitude, altitude_of(value, setting_)})
+                     : std::nullopt;
+        } else {
+          return std::nullopt;
+        }
+      },
+      item);
+}
+
+// The way that the jump makes is judged as well: from here to the first place behind its target.
+item_planner::outcome item_planner::plan(const mission::jump& item) {
+  const auto target =
+      std::ranges::find_if(mission_.items, [&](const mission::item& each) { return mission::id_of(each) == item.to; });
+  for (auto each = target; each != mission_.items.end() && item.times != 0; ++each)
+    if (const auto place = position_of(*each)) {
+      if (writer_.is_in_air() || is(vehicle_class::rover))
+        writer_.jump_to(*place);
+      break;
+    }
+  writer_.add_jump(jump_item(item.times), item.to);
+  return std::nullopt;
+}
+
+// An operator has sent the vehicle away from its mission: on the way there no pictures are made. Its speed is kept.
+void item_planner::leave_line() {
+  if (index_ != *rest_from_)
+    return;
+  for (const auto index : state_before(mission_, index_)) {
+    const auto& command = std::get<mission::command_item>(mission_.items[index]);
+    const auto state = mission::state_of(command);
+    if (answer_to(command) != item_answer::taken)
+      continue;
+    if (state == mission::command_state::speed)
+      writer_.repeat(command_item_of(command, setting_));
+    else if (const auto off = switched_off(command); off && state == mission::command_state::trigger)
+      writer_.repeat(command_item_of(*off, setting_));
+  }
+}
+
+// What the commands before the rest have set, each as it was. A camera that was triggering goes on where its line
+// began: nothing of the line is missing, and no picture is made on the way there.
+void item_planner::repeat_state() {
+  has_repeated_ = true;
+  for (const auto index : state_before(mission_, index_)) {
+    if (index >= *rest_from_)
+      continue; // in the plan itself
+    const auto& command = std::get<mission::command_item>(mission_.items[index]);
+    if (answer_to(command) != item_answer::taken)
+      continue;
+    const auto line = mission::state_of(command) == mission::command_state::trigger ? waypoint_before(mission_, index_)
+                                                                                    : std::nullopt;
+    const auto entry = line ? position_of(mission_.items[*line]) : std::nullopt;
+    if (entry) {
+      writer_.cruise_to(*entry);
+      writer_.add_nav(waypoint_item(*entry, 0, 0, setting_));
+    }
+    writer_.repeat(command_item_of(command, setting_));
+    writer_.note("Before item '" + mission::id_of(mission_.items[index_]) + "' " + name_of(command) + " of item '" +
+                 command.id + "' is repeated" + (entry ? ", from the beginning of its line on." : "."));
+  }
+}
+
+} // namespace godwit::executor::plan

@@ -1,0 +1,312 @@
+// Whole flights of missions with items that go to the vehicle as they came: cameras, waits, jumps, splines and the rest
+// of the table of commands, on each kind of simulated vehicle.
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "actors/domain/mission/commands/item_class.hpp"
+#include "tests/actors/executor/flight_checks.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace command_items_flight_test {
+
+using mission::command_class;
+using mission::command_item;
+using mission::item_answer;
+using mission::progress_kind;
+using mission::vehicle_profile;
+using sim::personality;
+using tests::flight_world;
+using tests::is_told;
+
+struct vehicle_row {
+  personality who;
+  vehicle_profile profile; // by the table
+  vehicle_profile planned; // as the executor knows it: an ArduPlane may take off vertically
+};
+
+constexpr vehicle_row vehicles[] = {
+    {personality::px4, vehicle_profile::px4_multicopter, vehicle_profile::px4_multicopter},
+    {personality::ardupilot, vehicle_profile::arducopter, vehicle_profile::arducopter},
+    {personality::plane, vehicle_profile::arduplane, vehicle_profile::quadplane},
+    {personality::ardurover, vehicle_profile::ardurover, vehicle_profile::ardurover}};
+
+command_item act(const char* id, std::uint16_t number, double first = 1, double second = 0, double third = 0) {
+  return {id, number, 2, {first, second, third, 0, 0, 0, 0}, true};
+}
+
+command_item at_place(const std::string& id, std::uint16_t number, const mission::item& where) {
+  const auto& at = std::get<mission::waypoint>(where).at;
+  return {id, number, 3, {0, 0, 0, 0, at.latitude, at.longitude, at.altitude_m}, true};
+}
+
+mission::document mission_with(personality who, std::size_t place, std::vector<mission::item> more) {
+  auto result = tests::short_mission(who);
+  result.schema_version = mission::schema_version_2;
+  const auto at = result.items.begin() + static_cast<std::ptrdiff_t>(std::min(place, result.items.size()));
+  result.items.insert(at, more.begin(), more.end());
+  return result;
+}
+
+// The reports of items are about each once, in order, and their kinds are what the vehicle makes of them.
+testing::AssertionResult tells_the_truth(const flight_world& world, const mission::document& mission,
+                                         const std::map<std::string, progress_kind>& wanted) {
+  std::map<std::string, progress_kind> ends;
+  for (const auto& each : world.reports())
+    if (each.item_id && each.kind != progress_kind::started)
+      if (!ends.emplace(*each.item_id, each.kind).second)
+        return testing::AssertionFailure() << *each.item_id << " ends twice\n" << world.story();
+  for (const auto& each : mission.items) {
+    const auto& id = mission::id_of(each);
+    const auto expected = wanted.contains(id) ? wanted.at(id) : progress_kind::reached;
+    if (!ends.contains(id) || ends.at(id) != expected)
+      return testing::AssertionFailure() << id << " is " << (ends.contains(id) ? io::name_of(ends.at(id)) : "not told")
+                                         << " and not " << io::name_of(expected) << "\n"
+                                         << world.story();
+  }
+  if (world.reports().back().kind != progress_kind::complete)
+    return testing::AssertionFailure() << "not complete\n" << world.story();
+  return testing::AssertionSuccess();
+}
+
+std::vector<int> commands_on(flight_world& world) {
+  std::vector<int> found;
+  for (const auto& each : world.vehicle().mission_items())
+    found.push_back(each.command);
+  return found;
+}
+
+TEST(command_items_flight, a_survey_with_its_camera_is_flown_and_its_acts_are_passed) {
+  for (const auto& row : vehicles) {
+    flight_world world({.who = row.who});
+    const auto first = sim::drives(row.who) ? 1U : 2U;
+    auto mission = mission_with(row.who, first, {act("on", 206, 5, 0, 1)});
+    mission.items.insert(mission.items.begin() + first + 2, act("off", 206, 0, 0, 1));
+    world.load(mission);
+    ASSERT_TRUE(world.run_until_phase(phase::done, 900)) << io::name_of(row.who) << world.story();
+    EXPECT_TRUE(tells_the_truth(world, mission, {{"on", progress_kind::passed}, {"off", progress_kind::passed}}))
+        << io::name_of(row.who);
+    const auto& held = world.vehicle().mission_items();
+    EXPECT_EQ(std::ranges::count(held, 206, &io::mavlink::mission_item_int::command), 2) << io::name_of(row.who);
+  }
+}
+
+TEST(command_items_flight, the_rounds_of_a_jump_are_flown_and_each_item_is_reached_once) {
+  for (const auto& row : vehicles) {
+    flight_world world({.who = row.who});
+    const auto behind_w3 = sim::drives(row.who) ? 3U : 4U;
+    auto mission = mission_with(row.who, behind_w3, {mission::jump{"again", "w1", 2}});
+    if (sim::drives(row.who))
+      mission.items.push_back(tests::place(row.who, "end", -20, 20));
+    world.load(mission);
+    std::vector<int> flown;
+    const bool is_done = world.run_until(
+        [&] {
+          const auto seen = world.vehicle().describe();
+          if (seen.armed && (flown.empty() || flown.back() != seen.mission_current))
+            flown.push_back(seen.mission_current);
+          return world.durable().status.now == phase::done;
+        },
+        1500);
+    ASSERT_TRUE(is_done) << io::name_of(row.who) << world.story();
+    const auto w2 = static_cast<int>(behind_w3) - 2 + (row.who == personality::px4 ? 0 : 1);
+    EXPECT_EQ(std::ranges::count(flown, w2), 3) << io::name_of(row.who) << " flies it three times\n" << world.story();
+    EXPECT_TRUE(tells_the_truth(world, mission, {{"again", progress_kind::passed}})) << io::name_of(row.who);
+  }
+}
+
+TEST(command_items_flight, a_wait_is_no_standstill_and_is_passed) {
+  for (const auto& row : vehicles) {
+    flight_world world({.who = row.who});
+    const auto mission = mission_with(row.who, 2, {act("wait", 93, 40)});
+    world.load(mission);
+    ASSERT_TRUE(world.run_until_phase(phase::done, 900)) << io::name_of(row.who) << world.story();
+    EXPECT_TRUE(tells_the_truth(world, mission, {{"wait", progress_kind::passed}})) << io::name_of(row.who);
+  }
+}
+
+TEST(command_items_flight, a_guarded_command_is_not_brought_to_the_vehicle) {
+  flight_world world({.who = personality::ardupilot});
+  world.load(mission_with(personality::ardupilot, 2, {act("p", 208, 2)}));
+  EXPECT_FALSE(world.run_until_phase(phase::flying, 60)) << world.story();
+  EXPECT_TRUE(world.vehicle().mission_items().size() <= 1) << world.story();
+}
+
+// Another approach, for a failure: behind a landing without a take-off.
+TEST(command_items_flight, what_lies_behind_a_landing_is_kept_and_not_flown) {
+  for (const auto& row : vehicles) {
+    if (sim::drives(row.who))
+      continue;
+    flight_world world({.who = row.who});
+    auto mission = tests::short_mission(row.who);
+    mission.schema_version = mission::schema_version_2;
+    auto down = at_place("down", 21, tests::place(row.who, "", 0, 0));
+    down.params[6] = 0;
+    mission.items.back() = down;
+    mission.items.emplace_back(act("mark", 189, 0));
+    mission.items.push_back(tests::place(row.who, "other", -60, 0));
+    world.load(mission);
+    if (row.who == personality::px4) {
+      EXPECT_FALSE(world.run_until_phase(phase::flying, 20)) << "nobody has seen what it does behind a landing";
+      continue;
+    }
+    ASSERT_TRUE(world.run_until_phase(phase::done, 1200)) << io::name_of(row.who) << world.story();
+    EXPECT_TRUE(tells_the_truth(world, mission, {{"mark", progress_kind::skipped}, {"other", progress_kind::skipped}}))
+        << io::name_of(row.who);
+    EXPECT_EQ(commands_on(world).back(), 16) << io::name_of(row.who);
+    EXPECT_FALSE(world.vehicle().describe().in_air) << io::name_of(row.who) << world.story();
+  }
+}
+
+// -- the rest of a mission -------------------------------------------------------------------------
+
+operators::command go_to_beside(personality who) {
+  operators::command result;
+  result.kind = operators::command_kind::go_to;
+  result.place = std::get<mission::waypoint>(tests::place(who, "there", 20, 20)).at;
+  return result;
+}
+
+// An operator calls the vehicle away from a line with pictures, and lets it go on.
+TEST(command_items_flight, a_rest_repeats_what_was_set_and_begins_the_line_anew) {
+  for (const auto& row : vehicles) {
+    if (row.who == personality::plane)
+      continue; // which circles where it is sent to, far from the line
+    flight_world world({.who = row.who});
+    const auto first = sim::drives(row.who) ? 0U : 1U;
+    auto mission = mission_with(row.who, first, {act("slow", 178, 1, 4, -1)});
+    mission.items.insert(mission.items.begin() + first + 2, act("on", 206, 5, 0, 1));  // behind w1
+    mission.items.insert(mission.items.begin() + first + 4, act("off", 206, 0, 0, 1)); // behind w2
+    ASSERT_TRUE(tests::fly_to(world, mission, progress_kind::started, "w2")) << io::name_of(row.who);
+    world.run_for(1);
+    ASSERT_TRUE(world.say(go_to_beside(row.who)).is_taken) << world.story();
+    world.run_for(15);
+    ASSERT_TRUE(world.say(operators::command_kind::cancel).is_taken) << world.sentence() << world.story();
+    ASSERT_TRUE(world.run_until([&] { return world.durable().set_aside.empty(); }, 30)) << world.story();
+    world.run_for(3);
+    const auto held = commands_on(world);
+    const std::vector<int> rest{178, 16, 206, 16, 206, 16};
+    EXPECT_NE(std::ranges::search(held, rest).begin(), held.end())
+        << io::name_of(row.who) << ": speed, entry, trigger, w2, trigger off, w3\n"
+        << world.story();
+    ASSERT_TRUE(world.run_until_phase(phase::done, 900)) << io::name_of(row.who) << world.story();
+    EXPECT_TRUE(is_told(world, progress_kind::reached, "w2")) << world.story();
+    EXPECT_NE(world.story().find("DO_SET_CAM_TRIGG_DIST of item 'on' is repeated"), std::string::npos) << world.story();
+  }
+}
+
+TEST(command_items_flight, a_rest_within_a_loop_is_refused_with_the_item_to_start_again_from) {
+  flight_world world({.who = personality::px4});
+  const auto mission = mission_with(personality::px4, 4, {mission::jump{"again", "w1", 2}});
+  ASSERT_TRUE(tests::fly_to(world, mission, progress_kind::started, "w3"));
+  const auto plan = commands_on(world);
+  const auto answer = world.say(go_to_beside(personality::px4));
+  world.run_for(20);
+  if (answer.is_taken) {
+    const auto back = world.say(operators::command_kind::cancel);
+    world.run_for(5);
+    EXPECT_TRUE(!back.is_taken || world.story().find("start the mission again from item 'w1'") != std::string::npos)
+        << world.story();
+  }
+  EXPECT_NE(world.durable().status.now, phase::aborted) << world.story();
+}
+
+// -- each command of the table on each vehicle ----------------------------------------------------
+
+// Numbers as a person would give them; a place of its own between w1 and w2.
+command_item sample_of(const mission::command_row& row, personality who) {
+  auto item = row.has_place ? at_place("x", row.id, tests::place(who, "", 60, 30)) : act("x", row.id, 1);
+  switch (row.id) {
+  case 18: // turns
+    item.params[0] = 1;
+    item.params[2] = 30;
+    break;
+  case 19: // seconds
+  case 93:
+  case 112:
+    item.params[0] = 5;
+    break;
+  case 30:
+    item.params[6] = 25;
+    item.frame = 3;
+    break;
+  case 178:
+    item.params = {1, 6, -1, 0, 0, 0, 0};
+    break;
+  default:
+    break;
+  }
+  return item;
+}
+
+// It neither ends nor begins a flight, and somebody goes on behind it.
+bool is_flown_on_from(const mission::command_row& row) {
+  constexpr std::uint16_t ends[] = {17, 20, 21, 22, 84, 85};
+  const bool is_kind = row.kind == command_class::moves || row.kind == command_class::acts ||
+                       row.kind == command_class::waits || row.kind == command_class::flow;
+  return is_kind && std::ranges::find(ends, row.id) == std::end(ends) && row.id != 177 && row.id != 601;
+}
+
+std::vector<const mission::command_row*> rows_flown_on_from() {
+  std::vector<const mission::command_row*> rows;
+  for (unsigned id = 0; id <= 65'535; ++id)
+    if (const auto* row = mission::command_of(static_cast<std::uint16_t>(id)); row != nullptr && is_flown_on_from(*row))
+      rows.push_back(row);
+  return rows;
+}
+
+enum class disturbance { none, executor_crash, process_kill };
+
+// One flight; the sentence says what was wrong with it.
+testing::AssertionResult flies(const vehicle_row& vehicle, const mission::command_row& row, disturbance what,
+                               std::uint64_t seed) {
+  flight_world world({.who = vehicle.who, .seed = seed});
+  const auto sample = sample_of(row, vehicle.who);
+  const auto mission = mission_with(vehicle.who, 2, {sample});
+  world.load(mission);
+  if (row.answer_of(vehicle.planned) == item_answer::refused) {
+    if (world.run_until_phase(phase::flying, 20) || world.vehicle().mission_items().size() > 1)
+      return testing::AssertionFailure() << "it is brought, and the vehicle refuses it\n" << world.story();
+    return testing::AssertionSuccess();
+  }
+  std::mt19937_64 random(seed);
+  if (what != disturbance::none) {
+    if (!world.run_until_phase(phase::flying, 60))
+      return testing::AssertionFailure() << "it does not begin\n" << world.story();
+    world.run_for(std::uniform_real_distribution<double>(0, 30)(random));
+    if (what == disturbance::executor_crash)
+      world.crash();
+    else
+      world.crash_all();
+  }
+  if (!world.run_until_phase(phase::done, 1200))
+    return testing::AssertionFailure() << "it does not end\n" << world.story();
+  const bool is_skipped = row.answer_of(vehicle.planned) == item_answer::skipped;
+  const bool is_place = row.kind == command_class::moves && row.id != 3000;
+  const auto end = is_skipped ? progress_kind::skipped : is_place ? progress_kind::reached : progress_kind::passed;
+  return tells_the_truth(world, mission, {{"x", end}});
+}
+
+TEST(command_items_flight, each_command_of_the_table_is_flown_and_reported_truthfully_or_refused_before_it_is_brought) {
+  for (const auto& vehicle : vehicles)
+    for (const auto* row : rows_flown_on_from())
+      EXPECT_TRUE(flies(vehicle, *row, disturbance::none, 1)) << io::name_of(vehicle.who) << ' ' << row->name;
+}
+
+TEST(command_items_flight, a_crash_and_a_kill_at_any_time_change_nothing_of_what_is_reported) {
+  std::uint64_t seed = 7;
+  for (const auto& vehicle : vehicles)
+    for (const auto* row : rows_flown_on_from())
+      if (row->answer_of(vehicle.planned) != item_answer::refused)
+        for (const auto what : {disturbance::executor_crash, disturbance::process_kill}) {
+          ++seed;
+          EXPECT_TRUE(flies(vehicle, *row, what, seed))
+              << io::name_of(vehicle.who) << ' ' << row->name << " seed " << seed << ' ' << static_cast<int>(what);
+        }
+}
+
+} // namespace command_items_flight_test
+} // namespace godwit::executor

@@ -1,0 +1,257 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "actors/executor/plan/item_planner.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
+#include "tests/actors/executor/plan/missions.hpp"
+
+namespace godwit::executor::plan {
+namespace command_planner_test {
+
+using commands = std::vector<int>;
+using mission::command_item;
+using mission::vehicle_profile;
+using progress::item_role;
+
+const mission::takeoff up{"up", 30};
+const mission::return_home home_again{"back", mission::return_goal::home};
+
+command_item act(const char* id, std::uint16_t number, double first = 1, double second = 0, double third = 0) {
+  return {id, number, 2, {first, second, third, 0, 0, 0, 0}, true};
+}
+
+command_item move(const char* id, std::uint16_t number, const mission::position& to, std::uint8_t frame = 3) {
+  return {id, number, frame, {0, 0, 0, 0, to.latitude, to.longitude, to.altitude_m}, true};
+}
+
+plan_setting flown_by(plan_setting setting, vehicle_profile profile) {
+  setting.profile = profile;
+  return setting;
+}
+
+const plan_setting copter = flown_by(ardupilot_copter, vehicle_profile::arducopter);
+const plan_setting px4 = flown_by(px4_copter, vehicle_profile::px4_multicopter);
+const plan_setting plane = flown_by(ardupilot_plane, vehicle_profile::arduplane);
+
+std::vector<item_role> roles_of(const flight_plan& plan) {
+  std::vector<item_role> roles;
+  for (const auto& each : plan.map.items)
+    roles.push_back(each.role);
+  return roles;
+}
+
+TEST(command_planner, a_command_goes_to_the_vehicle_as_it_came) {
+  const command_item spline{"s", 82, 0, {3, 0, 0, 0, 47.3985, 8.5465, 520}, false};
+  const auto plans = build_plans(mission_of({up, act("t", 206, 25.5, 0, 1), spline, home_again}), copter);
+  ASSERT_TRUE(plans.has_value()) << plans.error().message();
+  const auto& items = plans->front().items;
+  ASSERT_EQ(commands_of(plans->front()), (commands{22, 206, 82, 20}));
+  EXPECT_EQ(items[2].frame, 2);
+  EXPECT_FLOAT_EQ(items[2].param1, 25.5F);
+  EXPECT_FLOAT_EQ(items[2].param3, 1);
+  EXPECT_EQ(items[3].frame, 0);
+  EXPECT_EQ(items[3].x, 473'985'000);
+  EXPECT_EQ(items[3].y, 85'465'000);
+  EXPECT_FLOAT_EQ(items[3].z, 520);
+  EXPECT_EQ(items[3].autocontinue, 0);
+  EXPECT_EQ(roles_of(plans->front()),
+            (std::vector{item_role::flown, item_role::acts, item_role::flown, item_role::flown}));
+}
+
+TEST(command_planner, what_is_not_given_is_what_each_autopilot_takes_for_that) {
+  command_item there = move("w", 16, at(500, 0, 30));
+  there.params[3].reset();
+  command_item look{"roi", 195, 3, {}, true};
+  const auto mission = mission_of({up, look, there, home_again});
+  const auto px4_items = build_plans(mission, px4)->front().items;
+  EXPECT_TRUE(std::isnan(px4_items[2].param4));
+  EXPECT_EQ(px4_items[1].x, std::numeric_limits<std::int32_t>::max());
+  const auto copter_items = build_plans(mission, copter)->front().items;
+  EXPECT_EQ(copter_items[3].param4, 0);
+  EXPECT_EQ(copter_items[2].x, 0);
+  EXPECT_EQ(copter_items[2].z, 0);
+}
+
+TEST(command_planner, heights_above_the_sea_are_judged_by_the_height_of_home) {
+  const auto plan = build_plans(mission_of({up, move("w", 16, at(500, 0, 481), 0), home_again}), copter)->front();
+  EXPECT_NEAR(plan.legs[1].to.altitude_m, 50, 1e-9) << "home is 431 m above the sea";
+}
+
+TEST(command_planner, what_no_mission_may_hold_is_refused_by_its_name_and_the_setting) {
+  const auto mission = mission_of({up, act("p", 208, 2), waypoint("w", at(500, 0, 30)), home_again});
+  EXPECT_EQ(
+      why_not(mission, copter),
+      "Item 'p': DO_PARACHUTE is not flown: what it does can not be judged before the flight, or takes protection "
+      "away; flight.allowed_commands allows it where it names 208; leave it out.");
+  auto allowing = copter;
+  allowing.allowed_commands = {208};
+  EXPECT_EQ(commands_of(mission, allowing), (commands{22, 208, 16, 20}));
+  allowing.allowed_commands = {400};
+  EXPECT_NE(why_not(mission_of({up, act("a", 400), waypoint("w", at(500, 0, 30))}), allowing), "");
+}
+
+TEST(command_planner, what_the_vehicle_refuses_is_refused_before_it_is_brought) {
+  const auto mission = mission_of({up, move("s", 82, at(500, 0, 30)), home_again});
+  EXPECT_EQ(why_not(mission, px4), "Item 's': A vehicle of the kind px4-multicopter refuses a mission with "
+                                   "NAV_SPLINE_WAYPOINT; leave it out.");
+}
+
+TEST(command_planner, what_the_vehicle_passes_over_is_kept_unflown_and_told) {
+  const auto drives =
+      flown_by(setting_of(vehicle_class::rover, mav_autopilot::ardupilotmega), vehicle_profile::ardurover);
+  const auto plan =
+      build_plans(mission_of({waypoint("w", at(50, 0, 0)), move("s", 82, at(90, 0, 0)), home_again}), drives)->front();
+  EXPECT_EQ(commands_of(plan), (commands{16, 82, 20}));
+  EXPECT_EQ(roles_of(plan), (std::vector{item_role::flown, item_role::unflown, item_role::flown}));
+  ASSERT_EQ(plan.notes.size(), 1U);
+  EXPECT_EQ(plan.notes[0],
+            "Item 's' (NAV_SPLINE_WAYPOINT) is passed over by this kind of vehicle: its place is not visited.");
+  for (const auto& each : plan.legs)
+    EXPECT_NE(each.item_index, 1U) << "nobody goes there";
+}
+
+TEST(command_planner, a_jump_leads_to_the_sequence_of_its_item_and_its_way_is_judged) {
+  const auto mission = mission_of(
+      {up, waypoint("a", at(500, 0, 30)), waypoint("b", at(500, 500, 30)), mission::jump{"j", "a", 2}, home_again});
+  const auto on_ardupilot = build_plans(mission, copter)->front();
+  ASSERT_EQ(commands_of(on_ardupilot), (commands{22, 16, 16, 177, 20}));
+  EXPECT_FLOAT_EQ(on_ardupilot.items[4].param1, 2);
+  EXPECT_FLOAT_EQ(on_ardupilot.items[4].param2, 2);
+  const auto on_px4 = build_plans(mission, px4)->front();
+  EXPECT_FLOAT_EQ(on_px4.items[3].param1, 1) << "a PX4 keeps no home as an item";
+  const auto back = std::ranges::find(on_px4.legs, 3U, &leg::item_index);
+  ASSERT_NE(back, on_px4.legs.end());
+  EXPECT_EQ(back->from, at(500, 500, 30));
+  EXPECT_EQ(back->to, at(500, 0, 30));
+  EXPECT_EQ(back->times, 2) << "for the energy that it takes";
+  const auto there = std::ranges::find(on_px4.legs, 2U, &leg::item_index);
+  EXPECT_EQ(there->times, 3);
+  EXPECT_EQ(on_px4.legs.back().times, 1);
+  EXPECT_EQ(roles_of(on_px4)[3], item_role::acts);
+}
+
+TEST(command_planner, a_jump_is_led_anew_in_the_rest_of_a_mission) {
+  const auto mission = mission_of({up, waypoint("a", at(500, 0, 30)), waypoint("b", at(500, 500, 30)),
+                                   waypoint("c", at(0, 500, 30)), mission::jump{"j", "b", 2}, home_again});
+  const auto rest = build_plans(mission, px4, {2, 0});
+  ASSERT_TRUE(rest.has_value()) << rest.error().message();
+  ASSERT_EQ(commands_of(rest->front()), (commands{22, 16, 16, 177, 20}));
+  EXPECT_FLOAT_EQ(rest->front().items[3].param1, 0) << "with the take-off that the rest needs in front of it";
+}
+
+TEST(command_planner, a_rest_that_begins_within_a_loop_is_refused_because_its_rounds_are_not_known) {
+  const auto mission = mission_of(
+      {up, waypoint("a", at(500, 0, 30)), waypoint("b", at(500, 500, 30)), mission::jump{"j", "a", 2}, home_again});
+  EXPECT_EQ(why_not(mission, px4, {2, 0}),
+            "Item 'j': It leads back to item 'a', which is not in what is flown next, and how many rounds are left is "
+            "not known; start the mission again from item 'a', or take the jump out.");
+}
+
+TEST(command_planner, what_came_behind_a_landing_without_a_take_off_is_kept_and_not_flown) {
+  const auto mission =
+      mission_of({up, waypoint("w", at(600, 0, 60)), act("s1", 189), move("down", 21, at(0, 0, 0)), act("s2", 189),
+                  move("other", 16, at(0, 600, 60)), move("down2", 21, at(0, 100, 0))});
+  const auto plans = build_plans(mission, plane);
+  ASSERT_TRUE(plans.has_value()) << plans.error().message();
+  ASSERT_EQ(plans->size(), 1U);
+  const auto& plan = plans->front();
+  EXPECT_EQ(commands_of(plan), (commands{22, 16, 189, 21, 189, 16, 21}));
+  EXPECT_EQ(progress::items_to_finish(plan.map), 4U) << "up to the landing";
+  for (std::size_t i = 4; i < 7; ++i)
+    EXPECT_EQ(plan.map.items[i].role, item_role::unflown) << i;
+  EXPECT_EQ(plan.landing_sequence, 3);
+  EXPECT_TRUE(plan.ends_on_ground);
+  EXPECT_EQ(plan.ends_at, at(0, 0, 0));
+  EXPECT_TRUE(plan.map.ends_mission);
+  EXPECT_EQ(why_not(mission, px4),
+            "Item 'other': The vehicle stands on the ground there; put a takeoff in front of it.")
+      << "nobody has seen what a PX4 does there";
+}
+
+TEST(command_planner, behind_a_landing_a_take_off_begins_the_next_plan) {
+  const auto mission = mission_of(
+      {up, move("drop", 21, at(500, 0, 0)), act("open", 211, 1, 0), move("up2", 22, at(500, 0, 40)), home_again});
+  const auto plans = build_plans(mission, copter);
+  ASSERT_TRUE(plans.has_value()) << plans.error().message();
+  ASSERT_EQ(plans->size(), 2U);
+  EXPECT_EQ(commands_of(plans->at(0)), (commands{22, 21}));
+  EXPECT_EQ(commands_of(plans->at(1)), (commands{211, 22, 20}));
+}
+
+TEST(command_planner, ardupilot_executes_the_first_command_behind_the_last_movement_alone) {
+  const auto mission = mission_of({up, waypoint("w", at(500, 0, 30)), act("c1", 2001), act("c2", 183, 9, 1500)});
+  EXPECT_EQ(roles_of(build_plans(mission, copter)->front()),
+            (std::vector{item_role::flown, item_role::flown, item_role::acts, item_role::unflown}));
+  EXPECT_EQ(
+      roles_of(
+          build_plans(mission_of({up, waypoint("w", at(500, 0, 30)), act("c1", 2001), act("c2", 2501)}), px4)->front()),
+      (std::vector{item_role::flown, item_role::flown, item_role::acts, item_role::acts}));
+}
+
+mission::document line_with_pictures() {
+  return mission_of({up, act("s", 178, 0, 7, -1), act("g", 205, -90), waypoint("entry", at(100, 0, 30)),
+                     act("on", 206, 25, 0, 1), waypoint("exit", at(900, 0, 30)), act("off", 206, 0, 0, 1),
+                     waypoint("next", at(900, 100, 30)), act("servo", 183, 9, 1500), waypoint("last", at(0, 100, 30)),
+                     home_again});
+}
+
+TEST(command_planner, a_rest_sets_again_what_the_vehicle_has_lost_and_flies_a_line_from_its_beginning) {
+  const auto rest = build_plans(line_with_pictures(), copter, {5, 0});
+  ASSERT_TRUE(rest.has_value()) << rest.error().message();
+  const auto& plan = rest->front();
+  ASSERT_EQ(commands_of(plan), (commands{22, 178, 205, 16, 206, 16, 206, 16, 183, 16, 20}));
+  EXPECT_NEAR(plan.items[4].y / 1e7, at(100, 0, 30).longitude, 1e-6) << "the entry of the line";
+  EXPECT_FLOAT_EQ(plan.items[5].param1, 25);
+  EXPECT_EQ(plan.map.items.front().item_id, "exit");
+  EXPECT_EQ(plan.map.items.front().sequence_count, 6) << "take-off, speed, gimbal, entry, trigger, exit";
+  EXPECT_EQ(plan.notes.size(), 3U);
+}
+
+TEST(command_planner, a_trigger_that_is_off_stays_off_and_outputs_are_never_repeated_unasked) {
+  EXPECT_EQ(commands_of(line_with_pictures(), copter, {7, 0}), (commands{22, 178, 205, 16, 183, 16, 20}));
+  EXPECT_EQ(commands_of(line_with_pictures(), copter, {9, 0}), (commands{22, 178, 205, 16, 20})) << "no servo";
+}
+
+TEST(command_planner,
+     on_the_way_to_where_an_operator_sends_it_no_pictures_are_made_and_the_line_is_flown_anew_afterwards) {
+  auto mission = line_with_pictures();
+  const auto rest_of_line = std::vector<mission::item>(mission.items.begin() + 5, mission.items.end());
+  mission.items.resize(5);
+  mission.items.emplace_back(mission::loiter{"goto7", at(0, 0, 30), 0, 600});
+  auto flying = copter;
+  flying.is_under_way = true;
+  flying.start = at(500, 0, 30);
+  EXPECT_EQ(commands_of(mission, flying, {5, 0}), (commands{178, 206, 19}));
+  EXPECT_EQ(build_plans(mission, flying, {5, 0})->front().items[2].param1, 0) << "the trigger is off";
+  mission.items.insert(mission.items.end(), rest_of_line.begin(), rest_of_line.end());
+  const auto rest = build_plans(mission, flying, {6, 0})->front();
+  EXPECT_EQ(commands_of(rest), (commands{178, 205, 16, 206, 16, 206, 16, 183, 16, 20}));
+  EXPECT_NEAR(rest.items[3].y / 1e7, at(100, 0, 30).longitude, 1e-6) << "not from where it was sent";
+}
+
+TEST(command_planner, a_take_off_that_came_climbs_to_its_height_and_is_followed_by_the_state) {
+  const auto mission =
+      mission_of({act("roi", 195), move("up", 22, at(0, 0, 40)), move("w", 16, at(500, 0, 40)), home_again});
+  const auto plan = build_plans(mission, copter)->front();
+  EXPECT_EQ(commands_of(plan), (commands{195, 22, 16, 20}));
+  EXPECT_EQ(plan.legs[0].kind, leg_kind::climb);
+  EXPECT_EQ(plan.legs[0].to.altitude_m, 40);
+  EXPECT_EQ(why_not(mission_of({move("up", 22, at(0, 0, 0)), move("w", 16, at(500, 0, 40))}), copter),
+            "Item 'up': It takes off to a height that is not above the ground it stands on; give it a height above the "
+            "ground.");
+}
+
+TEST(command_planner, a_place_that_is_not_given_is_here_for_ardupilot_alone) {
+  const auto mission = mission_of({up, waypoint("w", at(500, 0, 30)), move("stay", 18, {0, 0, 30}), home_again});
+  EXPECT_EQ(why_not(mission, copter), "");
+  auto on_px4 = mission;
+  std::get<command_item>(on_px4.items[2]).command = 17;
+  EXPECT_EQ(why_not(on_px4, px4),
+            "Item 'stay': It has no place, and only ArduPilot takes that for the place where it is; "
+            "give it a place.");
+}
+
+} // namespace command_planner_test
+} // namespace godwit::executor::plan
